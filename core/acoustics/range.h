@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// One pulse heard by one board: when it arrived and how far to trust it (Vlasic 2007, section 4.1).
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace noctule {
+
+/// A pulse as the driver box logged it.
+struct Pulse {
+    int64_t id = 0;      ///< row of the take's pulse table
+    int64_t sample = 0;  ///< start of the electrical drive
+    int source = 0;
+};
+
+struct RangeMeasurement {
+    int64_t pulse = 0;  ///< Pulse::id
+    int64_t pulse_sample = 0;
+    int source = 0;
+    int board = 0;
+    double arrival_sample = 0;  ///< as detected, before the source's offset is taken off
+    double distance_m = 0;      ///< from the source at emission to the microphone at arrival
+    double w_s = 0;             ///< confidence from signal strength, 0..1
+    double w_t = 0;             ///< from continuity in time, 0..1
+    double w_a = 1;             ///< from the angle to the source's normal, 0..1; set where the pose is known
+    double sigma_m = 0;         ///< standard deviation of distance_m at full confidence
+
+    double confidence() const { return w_s * w_t * w_a; }
+};
+
+}  // namespace noctule

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+namespace noctule {
+namespace {
+
+std::string folderOf(const std::string& path) {
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
+
+std::string remedyFor(int code, const std::string& path) {
+    switch (code) {
+        case ENOSPC:
+        case EDQUOT:
+            return "Free some space there or choose another folder";
+        case ENOENT:
+        case ENOTDIR:
+            return "Create the folder " + folderOf(path) + " first or correct the path";
+        case EACCES:
+        case EPERM:
+        case EROFS:
+            return "Choose a folder that you may write to";
+        case ENAMETOOLONG:
+            return "Choose a shorter name";
+        default:
+            return "Check the disk or choose another folder";
+    }
+}
+
+Error diskError(const std::string& path, int code) {
+    return {ErrorKind::kDisk, path + ": cannot be written: " + std::generic_category().message(code),
+            remedyFor(code, path)};
+}
+
+Error existsError(const std::string& path) {
+    return {ErrorKind::kUsage, path + " exists already", "Choose another name or give --overwrite"};
+}
+
+/// An open descriptor; close() reports what the destructor must swallow.
+class Descriptor {
+public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() { close(); }
+
+    int get() const { return fd_; }
+    bool close() {
+        const int fd = fd_;
+        fd_ = -1;
+        return fd < 0 || ::close(fd) == 0;
+    }
+
+private:
+    int fd_;
+};
+
+/// Removes the file aside unless it has got its name.
+class AsideFile {
+public:
+    explicit AsideFile(std::string path) : path_(std::move(path)) {}
+    AsideFile(const AsideFile&) = delete;
+    AsideFile& operator=(const AsideFile&) = delete;
+    ~AsideFile() {
+        if (!published_)
+            ::unlink(path_.c_str());
+    }
+    const std::string& path() const { return path_; }
+    void published() { published_ = true; }
+
+private:
+    std::string path_;
+    bool published_ = false;
+};
+
+/// A name that no other writer, here or in another process, uses at this moment. The files stand beside their
+/// targets, hidden, and are told from finished ones by their ending.
+std::string asideName(const std::string& path) {
+    static std::atomic<unsigned> count{0};
+    const std::filesystem::path target(path);
+    const std::string name = "." + target.filename().string() + "." + std::to_string(::getpid()) + "-" +
+                             std::to_string(count++) + ".partial";
+    return (target.parent_path() / name).string();
+}
+
+bool writeAll(int fd, std::string_view content) {
+    while (!content.empty()) {
+        const ssize_t written = ::write(fd, content.data(), content.size());
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            return false;
+        content.remove_prefix(static_cast<size_t>(written));
+    }
+    return true;
+}
+
+/// A rename is on the disk once its folder is; file systems that cannot sync a folder need not.
+void syncFolder(const std::string& path) {
+    const Descriptor folder(::open(folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.get() >= 0)
+        ::fsync(folder.get());
+}
+
+/// Without `overwrite` the rename itself refuses to replace, so that a file made meanwhile by somebody else
+/// is safe; where the file system cannot do that, the check just before has to do.
+Status giveName(const std::string& aside_path, const std::string& path, bool overwrite) {
+    if (!overwrite) {
+        if (::renameat2(AT_FDCWD, aside_path.c_str(), AT_FDCWD, path.c_str(), RENAME_NOREPLACE) == 0)
+            return Done{};
+        if (errno == EEXIST)
+            return existsError(path);
+        if (errno != EINVAL && errno != ENOSYS)
+            return diskError(path, errno);
+        if (Status free = checkOutputPath(path, false); !free)
+            return free;
+    }
+    if (::rename(aside_path.c_str(), path.c_str()) != 0)
+        return diskError(path, errno);
+    return Done{};
+}
+
+}  // namespace
+
+Status checkOutputPath(const std::string& path, bool overwrite) {
+    struct stat found {};
+    if (path.empty())
+        return Error{ErrorKind::kUsage, "the output has no name", "Give the path of a file"};
+    if (::stat(path.c_str(), &found) == 0) {
+        if (!S_ISREG(found.st_mode))
+            return Error{ErrorKind::kUsage, path + " is not a file", "Give the path of a file"};
+        if (!overwrite)
+            return existsError(path);
+    } else if (errno != ENOENT) {
+        return diskError(path, errno);
+    }
+    if (::access(folderOf(path).c_str(), W_OK | X_OK) != 0)
+        return diskError(path, errno);
+    return Done{};
+}
+
+Status publishFile(const std::string& aside_path, const std::string& path, bool overwrite) {
+    Descriptor aside(::open(aside_path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (aside.get() < 0 || ::fsync(aside.get()) != 0 || !aside.close())
+        return diskError(aside_path, errno);
+    Status named = giveName(aside_path, path, overwrite);
+    if (named)
+        syncFolder(path);
+    return named;
+}
+
+Status writeFileAtomically(const std::string& path, std::string_view content, bool overwrite,
+                           const AsideCheck& check) {
+    if (Status free = checkOutputPath(path, overwrite); !free)
+        return free;
+    const std::string aside_path = asideName(path);
+    Descriptor descriptor(::open(aside_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (descriptor.get() < 0)
+        return diskError(path, errno);
+    AsideFile aside(aside_path);
+    if (!writeAll(descriptor.get(), content) || ::fsync(descriptor.get()) != 0 || !descriptor.close())
+        return diskError(path, errno);
+    if (check) {
+        if (Status checked = check(aside.path()); !checked)
+            return checked;
+    }
+    Status named = giveName(aside.path(), path, overwrite);
+    if (named) {
+        aside.published();
+        syncFolder(path);
+    }
+    return named;
+}
+
+Result<std::string> readWholeFile(const std::string& path) {
+    const auto unreadable = [&](int code) {
+        return Error{ErrorKind::kUnreadable,
+                     path + ": cannot be read: " + std::generic_category().message(code),
+                     code == ENOENT ? "Check the path" : "Check that it is a file that you may read"};
+    };
+    const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (descriptor.get() < 0)
+        return unreadable(errno);
+    struct stat found {};
+    if (::fstat(descriptor.get(), &found) != 0)
+        return unreadable(errno);
+    if (S_ISDIR(found.st_mode))
+        return unreadable(EISDIR);
+    std::string content(static_cast<size_t>(found.st_size), '\0');
+    size_t length = 0;
+    while (true) {
+        if (length == content.size())
+            content.resize(content.size() + 4096);  // pipes and growing files state no size
+        const ssize_t got = ::read(descriptor.get(), content.data() + length, content.size() - length);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0)
+            return unreadable(errno);
+        if (got == 0)
+            break;
+        length += static_cast<size_t>(got);
+    }
+    content.resize(length);
+    return content;
+}
+
+}  // namespace noctule

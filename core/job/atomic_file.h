@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole files, read and written at once. A file is written aside (in the same folder, so that the last step
+// is a rename), synced, checked and only then given its name: at any moment the name stands for nothing, for
+// the old file or for the complete new one.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "core/job/result.h"
+
+namespace noctule {
+
+/// Whether a file may be written at `path`; long work asks before it starts. Something there without
+/// `overwrite`, or something that is no regular file, is kUsage; a missing or read-only folder is kDisk.
+Status checkOutputPath(const std::string& path, bool overwrite);
+
+/// Looks at the file written aside before it gets its name; an Error abandons it.
+using AsideCheck = std::function<Status(const std::string& aside_path)>;
+
+/// Writes `content` to `path` in whole or not at all (kUsage as above, kDisk when the system refuses).
+Status writeFileAtomically(const std::string& path, std::string_view content, bool overwrite,
+                           const AsideCheck& check = {});
+
+/// Syncs a finished file and renames it to `path` in the same folder; for files that something else writes,
+/// such as a database. The file aside stays when this fails.
+Status publishFile(const std::string& aside_path, const std::string& path, bool overwrite);
+
+/// The whole content of a file; kUnreadable when it cannot be opened or read.
+Result<std::string> readWholeFile(const std::string& path);
+
+}  // namespace noctule

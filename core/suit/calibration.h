@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The calibration in force: what turns counts into SI units and arrival times into distances. Values only;
+// the solvers are elsewhere. JSON: core/recording/README.md, section 5.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/job/result.h"
+#include "core/suit/suit.h"
+
+namespace noctule {
+
+/// value (board frame, SI) = matrix * (counts - zero_counts)
+struct AxisCalibration {
+    Vector3d zero_counts = Vector3d::Constant(2048);
+    Matrix3d matrix = Matrix3d::Identity();
+    std::optional<Vector3d> sigma_zero_counts;
+
+    Vector3d apply(const Vector3d& counts) const { return matrix * (counts - zero_counts); }
+    /// zero 2048, full scale / 2048 on the diagonal
+    static AxisCalibration nominal(double full_scale);
+};
+
+struct BoardCalibration {
+    std::string id;
+    AxisCalibration gyro;   ///< rad/s
+    AxisCalibration accel;  ///< m/s^2
+    double mic_delay_s = 0;
+    std::optional<Vector3d> p_segment_board_m;  ///< corrected mounting, replaces the suit's
+    std::optional<Quaterniond> q_segment_board;
+};
+
+struct SourceCalibration {
+    std::string id;
+    std::map<std::string, double>
+        offsets_s;  ///< detector name -> reported time at distance 0; "start" reserved
+    std::map<std::string, double> sigma_s;
+    std::optional<double> resonance_hz, q;
+};
+
+struct SoundModel {
+    enum class Kind { kCramer, kLinear, kFixed } kind = Kind::kCramer;
+    double c_m_per_s = 343.2;  ///< kFixed only
+    double scale = 1;
+};
+
+struct Calibration {
+    std::string created_utc;
+    SoundModel sound;
+    std::vector<SourceCalibration> sources;  ///< any order; look up by id
+    std::vector<BoardCalibration> boards;
+
+    const BoardCalibration* findBoard(const std::string& id) const;
+    const SourceCalibration* findSource(const std::string& id) const;
+};
+
+/// Nominal values for every board of the suit; no source offsets.
+Calibration nominalCalibration(const Suit& suit);
+
+nlohmann::json toJson(const Calibration& calibration);
+Result<Calibration> calibrationFromJson(const nlohmann::json& json, const std::string& where);
+
+}  // namespace noctule
