@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <string_view>
 
 namespace noctule {
 
@@ -13,6 +13,29 @@ struct Pulse {
     int64_t sample = 0;  ///< start of the electrical drive
     int source = 0;
 };
+
+/// What an estimator made of a range.
+enum class RangeFate {
+    kNotTried,  ///< no estimator has seen it, or it does without distances
+    kUsed,
+    kWeighted,      ///< used with less weight: further off than expected
+    kGated,         ///< thrown out: too far from what the pose allows
+    kBehindSource,  ///< the microphone is behind the source (w_a = 0)
+    kNoConfidence,
+};
+
+/// "used", "weighted", "gated", "behind", "unsure"; empty for kNotTried. As in the take's range table.
+inline const char* rangeFateName(RangeFate fate) {
+    constexpr const char* kNames[] = {"", "used", "weighted", "gated", "behind", "unsure"};
+    return kNames[static_cast<int>(fate)];
+}
+inline RangeFate rangeFateFromName(std::string_view name) {
+    for (RangeFate fate : {RangeFate::kUsed, RangeFate::kWeighted, RangeFate::kGated,
+                           RangeFate::kBehindSource, RangeFate::kNoConfidence})
+        if (name == rangeFateName(fate))
+            return fate;
+    return RangeFate::kNotTried;
+}
 
 struct RangeMeasurement {
     int64_t pulse = 0;  ///< Pulse::id
@@ -25,6 +48,9 @@ struct RangeMeasurement {
     double w_t = 0;             ///< from continuity in time, 0..1
     double w_a = 1;             ///< from the angle to the source's normal, 0..1; set where the pose is known
     double sigma_m = 0;         ///< standard deviation of distance_m at full confidence
+
+    RangeFate fate = RangeFate::kNotTried;
+    double innovation_m = 0;  ///< measured minus expected, where it was tried
 
     double confidence() const { return w_s * w_t * w_a; }
 };

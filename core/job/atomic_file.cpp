@@ -150,6 +150,10 @@ Status checkOutputPath(const std::string& path, bool overwrite) {
     return Done{};
 }
 
+std::string asidePath(const std::string& path) {
+    return asideName(path);
+}
+
 Status publishFile(const std::string& aside_path, const std::string& path, bool overwrite) {
     Descriptor aside(::open(aside_path.c_str(), O_RDONLY | O_CLOEXEC));
     if (aside.get() < 0 || ::fsync(aside.get()) != 0 || !aside.close())
@@ -197,7 +201,7 @@ Result<std::string> readWholeFile(const std::string& path) {
         return unreadable(errno);
     if (S_ISDIR(found.st_mode))
         return unreadable(EISDIR);
-    std::string content(static_cast<size_t>(found.st_size), '\0');
+    std::string content(static_cast<size_t>(found.st_size) + 1, '\0');  // one more, to see the end at once
     size_t length = 0;
     while (true) {
         if (length == content.size())

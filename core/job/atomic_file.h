@@ -23,6 +23,10 @@ using AsideCheck = std::function<Status(const std::string& aside_path)>;
 Status writeFileAtomically(const std::string& path, std::string_view content, bool overwrite,
                            const AsideCheck& check = {});
 
+/// A name beside `path` for a file that something else writes and publishFile() names; no other writer, here
+/// or in another process, uses it.
+std::string asidePath(const std::string& path);
+
 /// Syncs a finished file and renames it to `path` in the same folder; for files that something else writes,
 /// such as a database. The file aside stays when this fails.
 Status publishFile(const std::string& aside_path, const std::string& path, bool overwrite);

@@ -10,7 +10,8 @@ namespace {
 
 TEST(Rotation, ExpAndLogAreInverse) {
     for (double angle : {0.0, 1e-12, 1e-5, 0.1, 1.0, 3.0, 3.14159})
-        for (const Vector3d& axis : {Vector3d(1, 0, 0), Vector3d(0.6, -0.8, 0), Vector3d(Vector3d(1, 2, -2) / 3.0)}) {
+        for (const Vector3d& axis :
+             {Vector3d(1, 0, 0), Vector3d(0.6, -0.8, 0), Vector3d(Vector3d(1, 2, -2) / 3.0)}) {
             const Vector3d v = angle * axis;
             EXPECT_LT((logQuaternion(expQuaternion(v)) - v).norm(), 1e-9) << angle;
             const Quaterniond q = expQuaternion(v);

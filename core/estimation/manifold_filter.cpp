@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/manifold_filter.h"
+
+#include <cmath>
+
+#include "core/estimation/prediction.h"
+#include "core/inertial/reading.h"
+#include "core/math/rotation.h"
+
+namespace noctule {
+namespace {
+
+StateLayout makeLayout(int freedoms, const SuitModel& suit, const ManifoldParameters& p) {
+    StateLayout layout;
+    layout.freedoms = freedoms;
+    int next = 3 * freedoms;
+    const int boards = static_cast<int>(suit.boards.size());
+    const auto reserve = [&next](bool wanted, int count) {
+        const int first = wanted ? next : -1;
+        next += wanted ? count : 0;
+        return first;
+    };
+    // A bias that nothing observes only hurts: none without the sensor it belongs to.
+    layout.gyro_bias = reserve(p.sensors.gyroscopes, 3 * boards);
+    layout.accel_bias = reserve(p.sensors.accelerometers, 3 * boards);
+    layout.source_offset = reserve(p.sensors.distances, static_cast<int>(suit.sources.size()));
+    layout.sound_scale = reserve(p.sensors.distances, 1);
+    layout.size = next;
+    return layout;
+}
+
+constexpr double kMinimumConfidence = 0.05;
+constexpr double kDivergedShare = 0.7;  // of distances gated out, running over about kGatingMemory of them
+constexpr double kGatingMemory = 60;
+constexpr int kRestIterations = 6;
+
+}  // namespace
+
+ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const ManifoldParameters& parameters)
+    : parameters_(parameters),
+      tree_(skeleton, BallCoordinates::kManifold),
+      skeleton_(skeleton),
+      suit_(std::move(suit)),
+      layout_(makeLayout(tree_.freedoms(), suit_, parameters)),
+      observations_(tree_, suit_, layout_, parameters.g_m_per_s2),
+      step_s_(1.0 / (kInertialFramesPerSecond * parameters.steps_per_frame)) {
+    const int n = tree_.freedoms();
+    acceleration_decay_ = Eigen::VectorXd::Constant(n, std::exp(-step_s_ / parameters.joint_accel_time_s));
+    acceleration_variance_ =
+        Eigen::VectorXd::Constant(n, parameters.joint_accel_rad_per_s2 * parameters.joint_accel_rad_per_s2);
+    if (!tree_.links().empty() && tree_.link(0).type == LinkType::kFree) {
+        acceleration_decay_.head<3>().setConstant(std::exp(-step_s_ / parameters.root_accel_time_s));
+        acceleration_variance_.head<3>().setConstant(parameters.root_accel_m_per_s2 *
+                                                     parameters.root_accel_m_per_s2);
+        acceleration_variance_.segment<3>(3).setConstant(parameters.root_turn_accel_rad_per_s2 *
+                                                         parameters.root_turn_accel_rad_per_s2);
+    }
+}
+
+void ManifoldFilter::initialise(const Pose& rest_pose) {
+    const auto square = [](double x) { return x * x; };
+    state_.motion = tree_.stateFromPose(rest_pose);
+    rest_ = state_.motion;
+    state_.gyro_bias.assign(suit_.boards.size(), Vector3d::Zero());
+    state_.accel_bias.assign(suit_.boards.size(), Vector3d::Zero());
+    state_.source_offset_m.assign(suit_.sources.size(), 0.0);
+    state_.sound_scale = 0;
+    const int n = layout_.freedoms;
+    Eigen::VectorXd variance = Eigen::VectorXd::Zero(layout_.size);
+    variance.segment(0, n).setConstant(square(parameters_.initial_pose_rad));
+    variance.segment(n, n).setConstant(square(parameters_.initial_rate_rad_per_s));
+    variance.segment(2 * n, n).setConstant(square(parameters_.initial_accel_rad_per_s2));
+    const auto fill = [&](int first, size_t count, double sigma) {
+        if (first >= 0)
+            variance.segment(first, static_cast<Eigen::Index>(count)).setConstant(square(sigma));
+    };
+    fill(layout_.gyro_bias, 3 * suit_.boards.size(), parameters_.gyro_bias_rad_per_s);
+    fill(layout_.accel_bias, 3 * suit_.boards.size(), parameters_.accel_bias_m_per_s2);
+    fill(layout_.source_offset, suit_.sources.size(), parameters_.source_offset_m);
+    fill(layout_.sound_scale, 1, parameters_.sound_scale);
+    P_ = variance.asDiagonal();
+}
+
+void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) {
+    Pose pose = rest_pose;
+    if (root) {
+        pose.p_world_root = root->p_world_root;
+        pose.q_parent_joint[0] = root->q_world_root;
+    }
+    initialise(pose);
+    step_index_ = static_cast<int64_t>(std::ceil(rest.end_s / step_s_ - 1e-9));
+    settle(rest, root);
+    emitRestPoses(rest);
+}
+
+/// Mean readings of a still body as one iterated update: mean accelerations point up (section 5.4), mean
+/// rates are zero plus the bias.
+void ManifoldFilter::settle(const RestReadings& rest, const RootMeasurement* root) {
+    const BodyState prior = state_;
+    Eigen::VectorXd total = Eigen::VectorXd::Zero(layout_.size);
+    for (int iteration = 0; iteration < kRestIterations; ++iteration) {
+        std::vector<ObservationBlock> blocks;
+        for (const InertialMeasurement& mean : rest.mean_by_board) {
+            if (parameters_.sensors.gyroscopes)
+                blocks.push_back(observations_.gyro(state_, mean, 0));
+            // The paper levels the asked-for pose by the accelerometers before the filter begins, so this
+            // holds also where the run itself does without them; then nothing estimates their bias.
+            blocks.push_back(observations_.accel(state_, mean, 0));
+            if (layout_.accel_bias < 0)
+                blocks.back().variance.array() +=
+                    parameters_.accel_bias_m_per_s2 * parameters_.accel_bias_m_per_s2;
+        }
+        if (root)
+            blocks.push_back(observations_.root(state_, *root, 0));
+        for (ObservationBlock& block : blocks)
+            for (Eigen::Index k = 0; k < block.H.cols(); ++k)
+                block.residual += block.H.col(k) * total[block.columns[static_cast<size_t>(k)]];
+        Eigen::MatrixXd P = P_;
+        const Eigen::VectorXd delta = kalmanUpdate(P, blocks);
+        const double change = (delta - total).norm();
+        total = delta;
+        state_ = prior;
+        correct(total);
+        if (iteration + 1 == kRestIterations || change < 1e-9) {
+            P_ = P;
+            break;
+        }
+    }
+}
+
+void ManifoldFilter::emitRestPoses(const RestReadings& rest) {
+    const int64_t frame_steps = parameters_.steps_per_frame;
+    for (int64_t k = 0; k < step_index_; k += frame_steps)
+        poses_.push_back(estimateAt(static_cast<double>(k) * step_s_));
+    if (step_index_ % frame_steps == 0 && rest.end_s >= 0)
+        poses_.push_back(estimateAt(static_cast<double>(step_index_) * step_s_));
+}
+
+void ManifoldFilter::add(const InertialMeasurement& measurement) {
+    inertial_.add(measurement.time_s, measurement);
+}
+
+void ManifoldFilter::add(const DistanceMeasurement& measurement) {
+    if (parameters_.sensors.distances)
+        distances_.add(measurement.arrival_s, measurement);
+}
+
+void ManifoldFilter::add(const RootMeasurement& measurement) {
+    if (parameters_.root_given)
+        roots_.add(measurement.time_s, measurement);
+}
+
+void ManifoldFilter::advanceTo(double time_s) {
+    while ((static_cast<double>(step_index_) + 1.5) * step_s_ <= time_s)
+        step();
+}
+
+void ManifoldFilter::step() {
+    predict(step_s_);
+    ++step_index_;
+    const double limit_s = (static_cast<double>(step_index_) + 0.5) * step_s_;
+    const double begin_s = limit_s - step_s_;
+    current_ = inertial_.takeUpTo(limit_s);
+    std::erase_if(current_, [&](const InertialMeasurement& m) { return m.time_s < begin_s - 1e-9; });
+    updateRoot(limit_s);
+    if (parameters_.sensors.accelerometers)
+        updateTriads(false);
+    if (parameters_.sensors.gyroscopes)
+        updateTriads(true);
+    updateDistances(limit_s);
+    const auto prior_steps = std::max<int64_t>(1, std::llround(parameters_.prior_interval_s / step_s_));
+    if (step_index_ % prior_steps == 0)
+        updatePriors();
+    if (step_index_ % parameters_.steps_per_frame == 0)
+        poses_.push_back(estimateAt(static_cast<double>(step_index_) * step_s_));
+}
+
+void ManifoldFilter::predict(double dt_s) {
+    predictMotion(tree_, state_.motion, P_, dt_s, acceleration_decay_, acceleration_variance_);
+    const auto wander = [&](int first, size_t count, double walk) {
+        if (first >= 0)
+            P_.diagonal().segment(first, static_cast<Eigen::Index>(count)).array() += walk * walk * dt_s;
+    };
+    wander(layout_.gyro_bias, 3 * suit_.boards.size(), parameters_.gyro_bias_walk);
+    wander(layout_.accel_bias, 3 * suit_.boards.size(), parameters_.accel_bias_walk);
+}
+
+void ManifoldFilter::updateRoot(double limit_s) {
+    std::vector<ObservationBlock> blocks;
+    for (const RootMeasurement& measurement : roots_.takeUpTo(limit_s))
+        if (measurement.time_s >= limit_s - step_s_ - 1e-9)
+            blocks.push_back(observations_.root(
+                state_, measurement, measurement.time_s - static_cast<double>(step_index_) * step_s_));
+    correct(kalmanUpdate(P_, blocks));
+}
+
+void ManifoldFilter::updateTriads(bool gyro) {
+    std::vector<ObservationBlock> blocks;
+    for (const InertialMeasurement& measurement : current_) {
+        const double offset_s = measurement.time_s - static_cast<double>(step_index_) * step_s_;
+        ObservationBlock block = gyro ? observations_.gyro(state_, measurement, offset_s)
+                                      : observations_.accel(state_, measurement, offset_s);
+        if (block.rows() == 0)
+            continue;
+        limitInfluence(P_, block, parameters_.inertial_huber_sigma);
+        blocks.push_back(std::move(block));
+    }
+    correct(kalmanUpdate(P_, blocks));
+}
+
+void ManifoldFilter::updateDistances(double limit_s) {
+    std::vector<ObservationBlock> blocks;
+    const double now_s = static_cast<double>(step_index_) * step_s_;
+    for (const DistanceMeasurement& measurement : distances_.takeUpTo(limit_s)) {
+        if (measurement.arrival_s < limit_s - step_s_ - 1e-9)
+            continue;
+        DistanceDecision decision{measurement.id, measurement.board, RangeFate::kNoConfidence, 1, 0, 0};
+        auto [block, cos_angle] = observations_.distance(state_, measurement, measurement.emission_s - now_s,
+                                                         measurement.arrival_s - now_s);
+        decision.w_a = cos_angle >= 0 ? 1 : 0;
+        decision.innovation_m = block.residual[0];
+        if (decision.w_a == 0) {
+            decision.fate = RangeFate::kBehindSource;
+        } else if (measurement.confidence >= kMinimumConfidence) {
+            const double sigma = measurement.sigma_m / measurement.confidence;
+            block.variance[0] = sigma * sigma + parameters_.distance_floor_m * parameters_.distance_floor_m;
+            decision.sigma_m = std::sqrt(innovationVariance(P_, block)[0]);
+            const double ratio = std::abs(decision.innovation_m) / decision.sigma_m;
+            const bool gated = ratio > parameters_.distance_gate_sigma;
+            noteGating(gated);
+            decision.fate = gated                                      ? RangeFate::kGated
+                            : ratio > parameters_.distance_huber_sigma ? RangeFate::kWeighted
+                                                                       : RangeFate::kUsed;
+            if (!gated) {
+                limitInfluence(P_, block, parameters_.distance_huber_sigma);
+                blocks.push_back(std::move(block));
+            }
+        }
+        decisions_.push_back(decision);
+    }
+    correct(kalmanUpdate(P_, blocks));
+}
+
+/// A filter that has diverged gates out good data for ever: widen the pose and begin anew.
+void ManifoldFilter::noteGating(bool gated) {
+    gated_share_ += ((gated ? 1.0 : 0.0) - gated_share_) / kGatingMemory;
+    if (gated_share_ < kDivergedShare)
+        return;
+    gated_share_ = 0;
+    ++resets_;
+    P_.diagonal().head(layout_.freedoms).array() += 0.1 * 0.1;
+    P_.diagonal().segment(layout_.freedoms, layout_.freedoms).array() += 1.0;
+}
+
+void ManifoldFilter::updatePriors() {
+    std::vector<ObservationBlock> blocks;
+    const auto pull = [&](int index, double residual, double sigma) {
+        blocks.push_back({{index},
+                          Eigen::MatrixXd::Ones(1, 1),
+                          Eigen::VectorXd::Constant(1, residual),
+                          Eigen::VectorXd::Constant(1, sigma * sigma)});
+    };
+    const bool free_root = tree_.link(0).type == LinkType::kFree && !parameters_.root_given;
+    if (free_root)
+        for (int i = 0; i < 3; ++i)
+            pull(layout_.rate(i), -state_.motion.rate[i], parameters_.root_velocity_prior_m_per_s);
+    if (!parameters_.sensors.gyroscopes)
+        for (size_t i = 0; i < tree_.links().size(); ++i) {
+            const Link& link = tree_.links()[i];
+            const int rotation = link.type == LinkType::kFree ? 3 : 0;
+            const Vector3d away =
+                logQuaternion(rest_.q_parent_link[i].conjugate() * state_.motion.q_parent_link[i]);
+            for (int k = rotation; k < link.count; ++k) {
+                const int index = link.first + k;
+                const double angle = link.type == LinkType::kHinge
+                                         ? state_.motion.angle_rad[i] - rest_.angle_rad[i]
+                                         : away[k - rotation];
+                if (i > 0)
+                    pull(layout_.theta(index), -angle, parameters_.pose_prior_rad);
+                pull(layout_.rate(index), -state_.motion.rate[index], parameters_.rate_prior_rad_per_s);
+            }
+        }
+    correct(kalmanUpdate(P_, blocks));
+}
+
+void ManifoldFilter::correct(const Eigen::VectorXd& delta) {
+    const int n = layout_.freedoms;
+    tree_.retract(state_.motion, delta.head(n));
+    state_.motion.rate += delta.segment(n, n);
+    state_.motion.accel += delta.segment(2 * n, n);
+    for (size_t b = 0; b < suit_.boards.size(); ++b) {
+        if (layout_.gyro_bias >= 0)
+            state_.gyro_bias[b] += delta.segment<3>(layout_.gyro_bias + 3 * static_cast<int>(b));
+        if (layout_.accel_bias >= 0)
+            state_.accel_bias[b] += delta.segment<3>(layout_.accel_bias + 3 * static_cast<int>(b));
+    }
+    if (layout_.source_offset >= 0)
+        for (size_t s = 0; s < suit_.sources.size(); ++s)
+            state_.source_offset_m[s] += delta[layout_.source_offset + static_cast<int>(s)];
+    if (layout_.sound_scale >= 0)
+        state_.sound_scale += delta[layout_.sound_scale];
+}
+
+TimedPose ManifoldFilter::estimateAt(double time_s) const {
+    return {std::llround(time_s * 1e9), tree_.poseFromState(state_.motion),
+            jointSigmas(tree_, skeleton_, state_.motion, P_)};
+}
+
+}  // namespace noctule

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// The estimator of choice: an extended Kalman filter over the articulated body with rotations on the manifold
+// (right perturbations), rates, accelerations, sensor biases and the constant errors of the distances.
+//
+// Accelerations are Ornstein-Uhlenbeck processes: a white jerk as in the paper's equation 1, but with a
+// finite variance, because as a free random walk the root's acceleration tips the whole body over in minutes.
+// The filter steps on a grid finer than the sensors' frames; every reading is predicted at its own instant.
+#pragma once
+
+#include <utility>
+
+#include "core/estimation/estimator.h"
+#include "core/estimation/kalman_update.h"
+
+namespace noctule {
+
+struct ManifoldParameters {
+    SensorSelection sensors;
+    bool root_given = false;
+    double g_m_per_s2 = kStandardGravity_m_per_s2;
+
+    int steps_per_frame = 2;  ///< filter steps per 1/140 s; more: less extrapolation, more time
+
+    // Motion: standard deviation of an acceleration and the time over which it changes.
+    double joint_accel_rad_per_s2 = 25, joint_accel_time_s = 0.12;
+    double root_accel_m_per_s2 = 4, root_accel_time_s = 0.3;
+    double root_turn_accel_rad_per_s2 = 15;
+    double root_velocity_prior_m_per_s = 2;  ///< free root only, once per prior_interval_s
+
+    // Sensors: what is constant over a take and how it wanders. Zero-noise limits are floors of the
+    // readings'.
+    double gyro_bias_rad_per_s = 0.01, gyro_bias_walk = 0.0003;  ///< walk: per sqrt(s)
+    double accel_bias_m_per_s2 = 0.05, accel_bias_walk = 0.001;
+    double source_offset_m = 0.0008;  ///< 1.5 us of offset error, and what the detector adds per source
+    double sound_scale = 0.0015;
+
+    // Start.
+    double initial_pose_rad = 0.035;  ///< per component; at least the true error
+    double initial_rate_rad_per_s = 0.05, initial_accel_rad_per_s2 = 0.5;
+
+    // Robustness.
+    double distance_gate_sigma = 5, distance_huber_sigma = 2.5, inertial_huber_sigma = 5;
+    double distance_floor_m = 0.0008;  ///< added to every distance: body and sensors are not rigid
+
+    // Without gyroscopes nothing holds the pose: a weak pull towards the rest pose.
+    double pose_prior_rad = 0.6, rate_prior_rad_per_s = 2, prior_interval_s = 0.1;
+};
+
+class ManifoldFilter : public Estimator {
+public:
+    ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const ManifoldParameters& parameters);
+
+    void start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) override;
+    void add(const InertialMeasurement& measurement) override;
+    void add(const DistanceMeasurement& measurement) override;
+    void add(const RootMeasurement& measurement) override;
+    void advanceTo(double time_s) override;
+    std::vector<TimedPose> takePoses() override { return std::exchange(poses_, {}); }
+    std::vector<DistanceDecision> takeDecisions() override { return std::exchange(decisions_, {}); }
+    int resets() const override { return resets_; }
+
+    const StateLayout& layout() const { return layout_; }
+    const BodyState& state() const { return state_; }
+    const Eigen::MatrixXd& covariance() const { return P_; }
+    const KinematicTree& tree() const { return tree_; }
+
+private:
+    void initialise(const Pose& rest_pose);
+    void settle(const RestReadings& rest, const RootMeasurement* root);
+    void step();
+    void predict(double dt_s);
+    void updateRoot(double limit_s);
+    void updateTriads(bool gyro);
+    void updateDistances(double limit_s);
+    void updatePriors();
+    void correct(const Eigen::VectorXd& delta);
+    void noteGating(bool gated);
+    TimedPose estimateAt(double time_s) const;
+    void emitRestPoses(const RestReadings& rest);
+
+    ManifoldParameters parameters_;
+    KinematicTree tree_;
+    Skeleton skeleton_;
+    SuitModel suit_;
+    StateLayout layout_;
+    ObservationModel observations_;
+    BodyState state_;
+    MotionState rest_;  ///< for the pose prior
+    Eigen::MatrixXd P_;
+    Eigen::VectorXd acceleration_decay_;     ///< per velocity index, for one step
+    Eigen::VectorXd acceleration_variance_;  ///< stationary
+
+    int64_t step_index_ = 0;  ///< the state's time is step_index_ * step_s_
+    double step_s_ = 0;
+    TimeQueue<InertialMeasurement> inertial_;
+    TimeQueue<DistanceMeasurement> distances_;
+    TimeQueue<RootMeasurement> roots_;
+    std::vector<InertialMeasurement> current_;  ///< readings of this step
+
+    double gated_share_ = 0;  ///< running, over about 60 distances
+    int resets_ = 0;
+    std::vector<TimedPose> poses_;
+    std::vector<DistanceDecision> decisions_;
+};
+
+}  // namespace noctule

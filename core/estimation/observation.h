@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The paper's three observation models (Vlasic 2007, equations 2 to 4) and the given root, linearised with
+// analytic Jacobians. Each measurement is predicted at its own instant: the body is carried from the state's
+// time with accelerations held, and the Jacobian is taken back to the state's time.
+#pragma once
+
+#include <vector>
+
+#include "core/body/kinematics.h"
+#include "core/estimation/measurement.h"
+#include "core/estimation/suit_model.h"
+
+namespace noctule {
+
+/// Where things stand in a filter's error state: coordinates, their rates and accelerations (one block each,
+/// in the order of the tree's velocity indices), then what is listed here; -1: not estimated.
+struct StateLayout {
+    int freedoms = 0;
+    int gyro_bias = -1;      ///< 3 per board, rad/s
+    int accel_bias = -1;     ///< 3 per board, m/s^2
+    int source_offset = -1;  ///< 1 per source, m: constant error of the source's distances
+    int sound_scale = -1;    ///< relative error of the speed of sound
+    int size = 0;
+
+    int theta(int index) const { return index; }
+    int rate(int index) const { return freedoms + index; }
+    int accel(int index) const { return 2 * freedoms + index; }
+};
+
+/// The state that observations are predicted from. Biases are sized by the suit, zero when not estimated.
+struct BodyState {
+    MotionState motion;
+    std::vector<Vector3d> gyro_bias, accel_bias;  ///< per board
+    std::vector<double> source_offset_m;          ///< per source
+    double sound_scale = 0;
+};
+
+/// Linearised measurements: residual = measured - expected = H * error + noise, H given by its non-zero
+/// columns.
+struct ObservationBlock {
+    std::vector<int> columns;
+    Eigen::MatrixXd H;  ///< rows x columns.size()
+    Eigen::VectorXd residual;
+    Eigen::VectorXd variance;  ///< of the noise; diagonal
+
+    Eigen::Index rows() const { return residual.size(); }
+};
+
+/// Predicts measurements of one suit on one tree. Holds scratch space; not shared between threads.
+class ObservationModel {
+public:
+    ObservationModel(const KinematicTree& tree, const SuitModel& suit, const StateLayout& layout,
+                     double g_m_per_s2 = kStandardGravity_m_per_s2)
+        : tree_(tree), suit_(suit), layout_(layout), g_m_per_s2_(g_m_per_s2) {}
+
+    /// Equation 3. `offset_s` is the reading's instant minus the state's time.
+    ObservationBlock gyro(const BodyState& state, const InertialMeasurement& measurement, double offset_s);
+    /// Equation 2.
+    ObservationBlock accel(const BodyState& state, const InertialMeasurement& measurement, double offset_s);
+
+    struct Distance {
+        ObservationBlock block;
+        double cos_angle = 1;  ///< between the source's normal and the direction to the microphone
+    };
+    /// Equation 4 with source and microphone at their own times. `variance` is left to the caller.
+    Distance distance(const BodyState& state, const DistanceMeasurement& measurement,
+                      double emission_offset_s, double arrival_offset_s);
+    /// Position (3 rows), then rotation (3 rows, right perturbation) of the root.
+    ObservationBlock root(const BodyState& state, const RootMeasurement& measurement, double offset_s);
+
+private:
+    ObservationBlock triad(const BodyState& state, const InertialMeasurement& measurement, double offset_s,
+                           bool is_gyro);
+    /// Position of a point on a link (-1: the world) and its derivative along `direction` by all coordinates.
+    Vector3d pointAt(const BodyState& state, int link, const Vector3d& p_link, double offset_s,
+                     ChainMotion& chain);
+    void addDirectional(ObservationBlock& block, const ChainMotion& chain, const Vector3d& p_link,
+                        const Vector3d& direction);
+
+    const KinematicTree& tree_;
+    const SuitModel& suit_;
+    const StateLayout& layout_;
+    double g_m_per_s2_;
+    ChainMotion chain_, other_chain_;
+    ChainMotion::Columns columns_;
+};
+
+}  // namespace noctule

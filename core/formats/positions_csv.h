@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Joint positions as a table: `time_s,JOINT.x,JOINT.y,JOINT.z,...`, world, metres, one row per frame. What
+// export writes and what attach reads.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/job/result.h"
+#include "core/motion/clip.h"
+
+namespace noctule {
+
+/// Joints in the skeleton's order, then with `angles` a column JOINT.FREEDOM in degrees for every named
+/// degree of freedom (projectOntoJoint without limits). Metres and degrees to 1e-6, time to 1 ns.
+std::string formatPositionsCsv(const MotionClip& clip, bool angles);
+/// kUnusable when a value is not finite.
+Status writePositionsCsv(const std::string& path, const MotionClip& clip, bool angles, bool overwrite);
+
+struct PositionTable {
+    std::vector<double> time_s;  ///< strictly rising
+    std::vector<std::string> joints;
+    std::vector<Vector3d> p_world_m;  ///< row after row, one per joint
+
+    const Vector3d& at(size_t row, size_t joint) const { return p_world_m[row * joints.size() + joint]; }
+};
+
+/// Columns in any order, comma, semicolon or tab between them; columns that are neither time_s nor JOINT.x,
+/// .y or .z are ignored. kUnreadable with line and column.
+Result<PositionTable> readPositionsCsv(const std::string& path);
+Result<PositionTable> parsePositionsCsv(std::string_view text, const std::string& where);
+
+}  // namespace noctule

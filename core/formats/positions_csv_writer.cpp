@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "core/formats/number_text.h"
+#include "core/formats/positions_csv.h"
+#include "core/job/atomic_file.h"
+
+namespace noctule {
+namespace {
+
+/// RFC 4180: a cell with a separator or quote stands in quotes.
+void appendCell(std::string& text, const std::string& cell) {
+    text += ',';
+    if (cell.find_first_of(",;\"\t\n") == std::string::npos) {
+        text += cell;
+        return;
+    }
+    text += '"';
+    for (const char c : cell)
+        text += c == '"' ? std::string("\"\"") : std::string(1, c);
+    text += '"';
+}
+
+void appendNumber(std::string& text, double value) {
+    text += ',';
+    appendFixed(text, value, 6);
+}
+
+void appendHeader(std::string& text, const Skeleton& skeleton, bool angles) {
+    text += "time_s";
+    for (const Joint& joint : skeleton.joints())
+        for (const char* axis : {".x", ".y", ".z"})
+            appendCell(text, joint.name + axis);
+    if (angles)
+        for (const Joint& joint : skeleton.joints())
+            for (const DegreeOfFreedom& dof : joint.dof)
+                appendCell(text, joint.name + "." + dof.name);
+    text += '\n';
+}
+
+void appendAngles(std::string& text, const Skeleton& skeleton, const Pose& pose) {
+    for (size_t j = 0; j < skeleton.joints().size(); ++j) {
+        const Joint& joint = skeleton.joints()[j];
+        if (joint.dof.empty())
+            continue;
+        const JointAngles projected = projectOntoJoint(joint, pose.q_parent_joint[j], false);
+        for (const double angle_rad : projected.angles_rad)
+            appendNumber(text, degrees(angle_rad));
+    }
+}
+
+Status checkFinite(const MotionClip& clip) {
+    for (size_t f = 0; f < clip.frames.size(); ++f) {
+        const GlobalPose global = globalPose(clip, f);
+        for (size_t j = 0; j < global.p_world_joint.size(); ++j)
+            if (!global.p_world_joint[j].allFinite() || !global.q_world_joint[j].coeffs().allFinite())
+                return Error{ErrorKind::kUnusable,
+                             clip.name + ": frame " + std::to_string(f + 1) + " of joint " +
+                                 clip.skeleton.joints()[j].name + " is not a finite number",
+                             "Process the take again or leave this part out"};
+    }
+    return Done{};
+}
+
+}  // namespace
+
+std::string formatPositionsCsv(const MotionClip& clip, bool angles) {
+    std::string text;
+    appendHeader(text, clip.skeleton, angles);
+    for (size_t f = 0; f < clip.frames.size(); ++f) {
+        appendFixed(text, static_cast<double>(f) * clip.frame_time_s, 9);
+        for (const Vector3d& p_m : globalPose(clip, f).p_world_joint)
+            for (int axis = 0; axis < 3; ++axis)
+                appendNumber(text, p_m[axis]);
+        if (angles)
+            appendAngles(text, clip.skeleton, clip.frames[f]);
+        text += '\n';
+    }
+    return text;
+}
+
+Status writePositionsCsv(const std::string& path, const MotionClip& clip, bool angles, bool overwrite) {
+    if (Status free = checkOutputPath(path, overwrite); !free)
+        return free;
+    if (Status finite = checkFinite(clip); !finite)
+        return finite;
+    return writeFileAtomically(path, formatPositionsCsv(clip, angles), overwrite);
+}
+
+}  // namespace noctule

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the root wanders away from a reference. Nothing on the suit measures yaw or position absolutely, so
+// both are made equal at the first frame; tilt is measured against gravity and is compared as it is.
+#pragma once
+
+#include "core/motion/comparison.h"
+
+namespace noctule {
+
+struct RootState {
+    Quaterniond q_world_root;
+    Vector3d p_world_root_m;
+};
+
+class RootDrift {
+public:
+    void add(const RootState& estimate, const RootState& reference);
+    RootComparison finish();
+
+private:
+    std::optional<RootState> first_estimate_, first_reference_;
+    Quaterniond q_reference_estimate_;  // about the vertical, from the first frame
+    RootComparison result_;
+};
+
+}  // namespace noctule

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/motion/timed_poses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace noctule {
+namespace {
+
+Quaterniond shortestSlerp(const Quaterniond& a, const Quaterniond& b, double fraction) {
+    return a.normalized().slerp(fraction, b.normalized());  // Eigen takes the short way whatever the signs
+}
+
+}  // namespace
+
+bool isUsable(const Pose& pose) {
+    const auto good = [](const Quaterniond& q) { return q.coeffs().allFinite() && q.norm() > 0.5; };
+    return pose.p_world_root.allFinite() &&
+           std::all_of(pose.q_parent_joint.begin(), pose.q_parent_joint.end(), good);
+}
+
+Status checkMotion(const TimedMotion& motion, const std::string& where) {
+    const size_t joints = motion.skeleton.joints().size();
+    for (size_t i = 0; i < motion.frames.size(); ++i) {
+        const TimedPose& frame = motion.frames[i];
+        const std::string which = where + ": frame " + std::to_string(i);
+        if (i > 0 && frame.time_ns <= motion.frames[i - 1].time_ns)
+            return Error{ErrorKind::kUnusable, which + " is not later than the one before it",
+                         "Write the poses in the order of their times"};
+        const bool fits = (!frame.pose || frame.pose->q_parent_joint.size() == joints) &&
+                          (frame.sigma_rad.empty() || frame.sigma_rad.size() == 3 * joints);
+        if (!fits)
+            return Error{ErrorKind::kUnusable,
+                         which + " does not fit its skeleton of " + std::to_string(joints) + " joints",
+                         "Use the actor that the poses were made with"};
+    }
+    return Done{};
+}
+
+Pose interpolate(const Pose& a, const Pose& b, double fraction) {
+    require(a.q_parent_joint.size() == b.q_parent_joint.size(), "poses of two skeletons cannot be mixed");
+    Pose pose;
+    pose.p_world_root = (1 - fraction) * a.p_world_root + fraction * b.p_world_root;
+    pose.q_parent_joint.reserve(a.q_parent_joint.size());
+    for (size_t j = 0; j < a.q_parent_joint.size(); ++j)
+        pose.q_parent_joint.push_back(shortestSlerp(a.q_parent_joint[j], b.q_parent_joint[j], fraction));
+    return pose;
+}
+
+PoseSampler::PoseSampler(const TimedMotion& motion, int64_t max_gap_ns)
+    : motion_(motion), max_gap_ns_(max_gap_ns) {
+    for (size_t i = 0; i < motion.frames.size(); ++i)
+        if (motion.frames[i].pose && isUsable(*motion.frames[i].pose))
+            seen_.push_back(i);
+}
+
+std::optional<Pose> PoseSampler::at(int64_t time_ns) {
+    const auto frame = [this](size_t i) -> const TimedPose& { return motion_.frames[seen_[i]]; };
+    if (next_ > 0 && frame(next_ - 1).time_ns > time_ns)
+        next_ = 0;
+    while (next_ < seen_.size() && frame(next_).time_ns <= time_ns)
+        ++next_;
+    if (next_ == 0)
+        return std::nullopt;
+    const TimedPose& before = frame(next_ - 1);
+    if (before.time_ns == time_ns)
+        return interpolate(*before.pose, *before.pose, 0);
+    if (next_ == seen_.size() || frame(next_).time_ns - before.time_ns > max_gap_ns_)
+        return std::nullopt;
+    const double step = static_cast<double>(frame(next_).time_ns - before.time_ns);
+    return interpolate(*before.pose, *frame(next_).pose,
+                       static_cast<double>(time_ns - before.time_ns) / step);
+}
+
+int64_t bridgeableGap_ns(const TimedMotion& motion) {
+    constexpr int64_t kLeast_ns = 50'000'000;
+    std::vector<int64_t> steps;
+    for (size_t i = 1; i < motion.frames.size(); ++i)
+        steps.push_back(motion.frames[i].time_ns - motion.frames[i - 1].time_ns);
+    if (steps.empty())
+        return kLeast_ns;
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return std::max(kLeast_ns, *middle + *middle / 2);
+}
+
+TimedMotion resample(const TimedMotion& motion, double frames_per_second) {
+    require(frames_per_second > 0 && frames_per_second < 1e5, "a frame rate lies between 0 and 100 kHz");
+    TimedMotion result{motion.skeleton, {}};
+    const auto seen = [](const TimedPose& f) { return f.pose && isUsable(*f.pose); };
+    const auto first = std::find_if(motion.frames.begin(), motion.frames.end(), seen);
+    const auto last = std::find_if(motion.frames.rbegin(), motion.frames.rend(), seen);
+    if (first == motion.frames.end())
+        return result;
+    PoseSampler sampler(motion, std::numeric_limits<int64_t>::max());
+    for (int64_t i = 0;; ++i) {
+        const int64_t time_ns =
+            first->time_ns + std::llround(static_cast<double>(i) * 1e9 / frames_per_second);
+        if (time_ns > last->time_ns)
+            return result;
+        result.frames.push_back({time_ns, sampler.at(time_ns), {}});
+    }
+}
+
+MotionClip toClip(const std::string& name, const TimedMotion& motion, double frames_per_second) {
+    MotionClip clip;
+    clip.name = name;
+    clip.skeleton = motion.skeleton;
+    clip.frame_time_s = 1 / frames_per_second;
+    for (TimedPose& frame : resample(motion, frames_per_second).frames)
+        clip.frames.push_back(std::move(*frame.pose));
+    return clip;
+}
+
+}  // namespace noctule

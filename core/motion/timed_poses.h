@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// A motion as a run of poses at instants of the take's clock, equally spaced or not, with holes where nothing
+// was seen: what an estimator writes and what a reference system delivers.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion/clip.h"
+
+namespace noctule {
+
+struct TimedPose {
+    int64_t time_ns = 0;
+    std::optional<Pose> pose;  ///< absent: not seen (a row whose rotation or position is NULL)
+    std::vector<double>
+        sigma_rad;  ///< 3 per joint, right perturbation, 0 along what cannot move; may be empty
+};
+
+struct TimedMotion {
+    Skeleton skeleton;
+    std::vector<TimedPose> frames;  ///< times strictly increasing
+};
+
+/// Fails (kUnusable) when times do not increase or a pose does not fit the skeleton; `where` names the
+/// motion.
+Status checkMotion(const TimedMotion& motion, const std::string& where);
+
+/// True when position and rotations are finite and no quaternion is near zero.
+bool isUsable(const Pose& pose);
+
+/// Slerp of every joint and a straight line of the root; fraction 0..1 from a to b.
+Pose interpolate(const Pose& a, const Pose& b, double fraction);
+
+/// Reads a motion at any instant, walking forward; the motion must outlive it.
+class PoseSampler {
+public:
+    /// Two seen frames further apart than `max_gap_ns` are not joined.
+    PoseSampler(const TimedMotion& motion, int64_t max_gap_ns);
+
+    /// The pose at a time; nothing outside the motion or within a gap. Fast when times increase.
+    std::optional<Pose> at(int64_t time_ns);
+
+private:
+    const TimedMotion& motion_;
+    int64_t max_gap_ns_;
+    std::vector<size_t> seen_;  ///< indices of usable frames
+    size_t next_ = 0;           ///< into seen_: first frame after the last time asked for
+};
+
+/// Half as much again as the usual step of a motion, 50 ms at least: what interpolation may bridge.
+int64_t bridgeableGap_ns(const TimedMotion& motion);
+
+/// The motion at another frame rate, from its first to its last seen frame. Holes of any length are bridged.
+TimedMotion resample(const TimedMotion& motion, double frames_per_second);
+
+/// As an animation with equal steps; empty when nothing was seen.
+MotionClip toClip(const std::string& name, const TimedMotion& motion, double frames_per_second);
+
+}  // namespace noctule

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The main job: a take in, joint angles out, written into the take as derived runs. The same code as live:
+// the take's data are pushed through the live pipeline.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/acoustics/pulse_detector.h"
+#include "core/estimation/measurement.h"
+#include "core/job/job.h"
+#include "core/live/motion_tracker.h"
+#include "core/recording/take.h"
+
+namespace noctule {
+
+struct ProcessRequest {
+    std::string take_path;
+    std::optional<Calibration> calibration;  ///< else the one in force in the take; becomes the one in force
+    std::optional<Actor> actor;              ///< likewise
+    TrackerSettings tracker;                 ///< sensors, root, estimator
+    Detector detector = Detector::kInflection;
+    std::string run_name;  ///< empty: sensors and estimator, "AGD manifold"
+    std::string software;  ///< goes into the runs' rows
+    std::string created_utc;
+};
+
+struct ProcessSummary {
+    std::string run_name;
+    int64_t pose_run = 0, range_run = 0, inertial_run = 0;  ///< 0: primary data or none
+    int64_t poses = 0;
+    double duration_s = 0;
+    int64_t ranges = 0, ranges_used = 0, ranges_gated = 0;
+    int64_t frames_seen = 0, frames_lost = 0, clipped_readings = 0;
+    int resets = 0;
+    std::vector<std::string> warnings;  ///< whole sentences
+};
+
+/// Everything or nothing: failed or cancelled, the take stays as it was.
+Result<ProcessSummary> processTake(const ProcessRequest& request, const JobContext& job);
+
+}  // namespace noctule

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// SQLite behind values and Results. A Database is one connection, a Statement one prepared query, a
+// Transaction rolls back unless committed. Not for several threads at once. Errors name the file and the
+// remedy; their kind is kUnreadable while reading and kDisk while writing.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/job/result.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace noctule {
+
+enum class Access { kRead, kReadWrite };
+
+class Statement;
+
+class Database {
+public:
+    /// Opens an existing file. kRead also works where nothing can be written beside it.
+    static Result<Database> open(const std::string& path, Access access);
+    /// Makes a new, empty file; the path must not exist.
+    static Result<Database> create(const std::string& path);
+
+    const std::string& path() const { return path_; }
+    /// The name in errors when the file on disk has a temporary one.
+    void setDisplayName(std::string name) { name_ = std::move(name); }
+    const std::string& name() const { return name_; }
+
+    Status execute(const std::string& sql) const;
+    Result<Statement> prepare(const std::string& sql) const;
+    /// First column of the first row as a number; absent when there is no row or it is NULL.
+    Result<std::optional<int64_t>> queryInteger(const std::string& sql) const;
+    int64_t lastInsertId() const;
+    bool inTransaction() const;
+    /// Closes now and says whether that worked; the object is empty afterwards. Statements must be gone.
+    Status close();
+
+    /// What SQLite says about the last failure, in our words.
+    Error lastError() const;
+
+private:
+    struct Closer {
+        void operator()(sqlite3* handle) const;
+    };
+    static Result<Database> openWith(const std::string& path, const std::string& uri, int flags);
+
+    std::unique_ptr<sqlite3, Closer> handle_;
+    std::string path_;
+    std::string name_;
+};
+
+/// The column and parameter numbers count from 0.
+class Statement {
+public:
+    /// nullopt binds NULL. A number that is not finite makes the next run() or step() fail (kInternal).
+    Statement& bind(int parameter, int64_t value);
+    Statement& bind(int parameter, double value);
+    Statement& bind(int parameter, const std::optional<int64_t>& value);
+    Statement& bind(int parameter, const std::optional<double>& value);
+    Statement& bind(int parameter, std::string_view text);
+    /// The bytes must live until the statement has run.
+    Statement& bindBlob(int parameter, std::span<const std::byte> bytes);
+    Statement& bindNull(int parameter);
+
+    /// For statements without rows: runs and resets.
+    Status run();
+    /// True when there is a row.
+    Result<bool> step();
+    void reset();
+
+    // Columns of the present row. Values of another type than asked for are absent: SQLite lets anyone store
+    // anything in any column.
+    bool isNull(int column) const;
+    std::optional<int64_t> integer(int column) const;  ///< also a REAL without fraction
+    std::optional<double> real(int column) const;      ///< finite
+    std::optional<std::string> text(int column) const;
+    /// Valid until the next step() or reset().
+    std::optional<std::span<const std::byte>> blob(int column) const;
+
+private:
+    friend class Database;
+    struct Finalizer {
+        void operator()(sqlite3_stmt* statement) const;
+    };
+    Error failure() const;
+
+    std::unique_ptr<sqlite3_stmt, Finalizer> statement_;
+    std::string name_;
+    bool not_finite_ = false;
+};
+
+/// BEGIN IMMEDIATE ... COMMIT; rolled back by the destructor unless committed.
+class Transaction {
+public:
+    static Result<Transaction> begin(const Database& database);
+    Transaction(Transaction&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
+    Transaction& operator=(Transaction&&) = delete;
+    ~Transaction();
+
+    Status commit();
+
+private:
+    explicit Transaction(const Database& database) : database_(&database) {}
+    const Database* database_;
+};
+
+}  // namespace noctule

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/recording/derived_cursor.h"
+
+#include <algorithm>
+
+namespace noctule {
+
+namespace {
+
+std::string whereRun(const RunOfTake& run, const std::string& table) {
+    return " WHERE " + run.schema->expression(table, "run") + "=" + std::to_string(run.run) + " AND " +
+           run.schema->expression(table, "suit") + "=" + std::to_string(run.suit);
+}
+
+/// A value that is there but is no number makes the row bad; NULL is a value that was not sent.
+template <size_t N>
+bool readCounts(const Statement& row, int first_column, std::array<std::optional<double>, N>& counts) {
+    for (size_t i = 0; i < N; ++i) {
+        const int column = first_column + static_cast<int>(i);
+        counts[i] = row.real(column);
+        if (!counts[i] && !row.isNull(column))
+            return false;
+    }
+    return true;
+}
+
+RowVerdict readReading(const Statement& row, int board, InertialReading& reading) {
+    const auto frame = row.integer(0);
+    const auto sample = row.real(1);
+    if (!frame || *frame < 0)
+        return "frame is not a count";
+    if (!sample || *sample < 0 || *sample > static_cast<double>(kLastSample))
+        return "sample is missing or out of range";
+    reading.board = board;
+    reading.frame = *frame;
+    reading.sample = *sample;
+    if (!readCounts(row, 2, reading.counts) || !readCounts(row, 8, reading.magnetometer_counts))
+        return "a count is not a number";
+    const auto corrected = row.integer(11);
+    if (corrected)
+        reading.corrected_bits = static_cast<int>(std::clamp<int64_t>(*corrected, 0, 1 << 20));
+    return "";
+}
+
+/// Readings of boards that the suit does not have.
+Status countStrangers(const RunOfTake& run) {
+    const auto count = run.database->queryInteger(
+        "SELECT count(*) FROM inertial" + whereRun(run, "inertial") +
+        " AND (board<0 OR board IS NULL OR board>=" + std::to_string(run.board_count) + ")");
+    if (!count)
+        return count.error();
+    if (count->value_or(0) > 0)
+        run.log->add(rowsOfSuit("inertial", run.suit), "of another board", "board is not in the suit",
+                     **count);
+    return Done{};
+}
+
+bool isConfidence(std::optional<double> w) {
+    return w && *w >= 0 && *w <= 1;
+}
+
+RowVerdict readRange(const Statement& row, const RunOfTake& run, RangeMeasurement& range) {
+    const auto pulse_sample = row.integer(1);
+    const auto source = row.integer(2);
+    const auto board = row.integer(3);
+    const auto arrival = row.real(4);
+    const auto distance = row.real(5);
+    const auto w_s = row.real(6), w_t = row.real(7), sigma = row.real(9);
+    const auto w_a = row.isNull(8) ? std::optional(1.0) : row.real(8);
+    if (!isSample(pulse_sample) || !source)
+        return "its pulse is missing or out of range";
+    if (*source < 0 || *source >= run.source_count || !board || *board < 0 || *board >= run.board_count)
+        return "source or board is not in the suit";
+    if (!arrival || !distance || !isConfidence(w_s) || !isConfidence(w_t) || !isConfidence(w_a))
+        return "a number is missing or out of range";
+    range.pulse = row.integer(0).value_or(0);
+    range.pulse_sample = *pulse_sample;
+    range.source = static_cast<int>(*source);
+    range.board = static_cast<int>(*board);
+    range.arrival_sample = *arrival;
+    range.distance_m = *distance;
+    range.w_s = *w_s;
+    range.w_t = *w_t;
+    range.w_a = *w_a;
+    range.sigma_m = std::max(0.0, sigma.value_or(0));
+    return "";
+}
+
+}  // namespace
+
+Result<ReadingCursor> ReadingCursor::open(const RunOfTake& run) {
+    ReadingCursor cursor(run);
+    run.log->restart(rowsOfSuit("inertial", run.suit));
+    if (!run.schema->has("inertial"))
+        return cursor;
+    if (const Status counted = countStrangers(run); !counted)
+        return counted.error();
+    const std::string sql = run.schema->select("inertial", {"frame", "sample", "gx", "gy", "gz", "ax", "ay",
+                                                            "az", "mx", "my", "mz", "corrected"}) +
+                            whereRun(run, "inertial") + " AND board=? ORDER BY frame";
+    for (int board = 0; board < run.board_count; ++board) {
+        Result<Statement> rows = run.database->prepare(sql);
+        if (!rows)
+            return rows.error();
+        rows->bind(0, int64_t{board});
+        Lane lane{board, std::move(*rows), std::nullopt};
+        if (const Status first = cursor.advance(lane); !first)
+            return first.error();
+        cursor.lanes_.push_back(std::move(lane));
+    }
+    return cursor;
+}
+
+Status ReadingCursor::advance(Lane& lane) {
+    lane.head.reset();
+    while (true) {
+        const Result<bool> row = lane.rows.step();
+        if (!row)
+            return row.error();
+        if (!*row)
+            return Done{};
+        InertialReading reading;
+        const RowVerdict verdict = readReading(lane.rows, lane.board, reading);
+        if (verdict.empty()) {
+            lane.head = reading;
+            return Done{};
+        }
+        run_.log->add(rowsOfSuit("inertial", run_.suit),
+                      "board " + std::to_string(lane.board) + " frame " +
+                          std::to_string(lane.rows.integer(0).value_or(-1)),
+                      verdict);
+    }
+}
+
+Result<std::optional<InertialReading>> ReadingCursor::next() {
+    Lane* earliest = nullptr;
+    for (Lane& lane : lanes_)
+        if (lane.head && (!earliest || lane.head->sample < earliest->head->sample))
+            earliest = &lane;
+    if (!earliest)
+        return std::optional<InertialReading>();
+    const std::optional<InertialReading> reading = earliest->head;
+    if (const Status advanced = advance(*earliest); !advanced)
+        return advanced.error();
+    return reading;
+}
+
+Result<RangeCursor> RangeCursor::open(const RunOfTake& run) {
+    run.log->restart(rowsOfSuit("range", run.suit));
+    const TakeSchema& schema = *run.schema;
+    std::string sql = "SELECT 1 WHERE 0";
+    if (schema.has("range") && schema.has("pulse")) {
+        // Left join, with the range outside: its primary key gives the order, and a range without its pulse
+        // shows.
+        sql = "SELECT range.pulse,pulse.sample,pulse.source,range.board";
+        for (const char* column : {"arrival_sample", "distance_m", "w_s", "w_t", "w_a", "sigma_m", "detector",
+                                   "fate", "innovation_m"})
+            sql += "," + schema.expression("range", column);
+        sql += " FROM range LEFT JOIN pulse ON pulse.id=range.pulse" + whereRun(run, "range") +
+               " ORDER BY range.pulse,range.board";
+    }
+    Result<Statement> rows = run.database->prepare(sql);
+    if (!rows)
+        return rows.error();
+    return RangeCursor(run, std::move(*rows));
+}
+
+Result<std::optional<RangeMeasurement>> RangeCursor::next() {
+    while (!at_end_) {
+        const Result<bool> row = rows_.step();
+        if (!row)
+            return row.error();
+        at_end_ = !*row;
+        if (at_end_)
+            break;
+        RangeMeasurement range;
+        const RowVerdict verdict = readRange(rows_, run_, range);
+        if (verdict.empty()) {
+            detector_ = rows_.text(10).value_or("");
+            range.fate = rangeFateFromName(rows_.text(11).value_or(""));
+            range.innovation_m = rows_.real(12).value_or(0);
+            return std::optional(range);
+        }
+        run_.log->add(rowsOfSuit("range", run_.suit),
+                      "pulse " + std::to_string(rows_.integer(0).value_or(-1)), verdict);
+    }
+    return std::optional<RangeMeasurement>();
+}
+
+}  // namespace noctule

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Walks through the rows of a query, passes the good ones on and counts the bad ones, so that one damaged row
+// does not cost the rest of a take.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/recording/database.h"
+#include "core/recording/rows.h"
+
+namespace noctule {
+
+/// Bad rows met so far; reading the same thing again starts its count again.
+class SkipLog {
+public:
+    void restart(const std::string& what) { rows_.erase(what); }
+    void add(const std::string& what, const std::string& row, const std::string& why, int64_t count = 1);
+    std::vector<SkippedRows> all() const;
+
+private:
+    std::map<std::string, SkippedRows> rows_;
+};
+
+/// Why a row cannot be used; empty: it can.
+using RowVerdict = std::string;
+
+/// Calls `read` for every row of the query. Column 0 names the row in the log. A Row that `read` finds good
+/// is kept. Fails only when the database does.
+template <class Row>
+Result<std::vector<Row>> collectRows(const Database& database, SkipLog& log, const std::string& what,
+                                     const std::string& sql,
+                                     const std::function<RowVerdict(const Statement&, Row&)>& read) {
+    log.restart(what);
+    Result<Statement> statement = database.prepare(sql);
+    if (!statement)
+        return statement.error();
+    std::vector<Row> rows;
+    while (true) {
+        const Result<bool> there = statement->step();
+        if (!there)
+            return there.error();
+        if (!*there)
+            return rows;
+        Row row;
+        const RowVerdict verdict = read(*statement, row);
+        if (verdict.empty())
+            rows.push_back(std::move(row));
+        else
+            log.add(what, std::to_string(statement->integer(0).value_or(-1)), verdict);
+    }
+}
+
+/// "adc_block" or, of a later suit, "adc_block of suit 2": what the log calls the rows of a suit.
+std::string rowsOfSuit(const std::string& table, int suit);
+
+bool isSample(std::optional<int64_t> sample);
+
+}  // namespace noctule

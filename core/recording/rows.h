@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rows of a take's tables as values (README.md, sections 2 and 3). Samples count on the clock of the suit;
+// pulses, readings, ranges and poses have their types in their own rooms.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/math/conventions.h"
+
+namespace noctule {
+
+/// What stands in `meta` about the whole take. 0 or empty: missing there.
+struct TakeHeader {
+    std::string uuid;
+    std::string name;
+    std::string created_utc;  ///< ISO 8601, Z
+    std::string software;
+    int64_t sample_rate_hz = 0;
+    int board_count = 0;
+    int source_count = 0;
+    int64_t pulse_interval_samples = 1200;
+    double pulse_cycles = 10;
+    double drive_hz = 40000;
+    std::string take_kind = "motion";  ///< motion, jig, level, turntable
+};
+
+/// What the primary data of a take is.
+enum class TakeLevel {
+    kSignal,    ///< sound: adc_block and pulse
+    kReadings,  ///< inertial and range rows of run 0
+};
+
+/// take time = offset_ns + rate * suit time
+struct SuitClock {
+    double offset_ns = 0;
+    double rate = 1;
+};
+
+/// `values` holds sample_count * board_count numbers, all boards of the first sample first.
+struct AdcBlock {
+    int64_t first_sample = 0;
+    std::span<const int16_t> values;
+};
+
+struct StatusRow {
+    int64_t sample = 0;
+    std::optional<double> temperature_c, humidity_percent, battery_v, battery_percent;
+};
+
+struct GapRow {
+    int64_t first_sample = 0;
+    int64_t sample_count = 0;
+    std::optional<int> board;  ///< absent: all boards
+    std::string reason;        ///< link, box, studio, board or empty
+};
+
+struct MarkerRow {
+    int64_t sample = 0;
+    std::string kind;
+    std::string label;
+};
+
+struct NoteRow {
+    std::string created_utc;
+    std::string text;
+};
+
+/// The root as another system measured it.
+struct ExternalRootRow {
+    int64_t time_ns = 0;
+    Vector3d p_world_root = Vector3d::Zero();
+    Quaterniond q_world_root = Quaterniond::Identity();
+    double sigma_p_m = 0;
+    double sigma_q_rad = 0;
+};
+
+/// Both ends belong to it.
+struct SampleInterval {
+    int64_t first = 0;
+    int64_t last = 0;
+};
+
+/// A calibration or an actor as stored: several of a suit stand side by side, the highest id is in force.
+struct DocumentRow {
+    int64_t id = 0;
+    int suit = 1;
+    std::string created_utc;
+};
+
+struct DerivedRun {
+    int64_t run = 0;
+    std::string kind;  ///< inertial, range, pose
+    std::string name;
+    std::string created_utc;
+    std::string software;
+    std::string settings_json;
+    std::optional<int64_t> calibration_id, actor_id;
+};
+
+/// Rows of one table that could not be used.
+struct SkippedRows {
+    std::string table;
+    int64_t count = 0;
+    std::string first;  ///< the first of them and why: "row 7: sample is negative"
+};
+
+/// Run number of primary inertial and range rows; has no row in `derived`.
+inline constexpr int64_t kPrimaryRun = 0;
+/// Later samples (two years at 150 kHz) are damage.
+inline constexpr int64_t kLastSample = 10'000'000'000'000;
+inline constexpr int64_t kMaxBlockSamples = 65536;
+
+}  // namespace noctule

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// Opening a take and what stands in it once: meta, suits, calibrations, actors. Rows are read in
+// take_rows.cpp.
+#include "core/recording/take.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/math/json.h"
+
+namespace noctule {
+
+namespace {
+
+constexpr int64_t kMaxSampleRate_hz = 100'000'000;
+
+/// The number in a meta value; `fallback` when it is missing, no number or out of range.
+double metaNumber(const std::map<std::string, std::string>& meta, const char* key, double fallback,
+                  double min, double max) {
+    const auto found = meta.find(key);
+    if (found == meta.end())
+        return fallback;
+    const std::string& text = found->second;
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    return whole && std::isfinite(value) && value >= min && value <= max ? value : fallback;
+}
+
+std::string metaText(const std::map<std::string, std::string>& meta, const char* key,
+                     const std::string& fallback = "") {
+    const auto found = meta.find(key);
+    return found == meta.end() ? fallback : found->second;
+}
+
+TakeHeader headerFrom(const std::map<std::string, std::string>& meta) {
+    TakeHeader header;
+    header.uuid = metaText(meta, "uuid");
+    header.name = metaText(meta, "name");
+    header.created_utc = metaText(meta, "created_utc");
+    header.software = metaText(meta, "software");
+    header.sample_rate_hz = std::llround(metaNumber(meta, "sample_rate_hz", 0, 1, kMaxSampleRate_hz));
+    header.board_count = static_cast<int>(metaNumber(meta, "board_count", 0, 1, Suit::kMaxPerSuit));
+    header.source_count = static_cast<int>(metaNumber(meta, "source_count", 0, 1, Suit::kMaxPerSuit));
+    header.pulse_interval_samples = std::llround(metaNumber(
+        meta, "pulse_interval_samples", static_cast<double>(header.pulse_interval_samples), 1, 1e9));
+    header.pulse_cycles = metaNumber(meta, "pulse_cycles", header.pulse_cycles, 0.1, 1e6);
+    header.drive_hz = metaNumber(meta, "drive_hz", header.drive_hz, 1, 1e9);
+    header.take_kind = metaText(meta, "take_kind", header.take_kind);
+    return header;
+}
+
+}  // namespace
+
+Error Take::unusable(const std::string& what, const std::string& remedy) const {
+    return {ErrorKind::kUnusable, path() + ": " + what, remedy};
+}
+
+std::string Take::ofSuit(const std::string& table, int suit) const {
+    return " WHERE " + schema_->expression(table, "suit") + "=" + std::to_string(suit);
+}
+
+Result<Take> Take::open(const std::string& path, Access access) {
+    Result<Database> database = Database::open(path, access);
+    if (!database)
+        return database.error();
+    Take take;
+    take.database_ = std::make_unique<Database>(std::move(*database));
+    take.log_ = std::make_unique<SkipLog>();
+    if (const Status known = take.checkIdentity(); !known)
+        return known.error();
+    if (const Status loaded = take.load(); !loaded)
+        return loaded.error();
+    return take;
+}
+
+Status Take::checkIdentity() const {
+    const auto application = database_->queryInteger("PRAGMA application_id");
+    if (!application)
+        return application.error();
+    if (application->value_or(0) != kTakeApplicationId)
+        return Error{ErrorKind::kUnreadable, path() + ": is not a take, it is a database of another kind",
+                     "Choose a .noctule file"};
+    const auto version = database_->queryInteger("PRAGMA user_version");
+    if (!version)
+        return version.error();
+    const int64_t major = version->value_or(0) / 1000;
+    if (major != kTakeMajorVersion)
+        return Error{ErrorKind::kUnreadable,
+                     path() + ": is a take of format version " + std::to_string(major) +
+                         ", this program reads version " + std::to_string(kTakeMajorVersion),
+                     major > kTakeMajorVersion ? "Install a newer Noctule" : "Write the take again"};
+    return Done{};
+}
+
+Status Take::load() {
+    Result<TakeSchema> schema = TakeSchema::read(*database_);
+    if (!schema)
+        return schema.error();
+    schema_ = std::make_unique<TakeSchema>(std::move(*schema));
+    if (const Status read = loadMeta(); !read)
+        return read;
+    return loadSuits();
+}
+
+Status Take::loadMeta() {
+    using Entry = std::pair<std::string, std::string>;
+    // CAST: other writers may store numbers as numbers.
+    const std::string sql = schema_->has("meta")
+                                ? "SELECT rowid,CAST(key AS TEXT),CAST(value AS TEXT) FROM meta"
+                                : "SELECT 1 WHERE 0";
+    const auto entries = collectRows<Entry>(
+        *database_, *log_, "meta", sql, [](const Statement& row, Entry& entry) -> RowVerdict {
+            entry = {row.text(1).value_or(""), row.text(2).value_or("")};
+            return entry.first.empty() || row.isNull(2) ? "key or value is missing" : "";
+        });
+    if (!entries)
+        return entries.error();
+    meta_ = {entries->begin(), entries->end()};
+    const std::string format = metaText(meta_, "format", "noctule-take");
+    if (format != "noctule-take")
+        return Error{ErrorKind::kUnreadable, path() + ": is not a take, its format is '" + format + "'",
+                     "Choose a .noctule file"};
+    header_ = headerFrom(meta_);
+    return Done{};
+}
+
+Status Take::loadSuits() {
+    using Entry = std::pair<int, SuitEntry>;
+    const auto read = [this](const Statement& row, Entry& entry) -> RowVerdict {
+        const int64_t id = row.integer(0).value_or(0);
+        if (id < 1 || id > 1000)
+            return "id is not 1, 2, ...";
+        entry.first = static_cast<int>(id);
+        const std::string where = path() + ": suit " + std::to_string(id);
+        entry.second.suit = suitFromJson(json::Json::parse(row.text(1).value_or(""), nullptr, false), where);
+        entry.second.clock.offset_ns = row.real(2).value_or(0);
+        entry.second.clock.rate = row.real(3).value_or(1);
+        return "";
+    };
+    const auto entries =
+        collectRows<Entry>(*database_, *log_, "suit",
+                           schema_->select("suit", {"id", "json", "clock_offset_ns", "clock_rate"}), read);
+    if (!entries)
+        return entries.error();
+    suits_ = {entries->begin(), entries->end()};
+    return Done{};
+}
+
+TakeLevel Take::level() const {
+    return metaText(meta_, "level") == "readings" ? TakeLevel::kReadings : TakeLevel::kSignal;
+}
+
+Result<int64_t> Take::sampleRate_hz() const {
+    if (header_.sample_rate_hz == 0)
+        return unusable("meta has no valid sample_rate_hz, without it nothing can be processed",
+                        "Add the rate with which the take was recorded to its meta table");
+    return header_.sample_rate_hz;
+}
+
+std::vector<int> Take::suitIds() const {
+    std::vector<int> ids;
+    for (const auto& entry : suits_)
+        ids.push_back(entry.first);
+    return ids;
+}
+
+Result<Suit> Take::suit(int suit) const {
+    const auto found = suits_.find(suit);
+    if (found == suits_.end())
+        return unusable("suit " + std::to_string(suit) + " is not described",
+                        "Use a take whose suit table has it");
+    return found->second.suit;
+}
+
+SuitClock Take::suitClock(int suit) const {
+    const auto found = suits_.find(suit);
+    return found == suits_.end() ? SuitClock{} : found->second.clock;
+}
+
+Result<int> Take::boardCount(int suit) const {
+    const auto described = this->suit(suit);
+    if (suits_.size() > 1) {
+        if (!described)
+            return described.error();
+        return static_cast<int>(described->boards.size());
+    }
+    if (header_.board_count == 0)
+        return unusable("meta has no valid board_count, without it nothing can be processed",
+                        "Add the number of boards (1 to 32) to its meta table");
+    if (described && static_cast<int>(described->boards.size()) != header_.board_count)
+        return unusable("meta says " + std::to_string(header_.board_count) + " boards, the suit describes " +
+                            std::to_string(described->boards.size()),
+                        "Correct board_count in meta or the suit's JSON");
+    return header_.board_count;
+}
+
+Result<int> Take::sourceCount(int suit) const {
+    const auto described = this->suit(suit);
+    if (described)
+        return static_cast<int>(described->sources.size());
+    if (suits_.size() <= 1 && header_.source_count > 0)
+        return header_.source_count;
+    return described.error();
+}
+
+Result<int64_t> Take::sampleCount(int suit) const {
+    const double stated = metaNumber(meta_, "sample_count", 0, 1, static_cast<double>(kLastSample));
+    if (stated > 0)
+        return std::llround(stated);
+    if (!schema_->has("adc_block"))
+        return int64_t{0};
+    const auto end = database_->queryInteger("SELECT max(first_sample+sample_count) FROM adc_block" +
+                                             ofSuit("adc_block", suit));
+    if (!end)
+        return end.error();
+    return std::clamp<int64_t>(end->value_or(0), 0, kLastSample);
+}
+
+Result<std::vector<std::string>> Take::missingParts() const {
+    std::vector<std::string> missing;
+    if (header_.sample_rate_hz == 0)
+        missing.push_back("meta: sample_rate_hz (nothing can be processed)");
+    if (header_.board_count == 0 && suits_.size() <= 1)
+        missing.push_back("meta: board_count (nothing can be processed)");
+    const bool sound = level() == TakeLevel::kSignal;
+    const std::vector<std::pair<std::string, std::string>> wanted{
+        {"suit", "suit: which boards and sources there are"},
+        {"calibration", "calibration: how counts become values"},
+        {"actor", "actor: the performer's measures"},
+        {sound ? "adc_block" : "inertial", sound ? "adc_block: sound" : "inertial: readings"},
+        {sound ? "pulse" : "range", sound ? "pulse: what the sources sent" : "range: distances"}};
+    for (const auto& [table, words] : wanted) {
+        const auto some = schema_->has(table) ? database_->queryInteger("SELECT 1 FROM " + table + " LIMIT 1")
+                                              : Result<std::optional<int64_t>>(std::nullopt);
+        if (!some)
+            return some.error();
+        if (!*some)
+            missing.push_back(words);
+    }
+    return missing;
+}
+
+}  // namespace noctule

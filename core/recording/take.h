@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// A take file as README.md describes it, opened. Opening checks that it is a take of a version we know; what
+// is missing inside is an error only of the function that needs it, so that notes and tables of a half take
+// can still be shown. Bad rows are left out, counted and named in skippedRows(). Not for several threads at
+// once.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/acoustics/range.h"
+#include "core/body/actor.h"
+#include "core/motion/timed_poses.h"
+#include "core/recording/derived_cursor.h"
+#include "core/recording/rows.h"
+#include "core/suit/calibration.h"
+#include "core/suit/suit.h"
+
+namespace noctule {
+
+/// A value and the id of its row.
+template <class T>
+struct Stored {
+    int64_t id = 0;
+    T value;
+};
+
+/// Called for every block; false stops the walk. The values live until it returns.
+using BlockSink = std::function<bool(const AdcBlock&)>;
+
+class Take {
+public:
+    static Result<Take> open(const std::string& path, Access access = Access::kRead);
+
+    const std::string& path() const { return database_->path(); }
+    const std::map<std::string, std::string>& meta() const { return meta_; }
+    const TakeHeader& header() const { return header_; }
+    TakeLevel level() const;
+    /// What a complete take would have and this one does not, in plain words.
+    Result<std::vector<std::string>> missingParts() const;
+    /// Of everything that was read so far.
+    std::vector<SkippedRows> skippedRows() const { return log_->all(); }
+
+    Result<int64_t> sampleRate_hz() const;  ///< error: it is missing, nothing can be processed
+    std::vector<int> suitIds() const;
+    Result<Suit> suit(int suit = 1) const;
+    SuitClock suitClock(int suit = 1) const;
+    Result<int> boardCount(int suit = 1) const;
+    Result<int> sourceCount(int suit = 1) const;
+    /// One after the last sample, from meta or else from the blocks; 0 when there are none.
+    Result<int64_t> sampleCount(int suit = 1) const;
+
+    Result<std::vector<DocumentRow>> calibrations() const;
+    Result<std::vector<DocumentRow>> actors() const;
+    /// The calibration or actor with the highest id of the suit; kUnusable when there is none.
+    Result<Stored<Calibration>> calibrationInForce(int suit = 1) const;
+    Result<Stored<Actor>> actorInForce(int suit = 1) const;
+    Result<Calibration> calibration(int64_t id) const;
+    Result<Actor> actor(int64_t id) const;
+
+    /// The raw sound in order of time. Holes between blocks are gaps.
+    Status forEachBlock(int suit, const BlockSink& sink) const;
+    Result<std::vector<Pulse>> pulses(int suit = 1) const;
+    Result<std::vector<StatusRow>> statusRows(int suit = 1) const;
+    Result<std::vector<GapRow>> gaps(int suit = 1) const;
+    Result<std::vector<MarkerRow>> markers(int suit = 1) const;
+    Result<std::vector<NoteRow>> notes() const;
+    /// The first rest pose, begin to end; absent when none is marked.
+    Result<std::optional<SampleInterval>> restInterval(int suit = 1) const;
+
+    /// Truth of a simulation or an optical system, on its own skeleton; no frames when there is none.
+    Result<TimedMotion> reference(int suit = 1) const;
+    Result<std::vector<ExternalRootRow>> externalRoot(int suit = 1) const;
+
+    Result<std::vector<DerivedRun>> derivedRuns() const;
+    Result<ReadingCursor> readings(int64_t run, int suit = 1) const;
+    Result<RangeCursor> ranges(int64_t run, int suit = 1) const;
+    /// On the skeleton of the actor that the run names, else of the one in force.
+    Result<TimedMotion> poses(int64_t run, int suit = 1) const;
+
+private:
+    friend class TakeEdit;
+    struct SuitEntry {
+        Result<Suit> suit = Suit{};
+        SuitClock clock;
+    };
+
+    Take() = default;
+    Status checkIdentity() const;
+    Status load();
+    Status loadMeta();
+    Status loadSuits();
+    Result<std::vector<DocumentRow>> documents(const std::string& table) const;
+    template <class T, class Parse>
+    Result<Stored<T>> document(const std::string& table, const std::string& where, const std::string& who,
+                               Parse parse) const;
+    Result<Actor> referenceActor(int suit) const;
+    Result<std::vector<TimedPose>> timedPoses(const std::string& table, const std::string& filter, int suit,
+                                              size_t joint_count) const;
+    Result<RunOfTake> runOfTake(int64_t run, int suit) const;
+    Error unusable(const std::string& what, const std::string& remedy) const;
+    std::string ofSuit(const std::string& table, int suit) const;  ///< " WHERE suit=N"
+
+    std::unique_ptr<Database> database_;  ///< on the heap: cursors and edits refer to them
+    std::unique_ptr<TakeSchema> schema_;
+    std::unique_ptr<SkipLog> log_;
+    std::map<std::string, std::string> meta_;
+    TakeHeader header_;
+    std::map<int, SuitEntry> suits_;
+};
+
+}  // namespace noctule

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calibrations and actors of a take: several stand side by side, the highest id of a suit is in force.
+#include "core/math/json.h"
+#include "core/recording/take.h"
+
+namespace noctule {
+
+Result<std::vector<DocumentRow>> Take::documents(const std::string& table) const {
+    return collectRows<DocumentRow>(
+        *database_, *log_, table, schema_->select(table, {"id", "suit", "created_utc"}) + " ORDER BY id",
+        [](const Statement& row, DocumentRow& document) -> RowVerdict {
+            const int64_t suit = row.integer(1).value_or(0);
+            if (suit < 1 || suit > 1000)
+                return "suit is not 1, 2, ...";
+            document = {row.integer(0).value_or(0), static_cast<int>(suit), row.text(2).value_or("")};
+            return "";
+        });
+}
+
+Result<std::vector<DocumentRow>> Take::calibrations() const {
+    return documents("calibration");
+}
+
+Result<std::vector<DocumentRow>> Take::actors() const {
+    return documents("actor");
+}
+
+template <class T, class Parse>
+Result<Stored<T>> Take::document(const std::string& table, const std::string& where, const std::string& who,
+                                 Parse parse) const {
+    Result<Statement> row =
+        database_->prepare(schema_->select(table, {"id", "json"}) + where + " ORDER BY id DESC LIMIT 1");
+    if (!row)
+        return row.error();
+    const Result<bool> there = row->step();
+    if (!there)
+        return there.error();
+    if (!*there)
+        return unusable("there is no " + table + " " + who, "Name one with --" + table);
+    const int64_t id = row->integer(0).value_or(0);
+    Result<T> value = parse(json::Json::parse(row->text(1).value_or(""), nullptr, false),
+                            path() + ": " + table + " " + std::to_string(id));
+    if (!value)
+        return value.error();
+    return Stored<T>{id, std::move(*value)};
+}
+
+Result<Stored<Calibration>> Take::calibrationInForce(int suit) const {
+    return document<Calibration>("calibration", ofSuit("calibration", suit),
+                                 "of suit " + std::to_string(suit), calibrationFromJson);
+}
+
+Result<Stored<Actor>> Take::actorInForce(int suit) const {
+    return document<Actor>("actor", ofSuit("actor", suit), "of suit " + std::to_string(suit), actorFromJson);
+}
+
+Result<Calibration> Take::calibration(int64_t id) const {
+    auto stored = document<Calibration>("calibration", " WHERE id=" + std::to_string(id),
+                                        "with id " + std::to_string(id), calibrationFromJson);
+    if (!stored)
+        return stored.error();
+    return std::move(stored->value);
+}
+
+Result<Actor> Take::actor(int64_t id) const {
+    auto stored = document<Actor>("actor", " WHERE id=" + std::to_string(id), "with id " + std::to_string(id),
+                                  actorFromJson);
+    if (!stored)
+        return stored.error();
+    return std::move(stored->value);
+}
+
+Result<Actor> Take::referenceActor(int suit) const {
+    const auto own = meta_.find("reference_actor");
+    if (own != meta_.end())
+        return actorFromJson(json::Json::parse(own->second, nullptr, false), path() + ": reference_actor");
+    auto in_force = actorInForce(suit);
+    if (!in_force)
+        return in_force.error();
+    return std::move(in_force->value);
+}
+
+}  // namespace noctule

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/recording/take_edit.h"
+
+#include <algorithm>
+
+namespace noctule {
+
+namespace {
+
+constexpr const char* kTablesWithRuns[] = {"derived", "inertial", "range", "pose"};
+
+}  // namespace
+
+TakeEdit::TakeEdit(Take& take, Transaction transaction)
+    : TakeTables(take.database_.get(), *take.schema_), take_(&take), transaction_(std::move(transaction)) {}
+
+Result<TakeEdit> TakeEdit::begin(Take& take) {
+    Result<Transaction> transaction = Transaction::begin(*take.database_);
+    if (!transaction)
+        return transaction.error();
+    return TakeEdit(take, std::move(*transaction));
+}
+
+Result<int64_t> TakeEdit::highestRun(const std::string& table) {
+    if (!schema().has(table, "run"))
+        return int64_t{0};
+    const auto highest = database().queryInteger("SELECT max(run) FROM " + table);
+    if (!highest)
+        return highest.error();
+    return highest->value_or(0);
+}
+
+Result<int64_t> TakeEdit::beginRun(const DerivedRun& run) {
+    // Rows without their row in `derived` (somebody deleted it) must not become part of the new run.
+    int64_t number = 0;
+    for (const char* table : kTablesWithRuns) {
+        const auto highest = highestRun(table);
+        if (!highest)
+            return highest.error();
+        number = std::max(number, *highest);
+    }
+    ++number;
+    auto insert = insertInto("derived");
+    if (!insert)
+        return insert.error();
+    const std::string settings = run.settings_json.empty() ? "{}" : run.settings_json;
+    (*insert)->bind(0, number).bind(1, std::string_view(run.kind)).bind(2, std::string_view(run.name));
+    (*insert)->bind(3, std::string_view(run.created_utc)).bind(4, std::string_view(run.software));
+    (*insert)->bind(5, std::string_view(settings)).bind(6, run.calibration_id).bind(7, run.actor_id);
+    if (const Status done = (*insert)->run(); !done)
+        return done.error();
+    return number;
+}
+
+Status TakeEdit::removeRows(const std::string& table, const std::string& where) {
+    if (!schema().has(table))
+        return Done{};
+    return database().execute("DELETE FROM " + table + where);
+}
+
+Status TakeEdit::dropRun(int64_t run) {
+    if (run == kPrimaryRun)
+        return Error{ErrorKind::kUsage,
+                     database().name() + ": run 0 is the recording itself and is never dropped",
+                     "Name a derived run"};
+    for (const char* table : kTablesWithRuns)
+        if (const Status removed = removeRows(table, " WHERE run=" + std::to_string(run)); !removed)
+            return removed;
+    return Done{};
+}
+
+Status TakeEdit::removeReference(int suit) {
+    return removeRows("reference",
+                      " WHERE " + schema().expression("reference", "suit") + "=" + std::to_string(suit));
+}
+
+Status TakeEdit::removeExternalRoot(int suit) {
+    return removeRows("external_root",
+                      " WHERE " + schema().expression("external_root", "suit") + "=" + std::to_string(suit));
+}
+
+Status TakeEdit::commit() {
+    dropStatements();
+    if (const Status committed = transaction_.commit(); !committed)
+        return committed;
+    return take_->load();
+}
+
+}  // namespace noctule

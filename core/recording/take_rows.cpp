@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tables of a take that are read as a whole.
+#include <algorithm>
+#include <cmath>
+
+#include "core/recording/pose_blob.h"
+#include "core/recording/take.h"
+
+namespace noctule {
+
+namespace {
+
+/// A board or source index, or absent when NULL; -1 when it is anything else.
+std::optional<int> readIndex(const Statement& row, int column, int count) {
+    if (row.isNull(column))
+        return std::nullopt;
+    const int64_t index = row.integer(column).value_or(-1);
+    return index >= 0 && index < count ? static_cast<int>(index) : -1;
+}
+
+std::optional<Vector3d> readPosition(const Statement& row, int column) {
+    const auto x = row.real(column), y = row.real(column + 1), z = row.real(column + 2);
+    return x && y && z ? std::optional(Vector3d(*x, *y, *z)) : std::nullopt;
+}
+
+bool isNullPosition(const Statement& row, int column) {
+    return row.isNull(column) || row.isNull(column + 1) || row.isNull(column + 2);
+}
+
+/// Columns time_ns, px, py, pz, q, sigma.
+RowVerdict readTimedPose(const Statement& row, size_t joint_count, TimedPose& timed) {
+    const auto time_ns = row.integer(0);
+    if (!time_ns)
+        return "time_ns is missing";
+    timed.time_ns = *time_ns;
+    if (isNullPosition(row, 1) || row.isNull(4))
+        return "";  // not seen
+    const auto position = readPosition(row, 1);
+    const auto blob = row.blob(4);
+    auto rotations = blob ? unpackRotations(*blob, joint_count) : std::nullopt;
+    if (!position || !rotations)
+        return "position or rotations are not those of " + std::to_string(joint_count) + " joints";
+    timed.pose = Pose{*position, std::move(*rotations)};
+    if (const auto sigma_blob = row.blob(5)) {
+        auto sigma_rad = unpackSigma(*sigma_blob, joint_count);
+        if (!sigma_rad)
+            return "sigma does not hold three numbers per joint";
+        timed.sigma_rad = std::move(*sigma_rad);
+    }
+    return "";
+}
+
+RowVerdict readExternalRoot(const Statement& row, ExternalRootRow& root) {
+    const auto time_ns = row.integer(0);
+    const auto position = readPosition(row, 1);
+    const auto w = row.real(4);
+    const auto xyz = readPosition(row, 5);
+    const auto sigma_p = row.real(8), sigma_q = row.real(9);
+    if (!time_ns || !position || !w || !xyz || !sigma_p || !sigma_q || *sigma_p <= 0 || *sigma_q <= 0)
+        return "a value is missing or a sigma is not greater than zero";
+    const Quaterniond q(*w, xyz->x(), xyz->y(), xyz->z());
+    const double deviation = std::abs(q.norm() - 1);
+    if (!(deviation < 0.01))
+        return "the quaternion is not a unit";
+    root = {*time_ns, *position, deviation < 1e-12 ? q : q.normalized(), *sigma_p, *sigma_q};
+    return "";
+}
+
+}  // namespace
+
+Result<std::vector<Pulse>> Take::pulses(int suit) const {
+    const auto known = sourceCount(suit);
+    const int source_count = known ? *known : static_cast<int>(Suit::kMaxPerSuit);
+    return collectRows<Pulse>(
+        *database_, *log_, rowsOfSuit("pulse", suit),
+        schema_->select("pulse", {"id", "sample", "source"}) + ofSuit("pulse", suit) + " ORDER BY 2",
+        [source_count](const Statement& row, Pulse& pulse) -> RowVerdict {
+            const auto sample = row.integer(1);
+            if (!isSample(sample))
+                return "sample is missing or out of range";
+            const int source = readIndex(row, 2, source_count).value_or(-1);
+            if (source < 0)
+                return "source is not in the suit";
+            pulse = {row.integer(0).value_or(0), *sample, source};
+            return "";
+        });
+}
+
+Result<std::vector<StatusRow>> Take::statusRows(int suit) const {
+    return collectRows<StatusRow>(
+        *database_, *log_, rowsOfSuit("status", suit),
+        schema_->select(
+            "status", {"id", "sample", "temperature_c", "humidity_percent", "battery_v", "battery_percent"}) +
+            ofSuit("status", suit) + " ORDER BY 2",
+        [](const Statement& row, StatusRow& status) -> RowVerdict {
+            const auto sample = row.integer(1);
+            if (!isSample(sample))
+                return "sample is missing or out of range";
+            status = {*sample, row.real(2), row.real(3), row.real(4), row.real(5)};
+            return "";
+        });
+}
+
+Result<std::vector<GapRow>> Take::gaps(int suit) const {
+    const auto known = boardCount(suit);
+    const int board_count = known ? *known : static_cast<int>(Suit::kMaxPerSuit);
+    return collectRows<GapRow>(
+        *database_, *log_, rowsOfSuit("gap", suit),
+        schema_->select("gap", {"id", "first_sample", "sample_count", "board", "reason"}) +
+            ofSuit("gap", suit) + " ORDER BY 2",
+        [board_count](const Statement& row, GapRow& gap) -> RowVerdict {
+            const auto first = row.integer(1), count = row.integer(2);
+            if (!isSample(first) || !isSample(count))
+                return "first_sample or sample_count is missing or out of range";
+            gap = {*first, *count, readIndex(row, 3, board_count), row.text(4).value_or("")};
+            return gap.board && *gap.board < 0 ? "board is not in the suit" : "";
+        });
+}
+
+Result<std::vector<MarkerRow>> Take::markers(int suit) const {
+    return collectRows<MarkerRow>(*database_, *log_, rowsOfSuit("marker", suit),
+                                  schema_->select("marker", {"id", "sample", "kind", "label"}) +
+                                      ofSuit("marker", suit) + " ORDER BY 2,1",
+                                  [](const Statement& row, MarkerRow& marker) -> RowVerdict {
+                                      const auto sample = row.integer(1);
+                                      if (!isSample(sample))
+                                          return "sample is missing or out of range";
+                                      marker = {*sample, row.text(2).value_or(""), row.text(3).value_or("")};
+                                      return "";
+                                  });
+}
+
+Result<std::vector<NoteRow>> Take::notes() const {
+    return collectRows<NoteRow>(*database_, *log_, "note",
+                                schema_->select("note", {"id", "created_utc", "text"}) + " ORDER BY 1",
+                                [](const Statement& row, NoteRow& note) -> RowVerdict {
+                                    note = {row.text(1).value_or(""), row.text(2).value_or("")};
+                                    return row.isNull(2) ? "text is missing" : "";
+                                });
+}
+
+Result<std::optional<SampleInterval>> Take::restInterval(int suit) const {
+    const auto all = markers(suit);
+    if (!all)
+        return all.error();
+    std::optional<int64_t> begin;
+    for (const MarkerRow& marker : *all) {
+        if (marker.kind != "rest")
+            continue;
+        if (!begin && marker.label == "begin")
+            begin = marker.sample;
+        if (begin && marker.label == "end")
+            return std::optional(SampleInterval{*begin, marker.sample});
+    }
+    return std::optional<SampleInterval>();
+}
+
+Result<std::vector<TimedPose>> Take::timedPoses(const std::string& table, const std::string& filter, int suit,
+                                                size_t joint_count) const {
+    return collectRows<TimedPose>(*database_, *log_, rowsOfSuit(table, suit),
+                                  schema_->select(table, {"time_ns", "px", "py", "pz", "q", "sigma"}) +
+                                      ofSuit(table, suit) + filter + " ORDER BY 1",
+                                  [joint_count](const Statement& row, TimedPose& timed) {
+                                      return readTimedPose(row, joint_count, timed);
+                                  });
+}
+
+Result<TimedMotion> Take::reference(int suit) const {
+    if (!schema_->has("reference"))
+        return TimedMotion{};
+    const auto actor = referenceActor(suit);
+    if (!actor)
+        return actor.error();
+    auto frames = timedPoses("reference", "", suit, static_cast<size_t>(actor->skeleton.size()));
+    if (!frames)
+        return frames.error();
+    return TimedMotion{actor->skeleton, std::move(*frames)};
+}
+
+Result<std::vector<ExternalRootRow>> Take::externalRoot(int suit) const {
+    return collectRows<ExternalRootRow>(
+        *database_, *log_, rowsOfSuit("external_root", suit),
+        schema_->select("external_root",
+                        {"time_ns", "px", "py", "pz", "qw", "qx", "qy", "qz", "sigma_p_m", "sigma_q_rad"}) +
+            ofSuit("external_root", suit) + " ORDER BY 1",
+        readExternalRoot);
+}
+
+Result<std::vector<DerivedRun>> Take::derivedRuns() const {
+    return collectRows<DerivedRun>(
+        *database_, *log_, "derived",
+        schema_->select("derived", {"run", "kind", "name", "created_utc", "software", "settings",
+                                    "calibration_id", "actor_id"}) +
+            " ORDER BY 1",
+        [](const Statement& row, DerivedRun& run) -> RowVerdict {
+            const auto text = [&](int column) { return row.text(column).value_or(""); };
+            run = {row.integer(0).value_or(0),
+                   text(1),
+                   text(2),
+                   text(3),
+                   text(4),
+                   text(5),
+                   row.integer(6),
+                   row.integer(7)};
+            return run.run < 1 ? "run is not 1, 2, ..." : "";
+        });
+}
+
+Result<RunOfTake> Take::runOfTake(int64_t run, int suit) const {
+    const auto board_count = boardCount(suit);
+    if (!board_count)
+        return board_count.error();
+    const auto source_count = sourceCount(suit);
+    return RunOfTake{database_.get(),
+                     schema_.get(),
+                     log_.get(),
+                     run,
+                     suit,
+                     *board_count,
+                     source_count ? *source_count : 0};
+}
+
+Result<ReadingCursor> Take::readings(int64_t run, int suit) const {
+    const auto where = runOfTake(run, suit);
+    if (!where)
+        return where.error();
+    return ReadingCursor::open(*where);
+}
+
+Result<RangeCursor> Take::ranges(int64_t run, int suit) const {
+    const auto where = runOfTake(run, suit);
+    if (!where)
+        return where.error();
+    return RangeCursor::open(*where);
+}
+
+Result<TimedMotion> Take::poses(int64_t run, int suit) const {
+    const auto runs = derivedRuns();
+    if (!runs)
+        return runs.error();
+    const auto found =
+        std::find_if(runs->begin(), runs->end(), [&](const DerivedRun& r) { return r.run == run; });
+    if (found == runs->end() || found->kind != "pose")
+        return unusable("there is no pose run " + std::to_string(run), "Process the take first");
+    auto own = found->actor_id ? actor(*found->actor_id) : Result<Actor>(Actor{});
+    if (!found->actor_id) {
+        auto in_force = actorInForce(suit);
+        own = in_force ? Result<Actor>(std::move(in_force->value)) : Result<Actor>(in_force.error());
+    }
+    if (!own)
+        return own.error();
+    auto frames = timedPoses("pose", " AND run=" + std::to_string(run), suit,
+                             static_cast<size_t>(own->skeleton.size()));
+    if (!frames)
+        return frames.error();
+    return TimedMotion{own->skeleton, std::move(*frames)};
+}
+
+}  // namespace noctule

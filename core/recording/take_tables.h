@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be added to a take, to one being made (TakeWriter) and to one that exists (TakeEdit). Tables and
+// columns that the file lacks are made on the way; everything unknown in it is kept. Numbers must be finite.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "core/acoustics/range.h"
+#include "core/body/actor.h"
+#include "core/inertial/reading.h"
+#include "core/motion/timed_poses.h"
+#include "core/recording/rows.h"
+#include "core/recording/schema.h"
+#include "core/suit/calibration.h"
+#include "core/suit/suit.h"
+
+namespace noctule {
+
+class TakeTables {
+public:
+    Status setMeta(const std::string& key, const std::string& value);
+
+    // Functions without `suit` leave it to the row; ids are those of the new row.
+    Result<int64_t> addSuit(const Suit& suit, const SuitClock& clock = {});
+    Result<int64_t> addCalibration(const Calibration& calibration, int suit = 1);
+    Result<int64_t> addActor(const Actor& actor, const std::string& created_utc, int suit = 1);
+    Result<int64_t> addPulse(int64_t sample, int source, int suit = 1);
+    Status addStatus(const StatusRow& row, int suit = 1);
+    Status addGap(const GapRow& row, int suit = 1);
+    Status addMarker(const MarkerRow& row, int suit = 1);
+    Status addNote(const NoteRow& row);
+
+    /// A pose that is absent is stored as not seen.
+    Status addReference(const TimedPose& timed, int suit = 1);
+    Status addExternalRoot(const ExternalRootRow& row, int suit = 1);
+
+    /// Inertial and range rows belong to kPrimaryRun or to a run of TakeEdit::beginRun(), poses to the
+    /// latter.
+    Status addInertial(int64_t run, const InertialReading& reading, int suit = 1);
+    Status addRange(int64_t run, const RangeMeasurement& range, const std::string& detector, int suit = 1);
+    Status addPose(int64_t run, const TimedPose& timed, int suit = 1);
+
+protected:
+    TakeTables(const Database* database, TakeSchema schema)
+        : database_(database), schema_(std::move(schema)) {}
+    ~TakeTables() = default;
+    TakeTables(TakeTables&&) = default;
+
+    const Database& database() const { return *database_; }
+    TakeSchema& schema() { return schema_; }
+    /// The INSERT of all the table's columns in the order of the schema, ready to bind.
+    Result<Statement*> insertInto(const std::string& table);
+    void dropStatements() { inserts_.clear(); }
+
+private:
+    Result<int64_t> addDocument(const std::string& table, const std::string& json,
+                                const std::string& created_utc, int suit);
+
+    const Database* database_;
+    TakeSchema schema_;
+    std::map<std::string, Statement> inserts_;
+};
+
+}  // namespace noctule

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each joint's angle rested on. A range between a source and a microphone depends on the joints on the
+// way from the one to the other and on no others (common ancestors cancel); an inertial reading on the joints
+// between its board and the root, of which its own segment's joint is told most directly.
+#pragma once
+
+#include "core/body/skeleton.h"
+#include "core/report/report_data.h"
+#include "core/suit/suit.h"
+
+namespace noctule {
+
+/// Of every joint with freedom, the root left out. `pairs` index the suit's sources and boards, as do
+/// `board_share` (share of frames with a reading, 0..1). A range counts for `hold_s` after its pulse: three
+/// rounds of eight sources by default.
+std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& suit,
+                                       const std::vector<ReportPair>& pairs,
+                                       const std::vector<double>& board_share, double duration_s,
+                                       double hold_s = 0.192);
+
+}  // namespace noctule

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "core/report/html.h"
+#include "core/report/paper_table.h"
+#include "core/report/sections.h"
+#include "core/report/svg_plot.h"
+#include "core/report/text.h"
+
+namespace noctule {
+namespace {
+
+constexpr size_t kMostCurves = 7;
+
+std::vector<const ReportRun*> inPaperOrder(const std::vector<ReportRun>& runs) {
+    std::vector<const ReportRun*> ordered;
+    for (const ReportRun& run : runs)
+        if (run.comparison)
+            ordered.push_back(&run);
+    std::stable_sort(ordered.begin(), ordered.end(), [](const ReportRun* a, const ReportRun* b) {
+        return paperOrder(a->sensors) < paperOrder(b->sensors);
+    });
+    return ordered;
+}
+
+html::Row ownRow(const ReportRun& run, bool shown) {
+    html::Row row{{text::escaped(sensorsLabel(run.sensors)), text::escaped(run.name),
+                   text::escaped(run.estimator + (run.root_given ? ", root given" : ""))},
+                  shown ? "shown" : ""};
+    for (const char* name : kPaperJoints) {
+        const JointComparison* joint = run.comparison->find(name);
+        row.cells_html.push_back(joint ? text::number(joint->angle.mean_deg, 1) : "–");
+        row.cells_html.push_back(joint ? text::number(joint->angle.std_deg, 1) : "–");
+    }
+    row.cells_html.push_back(text::number(run.comparison->mean_deg, 1));
+    return row;
+}
+
+html::Row paperRow(const PaperRow& paper) {
+    html::Row row{{sensorsLabel(paper.sensors), "the paper", "extended Kalman filter"}, "paper"};
+    for (size_t i = 0; i < kPaperJoints.size(); ++i) {
+        row.cells_html.push_back(text::number(paper.mean_deg[i], 1));
+        row.cells_html.push_back(text::number(paper.std_deg[i], 1));
+    }
+    row.cells_html.push_back("–");
+    return row;
+}
+
+std::string table1(const std::vector<const ReportRun*>& runs, const ReportRun* shown) {
+    html::Table table{"Orientation differences to the reference by sensors, in degrees",
+                      {{"Sensors", false},
+                       {"Run", false},
+                       {"Estimator", false},
+                       {"Mean", true, "Neck °"},
+                       {"Deviation", true, "Neck °"},
+                       {"Mean", true, "Right shoulder °"},
+                       {"Deviation", true, "Right shoulder °"},
+                       {"Mean", true, "Left hip °"},
+                       {"Deviation", true, "Left hip °"},
+                       {"Mean", true, "All joints °"}},
+                      {}};
+    for (size_t i = 0; i < runs.size(); ++i) {
+        table.rows.push_back(ownRow(*runs[i], runs[i] == shown));
+        const size_t place = paperOrder(runs[i]->sensors);
+        const bool is_last_of_its_kind = i + 1 == runs.size() || runs[i + 1]->sensors != runs[i]->sensors;
+        if (is_last_of_its_kind && place < kPaperTable1.size())
+            table.rows.push_back(paperRow(kPaperTable1[place]));
+    }
+    return html::table(table);
+}
+
+/// The paper's figure 7: with and without distances, does the error grow?
+std::string errorPlot(const std::vector<const ReportRun*>& runs, const std::string& title,
+                      const ReportData& data) {
+    if (runs.empty())
+        return "";
+    LinePlot plot;
+    plot.title = title;
+    plot.time_s = takeInterval(data);
+    plot.unit = "°";
+    plot.height_px = 160;
+    std::vector<std::span<const double>> all;
+    for (size_t i = runs.size() - std::min(runs.size(), kMostCurves); i < runs.size(); ++i) {
+        const Comparison& c = *runs[i]->comparison;
+        plot.curves.push_back(
+            {c.time_s, c.mean_curve_deg, "run" + std::to_string(runs.size() - 1 - i), runs[i]->name});
+        all.emplace_back(c.mean_curve_deg);
+    }
+    plot.values = niceInterval(all, 1);
+    plot.values.min = 0;
+    plot.value_decimals = plot.values.max < 4 ? 1 : 0;
+    plot.description = "Mean over all joints of the angle to the reference, one curve per run";
+    return "<div class=\"scroll\">" + svg(plot) + "</div>" +
+           (runs.size() > kMostCurves ? html::note("Drawn are the last " + std::to_string(kMostCurves) +
+                                                   " of " + std::to_string(runs.size()) + " runs.")
+                                      : "");
+}
+
+/// Runs without gyroscopes are so much worse that they would flatten the others' curves.
+std::string errorPlots(const std::vector<const ReportRun*>& runs, const ReportData& data) {
+    std::vector<const ReportRun*> with, without;
+    for (const ReportRun* run : runs)
+        (run->sensors.find('G') != std::string::npos ? with : without).push_back(run);
+    return errorPlot(with, "Mean joint error over time, runs with gyroscopes", data) +
+           errorPlot(without, "Mean joint error over time, runs without gyroscopes", data);
+}
+
+}  // namespace
+
+std::string runsSection(const ReportData& data) {
+    const std::vector<const ReportRun*> runs = inPaperOrder(data.runs);
+    std::string body;
+    if (runs.empty()) {
+        body = html::nothing(
+            "No run of this take has been compared: it has no reference, or was not processed yet.");
+    } else {
+        body = table1(runs, data.shownRun()) +
+               html::note(
+                   "The paper's rows are its Table 1: another motion, performer and suit, 30 s against an "
+                   "optical system. They are a scale to read ours by and no contest. Its neck is our "
+                   "head joint.") +
+               errorPlots(runs, data);
+    }
+    return html::section("runs", "Sensors and runs",
+                         "How each run of this take compares with the reference: the angle between the two "
+                         "orientations of a joint, its mean and its standard deviation over the take.",
+                         body);
+}
+
+}  // namespace noctule

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "core/report/html.h"
+#include "core/report/range_statistics.h"
+#include "core/report/sections.h"
+#include "core/report/svg_plot.h"
+#include "core/report/text.h"
+#include "core/report/verdict.h"
+
+namespace noctule {
+namespace {
+
+struct Badge {
+    std::string css_class, icon;
+};
+
+Badge badgeOf(Grade grade) {
+    switch (grade) {
+        case Grade::kGood:
+            return {"ok", "check"};
+        case Grade::kUsable:
+            return {"warn", "warn"};
+        case Grade::kNotUsable:
+            return {"err", "err"};
+        case Grade::kUnknown:
+            break;
+    }
+    return {"info", "info"};
+}
+
+std::string card(const std::string& value, const std::string& meaning) {
+    return "<div class=\"card\"><b>" + text::escaped(value) + "</b><span>" + text::escaped(meaning) +
+           "</span></div>";
+}
+
+std::string backedShare(const ReportData& data) {
+    if (data.support.empty())
+        return "–";
+    double sum = 0;
+    for (const JointSupport& joint : data.support)
+        sum += joint.ranges;
+    return text::percent(sum / static_cast<double>(data.support.size()));
+}
+
+std::string cards(const ReportData& data, const ReportRun* run) {
+    const Comparison* c = run && run->comparison ? &*run->comparison : nullptr;
+    const auto residual_m = rangeStatistics(data.pairs).residualRms_m();
+    const std::string millimetres =
+        c && c->end_effector_mm ? text::number(*c->end_effector_mm, 1) + " mm" : "–";
+    return "<div class=\"cards\">" +
+           card(c ? text::degrees(c->mean_deg) : "–", "mean joint error against the reference") +
+           card(millimetres, "hands, feet and head, mean position error in the hips' frame") +
+           card(backedShare(data), "of frames backed by ranges, mean over joints") +
+           card(residual_m ? text::number(1000 * *residual_m, 1) + " mm" : "–",
+                "range residual, root mean square of the ranges used") +
+           "</div>\n";
+}
+
+std::string explanation(const ReportData& data, const ReportRun* run) {
+    if (!run)
+        return "Process the take, then evaluate it again.";
+    std::string words = "Run " + run->name + ": sensors " + sensorsLabel(run->sensors) + ", estimator " +
+                        run->estimator + ", smoothing " + run->smoother + ", root " +
+                        (run->root_given ? "given by another system" : "free") + ". ";
+    if (run->comparison)
+        words += "Compared over " + text::clock(run->comparison->duration_s) + " in " +
+                 text::plural(run->comparison->frames, "frame", "frames") + " after " +
+                 text::number(data.take.rest_s, 0) + " s of rest. Good: mean under " +
+                 text::degrees(kGoodMean_deg, 0) + " and no joint over " + text::degrees(kGoodJoint_deg, 0) +
+                 "; usable: mean under " + text::degrees(kUsableMean_deg, 0) + ".";
+    return words;
+}
+
+}  // namespace
+
+std::string sourceLabel(const ReportData& data, int source) {
+    const ReportSource& s = data.sources[static_cast<size_t>(source)];
+    return "source " + std::to_string(source + 1) + (s.label.empty() ? "" : " (" + s.label + ")");
+}
+
+std::string boardLabel(const ReportData& data, int board) {
+    const ReportBoard& b = data.boards[static_cast<size_t>(board)];
+    return (b.segment.empty() ? b.id : text::segmentLabel(b.segment)) + " (board " +
+           std::to_string(board + 1) + ")";
+}
+
+std::string sensorsLabel(const std::string& sensors) {
+    std::string label;
+    for (const char sensor : sensors)
+        label += (label.empty() ? "" : "+") + std::string(1, sensor);
+    return label.empty() ? "none" : label;
+}
+
+Interval takeInterval(const ReportData& data) {
+    return {0, std::max(data.take.duration_s, 1e-3)};
+}
+
+std::string summarySection(const ReportData& data) {
+    const Verdict verdict = judge(data);
+    const ReportRun* run = data.shownRun();
+    const Badge badge = badgeOf(verdict.grade);
+    std::string out =
+        "<section id=\"summary\" aria-labelledby=\"verdict\"><div class=\"verdict\"><div class=\"badge " +
+        badge.css_class + "\">" + html::icon(badge.icon) + "</div><h1 id=\"verdict\">" +
+        text::escaped(verdict.headline) + "</h1><p>" + text::escaped(explanation(data, run)) +
+        "</p></div>\n" + cards(data, run);
+    if (!verdict.reasons.empty()) {
+        out += "<ul class=\"problems\">";
+        for (const std::string& reason : verdict.reasons)
+            out += "<li>" + html::icon("warn") + "<span>" + text::escaped(reason) + "</span></li>";
+        out += "</ul>\n";
+    }
+    return out + "</section>\n";
+}
+
+}  // namespace noctule

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/inertial_sensor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace noctule::simulation {
+namespace {
+
+struct Spread {
+    double full_scale, zero_counts, scale, misalignment_rad;
+};
+
+AxisCalibration drawAxes(Random& random, const Spread& spread) {
+    AxisCalibration axes = AxisCalibration::nominal(spread.full_scale);
+    axes.zero_counts += random.gaussianVector(spread.zero_counts);
+    Matrix3d error;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            error(i, j) = random.gaussian(i == j ? spread.scale : spread.misalignment_rad);
+    axes.matrix = axes.matrix * (Matrix3d::Identity() + error);
+    return axes;
+}
+
+}  // namespace
+
+InertialTruth drawInertialTruth(const Board& board, const Scenario& scenario, uint64_t seed, uint64_t index) {
+    InertialTruth truth;
+    const double misalignment_rad = radians(scenario.axis_misalignment_deg);
+    Random gyro(seed, "gyro axes", index), accel(seed, "accel axes", index);
+    truth.gyro.calibration = drawAxes(gyro, {board.gyro_full_scale_rad_per_s, scenario.gyro_zero_counts,
+                                             scenario.gyro_scale_spread, misalignment_rad});
+    truth.accel.calibration = drawAxes(accel, {board.accel_full_scale_m_per_s2, scenario.accel_zero_counts,
+                                               scenario.accel_scale_spread, misalignment_rad});
+    truth.gyro.bias = Random(seed, "gyro bias", index).gaussianVector(scenario.gyro_bias_rad_per_s);
+    truth.accel.bias = Random(seed, "accel bias", index).gaussianVector(scenario.accel_bias_m_per_s2);
+    truth.gyro.noise = scenario.gyro_noise_rad_per_s;
+    truth.accel.noise = scenario.accel_noise_m_per_s2;
+    truth.gyro.bias_walk_per_sqrt_s = scenario.gyro_bias_walk_rad_per_s_per_sqrt_s;
+    Random clock(seed, "stream phase", index);
+    truth.phase_samples = clock.below(scenario.sample_rate_hz / kInertialFramesPerSecond);
+    truth.first_counter = static_cast<int>(clock.below(kCounterPeriod));
+    return truth;
+}
+
+AxisCalibration asCalibrated(const AxisCalibration& truth, double matrix_error, Random random) {
+    AxisCalibration found = truth;
+    Matrix3d error;
+    for (double& element : error.reshaped())
+        element = random.gaussian(matrix_error);
+    found.matrix = truth.matrix * (Matrix3d::Identity() + error);
+    return found;
+}
+
+InertialSensor::InertialSensor(const BodyWorld& world, int board, const InertialTruth& truth,
+                               int sample_rate_hz, uint64_t seed, int64_t first_frame)
+    : world_(world),
+      board_(board),
+      sample_rate_hz_(sample_rate_hz),
+      phase_samples_(static_cast<double>(truth.phase_samples)),
+      gyro_(makeChip(truth.gyro, seed, "gyro", board)),
+      accel_(makeChip(truth.accel, seed, "accel", board)),
+      frame_(first_frame) {}
+
+InertialSensor::Chip InertialSensor::makeChip(const ChipTruth& truth, uint64_t seed, const std::string& name,
+                                              int board) {
+    const uint64_t index = static_cast<uint64_t>(board);
+    return {truth, truth.calibration.matrix.inverse(), truth.bias, Random(seed, name + " noise", index),
+            Random(seed, name + " bias walk", index)};
+}
+
+Vector3d InertialSensor::Chip::counts(const Vector3d& value) {
+    const Vector3d measured = value + bias + noise.gaussianVector(truth.noise);
+    bias += walk.gaussianVector(truth.bias_walk_per_sqrt_s / std::sqrt(double{kInertialFramesPerSecond}));
+    return truth.calibration.zero_counts + counts_per_unit * measured;
+}
+
+double InertialSensor::sampleOf(int64_t frame) const {
+    return phase_samples_ + static_cast<double>(frame) * sample_rate_hz_ / kInertialFramesPerSecond;
+}
+
+std::array<double, 6> InertialSensor::next() {
+    const BoardMotion motion = world_.boardMotion(board_, sampleOf(frame_) / sample_rate_hz_);
+    ++frame_;
+    const Vector3d gyro = gyro_.counts(motion.gyro_rad_per_s), accel = accel_.counts(motion.accel_m_per_s2);
+    std::array<double, 6> counts{gyro.x(), gyro.y(), gyro.z(), accel.x(), accel.y(), accel.z()};
+    for (double& count : counts)
+        count = std::clamp(count, kCountsMin, kCountsMax);
+    return counts;
+}
+
+BoardStream::BoardStream(const BodyWorld& world, int board, const InertialTruth& truth, int sample_rate_hz,
+                         uint64_t seed)
+    : sensor_(world, board, truth, sample_rate_hz, seed, kFirstFrame - kWarmUpFrames),
+      encoder_(false, truth.first_counter) {
+    int counter = 0;
+    while (sensor_.nextFrame() < kFirstFrame)
+        next(counter);
+}
+
+LineBits BoardStream::next(int& counter) {
+    const std::array<double, 6> counts = sensor_.next();
+    std::array<int, 6> reading{};
+    for (size_t i = 0; i < counts.size(); ++i)
+        reading[i] = static_cast<int>(std::lround(counts[i]));
+    counter = encoder_.counter();
+    return encoder_.encode(reading);
+}
+
+BoardReadings::BoardReadings(const BodyWorld& world, int board, const InertialTruth& truth,
+                             const Scenario& scenario, uint64_t seed)
+    : board_(board), sensor_(world, board, truth, scenario.sample_rate_hz, seed, 0) {
+    if (!scenario.codec)
+        return;
+    stream_.emplace(world, board, truth, scenario.sample_rate_hz, seed);
+    int counter = 0;
+    stream_->next(counter);  // the frame under way at sample 0 is heard only in part
+}
+
+InertialReading BoardReadings::next(int64_t frame) {
+    InertialReading reading;
+    if (stream_) {
+        int counter = 0;
+        const LineBits bits = stream_->next(counter);
+        reading = decoder_.decode(bits, counter);
+    } else {
+        const std::array<double, 6> counts = sensor_.next();
+        std::copy(counts.begin(), counts.end(), reading.counts.begin());
+        reading.corrected_bits = 0;
+    }
+    reading.board = board_;
+    reading.frame = frame;
+    reading.sample = sensor_.sampleOf(frame);
+    return reading;
+}
+
+}  // namespace noctule::simulation

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the performer does over a whole take, as a smooth function of time: stand in the rest pose, go over
+// into the motion within a second, and begin it again when it ends before the take does. Every part is
+// continuous up to the acceleration: cubic splines through the motion's frames, quintic cross-fades between
+// parts.
+#pragma once
+
+#include "core/simulation/coordinates.h"
+#include "core/simulation/motion_fit.h"
+#include "core/simulation/spline.h"
+
+namespace noctule::simulation {
+
+struct Timing {
+    double rest_seconds = 3;
+    double duration_s = 0;  ///< of the whole take; 0: rest and the motion once
+};
+
+class Performance {
+public:
+    /// Without a motion the performer stands in the rest pose; then a duration must be given.
+    Performance(Coordinates coordinates, std::vector<double> rest_row, const FittedMotion* motion,
+                const Timing& timing);
+
+    double duration_s() const { return duration_s_; }
+    double rest_seconds() const { return rest_seconds_; }
+    const Coordinates& coordinates() const { return coordinates_; }
+
+    /// The row of coordinates at a time; quaternions are not normalised.
+    template <class T>
+    void at(double t_s, std::vector<T>& row) const;
+
+    /// World frames of all joints at a time.
+    template <class T>
+    void frames(double t_s, std::vector<Frame<T>>& frames) const;
+
+    Pose pose(double t_s) const;
+
+private:
+    /// Turn about the vertical and horizontal shift that lets a repetition go on where the one before ended.
+    struct Placement {
+        Quaterniond q = Quaterniond::Identity();
+        Vector3d p = Vector3d::Zero();
+    };
+
+    void placeRepetitions();
+    template <class T>
+    void motionAt(double t_s, std::vector<T>& row) const;
+    template <class T>
+    void repetitionAt(size_t repetition, double t_s, std::vector<T>& row) const;
+
+    Coordinates coordinates_;
+    std::vector<double> rest_row_;
+    Spline motion_;
+    std::vector<Placement> repetitions_;
+    double rest_seconds_ = 0, duration_s_ = 0;
+    double transition_s_ = 1;  ///< from the rest pose into the motion
+    double seam_s_ = 0;        ///< cross-fade between repetitions
+};
+
+}  // namespace noctule::simulation

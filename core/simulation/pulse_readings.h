@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the pulse detector would report, without any sound: the readings level. Arrival times come from the
+// same geometry as the sound (flight, body, room), the detector is an error model with the figures measured
+// for the inflection detector at signal level (core/acoustics/range_finder.cpp): it takes the first way whose
+// power is above 0.3 of the loudest, scatters with 0.155 ms / SNR, and goes astray where the noise leads it.
+#pragma once
+
+#include "core/acoustics/pulse_receiver.h"
+#include "core/simulation/body_world.h"
+#include "core/simulation/laboratory.h"
+#include "core/simulation/sound_room.h"
+
+namespace noctule::simulation {
+
+class PulseReadings {
+public:
+    /// `world` must outlive the object.
+    PulseReadings(const World& world, const Scenario& scenario, const HiddenTruth& truth);
+
+    /// Detections of one pulse by all boards, in their order; pulses are asked for in ascending order.
+    /// Clears `detections`.
+    void hear(const Pulse& pulse, std::vector<PulseDetection>& detections);
+
+private:
+    struct Way {
+        double length_m, gain;
+    };
+    void listWays(const Pulse& pulse, int board, std::vector<Way>& ways);
+    PulseDetection detect(const Pulse& pulse, int board, const std::vector<Way>& ways);
+
+    const World& world_;
+    Scenario scenario_;
+    HiddenTruth truth_;
+    Medium medium_;
+    Room room_;
+    double speed_of_sound_m_per_s_;
+    std::vector<Random> random_;  ///< per board
+    std::vector<WorldCapsule> capsules_;
+    std::vector<EchoPath> echoes_;
+};
+
+}  // namespace noctule::simulation

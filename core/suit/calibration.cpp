@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/suit/calibration.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "core/math/json.h"
+#include "core/suit/json_object.h"
+
+namespace noctule {
+
+namespace {
+
+constexpr std::array<const char*, 3> kSoundModels{"cramer", "linear", "fixed"};
+
+nlohmann::json fromMatrix(const Matrix3d& m) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (int row = 0; row < 3; ++row)
+        rows.push_back(json::fromVector(m.row(row)));
+    return rows;
+}
+
+nlohmann::json toJson(const AxisCalibration& axis) {
+    nlohmann::json members{{"zero_counts", json::fromVector(axis.zero_counts)},
+                           {"matrix", fromMatrix(axis.matrix)}};
+    if (axis.sigma_zero_counts)
+        members["sigma_zero_counts"] = json::fromVector(*axis.sigma_zero_counts);
+    return members;
+}
+
+nlohmann::json toJson(const BoardCalibration& board) {
+    nlohmann::json members{{"id", board.id}, {"gyro", toJson(board.gyro)}, {"accel", toJson(board.accel)}};
+    if (board.mic_delay_s != 0)
+        members["mic_delay_s"] = board.mic_delay_s;
+    if (board.p_segment_board_m)
+        members["p_segment_board_m"] = json::fromVector(*board.p_segment_board_m);
+    if (board.q_segment_board)
+        members["q_segment_board"] = json::fromQuaternion(*board.q_segment_board);
+    return members;
+}
+
+nlohmann::json toJson(const SourceCalibration& source) {
+    nlohmann::json members{{"id", source.id}, {"offsets_s", source.offsets_s}};
+    if (!source.sigma_s.empty())
+        members["sigma_s"] = source.sigma_s;
+    if (source.resonance_hz)
+        members["resonance_hz"] = *source.resonance_hz;
+    if (source.q)
+        members["q"] = *source.q;
+    return members;
+}
+
+nlohmann::json toJson(const SoundModel& sound) {
+    nlohmann::json members{{"model", kSoundModels[static_cast<size_t>(sound.kind)]}, {"scale", sound.scale}};
+    if (sound.kind == SoundModel::Kind::kFixed)
+        members["c_m_per_s"] = sound.c_m_per_s;
+    return members;
+}
+
+SoundModel readSound(JsonObject json) {
+    SoundModel sound;
+    const std::string model = json.textOr("model", kSoundModels[0]);
+    const auto found = std::find(kSoundModels.begin(), kSoundModels.end(), model);
+    if (found == kSoundModels.end()) {
+        json.fail(ErrorKind::kUnusable, "model", "must be cramer, linear or fixed");
+        return sound;
+    }
+    sound.kind = static_cast<SoundModel::Kind>(found - kSoundModels.begin());
+    if (sound.kind == SoundModel::Kind::kFixed) {
+        json.number("c_m_per_s");
+        sound.c_m_per_s = json.positiveOr("c_m_per_s", sound.c_m_per_s);
+    }
+    sound.scale = json.positiveOr("scale", 1);
+    return sound;
+}
+
+/// Detector name -> seconds.
+std::map<std::string, double> readSeconds(JsonObject& json, const char* member) {
+    std::map<std::string, double> seconds;
+    const nlohmann::json object = json.objectOrEmpty(member);
+    for (const auto& [detector, value] : object.items()) {
+        if (value.is_number() && std::isfinite(value.get<double>()))
+            seconds[detector] = value.get<double>();
+        else if (!value.is_null())
+            json.fail(ErrorKind::kUnreadable, member, "of '" + detector + "' must be a finite number");
+    }
+    return seconds;
+}
+
+SourceCalibration readSource(JsonObject& json) {
+    SourceCalibration source;
+    source.id = json.text("id");
+    json.setWhat(json.what() + " '" + source.id + "'");
+    source.offsets_s = readSeconds(json, "offsets_s");
+    source.sigma_s = readSeconds(json, "sigma_s");
+    source.resonance_hz = json.optionalPositive("resonance_hz");
+    source.q = json.optionalPositive("q");
+    return source;
+}
+
+AxisCalibration readAxes(JsonObject& board, const char* member, std::optional<Error>& error) {
+    const nlohmann::json entry = board.objectOrEmpty(member);
+    JsonObject json(entry, board.what() + ": " + member, error);
+    AxisCalibration axes;
+    axes.zero_counts = json.vector("zero_counts");
+    axes.matrix = json.matrix("matrix");
+    axes.sigma_zero_counts = json.optionalVector("sigma_zero_counts");
+    return axes;
+}
+
+BoardCalibration readBoard(JsonObject& json, std::optional<Error>& error) {
+    BoardCalibration board;
+    board.id = json.text("id");
+    json.setWhat(json.what() + " '" + board.id + "'");
+    board.gyro = readAxes(json, "gyro", error);
+    board.accel = readAxes(json, "accel", error);
+    board.mic_delay_s = json.numberOr("mic_delay_s", 0);
+    board.p_segment_board_m = json.optionalVector("p_segment_board_m");
+    board.q_segment_board = json.optionalQuaternion("q_segment_board");
+    return board;
+}
+
+/// Calls readOne(JsonObject&) for every entry of the list; ids must differ.
+template <class ReadOne>
+void readEntries(const nlohmann::json& list, const std::string& what, std::optional<Error>& error,
+                 ReadOne readOne) {
+    std::set<std::string> ids;
+    for (size_t i = 0; i < list.size(); ++i) {
+        JsonObject json(list[i], what + " " + std::to_string(i + 1), error);
+        if (!ids.insert(readOne(json)).second)
+            json.fail(ErrorKind::kUnusable, "id", "is there twice");
+    }
+}
+
+template <class Entry>
+const Entry* findId(const std::vector<Entry>& entries, const std::string& id) {
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.id == id; });
+    return found == entries.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+AxisCalibration AxisCalibration::nominal(double full_scale) {
+    AxisCalibration axes;
+    axes.matrix = Matrix3d::Identity() * (full_scale / 2048);
+    return axes;
+}
+
+const BoardCalibration* Calibration::findBoard(const std::string& id) const {
+    return findId(boards, id);
+}
+
+const SourceCalibration* Calibration::findSource(const std::string& id) const {
+    return findId(sources, id);
+}
+
+Calibration nominalCalibration(const Suit& suit) {
+    Calibration calibration;
+    for (const Board& board : suit.boards) {
+        BoardCalibration nominal;
+        nominal.id = board.id;
+        nominal.gyro = AxisCalibration::nominal(board.gyro_full_scale_rad_per_s);
+        nominal.accel = AxisCalibration::nominal(board.accel_full_scale_m_per_s2);
+        calibration.boards.push_back(nominal);
+    }
+    return calibration;
+}
+
+nlohmann::json toJson(const Calibration& calibration) {
+    nlohmann::json sources = nlohmann::json::array();
+    for (const SourceCalibration& source : calibration.sources)
+        sources.push_back(toJson(source));
+    nlohmann::json boards = nlohmann::json::array();
+    for (const BoardCalibration& board : calibration.boards)
+        boards.push_back(toJson(board));
+    return {
+        {"format", "noctule-calibration"},    {"version", 1},       {"created_utc", calibration.created_utc},
+        {"sound", toJson(calibration.sound)}, {"sources", sources}, {"boards", boards}};
+}
+
+Result<Calibration> calibrationFromJson(const nlohmann::json& json, const std::string& where) {
+    std::optional<Error> error;
+    JsonObject object(json, where, error);
+    object.expectFormat("noctule-calibration", 1);
+    Calibration calibration;
+    calibration.created_utc = object.textOr("created_utc", "");
+    const nlohmann::json sound = object.objectOrEmpty("sound");
+    calibration.sound = readSound(JsonObject(sound, where + ": sound", error));
+    readEntries(object.array("sources", false), where + ": source", error,
+                [&](JsonObject& entry) { return calibration.sources.emplace_back(readSource(entry)).id; });
+    readEntries(object.array("boards", false), where + ": board", error, [&](JsonObject& entry) {
+        return calibration.boards.emplace_back(readBoard(entry, error)).id;
+    });
+    if (error)
+        return *error;
+    return calibration;
+}
+
+}  // namespace noctule

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/observation.h"
+
+#include <gtest/gtest.h>
+
+#include "core/math/rotation.h"
+#include "tests/core/estimation/small_body.h"
+#include "tests/support/jacobian_checker.h"
+
+namespace noctule {
+namespace {
+
+using Eigen::VectorXd;
+using testing::Gaussian;
+
+class Observation : public ::testing::TestWithParam<double> {
+protected:
+    Observation() : tree(testing::smallSkeleton(), BallCoordinates::kManifold) {
+        suit = mountSuit(testing::smallSuit(), {}, testing::actorOf(testing::smallSkeleton()), tree).value();
+        const int n = tree.freedoms();
+        layout.freedoms = n;
+        layout.gyro_bias = 3 * n;
+        layout.accel_bias = layout.gyro_bias + 12;
+        layout.source_offset = layout.accel_bias + 12;
+        layout.sound_scale = layout.source_offset + 2;
+        layout.size = layout.sound_scale + 1;
+        const double size = GetParam();
+        state.motion = tree.stateFromPose(testing::smallSkeleton().zeroPose());
+        tree.retract(state.motion, random.vector(n, size));
+        state.motion.rate = random.vector(n, 3 * size);
+        state.motion.accel = random.vector(n, 20 * size);
+        for (int b = 0; b < 4; ++b) {
+            state.gyro_bias.push_back(random.vector(0.1));
+            state.accel_bias.push_back(random.vector(0.3));
+        }
+        state.source_offset_m = {0.001, -0.002};
+        state.sound_scale = 0.003;
+    }
+
+    BodyState perturbed(const VectorXd& d) const {
+        BodyState moved = state;
+        const int n = layout.freedoms;
+        tree.retract(moved.motion, d.head(n));
+        moved.motion.rate += d.segment(n, n);
+        moved.motion.accel += d.segment(2 * n, n);
+        for (size_t b = 0; b < 4; ++b) {
+            moved.gyro_bias[b] += d.segment<3>(layout.gyro_bias + 3 * static_cast<int>(b));
+            moved.accel_bias[b] += d.segment<3>(layout.accel_bias + 3 * static_cast<int>(b));
+        }
+        for (size_t s = 0; s < 2; ++s)
+            moved.source_offset_m[s] += d[layout.source_offset + static_cast<int>(s)];
+        moved.sound_scale += d[layout.sound_scale];
+        return moved;
+    }
+
+    void check(const std::function<ObservationBlock(const BodyState&)>& observe, const std::string& what) {
+        const ObservationBlock block = observe(state);
+        Eigen::MatrixXd full = Eigen::MatrixXd::Zero(block.rows(), layout.size);
+        for (size_t k = 0; k < block.columns.size(); ++k)
+            full.col(block.columns[k]) += block.H.col(static_cast<Eigen::Index>(k));
+        testing::expectJacobian(
+            [&](const VectorXd& d) -> VectorXd { return -observe(perturbed(d)).residual; }, full, what, 1e-6);
+    }
+
+    InertialMeasurement reading(int board) {
+        InertialMeasurement m;
+        m.board = board;
+        for (int i = 0; i < 3; ++i) {
+            // Slightly skewed axes, as a calibrated triad has.
+            m.gyro.add({(Vector3d::Unit(i) + random.vector(0.02)).normalized(), 0.3, 0.01});
+            if (i != 1)  // an axis may be missing
+                m.accel.add({(Vector3d::Unit(i) + random.vector(0.02)).normalized(), 1.0, 0.1});
+        }
+        return m;
+    }
+
+    Gaussian random{17};
+    KinematicTree tree;
+    SuitModel suit;
+    StateLayout layout;
+    BodyState state;
+};
+
+TEST_P(Observation, GyroscopeAndAccelerometerJacobians) {
+    ObservationModel model(tree, suit, layout);
+    for (int board = 0; board < 4; ++board)
+        for (double offset_s : {0.0, 0.0035, -0.006}) {
+            const InertialMeasurement m = reading(board);
+            check([&](const BodyState& s) { return model.gyro(s, m, offset_s); },
+                  "gyro " + std::to_string(board));
+            check([&](const BodyState& s) { return model.accel(s, m, offset_s); },
+                  "accel " + std::to_string(board));
+        }
+}
+
+TEST_P(Observation, DistanceJacobians) {
+    ObservationModel model(tree, suit, layout);
+    for (int board = 0; board < 4; ++board)
+        for (int source = 0; source < 2; ++source) {
+            DistanceMeasurement m;
+            m.board = board;
+            m.source = source;
+            m.distance_m = 0.4;
+            m.sigma_m = 0.001;
+            check([&](const BodyState& s) { return model.distance(s, m, -0.006, -0.002).block; },
+                  "distance " + std::to_string(board) + std::to_string(source));
+        }
+}
+
+TEST_P(Observation, DistanceWithinOneRigidSegmentSeesNoMotion) {
+    state.motion.rate.setZero();
+    state.motion.accel.setZero();
+    ObservationModel model(tree, suit, layout);
+    DistanceMeasurement m;
+    m.board = 1;
+    m.source = 1;  // both on the chest
+    const auto block = model.distance(state, m, 0, 0).block;
+    for (size_t k = 0; k < block.columns.size(); ++k)
+        if (block.columns[k] < 3 * layout.freedoms) {
+            EXPECT_NEAR(block.H(0, static_cast<Eigen::Index>(k)), 0, 1e-15);
+        }
+}
+
+TEST_P(Observation, RootJacobian) {
+    ObservationModel model(tree, suit, layout);
+    RootMeasurement m{0, {0.1, 0.2, 0.3}, state.motion.q_parent_link[0], 0.001, 0.001};
+    // The residual's rotation is a logarithm; at zero its derivative is the identity that H states.
+    const double offset_s = 0.004;
+    ChainMotion chain;
+    chain.evaluate(tree, state.motion, 0, offset_s);
+    m.q_world_root = Quaterniond(chain.end().R_world_link);
+    check([&](const BodyState& s) { return model.root(s, m, offset_s); }, "root");
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, Observation, ::testing::Values(0.0, 1e-6, 0.4, 1.2));
+
+TEST(ObservationModelTest, StillBoardReadsGravityUpward) {
+    const KinematicTree tree(testing::smallSkeleton(), BallCoordinates::kManifold);
+    const SuitModel suit =
+        mountSuit(testing::smallSuit(), {}, testing::actorOf(testing::smallSkeleton()), tree).value();
+    StateLayout layout;
+    layout.freedoms = tree.freedoms();
+    BodyState state{tree.stateFromPose(testing::smallSkeleton().zeroPose()),
+                    std::vector<Vector3d>(4, Vector3d::Zero()),
+                    std::vector<Vector3d>(4, Vector3d::Zero()),
+                    {0, 0},
+                    0};
+    ObservationModel model(tree, suit, layout);
+    InertialMeasurement m;
+    m.board = 0;
+    const Vector3d up_in_board =
+        testing::smallSuit().boards[0].q_segment_board.conjugate() * Vector3d::UnitY();
+    m.accel.add({up_in_board, 9.80665, 0.1});
+    EXPECT_NEAR(model.accel(state, m, 0).residual[0], 0, 1e-12);
+}
+
+}  // namespace
+}  // namespace noctule
