@@ -4,18 +4,20 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
-#include "core/math/symmetric_update.h"
+#include "core/math/covariance_kernels.h"
 
 namespace noctule {
 
 Eigen::VectorXd innovationVariance(const Eigen::MatrixXd& P, const ObservationBlock& block) {
     Eigen::VectorXd variance = block.variance;
     const Eigen::Index n = block.H.cols();
-    for (Eigen::Index i = 0; i < n; ++i)
-        for (Eigen::Index j = 0; j < n; ++j) {
-            const double p = P(block.columns[static_cast<size_t>(i)], block.columns[static_cast<size_t>(j)]);
+    for (Eigen::Index j = 0; j < n; ++j) {
+        const auto column = P.col(block.columns[static_cast<size_t>(j)]);
+        for (Eigen::Index i = 0; i <= j; ++i) {
+            const double p = column[block.columns[static_cast<size_t>(i)]] * (i == j ? 1 : 2);
             variance += p * block.H.col(i).cwiseProduct(block.H.col(j));
         }
+    }
     return variance;
 }
 
@@ -27,27 +29,26 @@ Eigen::VectorXd kalmanUpdate(Eigen::MatrixXd& P, const std::vector<ObservationBl
     if (m == 0)
         return Eigen::VectorXd::Zero(n);
 
-    Eigen::MatrixXd gain = Eigen::MatrixXd::Zero(n, m);  // P H^T, later P H^T L^-T
+    Eigen::MatrixXd gain(n, m);  // P H^T, later P H^T L^-T
     Eigen::VectorXd residual(m);
     Eigen::Index row = 0;
     for (const ObservationBlock& block : blocks) {
-        for (Eigen::Index k = 0; k < block.H.cols(); ++k) {
-            const auto column = P.col(block.columns[static_cast<size_t>(k)]);
-            for (Eigen::Index r = 0; r < block.rows(); ++r)
-                if (block.H(r, k) != 0)
-                    gain.col(row + r) += block.H(r, k) * column;
-        }
+        multiplySparse(P, block.columns, block.H, gain, row);
         residual.segment(row, block.rows()) = block.residual;
         row += block.rows();
     }
-    Eigen::MatrixXd S(m, m);  // H P H^T + R
+    const Eigen::MatrixXd gain_by_row = gain.transpose();
+    Eigen::MatrixXd S(m, m);  // (H P H^T)^T + R: symmetric
     row = 0;
     for (const ObservationBlock& block : blocks) {
-        auto rows = S.middleRows(row, block.rows());
-        rows.setZero();
-        for (Eigen::Index k = 0; k < block.H.cols(); ++k)
-            rows.noalias() += block.H.col(k) * gain.row(block.columns[static_cast<size_t>(k)]);
-        rows.middleCols(row, block.rows()).diagonal() += block.variance;
+        auto columns = S.middleCols(row, block.rows());
+        columns.setZero();
+        for (Eigen::Index k = 0; k < block.H.cols(); ++k) {
+            const auto source = gain_by_row.col(block.columns[static_cast<size_t>(k)]);
+            for (Eigen::Index r = 0; r < block.rows(); ++r)
+                columns.col(r) += block.H(r, k) * source;
+        }
+        columns.middleRows(row, block.rows()).diagonal() += block.variance;
         row += block.rows();
     }
     const Eigen::LLT<Eigen::MatrixXd> factor(S);
@@ -60,15 +61,6 @@ Eigen::VectorXd kalmanUpdate(Eigen::MatrixXd& P, const std::vector<ObservationBl
     const Eigen::VectorXd whitened = factor.matrixL().solve(residual);
     subtractOuterProduct(P, gain);
     return gain * whitened;
-}
-
-void limitInfluence(const Eigen::MatrixXd& P, ObservationBlock& block, double threshold_sigma) {
-    const Eigen::VectorXd variance = innovationVariance(P, block);
-    for (Eigen::Index r = 0; r < block.rows(); ++r) {
-        const double ratio = std::abs(block.residual[r]) / (threshold_sigma * std::sqrt(variance[r]));
-        if (ratio > 1)
-            block.variance[r] += (ratio - 1) * variance[r];
-    }
 }
 
 }  // namespace noctule

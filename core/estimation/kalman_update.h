@@ -19,8 +19,4 @@ Eigen::VectorXd innovationVariance(const Eigen::MatrixXd& P, const ObservationBl
 Eigen::VectorXd kalmanUpdate(Eigen::MatrixXd& P, const std::vector<ObservationBlock>& blocks,
                              bool* failed = nullptr);
 
-/// Huber's weight: enlarges the variance of rows whose innovation is beyond `threshold` sigma so that their
-/// pull grows no further.
-void limitInfluence(const Eigen::MatrixXd& P, ObservationBlock& block, double threshold_sigma);
-
 }  // namespace noctule

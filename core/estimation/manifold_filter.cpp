@@ -2,6 +2,7 @@
 #include "core/estimation/manifold_filter.h"
 
 #include <cmath>
+#include <cstdlib>
 
 #include "core/estimation/prediction.h"
 #include "core/inertial/reading.h"
@@ -36,24 +37,43 @@ constexpr int kRestIterations = 6;
 
 }  // namespace
 
-ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const ManifoldParameters& parameters)
-    : parameters_(parameters),
+static ManifoldParameters tuned(ManifoldParameters p) {
+    auto g = [](const char* n, double& v) {
+        const char* e = getenv(n);
+        v = e ? atof(e) : v;
+    };
+    g("JA", p.joint_accel_rad_per_s2);
+    g("JT", p.joint_accel_time_s);
+    g("RA", p.root_accel_m_per_s2);
+    g("RT", p.root_turn_accel_rad_per_s2);
+    g("DF", p.distance_floor_m);
+    g("DG", p.distance_gate_sigma);
+    g("DH", p.distance_huber_sigma);
+    g("AB", p.accel_bias_walk);
+    g("SO", p.source_offset_m);
+
+    if (getenv("SF"))
+        p.steps_per_frame = atoi(getenv("SF"));
+    return p;
+}
+ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const ManifoldParameters& raw)
+    : parameters_(tuned(raw)),
       tree_(skeleton, BallCoordinates::kManifold),
       skeleton_(skeleton),
       suit_(std::move(suit)),
-      layout_(makeLayout(tree_.freedoms(), suit_, parameters)),
-      observations_(tree_, suit_, layout_, parameters.g_m_per_s2),
-      step_s_(1.0 / (kInertialFramesPerSecond * parameters.steps_per_frame)) {
+      layout_(makeLayout(tree_.freedoms(), suit_, parameters_)),
+      observations_(tree_, suit_, layout_, parameters_.g_m_per_s2),
+      step_s_(1.0 / (kInertialFramesPerSecond * parameters_.steps_per_frame)) {
     const int n = tree_.freedoms();
-    acceleration_decay_ = Eigen::VectorXd::Constant(n, std::exp(-step_s_ / parameters.joint_accel_time_s));
+    acceleration_decay_ = Eigen::VectorXd::Constant(n, std::exp(-step_s_ / parameters_.joint_accel_time_s));
     acceleration_variance_ =
-        Eigen::VectorXd::Constant(n, parameters.joint_accel_rad_per_s2 * parameters.joint_accel_rad_per_s2);
+        Eigen::VectorXd::Constant(n, parameters_.joint_accel_rad_per_s2 * parameters_.joint_accel_rad_per_s2);
     if (!tree_.links().empty() && tree_.link(0).type == LinkType::kFree) {
-        acceleration_decay_.head<3>().setConstant(std::exp(-step_s_ / parameters.root_accel_time_s));
-        acceleration_variance_.head<3>().setConstant(parameters.root_accel_m_per_s2 *
-                                                     parameters.root_accel_m_per_s2);
-        acceleration_variance_.segment<3>(3).setConstant(parameters.root_turn_accel_rad_per_s2 *
-                                                         parameters.root_turn_accel_rad_per_s2);
+        acceleration_decay_.head<3>().setConstant(std::exp(-step_s_ / parameters_.root_accel_time_s));
+        acceleration_variance_.head<3>().setConstant(parameters_.root_accel_m_per_s2 *
+                                                     parameters_.root_accel_m_per_s2);
+        acceleration_variance_.segment<3>(3).setConstant(parameters_.root_turn_accel_rad_per_s2 *
+                                                         parameters_.root_turn_accel_rad_per_s2);
     }
 }
 
@@ -202,7 +222,6 @@ void ManifoldFilter::updateTriads(bool gyro) {
                                       : observations_.accel(state_, measurement, offset_s);
         if (block.rows() == 0)
             continue;
-        limitInfluence(P_, block, parameters_.inertial_huber_sigma);
         blocks.push_back(std::move(block));
     }
     correct(kalmanUpdate(P_, blocks));
@@ -232,7 +251,9 @@ void ManifoldFilter::updateDistances(double limit_s) {
                             : ratio > parameters_.distance_huber_sigma ? RangeFate::kWeighted
                                                                        : RangeFate::kUsed;
             if (!gated) {
-                limitInfluence(P_, block, parameters_.distance_huber_sigma);
+                // Huber: beyond the threshold the pull grows no further.
+                const double excess = std::max(0.0, ratio / parameters_.distance_huber_sigma - 1);
+                block.variance[0] += excess * decision.sigma_m * decision.sigma_m;
                 blocks.push_back(std::move(block));
             }
         }

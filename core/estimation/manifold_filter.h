@@ -22,9 +22,9 @@ struct ManifoldParameters {
     int steps_per_frame = 2;  ///< filter steps per 1/140 s; more: less extrapolation, more time
 
     // Motion: standard deviation of an acceleration and the time over which it changes.
-    double joint_accel_rad_per_s2 = 25, joint_accel_time_s = 0.12;
+    double joint_accel_rad_per_s2 = 40, joint_accel_time_s = 0.1;
     double root_accel_m_per_s2 = 4, root_accel_time_s = 0.3;
-    double root_turn_accel_rad_per_s2 = 15;
+    double root_turn_accel_rad_per_s2 = 25;
     double root_velocity_prior_m_per_s = 2;  ///< free root only, once per prior_interval_s
 
     // Sensors: what is constant over a take and how it wanders. Zero-noise limits are floors of the
@@ -38,8 +38,8 @@ struct ManifoldParameters {
     double initial_pose_rad = 0.035;  ///< per component; at least the true error
     double initial_rate_rad_per_s = 0.05, initial_accel_rad_per_s2 = 0.5;
 
-    // Robustness.
-    double distance_gate_sigma = 5, distance_huber_sigma = 2.5, inertial_huber_sigma = 5;
+    // Robustness. Gyroscopes and accelerometers are not limited: a blow looks like an outlier and is none.
+    double distance_gate_sigma = 5, distance_huber_sigma = 2.5;
     double distance_floor_m = 0.0008;  ///< added to every distance: body and sensors are not rigid
 
     // Without gyroscopes nothing holds the pose: a weak pull towards the rest pose.

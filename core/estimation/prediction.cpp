@@ -8,6 +8,9 @@
 namespace noctule {
 namespace {
 
+// Below a microradian a component is rounding of an axis that the joint does not have.
+constexpr double kLeastVariance = 1e-12;
+
 /// How the error of one link's rotation (3 coordinates from `first`) is carried over a step in which it
 /// turns.
 struct Turn {
@@ -52,13 +55,20 @@ void addProcessNoise(Eigen::MatrixXd& P, Eigen::Index n, double dt, const Eigen:
     }
 }
 
-void transposeInPlace(Eigen::MatrixXd& P) {
-    constexpr Eigen::Index kBlock = 16;
-    for (Eigen::Index j = 0; j < P.cols(); j += kBlock)
-        for (Eigen::Index i = j; i < P.rows(); i += kBlock)
-            for (Eigen::Index c = j; c < std::min(j + kBlock, P.cols()); ++c)
-                for (Eigen::Index r = std::max(i, c + 1); r < std::min(i + kBlock, P.rows()); ++r)
-                    std::swap(P(r, c), P(c, r));
+/// P := P F^T, the same by whole columns.
+void transitionRows(Eigen::MatrixXd& P, Eigen::Index n, double dt, const Eigen::VectorXd& decay,
+                    const std::vector<Turn>& turns) {
+    Eigen::Matrix<double, Eigen::Dynamic, 3> gained(P.rows(), 3), turned(P.rows(), 3);
+    for (const Turn& turn : turns) {
+        gained = dt * P.middleCols<3>(n + turn.first) + 0.5 * dt * dt * P.middleCols<3>(2 * n + turn.first);
+        turned = P.middleCols<3>(turn.first).lazyProduct(turn.exp_u_transposed.transpose());
+        turned += gained.lazyProduct((turn.right_jacobian - Matrix3d::Identity()).transpose());
+        P.middleCols<3>(turn.first) = turned;
+    }
+    P.leftCols(n) += dt * P.middleCols(n, n) + 0.5 * dt * dt * P.middleCols(2 * n, n);
+    P.middleCols(n, n) += dt * P.middleCols(2 * n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        P.col(2 * n + i) *= decay[i];
 }
 
 }  // namespace
@@ -75,13 +85,9 @@ void predictMotion(const KinematicTree& tree, MotionState& motion, Eigen::Matrix
             turns.push_back({first, expQuaternion(u).toRotationMatrix().transpose(), rightJacobian(u)});
         }
     }
-    // F P F^T by columns, twice: F (F P)^T is its transpose, and the result is symmetric.
-    for (int pass = 0; pass < 2; ++pass) {
-        for (Eigen::Index c = 0; c < P.cols(); ++c)
-            transitionColumn(P.col(c).data(), n, dt_s, decay, turns);
-        if (pass == 0)
-            transposeInPlace(P);
-    }
+    for (Eigen::Index c = 0; c < P.cols(); ++c)
+        transitionColumn(P.col(c).data(), n, dt_s, decay, turns);
+    transitionRows(P, n, dt_s, decay, turns);
     addProcessNoise(P, n, dt_s, decay, acceleration_variance);
     tree.retract(motion, advance);
     motion.rate += dt_s * motion.accel;
@@ -114,7 +120,7 @@ std::vector<double> jointSigmas(const KinematicTree& tree, const Skeleton& skele
                 covariance += P(indices[a], indices[b]) * axes.col(static_cast<Eigen::Index>(a)) *
                               axes.col(static_cast<Eigen::Index>(b)).transpose();
         for (int i = 0; i < 3; ++i)
-            sigmas.push_back(std::sqrt(std::max(covariance(i, i), 0.0)));
+            sigmas.push_back(covariance(i, i) > kLeastVariance ? std::sqrt(covariance(i, i)) : 0);
     }
     return sigmas;
 }

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/math/covariance_kernels.h"
+
+#include <algorithm>
+
+#include "core/job/contract.h"
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#define NOCTULE_AVX2 __attribute__((target("avx2,fma")))
+#endif
+
+namespace noctule {
+namespace {
+
+constexpr long kColumns = 4;  // of a tile
+
+/// sum[c][r] = sum_k panel[k][r] * factors[c][k] for c < 4, r < kRows: a tile of X X^T. `panel` holds kRows
+/// rows of X, measurement after measurement; `factors` holds four rows of X, each m long.
+template <int kRows>
+void tileSum(const double* panel, const double* factors, long m, double* sum) {
+    std::fill(sum, sum + kColumns * kRows, 0.0);
+    for (long k = 0; k < m; ++k)
+        for (long c = 0; c < kColumns; ++c)
+            for (long r = 0; r < kRows; ++r)
+                sum[c * kRows + r] += panel[k * kRows + r] * factors[c * m + k];
+}
+
+/// Rows of three measurements at once: every column of P is read once for all.
+void multiplyThree(const double* p, long n, const int* columns, long count, const double* h, long h_rows,
+                   long from, double* product) {
+    for (long i = from; i < n; ++i) {
+        double sum[3] = {};
+        for (long k = 0; k < count; ++k)
+            for (long r = 0; r < 3; ++r)
+                sum[r] += p[columns[k] * n + i] * h[k * h_rows + r];
+        for (long r = 0; r < 3; ++r)
+            product[r * n + i] = sum[r];
+    }
+}
+
+void multiplyOne(const double* p, long n, const int* columns, long count, const double* h, long h_rows,
+                 double* product) {
+    std::fill(product, product + n, 0.0);
+    for (long k = 0; k < count; ++k)
+        for (long i = 0; i < n; ++i)
+            product[i] += h[k * h_rows] * p[columns[k] * n + i];
+}
+
+#ifdef NOCTULE_AVX2
+
+bool hasAvx2() {
+    static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    return has;
+}
+
+template <int kRows>
+NOCTULE_AVX2 void tileSumAvx2(const double* panel, const double* factors, long m, double* sum) {
+    constexpr int kFours = kRows / 4;
+    __m256d total[kColumns][kFours] = {};
+    for (long k = 0; k < m; ++k) {
+        __m256d rows[kFours];
+        for (int f = 0; f < kFours; ++f)
+            rows[f] = _mm256_loadu_pd(panel + k * kRows + 4 * f);
+        for (long c = 0; c < kColumns; ++c) {
+            const __m256d factor = _mm256_broadcast_sd(factors + c * m + k);
+            for (int f = 0; f < kFours; ++f)
+                total[c][f] = _mm256_fmadd_pd(rows[f], factor, total[c][f]);
+        }
+    }
+    for (long c = 0; c < kColumns; ++c)
+        for (int f = 0; f < kFours; ++f)
+            _mm256_storeu_pd(sum + c * kRows + 4 * f, total[c][f]);
+}
+
+/// Returns how many leading rows it has done.
+NOCTULE_AVX2 long multiplyThreeAvx2(const double* p, long n, const int* columns, long count, const double* h,
+                                    long h_rows, double* product) {
+    long i = 0;
+    for (; i + 12 <= n; i += 12) {
+        __m256d sum[3][3] = {};
+        for (long k = 0; k < count; ++k) {
+            const double* column = p + columns[k] * n + i;
+            const __m256d rows[3] = {_mm256_loadu_pd(column), _mm256_loadu_pd(column + 4),
+                                     _mm256_loadu_pd(column + 8)};
+            for (long r = 0; r < 3; ++r) {
+                const __m256d factor = _mm256_broadcast_sd(h + k * h_rows + r);
+                for (int f = 0; f < 3; ++f)
+                    sum[r][f] = _mm256_fmadd_pd(rows[f], factor, sum[r][f]);
+            }
+        }
+        for (long r = 0; r < 3; ++r)
+            for (int f = 0; f < 3; ++f)
+                _mm256_storeu_pd(product + r * n + i + 4 * f, sum[r][f]);
+    }
+    return i;
+}
+
+NOCTULE_AVX2 void multiplyOneAvx2(const double* p, long n, const int* columns, long count, const double* h,
+                                  long h_rows, double* product) {
+    std::fill(product, product + n, 0.0);
+    for (long k = 0; k < count; ++k)
+        for (long i = 0; i < n; ++i)
+            product[i] += h[k * h_rows] * p[columns[k] * n + i];
+}
+
+#endif
+
+/// The best version for this processor; the choice is the same for the whole run, so results repeat to the
+/// bit.
+template <int kRows>
+void bestTileSum(const double* panel, const double* factors, long m, double* sum) {
+#ifdef NOCTULE_AVX2
+    if (hasAvx2())
+        return tileSumAvx2<kRows>(panel, factors, m, sum);
+#endif
+    tileSum<kRows>(panel, factors, m, sum);
+}
+
+/// Rows i .. i + kRows of P left of them in whole tiles, mirrored; returns the first column not done.
+template <int kRows>
+long subtractRows(double* p, const Eigen::MatrixXd& rows_of_x, long n, long i, std::vector<double>& panel) {
+    const long m = rows_of_x.rows();
+    panel.resize(static_cast<size_t>(kRows * m));
+    for (long r = 0; r < kRows; ++r)
+        for (long k = 0; k < m; ++k)
+            panel[static_cast<size_t>(k * kRows + r)] = rows_of_x(k, i + r);
+    long j = 0;
+    for (; j + kColumns <= i; j += kColumns) {
+        alignas(32) double sum[kColumns * kRows];
+        bestTileSum<kRows>(panel.data(), rows_of_x.col(j).data(), m, sum);
+        for (long c = 0; c < kColumns; ++c)
+            for (long r = 0; r < kRows; ++r)
+                p[(j + c) * n + i + r] -= sum[c * kRows + r];
+        for (long r = 0; r < kRows; ++r)
+            for (long c = 0; c < kColumns; ++c)
+                p[(i + r) * n + j + c] = p[(j + c) * n + i + r];
+    }
+    return j;
+}
+
+/// Rows i .. end, columns from `first` up to the diagonal, one by one.
+void subtractCorner(double* p, const Eigen::MatrixXd& rows_of_x, long n, long i, long end, long first) {
+    for (long r = i; r < end; ++r)
+        for (long c = first; c <= r; ++c) {
+            p[c * n + r] -= rows_of_x.col(r).dot(rows_of_x.col(c));
+            p[r * n + c] = p[c * n + r];
+        }
+}
+
+}  // namespace
+
+void subtractOuterProduct(Eigen::MatrixXd& P, const Eigen::MatrixXd& X) {
+    require(P.cols() == P.rows() && X.rows() == P.rows(), "subtractOuterProduct: shapes do not fit");
+    constexpr int kRows = 12;
+    const Eigen::MatrixXd rows_of_x = X.transpose();
+    const long n = P.rows();
+    std::vector<double> panel;
+    long i = 0;
+    for (; i + kRows <= n; i += kRows)
+        subtractCorner(P.data(), rows_of_x, n, i, i + kRows,
+                       subtractRows<kRows>(P.data(), rows_of_x, n, i, panel));
+    subtractCorner(P.data(), rows_of_x, n, i, n, 0);
+}
+
+void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, const Eigen::MatrixXd& H,
+                    Eigen::MatrixXd& product, Eigen::Index first) {
+    const long n = P.rows(), count = static_cast<long>(columns.size()), rows = H.rows();
+    require(H.cols() == count && product.rows() == n && first + rows <= product.cols(),
+            "multiplySparse: shapes do not fit");
+    long row = 0;
+    for (; row + 3 <= rows; row += 3) {
+        double* target = product.col(first + row).data();
+        long done = 0;
+#ifdef NOCTULE_AVX2
+        if (hasAvx2())
+            done = multiplyThreeAvx2(P.data(), n, columns.data(), count, H.data() + row, rows, target);
+#endif
+        multiplyThree(P.data(), n, columns.data(), count, H.data() + row, rows, done, target);
+    }
+    for (; row < rows; ++row) {
+        double* target = product.col(first + row).data();
+#ifdef NOCTULE_AVX2
+        if (hasAvx2()) {
+            multiplyOneAvx2(P.data(), n, columns.data(), count, H.data() + row, rows, target);
+            continue;
+        }
+#endif
+        multiplyOne(P.data(), n, columns.data(), count, H.data() + row, rows, target);
+    }
+}
+
+}  // namespace noctule

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The two expensive steps of a Kalman update with a large state and sparse measurements. Plain arrays inside,
+// compiled for several instruction sets and chosen at run time: no Eigen type crosses a translation unit
+// built with other flags.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace noctule {
+
+/// P (n x n, symmetric, both triangles stored) minus X X^T (X n x m). Both triangles stay equal to the bit.
+void subtractOuterProduct(Eigen::MatrixXd& P, const Eigen::MatrixXd& X);
+
+/// P H^T for an H (rows x columns.size()) that is zero outside `columns`, into columns first.. of `product`.
+void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, const Eigen::MatrixXd& H,
+                    Eigen::MatrixXd& product, Eigen::Index first);
+
+}  // namespace noctule

@@ -1,0 +1,289 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Proves that the sources keep to the layout of the house: arrows point down (app -> ui -> devices -> core, and
+among core's rooms as core/CMakeLists.txt links them), core knows no Qt, threads, clocks or environment, a library
+stays in its room, every file carries its licence.
+
+  architecture.py               checks this tree; exit code 1 and one line per complaint
+  architecture.py --self-test   breaks every rule once, in memory, and sees that it is noticed
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+TOP_LEVEL = {"CMakeLists.txt", "app", "core", "devices", "ui", "resources", "tests", "packaging", "README.md",
+             "CMakePresets.json", "LICENSE"}
+LAYERS = {"app": {"app", "ui", "devices", "core"}, "ui": {"ui", "devices", "core"}, "devices": {"devices", "core"},
+          "core": {"core"}}
+ONLY_IN = {"assimp": {"core/formats", "core/mesh"}, "opencv2": {"core/vision"}}
+APART = "simulation"  # what the estimator is judged by: no other room of core may know it
+
+ESTIMATORS_KINEMATICS = "core/body/kinematics.h"  # the simulation has its own, so that errors cannot cancel
+
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', re.MULTILINE)
+QT_HEADER = re.compile(r"Qt?[A-Z]\w*(/.*)?|q[a-z]\w*\.h")
+QT_SCREEN = re.compile(r"Qt(Gui|Widgets|Svg|OpenGL)(/.*)?|Q(Widget|Application|GuiApplication|MainWindow|Dialog"
+                       r"|Painter|Image|Pixmap|Color|Font|Icon|Window|OpenGL\w*)")
+NOT_IN_CORE = re.compile(r"std::(jthread|thread|async|cout|cerr|random_device|time|clock)\b|\bpthread_\w+"
+                         r"|\b(system|steady|high_resolution|utc)_clock\b|\b(gettimeofday|clock_gettime|getenv)\b")
+HEADERS_NOT_IN_CORE = {"thread", "future", "pthread.h", "iostream"}
+ROOM_LINE = re.compile(r"^noctule_library\((\w+)(?:\s+LINK\s+([^)]*))?\)", re.MULTILINE)
+FLAGS = re.compile(r"\b(add_compile_options|target_compile_options|CMAKE_CXX_FLAGS)\b")
+# Spelled in pieces, so that this file does not complain about itself.
+FORBIDDEN_WORDS = re.compile(r"\b(TO" r"DO|FIX" r"ME)\b|(?<![\w.])/(wo" r"rk|ro" r"ot|ho" r"me)/\w")
+LICENCE = "SPDX-License-Identifier: Apache-2.0"
+SOURCE_SUFFIXES = {".h", ".cpp"}
+SCRIPT_SUFFIXES = {".py", ".sh"}
+
+
+def room_of(path):
+    """core/math/rotation.cpp -> core/math; core/CMakeLists.txt -> core."""
+    return "/".join(path.split("/")[:2]) if path.count("/") > 1 else path.split("/")[0]
+
+
+def suffix(path):
+    return pathlib.PurePosixPath(path).suffix
+
+
+def without_comments(text):
+    return re.sub(r"//.*|/\*[\s\S]*?\*/", "", text)
+
+
+def sources(files, folder):
+    return {path: text for path, text in files.items() if path.startswith(folder + "/") and suffix(path) in
+            SOURCE_SUFFIXES}
+
+
+def linked_rooms(files, complaints):
+    """{room: all rooms it may include}, from the noctule_library lines."""
+    reach = {}
+    for line in ROOM_LINE.finditer(files["core/CMakeLists.txt"]):
+        room = line.group(1)
+        links = re.findall(r"\bnoctule_(\w+)", line.group(2) or "")
+        for link in links:
+            if link not in reach:
+                complaints.append(f"core/CMakeLists.txt: {room} links {link}, which does not stand above it")
+        reach[room] = {room}.union(*(reach.get(link, {link}) for link in links))
+        if room != APART and APART in reach[room]:
+            complaints.append(f"core/CMakeLists.txt: {room} links {APART}")
+    return reach
+
+
+def check_rooms(files, complaints):
+    reach = linked_rooms(files, complaints)
+    for path, text in sources(files, "core").items():
+        room = path.split("/")[1]
+        if room not in reach:
+            complaints.append(f"{path}: core/CMakeLists.txt has no line for the room {room}")
+            continue
+        for header in INCLUDE.findall(text):
+            target = re.match(r"core/(\w+)/", header)
+            if room == APART and header == ESTIMATORS_KINEMATICS:
+                complaints.append(f"{path}: {APART} includes the estimator's kinematics")
+            if target and target.group(1) not in reach[room]:
+                complaints.append(f"{path}: {room} does not link {target.group(1)}, but includes {header}")
+
+
+def check_core(files, complaints):
+    for path, text in sources(files, "core").items():
+        for header in INCLUDE.findall(text):
+            if QT_HEADER.fullmatch(header):
+                complaints.append(f"{path}: core includes the Qt header {header}")
+            if header in HEADERS_NOT_IN_CORE:
+                complaints.append(f"{path}: core includes <{header}>")
+        for use in NOT_IN_CORE.finditer(without_comments(text)):
+            complaints.append(f"{path}: core uses {use.group(0)}")
+    if "Qt5" in files["core/CMakeLists.txt"]:
+        complaints.append("core/CMakeLists.txt: core links Qt")
+
+
+def check_layers(files, complaints):
+    for layer, allowed in LAYERS.items():
+        for path, text in sources(files, layer).items():
+            for header in INCLUDE.findall(text):
+                target = header.split("/")[0]
+                if header.startswith(".") or "/../" in header:
+                    complaints.append(f"{path}: {header} is not relative to the top of the sources")
+                if target in {*LAYERS, "tests"} and target not in allowed:
+                    complaints.append(f"{path}: {layer} includes {header}")
+                if layer == "devices" and QT_SCREEN.fullmatch(header):
+                    complaints.append(f"{path}: devices includes {header}, which belongs to the screen")
+
+
+def check_libraries(files, complaints):
+    for layer in LAYERS:
+        for path, text in sources(files, layer).items():
+            for header in INCLUDE.findall(text):
+                homes = ONLY_IN.get(header.split("/")[0])
+                if homes and room_of(path) not in homes:
+                    complaints.append(f"{path}: {header} may be included in {' and '.join(sorted(homes))} only")
+
+
+def check_licences(files, complaints):
+    for path, text in files.items():
+        first = text.split("\n", 2)
+        if suffix(path) in SOURCE_SUFFIXES and first[0] != f"// {LICENCE}":
+            complaints.append(f"{path}: the first line is not // {LICENCE}")
+        if suffix(path) in SCRIPT_SUFFIXES and f"# {LICENCE}" not in first[:2]:
+            complaints.append(f"{path}: the first two lines do not hold # {LICENCE}")
+
+
+def check_words(files, complaints):
+    for path, text in files.items():
+        for number, line in enumerate(text.split("\n"), 1):
+            word = FORBIDDEN_WORDS.search(line)
+            if word:
+                complaints.append(f"{path}:{number}: {word.group(0)}")
+
+
+def check_top_level(files, complaints):
+    for name in sorted({path.split("/")[0] for path in files}):
+        if name not in TOP_LEVEL and not name.startswith("."):
+            complaints.append(f"{name}: does not belong at the top level")
+
+
+def check_build(files, complaints):
+    """Flags stand in one place; what the build looks for is what the set-up script installs."""
+    for path, text in files.items():
+        if path.endswith("CMakeLists.txt") and path != "CMakeLists.txt" and FLAGS.search(text):
+            complaints.append(f"{path}: compiler flags stand in the top CMakeLists.txt only")
+    wanted = set()
+    for path, text in files.items():
+        if path.endswith("CMakeLists.txt"):
+            wanted.update(re.findall(r"\bfind_package\((\w+)", text))
+            for modules in re.findall(r"\bpkg_check_modules\(\w+ ([^)]*)\)", text):
+                wanted.update(set(modules.split()) - {"REQUIRED", "IMPORTED_TARGET"})
+    installed = set(re.findall(r"^ +\S+ +# (\w+)", files["packaging/dependencies.sh"], re.MULTILINE))
+    for name in sorted(wanted - installed):
+        complaints.append(f"packaging/dependencies.sh: no package for {name}, which the build looks for")
+
+
+CHECKS = (check_rooms, check_core, check_layers, check_libraries, check_licences, check_words, check_top_level,
+          check_build)
+
+
+def complaints_about(files):
+    complaints = []
+    for check in CHECKS:
+        check(files, complaints)
+    return complaints
+
+
+def paths_of_the_tree():
+    """What git would hold; without git everything but hidden folders and what is built."""
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+                            capture_output=True, text=True) if (ROOT / ".git").exists() else None
+    if listed and listed.returncode == 0:
+        return [path for path in listed.stdout.split("\0") if path and (ROOT / path).is_file()]
+    found = []
+    for folder, folders, names in os.walk(ROOT):
+        top = pathlib.Path(folder) == ROOT
+        folders[:] = [name for name in folders if name != "__pycache__" and not (top and name in {".git", "build",
+                                                                                                    "out"})]
+        found += [(pathlib.Path(folder) / name).relative_to(ROOT).as_posix() for name in names]
+    return found
+
+
+def read_tree():
+    """{path: text}; what is no text counts as empty."""
+    files = {}
+    for path in paths_of_the_tree():
+        data = (ROOT / path).read_bytes()
+        try:
+            files[path] = "" if b"\0" in data else data.decode()
+        except UnicodeDecodeError:
+            files[path] = ""
+    return files
+
+
+TREE_OF_THE_SELF_TEST = {"CMakeLists.txt", "core/CMakeLists.txt", "packaging/dependencies.sh"}
+
+
+def broken_trees(files):
+    """(what is broken, the changed files, what a complaint must say)."""
+    licence = f"// {LICENCE}\n"
+    rooms = files["core/CMakeLists.txt"]
+    build = files["CMakeLists.txt"]
+
+    def source(path, line):
+        return {path: licence + line + "\n"}
+
+    return [
+        ("Qt in core", source("core/math/a.cpp", "#include <QString>"), "Qt header QString"),
+        ("Qt module in core", source("core/math/a.h", "#include <QtCore/QObject>"), "Qt header QtCore/QObject"),
+        ("old Qt header in core", source("core/math/a.h", "# include <qglobal.h>"), "Qt header qglobal.h"),
+        ("Qt linked by core", {"core/CMakeLists.txt": rooms.replace("noctule_job", "noctule_job Qt5::Core", 1)},
+         "core links Qt"),
+        ("thread in core", source("core/live/a.cpp", "#include <thread>"), "includes <thread>"),
+        ("clock in core", source("core/live/a.cpp", "auto t = std::chrono::steady_clock::now();"), "steady_clock"),
+        ("environment in core", source("core/live/a.cpp", 'auto t = getenv("TUNE");'), "uses getenv"),
+        ("output in core", source("core/live/a.cpp", "void f() { std::cout << 1; }"), "std::cout"),
+        ("arrow up in core", source("core/math/a.h", '#include "core/body/skeleton.h"'), "math does not link body"),
+        ("sideways", source("core/formats/a.h", '#include "core/suit/suit.h"'), "formats does not link suit"),
+        ("truth seen by the estimator", source("core/estimation/a.cpp", '#include "core/simulation/world.h"'),
+         "estimation does not link simulation"),
+        ("one kinematics for both", source("core/simulation/a.cpp", '#include "core/body/kinematics.h"'),
+         "the estimator's kinematics"),
+        ("room without a line", source("core/attic/a.cpp", ""), "no line for the room attic"),
+        ("link to a later room", {"core/CMakeLists.txt": rooms.replace("LINK noctule_job", "LINK noctule_live", 1)},
+         "does not stand above it"),
+        ("simulation linked", {"core/CMakeLists.txt": rooms + "noctule_library(x LINK noctule_simulation)\n"},
+         "x links simulation"),
+        ("core includes ui", source("core/math/a.cpp", '#include "ui/main_window.h"'), "core includes ui/"),
+        ("devices include ui", source("devices/replay/a.cpp", '#include "ui/main_window.h"'), "devices includes ui/"),
+        ("devices draw", source("devices/replay/a.cpp", "#include <QWidget>"), "belongs to the screen"),
+        ("ui includes app", source("ui/a.cpp", '#include "app/batch/verb.h"'), "ui includes app/"),
+        ("product includes tests", source("app/a.cpp", '#include "tests/support/x.h"'), "app includes tests/"),
+        ("relative include", source("core/math/a.cpp", '#include "../body/skeleton.h"'), "not relative to the top"),
+        ("assimp in the wrong room", source("core/body/a.cpp", "#include <assimp/scene.h>"), "core/formats and core/"),
+        ("OpenCV in ui", source("ui/a.cpp", "#include <opencv2/core.hpp>"), "core/vision only"),
+        ("source without licence", {"core/math/a.cpp": "int a;\n"}, "first line is not"),
+        ("script without licence", {"packaging/a.sh": "#!/bin/sh\n"}, "first two lines"),
+        ("word", source("ui/a.cpp", "// TO" "DO later"), "ui/a.cpp:2: TO"),
+        ("path of a machine", {"README.md": "see /ho" "me/me/x\n"}, "README.md:1: /ho"),
+        ("stray file", {"notes.txt": ""}, "notes.txt: does not belong"),
+        ("flags elsewhere", {"app/CMakeLists.txt": "add_compile_options(-O3)\n"}, "compiler flags"),
+        ("dependency without package", {"CMakeLists.txt": build + "find_package(Ceres REQUIRED)\n"}, "for Ceres"),
+        ("module without package", {"CMakeLists.txt": build + "pkg_check_modules(E REQUIRED epoxy)\n"}, "for epoxy"),
+    ]
+
+
+def self_test(files):
+    unnoticed = 0
+    files = {path: text for path, text in files.items() if path in TREE_OF_THE_SELF_TEST}
+    before = set(complaints_about(files))
+    cases = broken_trees(files)
+    for name, changes, expected in cases:
+        new = [text for text in complaints_about({**files, **changes}) if text not in before]
+        if not any(expected in text for text in new):
+            unnoticed += 1
+            print(f"self-test: {name} went unnoticed; new complaints: {new}")
+    harmless = {"core/math/a.cpp": f'// {LICENCE}\n#include <vector>\n#include "core/job/result.h"\n// std::cout\n'}
+    for text in set(complaints_about({**files, **harmless})) - before:
+        unnoticed += 1
+        print(f"self-test: a harmless file is complained about: {text}")
+    print(f"architecture self-test: {len(cases)} broken trees, {unnoticed} failures")
+    return unnoticed
+
+
+def main():
+    files = read_tree()
+    if sys.argv[1:] == ["--self-test"]:
+        return 1 if self_test(files) else 0
+    if sys.argv[1:]:
+        print(__doc__, file=sys.stderr)
+        return 2
+    complaints = complaints_about(files)
+    for text in complaints:
+        print(text)
+    rooms = len(ROOM_LINE.findall(files["core/CMakeLists.txt"]))
+    print(f"architecture: {len(files)} files, {rooms} rooms of core, {len(complaints)} complaints")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

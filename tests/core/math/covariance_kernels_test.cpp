@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/math/covariance_kernels.h"
+
+#include <gtest/gtest.h>
+
+namespace noctule {
+namespace {
+
+TEST(CovarianceKernels, OuterProductEqualsTheDenseProductForEverySize) {
+    std::srand(3);
+    for (long n : {1, 3, 4, 7, 8, 13, 45, 150, 243})
+        for (long m : {1, 3, 18, 54}) {
+            const Eigen::MatrixXd half = Eigen::MatrixXd::Random(n, n), X = Eigen::MatrixXd::Random(n, m);
+            const Eigen::MatrixXd P = half * half.transpose();
+            Eigen::MatrixXd updated = P;
+            subtractOuterProduct(updated, X);
+            EXPECT_LT((updated - (P - X * X.transpose())).cwiseAbs().maxCoeff(), 1e-11 * double(n))
+                << n << " " << m;
+            EXPECT_EQ((updated - updated.transpose()).cwiseAbs().maxCoeff(), 0) << n << " " << m;
+        }
+}
+
+TEST(CovarianceKernels, SparseProductEqualsTheDenseOne) {
+    std::srand(4);
+    for (long n : {3, 8, 45, 252})
+        for (long rows : {1, 2, 3, 6, 7}) {
+            const Eigen::MatrixXd P = Eigen::MatrixXd::Random(n, n);
+            const std::vector<int> columns{0, static_cast<int>(n) - 1, static_cast<int>(n) / 2};
+            const Eigen::MatrixXd H = Eigen::MatrixXd::Random(rows, 3);
+            Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(rows, n);
+            for (size_t k = 0; k < columns.size(); ++k)
+                dense.col(columns[k]) += H.col(static_cast<long>(k));
+            Eigen::MatrixXd product = Eigen::MatrixXd::Constant(n, rows + 2, 7);
+            multiplySparse(P, columns, H, product, 1);
+            EXPECT_LT((product.middleCols(1, rows) - P * dense.transpose()).cwiseAbs().maxCoeff(), 1e-13);
+            EXPECT_EQ(product(0, 0), 7);
+            EXPECT_EQ(product(n - 1, rows + 1), 7);
+        }
+}
+
+}  // namespace
+}  // namespace noctule
