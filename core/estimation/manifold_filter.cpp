@@ -2,7 +2,6 @@
 #include "core/estimation/manifold_filter.h"
 
 #include <cmath>
-#include <cstdlib>
 
 #include "core/estimation/prediction.h"
 #include "core/inertial/reading.h"
@@ -37,27 +36,8 @@ constexpr int kRestIterations = 6;
 
 }  // namespace
 
-static ManifoldParameters tuned(ManifoldParameters p) {
-    auto g = [](const char* n, double& v) {
-        const char* e = getenv(n);
-        v = e ? atof(e) : v;
-    };
-    g("JA", p.joint_accel_rad_per_s2);
-    g("JT", p.joint_accel_time_s);
-    g("RA", p.root_accel_m_per_s2);
-    g("RT", p.root_turn_accel_rad_per_s2);
-    g("DF", p.distance_floor_m);
-    g("DG", p.distance_gate_sigma);
-    g("DH", p.distance_huber_sigma);
-    g("AB", p.accel_bias_walk);
-    g("SO", p.source_offset_m);
-
-    if (getenv("SF"))
-        p.steps_per_frame = atoi(getenv("SF"));
-    return p;
-}
-ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const ManifoldParameters& raw)
-    : parameters_(tuned(raw)),
+ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const ManifoldParameters& parameters)
+    : parameters_(parameters),
       tree_(skeleton, BallCoordinates::kManifold),
       skeleton_(skeleton),
       suit_(std::move(suit)),
@@ -65,15 +45,14 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
       observations_(tree_, suit_, layout_, parameters_.g_m_per_s2),
       step_s_(1.0 / (kInertialFramesPerSecond * parameters_.steps_per_frame)) {
     const int n = tree_.freedoms();
+    const double joint_accel = parameters_.sensors.gyroscopes ? parameters_.joint_accel_rad_per_s2
+                                                              : parameters_.blind.joint_accel_rad_per_s2;
     acceleration_decay_ = Eigen::VectorXd::Constant(n, std::exp(-step_s_ / parameters_.joint_accel_time_s));
-    acceleration_variance_ =
-        Eigen::VectorXd::Constant(n, parameters_.joint_accel_rad_per_s2 * parameters_.joint_accel_rad_per_s2);
+    acceleration_variance_ = Eigen::VectorXd::Constant(n, joint_accel * joint_accel);
     if (!tree_.links().empty() && tree_.link(0).type == LinkType::kFree) {
         acceleration_decay_.head<3>().setConstant(std::exp(-step_s_ / parameters_.root_accel_time_s));
-        acceleration_variance_.head<3>().setConstant(parameters_.root_accel_m_per_s2 *
-                                                     parameters_.root_accel_m_per_s2);
-        acceleration_variance_.segment<3>(3).setConstant(parameters_.root_turn_accel_rad_per_s2 *
-                                                         parameters_.root_turn_accel_rad_per_s2);
+        acceleration_variance_.head<3>().setConstant(std::pow(parameters_.root_accel_m_per_s2, 2));
+        acceleration_variance_.segment<3>(3).setConstant(std::pow(parameters_.root_turn_accel_rad_per_s2, 2));
     }
 }
 
@@ -222,6 +201,8 @@ void ManifoldFilter::updateTriads(bool gyro) {
                                       : observations_.accel(state_, measurement, offset_s);
         if (block.rows() == 0)
             continue;
+        if (!gyro && !parameters_.sensors.gyroscopes)
+            block.variance.array() += std::pow(parameters_.blind.accel_floor_m_per_s2, 2);
         blocks.push_back(std::move(block));
     }
     correct(kalmanUpdate(P_, blocks));
@@ -297,8 +278,8 @@ void ManifoldFilter::updatePriors() {
                                          ? state_.motion.angle_rad[i] - rest_.angle_rad[i]
                                          : away[k - rotation];
                 if (i > 0)
-                    pull(layout_.theta(index), -angle, parameters_.pose_prior_rad);
-                pull(layout_.rate(index), -state_.motion.rate[index], parameters_.rate_prior_rad_per_s);
+                    pull(layout_.theta(index), -angle, parameters_.blind.pose_prior_rad);
+                pull(layout_.rate(index), -state_.motion.rate[index], parameters_.blind.rate_prior_rad_per_s);
             }
         }
     correct(kalmanUpdate(P_, blocks));

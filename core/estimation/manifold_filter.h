@@ -19,7 +19,7 @@ struct ManifoldParameters {
     bool root_given = false;
     double g_m_per_s2 = kStandardGravity_m_per_s2;
 
-    int steps_per_frame = 2;  ///< filter steps per 1/140 s; more: less extrapolation, more time
+    int steps_per_frame = 3;  ///< filter steps per 1/140 s; more: less extrapolation, more time
 
     // Motion: standard deviation of an acceleration and the time over which it changes.
     double joint_accel_rad_per_s2 = 40, joint_accel_time_s = 0.1;
@@ -42,8 +42,15 @@ struct ManifoldParameters {
     double distance_gate_sigma = 5, distance_huber_sigma = 2.5;
     double distance_floor_m = 0.0008;  ///< added to every distance: body and sensors are not rigid
 
-    // Without gyroscopes nothing holds the pose: a weak pull towards the rest pose.
-    double pose_prior_rad = 0.6, rate_prior_rad_per_s = 2, prior_interval_s = 0.1;
+    double prior_interval_s = 0.1;
+
+    /// Without gyroscopes nothing holds the pose and a linearised filter soon believes its own errors: slower
+    /// motion, accelerometers as coarse levels only, and a pull towards the rest pose and towards rest (per
+    /// prior_interval_s).
+    struct Blind {
+        double joint_accel_rad_per_s2 = 10, accel_floor_m_per_s2 = 10;
+        double pose_prior_rad = 0.3, rate_prior_rad_per_s = 0.5;
+    } blind;
 };
 
 class ManifoldFilter : public Estimator {
