@@ -7,6 +7,7 @@
 #include "core/simulation/low_pass.h"
 #include "core/simulation/motion_cleaning.h"
 #include "core/simulation/source_figure.h"
+#include "core/simulation/twist_continuity.h"
 
 namespace noctule::simulation {
 namespace {
@@ -14,10 +15,18 @@ namespace {
 /// Local rotations that bring the mover as near to the wanted orientations as its joints allow.
 class FrameFitter {
 public:
-    FrameFitter(const SourceFigure& figure, const Skeleton& mover) : figure_(figure), mover_(mover) {
+    FrameFitter(const SourceFigure& figure, const Skeleton& mover, double frame_time_s)
+        : figure_(figure), mover_(mover), twists_(mover.joints().size()) {
         for (const Joint& joint : mover.joints())
             quality_.push_back({joint.name});
         noted_.assign(quality_.size(), 0);
+        for (const std::string side : {"Left", "Right"})
+            for (const auto& [segment, child] :
+                 {std::pair{"UpLeg", "Leg"}, {"Leg", "Foot"}, {"Arm", "ForeArm"}, {"ForeArm", "Hand"}}) {
+                const int upper = mover.find(side + segment), lower = mover.find(side + child);
+                if (upper >= 0 && lower >= 0)
+                    twists_[upper].emplace(mover.joint(lower).offset_m.normalized(), frame_time_s);
+            }
     }
 
     Pose fit(const GlobalPose& source) {
@@ -26,7 +35,9 @@ public:
         for (int j = 0; j < mover_.size(); ++j) {
             const Quaterniond q_world_parent =
                 j == 0 ? Quaterniond::Identity() : q_world[mover_.joint(j).parent];
-            const std::optional<Quaterniond> wanted = figure_.target(j, source);
+            std::optional<Quaterniond> wanted = figure_.target(j, source);
+            if (wanted && twists_[j])
+                wanted = twists_[j]->next(*wanted);
             if (wanted)
                 pose.q_parent_joint[j] =
                     projectOntoJoint(mover_.joint(j), q_world_parent.conjugate() * *wanted, true)
@@ -58,7 +69,8 @@ private:
     const SourceFigure& figure_;
     const Skeleton& mover_;
     std::vector<FitQuality> quality_;
-    std::vector<int> noted_;  ///< frames per joint
+    std::vector<int> noted_;                              ///< frames per joint
+    std::vector<std::optional<TwistContinuity>> twists_;  ///< of the limbs
 };
 
 /// Middle between the mover's thighs, in the root's frame.
@@ -103,6 +115,21 @@ void placeOnFloor(const Coordinates& coordinates, std::vector<std::vector<double
 void makeContinuous(const Coordinates& coordinates, std::vector<std::vector<double>>& rows) {
     for (size_t f = 1; f < rows.size(); ++f)
         coordinates.continueFrom(rows[f - 1], rows[f]);
+}
+
+/// Where a limb passes a pose that its two angles describe in two ways, the nearest angles jump from one to
+/// the other: no motion either. They follow as fast as a person can turn a joint.
+void limitAngleSpeed(const Coordinates& coordinates, double step_s, std::vector<std::vector<double>>& rows) {
+    constexpr double kFastest_rad_per_s = 20;
+    const double reach = kFastest_rad_per_s * step_s;
+    for (int j = 1; j < coordinates.skeleton().size(); ++j)
+        if (!coordinates.isQuaternion(j))
+            for (size_t d = 0; d < coordinates.skeleton().joint(j).dof.size(); ++d) {
+                const size_t column = static_cast<size_t>(coordinates.first(j)) + d;
+                for (size_t f = 1; f < rows.size(); ++f)
+                    rows[f][column] = rows[f - 1][column] +
+                                      std::clamp(rows[f][column] - rows[f - 1][column], -reach, reach);
+            }
 }
 
 }  // namespace
@@ -154,7 +181,7 @@ Result<FittedMotion> fitMotion(const MotionClip& clip, const FitRequest& request
 
     const SourceFigure figure(cleaned->clip, *mapping, request.actor.skeleton);
     const Coordinates coordinates(request.mover);
-    FrameFitter fitter(figure, request.mover);
+    FrameFitter fitter(figure, request.mover, clip.frame_time_s);
     const double scale = legLength(request.mover) / figure.legLength_m();
     FittedMotion fitted{clip.frame_time_s, {}, {}, cleaned->repaired_frames, cleaned->dropped_first_frame};
     for (size_t f = 0; f < cleaned->clip.frames.size(); ++f) {
@@ -168,6 +195,7 @@ Result<FittedMotion> fitMotion(const MotionClip& clip, const FitRequest& request
     if (fitted.rows.size() == 1)
         fitted.rows.push_back(fitted.rows[0]);
     makeContinuous(coordinates, fitted.rows);
+    limitAngleSpeed(coordinates, fitted.step_s, fitted.rows);
     lowPassZeroPhase(fitted.rows, 1 / fitted.step_s, request.low_pass_hz);
     for (std::vector<double>& row : fitted.rows)
         coordinates.normalise(row);
