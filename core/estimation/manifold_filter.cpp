@@ -67,8 +67,8 @@ void ManifoldFilter::initialise(const Pose& rest_pose) {
     const int n = layout_.freedoms;
     Eigen::VectorXd variance = Eigen::VectorXd::Zero(layout_.size);
     variance.segment(0, n).setConstant(square(parameters_.initial_pose_rad));
-    variance.segment(n, n).setConstant(square(parameters_.initial_rate_rad_per_s));
-    variance.segment(2 * n, n).setConstant(square(parameters_.initial_accel_rad_per_s2));
+    variance.segment(n, n).setConstant(square(parameters_.rest_rate_rad_per_s));
+    variance.segment(2 * n, n).setConstant(square(parameters_.rest_accel_rad_per_s2));
     const auto fill = [&](int first, size_t count, double sigma) {
         if (first >= 0)
             variance.segment(first, static_cast<Eigen::Index>(count)).setConstant(square(sigma));
@@ -89,6 +89,9 @@ void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, cons
     initialise(pose);
     step_index_ = static_cast<int64_t>(std::ceil(rest.end_s / step_s_ - 1e-9));
     settle(rest, root);
+    const int n = layout_.freedoms;
+    P_.diagonal().segment(n, n).array() += std::pow(parameters_.initial_rate_rad_per_s, 2);
+    P_.diagonal().segment(2 * n, n).array() += std::pow(parameters_.initial_accel_rad_per_s2, 2);
     emitRestPoses(rest);
 }
 

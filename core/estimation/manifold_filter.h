@@ -34,8 +34,10 @@ struct ManifoldParameters {
     double source_offset_m = 0.0008;  ///< 1.5 us of offset error, and what the detector adds per source
     double sound_scale = 0.0015;
 
-    // Start.
+    // Start. The rest pose's means are of a body that hardly moves: their rates are the gyroscopes' zeros and
+    // their accelerations point up. When the rest ends, motion may begin.
     double initial_pose_rad = 0.035;  ///< per component; at least the true error
+    double rest_rate_rad_per_s = 0.0005, rest_accel_rad_per_s2 = 0.01;  ///< means over the rest; root: m
     double initial_rate_rad_per_s = 0.05, initial_accel_rad_per_s2 = 0.5;
 
     // Robustness. Gyroscopes and accelerometers are not limited: a blow looks like an outlier and is none.
