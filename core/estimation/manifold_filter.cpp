@@ -77,7 +77,7 @@ void ManifoldFilter::initialise(const Pose& rest_pose) {
     fill(layout_.accel_bias, 3 * suit_.boards.size(), parameters_.accel_bias_m_per_s2);
     fill(layout_.source_offset, suit_.sources.size(), parameters_.source_offset_m);
     fill(layout_.sound_scale, 1, parameters_.sound_scale);
-    P_ = variance.asDiagonal();
+    P_ = Covariance(variance);
 }
 
 void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) {
@@ -90,8 +90,8 @@ void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, cons
     step_index_ = static_cast<int64_t>(std::ceil(rest.end_s / step_s_ - 1e-9));
     settle(rest, root);
     const int n = layout_.freedoms;
-    P_.diagonal().segment(n, n).array() += std::pow(parameters_.initial_rate_rad_per_s, 2);
-    P_.diagonal().segment(2 * n, n).array() += std::pow(parameters_.initial_accel_rad_per_s2, 2);
+    P_.dense().diagonal().segment(n, n).array() += std::pow(parameters_.initial_rate_rad_per_s, 2);
+    P_.dense().diagonal().segment(2 * n, n).array() += std::pow(parameters_.initial_accel_rad_per_s2, 2);
     emitRestPoses(rest);
 }
 
@@ -117,8 +117,8 @@ void ManifoldFilter::settle(const RestReadings& rest, const RootMeasurement* roo
         for (ObservationBlock& block : blocks)
             for (Eigen::Index k = 0; k < block.H.cols(); ++k)
                 block.residual += block.H.col(k) * total[block.columns[static_cast<size_t>(k)]];
-        Eigen::MatrixXd P = P_;
-        const Eigen::VectorXd delta = kalmanUpdate(P, blocks);
+        Covariance P = P_;
+        const Eigen::VectorXd delta = P.update(blocks);
         const double change = (delta - total).norm();
         total = delta;
         state_ = prior;
@@ -178,10 +178,11 @@ void ManifoldFilter::step() {
 }
 
 void ManifoldFilter::predict(double dt_s) {
-    predictMotion(tree_, state_.motion, P_, dt_s, acceleration_decay_, acceleration_variance_);
+    predictMotion(tree_, state_.motion, P_.dense(), dt_s, acceleration_decay_, acceleration_variance_);
     const auto wander = [&](int first, size_t count, double walk) {
         if (first >= 0)
-            P_.diagonal().segment(first, static_cast<Eigen::Index>(count)).array() += walk * walk * dt_s;
+            P_.dense().diagonal().segment(first, static_cast<Eigen::Index>(count)).array() +=
+                walk * walk * dt_s;
     };
     wander(layout_.gyro_bias, 3 * suit_.boards.size(), parameters_.gyro_bias_walk);
     wander(layout_.accel_bias, 3 * suit_.boards.size(), parameters_.accel_bias_walk);
@@ -193,7 +194,7 @@ void ManifoldFilter::updateRoot(double limit_s) {
         if (measurement.time_s >= limit_s - step_s_ - 1e-9)
             blocks.push_back(observations_.root(
                 state_, measurement, measurement.time_s - static_cast<double>(step_index_) * step_s_));
-    correct(kalmanUpdate(P_, blocks));
+    correct(P_.update(blocks));
 }
 
 void ManifoldFilter::updateTriads(bool gyro) {
@@ -208,7 +209,7 @@ void ManifoldFilter::updateTriads(bool gyro) {
             block.variance.array() += std::pow(parameters_.blind.accel_floor_m_per_s2, 2);
         blocks.push_back(std::move(block));
     }
-    correct(kalmanUpdate(P_, blocks));
+    correct(P_.update(blocks));
 }
 
 void ManifoldFilter::updateDistances(double limit_s) {
@@ -227,7 +228,7 @@ void ManifoldFilter::updateDistances(double limit_s) {
         } else if (measurement.confidence >= kMinimumConfidence) {
             const double sigma = measurement.sigma_m / measurement.confidence;
             block.variance[0] = sigma * sigma + parameters_.distance_floor_m * parameters_.distance_floor_m;
-            decision.sigma_m = std::sqrt(innovationVariance(P_, block)[0]);
+            decision.sigma_m = std::sqrt(P_.innovationVariance(block)[0]);
             const double ratio = std::abs(decision.innovation_m) / decision.sigma_m;
             const bool gated = ratio > parameters_.distance_gate_sigma;
             noteGating(gated);
@@ -243,7 +244,7 @@ void ManifoldFilter::updateDistances(double limit_s) {
         }
         decisions_.push_back(decision);
     }
-    correct(kalmanUpdate(P_, blocks));
+    correct(P_.update(blocks));
 }
 
 /// A filter that has diverged gates out good data for ever: widen the pose and begin anew.
@@ -253,8 +254,8 @@ void ManifoldFilter::noteGating(bool gated) {
         return;
     gated_share_ = 0;
     ++resets_;
-    P_.diagonal().head(layout_.freedoms).array() += 0.1 * 0.1;
-    P_.diagonal().segment(layout_.freedoms, layout_.freedoms).array() += 1.0;
+    P_.dense().diagonal().head(layout_.freedoms).array() += 0.1 * 0.1;
+    P_.dense().diagonal().segment(layout_.freedoms, layout_.freedoms).array() += 1.0;
 }
 
 void ManifoldFilter::updatePriors() {
@@ -285,7 +286,7 @@ void ManifoldFilter::updatePriors() {
                 pull(layout_.rate(index), -state_.motion.rate[index], parameters_.blind.rate_prior_rad_per_s);
             }
         }
-    correct(kalmanUpdate(P_, blocks));
+    correct(P_.update(blocks));
 }
 
 void ManifoldFilter::correct(const Eigen::VectorXd& delta) {
@@ -308,7 +309,7 @@ void ManifoldFilter::correct(const Eigen::VectorXd& delta) {
 
 TimedPose ManifoldFilter::estimateAt(double time_s) const {
     return {std::llround(time_s * 1e9), tree_.poseFromState(state_.motion),
-            jointSigmas(tree_, skeleton_, state_.motion, P_)};
+            jointSigmas(tree_, skeleton_, state_.motion, P_.dense())};
 }
 
 }  // namespace noctule

@@ -9,8 +9,8 @@
 
 #include <utility>
 
+#include "core/estimation/covariance.h"
 #include "core/estimation/estimator.h"
-#include "core/estimation/kalman_update.h"
 
 namespace noctule {
 
@@ -70,7 +70,7 @@ public:
 
     const StateLayout& layout() const { return layout_; }
     const BodyState& state() const { return state_; }
-    const Eigen::MatrixXd& covariance() const { return P_; }
+    const Eigen::MatrixXd& covariance() const { return P_.dense(); }
     const KinematicTree& tree() const { return tree_; }
 
 private:
@@ -95,7 +95,7 @@ private:
     ObservationModel observations_;
     BodyState state_;
     MotionState rest_;  ///< for the pose prior
-    Eigen::MatrixXd P_;
+    Covariance P_;
     Eigen::VectorXd acceleration_decay_;     ///< per velocity index, for one step
     Eigen::VectorXd acceleration_variance_;  ///< stationary
 

@@ -45,7 +45,7 @@ void PaperFilter::start(const Pose& rest_pose, const RestReadings& rest, const R
     variance << Eigen::VectorXd::Constant(n, std::pow(parameters_.initial_pose_rad, 2)),
         Eigen::VectorXd::Constant(n, std::pow(parameters_.initial_rate_rad_per_s, 2)),
         Eigen::VectorXd::Constant(n, std::pow(parameters_.initial_accel_rad_per_s2, 2));
-    P_ = variance.asDiagonal();
+    P_ = Covariance(variance);
     frame_ = static_cast<int64_t>(std::ceil(rest.end_s / kFrame_s - 1e-9));
 }
 
@@ -83,11 +83,12 @@ void PaperFilter::predict() {
     tree_.retract(motion, kFrame_s * motion.rate);
     motion.rate += kFrame_s * motion.accel;
     // A P A^T for A = [I dt 0; 0 I dt; 0 0 I]: rows, then columns.
-    P_.topRows(n) += kFrame_s * P_.middleRows(n, n);
-    P_.middleRows(n, n) += kFrame_s * P_.bottomRows(n);
-    P_.leftCols(n) += kFrame_s * P_.middleCols(n, n);
-    P_.middleCols(n, n) += kFrame_s * P_.rightCols(n);
-    P_.diagonal().tail(n).array() +=
+    Eigen::MatrixXd& P = P_.dense();
+    P.topRows(n) += kFrame_s * P.middleRows(n, n);
+    P.middleRows(n, n) += kFrame_s * P.bottomRows(n);
+    P.leftCols(n) += kFrame_s * P.middleCols(n, n);
+    P.middleCols(n, n) += kFrame_s * P.rightCols(n);
+    P.diagonal().tail(n).array() +=
         parameters_.process_sigma_rad_per_s2 * parameters_.process_sigma_rad_per_s2;
 }
 
@@ -99,7 +100,7 @@ void PaperFilter::updateTriads(const std::vector<InertialMeasurement>& readings,
                               : observations_.accel(state_, reading, 0));
         blocks.back().variance.setConstant(sigma * sigma);
     }
-    correct(kalmanUpdate(P_, blocks));
+    correct(P_.update(blocks));
 }
 
 void PaperFilter::updateDistances(const std::vector<DistanceMeasurement>& measurements) {
@@ -117,19 +118,19 @@ void PaperFilter::updateDistances(const std::vector<DistanceMeasurement>& measur
         if (confidence > 0) {
             const double sigma = parameters_.distance_sigma_m / confidence;
             block.variance[0] = sigma * sigma;
-            decision.sigma_m = std::sqrt(innovationVariance(P_, block)[0]);
+            decision.sigma_m = std::sqrt(P_.innovationVariance(block)[0]);
             blocks.push_back(std::move(block));
         }
         decisions_.push_back(decision);
     }
-    correct(kalmanUpdate(P_, blocks));
+    correct(P_.update(blocks));
 }
 
 void PaperFilter::updateRoot(const std::vector<RootMeasurement>& measurements) {
     std::vector<ObservationBlock> blocks;
     for (const RootMeasurement& measurement : measurements)
         blocks.push_back(observations_.root(state_, measurement, 0));
-    correct(kalmanUpdate(P_, blocks));
+    correct(P_.update(blocks));
 }
 
 void PaperFilter::correct(const Eigen::VectorXd& delta) {
@@ -141,7 +142,8 @@ void PaperFilter::correct(const Eigen::VectorXd& delta) {
 
 void PaperFilter::emitPose() {
     poses_.push_back({std::llround(static_cast<double>(frame_) * kFrame_s * 1e9),
-                      tree_.poseFromState(state_.motion), jointSigmas(tree_, skeleton_, state_.motion, P_)});
+                      tree_.poseFromState(state_.motion),
+                      jointSigmas(tree_, skeleton_, state_.motion, P_.dense())});
 }
 
 }  // namespace noctule

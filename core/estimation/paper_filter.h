@@ -7,8 +7,8 @@
 
 #include <utility>
 
+#include "core/estimation/covariance.h"
 #include "core/estimation/estimator.h"
-#include "core/estimation/kalman_update.h"
 
 namespace noctule {
 
@@ -58,7 +58,7 @@ private:
     StateLayout layout_;
     ObservationModel observations_;
     BodyState state_;
-    Eigen::MatrixXd P_;
+    Covariance P_;
     int64_t frame_ = 0;  ///< the state's time is frame_ / 140 s
     TimeQueue<InertialMeasurement> inertial_;
     TimeQueue<DistanceMeasurement> distances_;

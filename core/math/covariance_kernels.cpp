@@ -150,17 +150,17 @@ void subtractCorner(double* p, const Eigen::MatrixXd& rows_of_x, long n, long i,
 
 }  // namespace
 
-void subtractOuterProduct(Eigen::MatrixXd& P, const Eigen::MatrixXd& X) {
-    require(P.cols() == P.rows() && X.rows() == P.rows(), "subtractOuterProduct: shapes do not fit");
+void subtractOuterProduct(Eigen::MatrixXd& P, const Eigen::MatrixXd& X_transposed) {
+    require(P.cols() == P.rows() && X_transposed.cols() == P.rows(),
+            "subtractOuterProduct: shapes do not fit");
     constexpr int kRows = 12;
-    const Eigen::MatrixXd rows_of_x = X.transpose();
     const long n = P.rows();
     std::vector<double> panel;
     long i = 0;
     for (; i + kRows <= n; i += kRows)
-        subtractCorner(P.data(), rows_of_x, n, i, i + kRows,
-                       subtractRows<kRows>(P.data(), rows_of_x, n, i, panel));
-    subtractCorner(P.data(), rows_of_x, n, i, n, 0);
+        subtractCorner(P.data(), X_transposed, n, i, i + kRows,
+                       subtractRows<kRows>(P.data(), X_transposed, n, i, panel));
+    subtractCorner(P.data(), X_transposed, n, i, n, 0);
 }
 
 void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, const Eigen::MatrixXd& H,

@@ -9,8 +9,9 @@
 
 namespace noctule {
 
-/// P (n x n, symmetric, both triangles stored) minus X X^T (X n x m). Both triangles stay equal to the bit.
-void subtractOuterProduct(Eigen::MatrixXd& P, const Eigen::MatrixXd& X);
+/// P (n x n, symmetric, both triangles stored) minus X X^T, given X^T (m x n). Both triangles stay equal to
+/// the bit.
+void subtractOuterProduct(Eigen::MatrixXd& P, const Eigen::MatrixXd& X_transposed);
 
 /// P H^T for an H (rows x columns.size()) that is zero outside `columns`, into columns first.. of `product`.
 void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, const Eigen::MatrixXd& H,

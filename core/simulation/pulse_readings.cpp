@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kFirstAboveShareOfPower = 0.3;  // the inflection detector's threshold
 constexpr double kScatterTimesSnr_s = 1.55e-4;
+constexpr double kFaintestEcho = 0.02;  // of the direct way's amplitude; it pulls by less than 0.3 mm
 
 /// Share of pulses for which noise leads the detector astray: 3.5 % at an amplitude ratio of 8, 1 % at 11.
 double astrayShare(double snr) {
@@ -41,11 +42,13 @@ PulseReadings::PulseReadings(const World& world, const Scenario& scenario, const
       medium_(mediumOf(scenario.sound, truth.air.speedOfSound_m_per_s())),
       room_(world, scenario.sound, truth.seed),
       speed_of_sound_m_per_s_(truth.air.speedOfSound_m_per_s()) {
+    for (const SourceTruth& source : truth.sound.sources)
+        overlaps_.emplace_back(scenario.drive_hz, scenario.pulse_cycles, source.resonance_hz, source.q);
     for (int b = 0; b < world.boardCount(); ++b)
         random_.emplace_back(truth.seed, "detection", static_cast<uint64_t>(b));
 }
 
-void PulseReadings::listWays(const Pulse& pulse, int board, std::vector<Way>& ways) {
+void PulseReadings::listWays(const Pulse& pulse, int board, std::vector<SoundWay>& ways) {
     const double t_s = static_cast<double>(pulse.sample) / scenario_.sample_rate_hz +
                        truth_.sound.sources[pulse.source].start_delay_s;
     const double ka = truth_.sound.sources[pulse.source].ka;
@@ -54,7 +57,7 @@ void PulseReadings::listWays(const Pulse& pulse, int board, std::vector<Way>& wa
     const DirectPath direct = directPath(ends, capsules_, ka, medium_);
     const Flight flight = directFlight(world_, pulse.source, board, t_s, speed_of_sound_m_per_s_);
     ways.clear();
-    ways.push_back({flight.distance_m + direct.detour_m, direct.gain});
+    ways.push_back({(flight.distance_m + direct.detour_m) / speed_of_sound_m_per_s_, direct.gain});
     if (!scenario_.sound.reflections)
         return;
     const Room::Query query{ends,
@@ -62,25 +65,31 @@ void PulseReadings::listWays(const Pulse& pulse, int board, std::vector<Way>& wa
                             world_.sourceSegment(pulse.source),
                             world_.boardSegment(board),
                             ka,
-                            std::max(direct.gain * std::sqrt(kFirstAboveShareOfPower), 1e-4)};
+                            std::max(kFaintestEcho * direct.gain, 1e-4)};
     room_.echoes(query, capsules_, medium_, echoes_);
+    // The microphone moves alike for all ways: half a wavelength is 4 mm, so what it moves counts.
+    const double moved_m = flight.distance_m - (ends.microphone_m - ends.source_m).norm();
     for (const EchoPath& echo : echoes_)
-        ways.push_back({echo.now.before_m + (ends.microphone_m - echo.now.last_point_m).norm(), echo.gain});
+        ways.push_back({(echo.now.before_m + (ends.microphone_m - echo.now.last_point_m).norm() + moved_m) /
+                            speed_of_sound_m_per_s_,
+                        echo.gain});
 }
 
-PulseDetection PulseReadings::detect(const Pulse& pulse, int board, const std::vector<Way>& ways) {
+PulseDetection PulseReadings::detect(const Pulse& pulse, int board, const std::vector<SoundWay>& ways) {
     double loudest = 0;
-    for (const Way& way : ways)
+    for (const SoundWay& way : ways)
         loudest = std::max(loudest, way.gain);
-    const Way* heard = nullptr;
-    for (const Way& way : ways)
+    const SoundWay* heard = nullptr;
+    for (const SoundWay& way : ways)
         if (way.gain * way.gain >= kFirstAboveShareOfPower * loudest * loudest &&
-            (!heard || way.length_m < heard->length_m))
+            (!heard || way.delay_s < heard->delay_s))
             heard = &way;
+
+    const PulseOverlap::Rise rise = overlaps_[pulse.source].rise(ways, *heard, loudest);
 
     const SourceTruth& source = truth_.sound.sources[pulse.source];
     const BoardTruth& microphone = truth_.sound.boards[board];
-    const double amplitude_counts = scenario_.sound.amplitude_counts_at_1m * heard->gain *
+    const double amplitude_counts = scenario_.sound.amplitude_counts_at_1m * rise.peak_gain *
                                     gainFromDb(source.gain_db + microphone.gain_db);
     PulseDetection detection;
     detection.pulse = pulse;
@@ -93,8 +102,8 @@ PulseDetection PulseReadings::detect(const Pulse& pulse, int board, const std::v
     Random& random = random_[board];
     const double scatter = random.gaussian(), astray = random.uniform(), astray_place = random.uniform();
     const bool noisy = scenario_.sound.acoustic_noise_counts > 0;
-    double delay_s = heard->length_m / speed_of_sound_m_per_s_ + truth_.inflection_offset_s[pulse.source] +
-                     microphone.mic_delay_s;
+    double delay_s =
+        heard->delay_s + rise.shift_s + truth_.inflection_offset_s[pulse.source] + microphone.mic_delay_s;
     if (noisy)
         delay_s += scatter * kScatterTimesSnr_s / detection.snr();
     if (noisy && astray < astrayShare(detection.snr()))
@@ -106,7 +115,7 @@ PulseDetection PulseReadings::detect(const Pulse& pulse, int board, const std::v
 void PulseReadings::hear(const Pulse& pulse, std::vector<PulseDetection>& detections) {
     world_.capsules(static_cast<double>(pulse.sample) / scenario_.sample_rate_hz, capsules_);
     detections.clear();
-    std::vector<Way> ways;
+    std::vector<SoundWay> ways;
     for (int b = 0; b < world_.boardCount(); ++b) {
         listWays(pulse, b, ways);
         detections.push_back(detect(pulse, b, ways));

@@ -2,12 +2,16 @@
 // What the pulse detector would report, without any sound: the readings level. Arrival times come from the
 // same geometry as the sound (flight, body, room), the detector is an error model with the figures measured
 // for the inflection detector at signal level (core/acoustics/range_finder.cpp): it takes the first way whose
-// power is above 0.3 of the loudest, scatters with 0.155 ms / SNR, and goes astray where the noise leads it.
+// power is above 0.3 of the loudest, is pulled by echoes that overlap it (pulse_overlap.h), scatters with
+// 0.155 ms / SNR, and goes astray where the noise leads it.
+//
+// OVERLAPDOC
 #pragma once
 
 #include "core/acoustics/pulse_receiver.h"
 #include "core/simulation/body_world.h"
 #include "core/simulation/laboratory.h"
+#include "core/simulation/pulse_overlap.h"
 #include "core/simulation/sound_room.h"
 
 namespace noctule::simulation {
@@ -22,11 +26,8 @@ public:
     void hear(const Pulse& pulse, std::vector<PulseDetection>& detections);
 
 private:
-    struct Way {
-        double length_m, gain;
-    };
-    void listWays(const Pulse& pulse, int board, std::vector<Way>& ways);
-    PulseDetection detect(const Pulse& pulse, int board, const std::vector<Way>& ways);
+    void listWays(const Pulse& pulse, int board, std::vector<SoundWay>& ways);
+    PulseDetection detect(const Pulse& pulse, int board, const std::vector<SoundWay>& ways);
 
     const World& world_;
     Scenario scenario_;
@@ -34,7 +35,8 @@ private:
     Medium medium_;
     Room room_;
     double speed_of_sound_m_per_s_;
-    std::vector<Random> random_;  ///< per board
+    std::vector<PulseOverlap> overlaps_;  ///< per source
+    std::vector<Random> random_;          ///< per board
     std::vector<WorldCapsule> capsules_;
     std::vector<EchoPath> echoes_;
 };

@@ -13,7 +13,7 @@ TEST(CovarianceKernels, OuterProductEqualsTheDenseProductForEverySize) {
             const Eigen::MatrixXd half = Eigen::MatrixXd::Random(n, n), X = Eigen::MatrixXd::Random(n, m);
             const Eigen::MatrixXd P = half * half.transpose();
             Eigen::MatrixXd updated = P;
-            subtractOuterProduct(updated, X);
+            subtractOuterProduct(updated, X.transpose());
             EXPECT_LT((updated - (P - X * X.transpose())).cwiseAbs().maxCoeff(), 1e-11 * double(n))
                 << n << " " << m;
             EXPECT_EQ((updated - updated.transpose()).cwiseAbs().maxCoeff(), 0) << n << " " << m;

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "app/batch/files.h"
+#include "app/batch/verb.h"
+#include "core/formats/positions_csv.h"
+#include "core/processing/attach_reference.h"
+
+namespace noctule::batch {
+namespace {
+
+bool isCsv(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return extension == ".csv" || extension == ".CSV";
+}
+
+/// "auto" or milliseconds.
+Result<std::optional<double>> shiftSeconds(const std::string& text) {
+    if (text == "auto")
+        return std::optional<double>();
+    double ms = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ms);
+    const bool whole_text = error == std::errc() && end == text.data() + text.size();
+    if (!whole_text || !(std::abs(ms) <= 86400e3))
+        return Error{ErrorKind::kUsage, "--align cannot be '" + text + "'",
+                     "Give auto, or milliseconds within a day"};
+    return std::optional(ms / 1000);
+}
+
+Status readSource(const VerbContext& context, AttachRequest& request) {
+    request.source_name = context.arguments.text("reference");
+    if (isCsv(request.source_name)) {
+        auto table = readPositionsCsv(request.source_name);
+        if (!table)
+            return table.error();
+        request.positions = std::move(*table);
+        return Done{};
+    }
+    auto clip = readMotion(request.source_name, context.arguments.text("bvh-unit"), context.console);
+    if (!clip)
+        return clip.error();
+    request.motion = std::move(*clip);
+    return Done{};
+}
+
+Result<Outcome> run(const VerbContext& context) {
+    const Arguments& arguments = context.arguments;
+    AttachRequest request;
+    request.take_path = arguments.operands()[0];
+    request.as = arguments.text("as") == "external-root" ? AttachAs::kExternalRoot : AttachAs::kReference;
+    request.overwrite = arguments.given("overwrite");
+    const auto shift_s = shiftSeconds(arguments.text("align"));
+    if (!shift_s)
+        return shift_s.error();
+    request.shift_s = *shift_s;
+    if (Status read = readSource(context, request); !read)
+        return read.error();
+    const auto summary = attachReference(request, context.job());
+    if (!summary)
+        return summary.error();
+    Outcome outcome;
+    outcome.json = {{"take", request.take_path},
+                    {"as", arguments.text("as")},
+                    {"rows", summary->rows},
+                    {"shift_ms", summary->shift_s * 1000},
+                    {"correlation",
+                     summary->correlation ? nlohmann::json(*summary->correlation) : nlohmann::json(nullptr)},
+                    {"aligned_with", summary->aligned_with.empty() ? nlohmann::json(nullptr)
+                                                                   : nlohmann::json(summary->aligned_with)}};
+    char text[160];
+    std::snprintf(text, sizeof text, ": %lld rows attached as %s, starting %.1f ms into the take.\n",
+                  static_cast<long long>(summary->rows), arguments.text("as").c_str(),
+                  1000 * summary->shift_s);
+    outcome.text = request.take_path + text;
+    return outcome;
+}
+
+}  // namespace
+
+Verb attachVerb() {
+    Verb verb;
+    verb.name = "attach";
+    verb.summary = "put another system's recording of the same performance into a take";
+    verb.operands = "T.noctule";
+    verb.min_operands = verb.max_operands = 1;
+    verb.example = "noctule --batch attach hops_001.noctule --reference optical.bvh --align auto";
+    verb.options = {
+        text("reference", "M.bvh|P.csv", "the recording; CSV: time_s and JOINT.x, JOINT.y, JOINT.z in metres")
+            .needed(),
+        text("align", "auto|MILLISECONDS",
+             "when the recording starts on the take's clock; auto: found from the last run's motion")
+            .orElse("auto"),
+        choice("as", {"reference", "external-root"},
+               "what evaluate compares with, or the root that process --root given reads")
+            .orElse("reference"),
+        bvhUnitOption()};
+    verb.remarks = {
+        "Positions (CSV) do not say how limbs are twisted: they serve as external-root, from the "
+        "joints that sit on the hips, with --align MILLISECONDS."};
+    verb.run = run;
+    return verb;
+}
+
+}  // namespace noctule::batch

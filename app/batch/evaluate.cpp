@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/batch/files.h"
+#include "app/batch/verb.h"
+#include "core/job/atomic_file.h"
+#include "core/processing/evaluate_take.h"
+#include "core/report/evaluation_json.h"
+#include "core/report/html_report.h"
+#include "core/report/text.h"
+#include "core/report/verdict.h"
+
+namespace noctule::batch {
+namespace {
+
+std::string jointRow(const std::string& name, const std::string& mean, const std::string& deviation,
+                     const std::string& rms) {
+    char row[160];
+    std::snprintf(row, sizeof row, "%-20s %10s %10s %10s\n", name.c_str(), mean.c_str(), deviation.c_str(),
+                  rms.c_str());
+    return row;
+}
+
+std::string fixed(double value, int decimals = 2) {
+    char text[48];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+std::string comparisonText(const Comparison& c) {
+    std::string text = jointRow("joint", "mean deg", "std deg", "rms deg");
+    for (const JointComparison& joint : c.joints)
+        text += jointRow(joint.name, fixed(joint.angle.mean_deg), fixed(joint.angle.std_deg),
+                         fixed(joint.angle.rms_deg));
+    text += jointRow("mean", fixed(c.mean_deg), "", "");
+    if (c.end_effector_mm)
+        text += "hands, feet, head     " + fixed(*c.end_effector_mm, 1) + " mm off in the hips' frame\n";
+    text += "root                  yaw " + fixed(c.root.yaw_deg) + " deg, tilt " + fixed(c.root.tilt_deg) +
+            " deg, position " + fixed(c.root.position_m, 3) + " m (rms, start taken off)\n";
+    if (c.nees)
+        text += "NEES                  " + fixed(*c.nees) + " (1: as sure as it may be)\n";
+    return text + "compared              " + fixed(c.duration_s, 1) + " s, " + std::to_string(c.frames) +
+           " poses\n";
+}
+
+std::string textOf(const ReportData& data, const ReportRun& run) {
+    std::string text = data.take.name + ", run " + run.name + ": sensors " + run.sensors + ", estimator " +
+                       run.estimator + ", root " + (run.root_given ? "given" : "free") + "\n";
+    if (run.comparison)
+        text += comparisonText(*run.comparison);
+    const Verdict verdict = judge(data);
+    text += verdict.headline + "\n";
+    for (const std::string& reason : verdict.reasons)
+        text += "  " + reason + "\n";
+    return text;
+}
+
+Result<Outcome> run(const VerbContext& context) {
+    const Arguments& arguments = context.arguments;
+    const bool overwrite = arguments.given("overwrite");
+    const std::string report_path = arguments.text("report");
+    if (Status free = checkOutputs({report_path}, overwrite); !free)
+        return free.error();
+    EvaluateRequest request;
+    request.take_path = arguments.operands()[0];
+    request.run = arguments.text("run");
+    request.all_runs = !report_path.empty();
+    request.reference_name = arguments.text("reference");
+    if (arguments.given("reference")) {
+        auto clip = readMotion(request.reference_name, arguments.text("bvh-unit"), context.console);
+        if (!clip)
+            return clip.error();
+        request.reference = std::move(*clip);
+    }
+    const auto data = evaluateTake(request, context.job());
+    if (!data)
+        return data.error();
+    for (const std::string& warning : data->warnings)
+        context.console.warn(warning);
+    const ReportRun& shown = *data->shownRun();
+    Outcome outcome{evaluationJson(*data, shown), textOf(*data, shown), std::nullopt};
+    if (!report_path.empty()) {
+        if (context.cancel.cancelled())
+            return JobContext::cancelledError();
+        context.console.progress(0.9, "Writing the report");
+        if (Status written = writeFileAtomically(report_path, htmlReport(*data), overwrite); !written)
+            return written.error();
+        outcome.json["report"] = report_path;
+        outcome.text += "report                " + report_path + "\n";
+    }
+    return outcome;
+}
+
+}  // namespace
+
+Verb evaluateVerb() {
+    Verb verb;
+    verb.name = "evaluate";
+    verb.summary = "compare a run with a reference and report how far it can be trusted";
+    verb.operands = "T.noctule";
+    verb.min_operands = verb.max_operands = 1;
+    verb.example = "noctule --batch evaluate hops_001.noctule --report hops.html";
+    verb.options = {
+        text("run", "NAME", "the run to judge; the last one when not given"),
+        text("reference", "M.bvh", "another system's motion, aligned in time; else the take's own"),
+        text("report", "R.html", "write the whole report, with every run of the take"), bvhUnitOption()};
+    verb.remarks = {
+        "Angles are geodesic, between local rotations, after the rest pose; \"mean\" is the mean over all "
+        "joints with freedom, the root left out."};
+    verb.run = run;
+    return verb;
+}
+
+}  // namespace noctule::batch

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/batch/files.h"
+
+#include <ctime>
+#include <filesystem>
+
+#include "app/batch/option.h"
+#include "core/formats/bvh.h"
+#include "core/job/atomic_file.h"
+
+namespace noctule::batch {
+namespace {
+
+Result<nlohmann::json> readJson(const std::string& path) {
+    const auto text = readWholeFile(path);
+    if (!text)
+        return text.error();
+    nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
+    if (json.is_discarded())
+        return Error{ErrorKind::kUnreadable, path + ": is not JSON", "Check that it is the right file"};
+    return json;
+}
+
+template <class T>
+Result<T> readDocument(const std::string& path,
+                       Result<T> (*fromJson)(const nlohmann::json&, const std::string&)) {
+    const auto json = readJson(path);
+    return json ? fromJson(*json, path) : Result<T>(json.error());
+}
+
+}  // namespace
+
+Option bvhUnitOption() {
+    return choice("bvh-unit", {"m", "cm", "mm", "inch", "cmu", "auto"},
+                  "unit of lengths in BVH files; auto: from the figure's height")
+        .orElse("auto");
+}
+
+Result<MotionClip> readMotion(const std::string& path, const std::string& bvh_unit, Console& console) {
+    const auto unit = bvhUnitFromText(bvh_unit);
+    if (!unit)
+        return unit.error();
+    const auto document = readBvh(path);
+    if (!document)
+        return document.error();
+    for (const BvhWarning& warning : document->warnings)
+        console.warn(path + ": line " + std::to_string(warning.line) + ": " + warning.text);
+    if (*unit == BvhUnit::kAuto && document->frameCount() > 0)
+        if (const BvhUnitChoice choice = chooseUnit(*document); !choice.plausible)
+            console.warn(path + ": no unit makes the figure as tall as a person; " + toText(choice.unit) +
+                         " is assumed, --bvh-unit says it");
+    return toClip(*document, *unit);
+}
+
+Result<Suit> readSuit(const std::string& path) {
+    return readDocument<Suit>(path, suitFromJson);
+}
+
+Result<Actor> readActor(const std::string& path) {
+    return readDocument<Actor>(path, actorFromJson);
+}
+
+Result<Calibration> readCalibration(const std::string& path) {
+    return readDocument<Calibration>(path, calibrationFromJson);
+}
+
+Status checkOutputs(const std::vector<std::string>& paths, bool overwrite) {
+    for (const std::string& path : paths)
+        if (!path.empty())
+            if (Status free = checkOutputPath(path, overwrite); !free)
+                return free;
+    return Done{};
+}
+
+Status writeJson(const std::string& path, const nlohmann::json& json, bool overwrite) {
+    return writeFileAtomically(path, json.dump(2) + "\n", overwrite);
+}
+
+std::string utcNow() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return text;
+}
+
+std::string takeName(const std::string& path) {
+    return std::filesystem::path(path).stem().string();
+}
+
+}  // namespace noctule::batch

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// What verbs read and write beside takes: motions, JSON documents, the clock on the wall.
+#pragma once
+
+#include <string>
+
+#include "app/batch/console.h"
+#include "core/body/actor.h"
+#include "core/motion/clip.h"
+#include "core/suit/calibration.h"
+#include "core/suit/suit.h"
+
+namespace noctule::batch {
+
+class Arguments;
+struct Option;
+
+/// "--bvh-unit", for verbs that read BVH files.
+Option bvhUnitOption();
+
+/// What the reader found odd goes to the console as warnings.
+Result<MotionClip> readMotion(const std::string& path, const std::string& bvh_unit, Console& console);
+
+Result<Suit> readSuit(const std::string& path);
+Result<Actor> readActor(const std::string& path);
+Result<Calibration> readCalibration(const std::string& path);
+
+/// Refuses an output that stands in the way before long work begins; an empty path is none.
+Status checkOutputs(const std::vector<std::string>& paths, bool overwrite);
+Status writeJson(const std::string& path, const nlohmann::json& json, bool overwrite);
+
+/// Now, ISO 8601 with Z.
+std::string utcNow();
+
+/// "walk_001" of "takes/walk_001.noctule".
+std::string takeName(const std::string& path);
+
+}  // namespace noctule::batch

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/batch/help.h"
+
+#include <algorithm>
+
+namespace noctule::batch {
+namespace {
+
+constexpr size_t kColumn = 30, kWidth = 100;
+
+/// Words in lines of at most kWidth, from the current column on; further lines begin at `indent`.
+std::string wrapped(const std::string& words, size_t indent) {
+    std::string text;
+    size_t column = indent;
+    for (size_t begin = 0; begin < words.size();) {
+        const size_t end = std::min(words.find(' ', begin), words.size());
+        const std::string word = words.substr(begin, end - begin);
+        if (column > indent && column + 1 + word.size() > kWidth) {
+            text += "\n" + std::string(indent, ' ');
+            column = indent;
+        }
+        text += (column > indent ? " " : "") + word;
+        column += word.size() + (column > indent ? 1 : 0);
+        begin = end + 1;
+    }
+    return text + "\n";
+}
+
+std::string entry(const std::string& head, const std::string& words) {
+    const std::string start = "  " + head;
+    if (start.size() + 2 > kColumn)
+        return start + "\n" + std::string(kColumn, ' ') + wrapped(words, kColumn);
+    return start + std::string(kColumn - start.size(), ' ') + wrapped(words, kColumn);
+}
+
+std::string optionEntry(const Option& option) {
+    std::string head = "--" + option.name;
+    if (!option.placeholder.empty())
+        head += " " + option.placeholder;
+    std::string words = option.help;
+    if (option.required)
+        words += " (required)";
+    if (!option.fallback.empty())
+        words += " (default " + option.fallback + ")";
+    if (!option.later_choices.empty())
+        words += " (not yet available: " + listed(option.later_choices) + ")";
+    return entry(head, words);
+}
+
+std::string optionList(const std::vector<Option>& options, bool later) {
+    std::string text;
+    for (const Option& option : options)
+        if ((option.kind == Option::Kind::kLater) == later)
+            text += optionEntry(option);
+    return text;
+}
+
+std::string verbList(bool later) {
+    std::string text;
+    for (const Verb& verb : verbs())
+        if ((verb.run == nullptr) == later)
+            text += entry(verb.name, verb.summary);
+    return text;
+}
+
+}  // namespace
+
+std::string programHelp() {
+    return "Noctule: motion capture with a suit of gyroscopes, accelerometers and ultrasound.\n\n"
+           "usage: noctule --batch VERB [ARGUMENTS]\n"
+           "       noctule --batch VERB --help\n"
+           "       noctule --help | --version\n\nverbs:\n" +
+           verbList(false) + "\nnot yet available:\n" + verbList(true) + "\nafter every verb:\n" +
+           optionList(commonOptions(), false) +
+           "\nexit codes: 0 done, 1 internal error, 2 usage, 3 input unreadable or not what it should be,\n"
+           "4 input readable but not usable, 5 device, 6 disk, 130 cancelled.\n\n"
+           "example: " +
+           verbs().front().example + "\n";
+}
+
+std::string verbHelp(const Verb& verb) {
+    std::string text = "noctule --batch " + verb.name + ": " + verb.summary + ".\n";
+    if (!verb.run)
+        return text +
+               "\nNot yet available: it comes with a later version.\n\nexample: " + verbs().front().example +
+               "\n";
+    text += "\nusage: noctule --batch " + verb.name + (verb.operands.empty() ? "" : " " + verb.operands) +
+            " [OPTIONS]\n\noptions:\n" + optionList(verb.options, false);
+    if (const std::string later = optionList(verb.options, true); !later.empty())
+        text += "\nnot yet available:\n" + later;
+    text += "\nafter every verb:\n" + optionList(commonOptions(), false);
+    for (const std::string& remark : verb.remarks)
+        text += "\n" + wrapped(remark, 0);
+    return text + "\nexample: " + verb.example + "\n";
+}
+
+}  // namespace noctule::batch

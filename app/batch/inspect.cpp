@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/batch/takes.h"
+#include "core/processing/inspect_take.h"
+
+namespace noctule::batch {
+namespace {
+
+std::string line(const std::string& what, const std::string& value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "  %-14s ", what.c_str());
+    return value.empty() ? "" : text + value + "\n";
+}
+
+std::string counted(int64_t count, const std::string& what) {
+    return std::to_string(count) + " " + what;
+}
+
+std::string percent(double share) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f %%", 100 * share);
+    return text;
+}
+
+std::string headText(const TakeInspection& in) {
+    const std::string kind = in.level == TakeLevel::kReadings ? "readings" : "sound";
+    char duration[64];
+    std::snprintf(duration, sizeof duration, "%.2f s at %lld Hz", in.duration_s,
+                  static_cast<long long>(in.header.sample_rate_hz));
+    return in.path + "\n" +
+           line("take", in.header.name + ", " + in.header.take_kind + ", " +
+                            (in.state.empty() ? "state unknown" : in.state) + ", made " +
+                            in.header.created_utc + " by " + in.header.software) +
+           line("performer", in.performer) + line("duration", duration) +
+           line("suit", in.suit_name + (in.suit_name.empty() ? "" : ": ") +
+                            counted(static_cast<int64_t>(in.boards.size()), "boards, ") +
+                            counted(static_cast<int64_t>(in.sources.size()), "sources")) +
+           line("calibration", in.calibration) + line("actor", in.actor) +
+           line(kind, in.level == TakeLevel::kReadings
+                          ? counted(in.pulses, "pulses")
+                          : counted(in.blocks, "blocks, ") + counted(in.hole_samples, "samples missing, ") +
+                                counted(in.pulses, "pulses")) +
+           line("reference", in.reference_frames == 0
+                                 ? ""
+                                 : counted(in.reference_frames, "frames, ") + in.reference_kind) +
+           line("external root", in.external_root_rows == 0 ? "" : counted(in.external_root_rows, "rows"));
+}
+
+std::string rowsText(const TakeInspection& in) {
+    std::string text;
+    for (const GapRow& gap : in.gaps)
+        text += line("gap", counted(gap.sample_count, "samples from ") + std::to_string(gap.first_sample) +
+                                (gap.board ? ", board " + std::to_string(*gap.board + 1) : ", all boards") +
+                                (gap.reason.empty() ? "" : ", " + gap.reason));
+    for (const MarkerRow& marker : in.markers)
+        text +=
+            line("marker", marker.kind + " " + marker.label + " at sample " + std::to_string(marker.sample));
+    for (const NoteRow& note : in.notes)
+        text += line("note", note.text);
+    for (const DerivedRun& run : in.runs)
+        text += line("run " + std::to_string(run.run),
+                     run.kind + " '" + run.name + "', " + run.created_utc + ", " + run.software);
+    return text;
+}
+
+std::string boardsText(const TakeInspection& in) {
+    std::string text;
+    for (const WireQuality& wire : in.wires)
+        if (wire.silent || wire.clipped > 0)
+            text += line(wire.board, wire.silent ? "silent: not a single sample differs from zero"
+                                                 : counted(wire.clipped, "clipped sound samples"));
+    if (in.board_quality.empty())
+        return text;
+    char row[160];
+    std::snprintf(row, sizeof row, "\n  %-14s %10s %10s %10s %10s\n", "board", "frames", "lost", "readings",
+                  "clipped");
+    text += row;
+    for (const ReportBoard& board : in.board_quality) {
+        const double share = board.readings_expected == 0 ? 0
+                                                          : static_cast<double>(board.readings_present) /
+                                                                static_cast<double>(board.readings_expected);
+        std::snprintf(row, sizeof row, "  %-14s %10lld %10lld %10s %10lld\n", board.id.c_str(),
+                      static_cast<long long>(board.frames_expected),
+                      static_cast<long long>(board.frames_lost), percent(share).c_str(),
+                      static_cast<long long>(board.clipped_gyro + board.clipped_accel));
+        text += row;
+    }
+    return text;
+}
+
+/// Share of the pulses heard: boards down, sources across.
+std::string pairsText(const TakeInspection& in) {
+    if (in.pairs.empty())
+        return "";
+    char cell[64];
+    std::snprintf(cell, sizeof cell, "\n  %-14s", "heard %");
+    std::string text = cell;
+    for (const std::string& source : in.sources) {
+        std::snprintf(cell, sizeof cell, " %8s", source.c_str());
+        text += cell;
+    }
+    for (const std::string& board : in.boards) {
+        std::snprintf(cell, sizeof cell, "\n  %-14s", board.c_str());
+        text += cell;
+        for (const PairSummary& pair : in.pairs)
+            if (pair.board == board) {
+                std::snprintf(cell, sizeof cell, " %8.0f", 100 * pair.heard_share);
+                text += cell;
+            }
+    }
+    return text + "\n";
+}
+
+std::string textOf(const TakeInspection& in) {
+    std::string text = headText(in) + rowsText(in);
+    for (const std::string& missing : in.missing)
+        text += line("missing", missing);
+    for (const std::string& problem : in.problems)
+        text += line("problem", problem);
+    return text + boardsText(in) + pairsText(in);
+}
+
+Result<Outcome> run(const VerbContext& context) {
+    return forEachTake(context, 1, [](const std::string& take, const JobContext& job) -> Result<Outcome> {
+        const auto inspection = inspectTake(take, job);
+        if (!inspection)
+            return inspection.error();
+        return Outcome{toJson(*inspection), textOf(*inspection), std::nullopt};
+    });
+}
+
+}  // namespace
+
+Verb inspectVerb() {
+    Verb verb;
+    verb.name = "inspect";
+    verb.summary = "show what is in a take, what is missing, and the quality per board and pair";
+    verb.operands = "T.noctule...";
+    verb.min_operands = 1;
+    verb.max_operands = kAnyNumber;
+    verb.example = "noctule --batch inspect hops_001.noctule";
+    verb.remarks = {
+        "Shares of lost frames and of pulses heard need readings and ranges: process the take "
+        "first."};
+    verb.run = run;
+    return verb;
+}
+
+}  // namespace noctule::batch

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a verb accepts on the command line, as a table: it checks the arguments, words the errors and writes
+// the help.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace noctule::batch {
+
+struct Option {
+    enum class Kind {
+        kFlag,    ///< no value
+        kText,    ///< a path or a name
+        kChoice,  ///< one of `choices`, upper and lower case alike
+        kNumber,  ///< min to max, finite
+        kWhole,   ///< the same without a fraction
+        kLater,   ///< known and refused: a later version brings it
+    };
+    std::string name;  ///< without the dashes
+    std::string placeholder, help;
+    Kind kind = Kind::kFlag;
+    std::vector<std::string> choices;
+    std::vector<std::string> later_choices;  ///< known and refused
+    double min = 0, max = 0;
+    std::string fallback;  ///< value when not given; empty: none
+    bool required = false;
+
+    Option&& orElse(const std::string& value) &&;
+    Option&& needed() &&;
+    Option&& laterOn(std::vector<std::string> values) &&;
+};
+
+Option flag(const std::string& name, const std::string& help);
+Option text(const std::string& name, const std::string& placeholder, const std::string& help);
+Option choice(const std::string& name, std::vector<std::string> choices, const std::string& help);
+Option number(const std::string& name, const std::string& placeholder, double min, double max,
+              const std::string& help);
+Option whole(const std::string& name, const std::string& placeholder, double min, double max,
+             const std::string& help);
+Option later(const std::string& name, const std::string& placeholder, const std::string& help);
+
+/// Accepted by every verb.
+const std::vector<Option>& commonOptions();
+
+/// The word of `known` that needs the fewest edits; empty when there is none.
+std::string nearest(const std::string& word, const std::vector<std::string>& known);
+
+/// "a, b or c"
+std::string listed(const std::vector<std::string>& words);
+
+}  // namespace noctule::batch

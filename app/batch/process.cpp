@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <set>
+#include <thread>
+
+#include "app/batch/files.h"
+#include "app/batch/program.h"
+#include "app/batch/take_copy.h"
+#include "app/batch/takes.h"
+#include "core/processing/process_take.h"
+
+namespace noctule::batch {
+namespace {
+
+Result<SensorSelection> sensorSelection(const std::string& letters) {
+    SensorSelection sensors{false, false, false};
+    for (const char letter : letters) {
+        bool* sensor = letter == 'A' || letter == 'a'   ? &sensors.accelerometers
+                       : letter == 'G' || letter == 'g' ? &sensors.gyroscopes
+                       : letter == 'D' || letter == 'd' ? &sensors.distances
+                                                        : nullptr;
+        if (!sensor || *sensor)
+            return Error{ErrorKind::kUsage,
+                         "--sensors cannot be '" + letters + "': '" + letter + "' " +
+                             (sensor ? "stands there twice" : "is no sensor"),
+                         "Give any of A (accelerometers), G (gyroscopes) and D (distances)"};
+        *sensor = true;
+    }
+    return sensors;
+}
+
+Result<ProcessRequest> requestOf(const Arguments& arguments) {
+    ProcessRequest request;
+    const auto sensors = sensorSelection(arguments.text("sensors"));
+    if (!sensors)
+        return sensors.error();
+    request.tracker.sensors = *sensors;
+    request.tracker.root_given = arguments.text("root") == "given";
+    request.tracker.estimator = *estimatorFromName(arguments.text("estimator"));
+    request.detector = *detectorFromName(arguments.text("detector"));
+    if (const auto sigma = arguments.number("paper-sigma")) {
+        if (request.tracker.estimator != EstimatorKind::kPaper)
+            return Error{ErrorKind::kUsage, "--paper-sigma belongs to the paper's estimator",
+                         "Add --estimator paper, or leave it out"};
+        request.tracker.paper_process_sigma_rad_per_s2 = *sigma;
+    }
+    if (arguments.given("calibration")) {
+        auto calibration = readCalibration(arguments.text("calibration"));
+        if (!calibration)
+            return calibration.error();
+        request.calibration = std::move(*calibration);
+    }
+    if (arguments.given("actor")) {
+        auto actor = readActor(arguments.text("actor"));
+        if (!actor)
+            return actor.error();
+        request.actor = std::move(*actor);
+    }
+    request.run_name = arguments.text("run-name");
+    request.software = softwareName();
+    request.created_utc = utcNow();
+    return request;
+}
+
+/// Where results go; the take itself without --out-dir.
+std::string resultPath(const Arguments& arguments, const std::string& take) {
+    return arguments.given("out-dir")
+               ? (std::filesystem::path(arguments.text("out-dir")) / std::filesystem::path(take).filename())
+                     .string()
+               : take;
+}
+
+Status checkTakes(const Arguments& arguments) {
+    if (Status distinct = checkDistinct(arguments.operands()); !distinct || !arguments.given("out-dir"))
+        return distinct;
+    std::set<std::string> paths;
+    for (const std::string& take : arguments.operands()) {
+        const std::string path = resultPath(arguments, take);
+        if (!paths.insert(path).second)
+            return Error{ErrorKind::kUsage, "two takes would become " + path, "Process them one by one"};
+        if (Status free = checkOutputs({path}, arguments.given("overwrite")); !free)
+            return free;
+    }
+    return Done{};
+}
+
+Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
+    Outcome outcome;
+    outcome.json = {{"take", path},
+                    {"run", s.run_name},
+                    {"runs", {{"pose", s.pose_run}, {"range", s.range_run}, {"inertial", s.inertial_run}}},
+                    {"poses", s.poses},
+                    {"duration_s", s.duration_s},
+                    {"ranges", {{"heard", s.ranges}, {"used", s.ranges_used}, {"gated", s.ranges_gated}}},
+                    {"frames", {{"seen", s.frames_seen}, {"lost", s.frames_lost}}},
+                    {"clipped_readings", s.clipped_readings},
+                    {"resets", s.resets},
+                    {"warnings", s.warnings}};
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  "%lld poses over %.1f s; %lld of %lld ranges used, %lld gated; %lld of %lld frames lost.\n",
+                  static_cast<long long>(s.poses), s.duration_s, static_cast<long long>(s.ranges_used),
+                  static_cast<long long>(s.ranges), static_cast<long long>(s.ranges_gated),
+                  static_cast<long long>(s.frames_lost), static_cast<long long>(s.frames_seen));
+    outcome.text = path + ": run " + s.run_name + ", " + text;
+    return outcome;
+}
+
+Result<ProcessSummary> processOne(const Arguments& arguments, ProcessRequest request, const std::string& take,
+                                  const JobContext& job) {
+    request.take_path = take;
+    if (!arguments.given("out-dir"))
+        return processTake(request, job);
+    auto copy = TakeCopy::make(take, resultPath(arguments, take), job);
+    if (!copy)
+        return copy.error();
+    request.take_path = copy->path();
+    const auto summary = processTake(request, job);
+    if (!summary)
+        return copy->named(summary.error());
+    if (Status published = copy->publish(arguments.given("overwrite")); !published)
+        return published.error();
+    return summary;
+}
+
+Result<Outcome> run(const VerbContext& context) {
+    const Arguments& arguments = context.arguments;
+    if (Status sensible = checkTakes(arguments); !sensible)
+        return sensible.error();
+    const auto request = requestOf(arguments);
+    if (!request)
+        return request.error();
+    const size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    const size_t jobs = static_cast<size_t>(arguments.whole("jobs").value_or(static_cast<int64_t>(cores)));
+    return forEachTake(context, jobs, [&](const std::string& take, const JobContext& job) -> Result<Outcome> {
+        const auto summary = processOne(arguments, *request, take, job);
+        if (!summary)
+            return summary.error();
+        for (const std::string& warning : summary->warnings)
+            context.console.warn(take + ": " + warning);
+        if (!request->run_name.empty() && summary->run_name != request->run_name)
+            context.console.warn(take + ": there was a run '" + request->run_name +
+                                 "' already; this one is '" + summary->run_name + "'.");
+        return outcomeOf(resultPath(arguments, take), *summary);
+    });
+}
+
+}  // namespace
+
+Verb processVerb() {
+    Verb verb;
+    verb.name = "process";
+    verb.summary = "turn a take's sound and inertia into joint angles, as a new run in it";
+    verb.operands = "T.noctule...";
+    verb.min_operands = 1;
+    verb.max_operands = kAnyNumber;
+    verb.example = "noctule --batch process hops_001.noctule --sensors AGD --root free";
+    verb.options = {
+        text("calibration", "C.json", "the calibration; the one in force in the take when not given"),
+        text("actor", "A.json", "the performer; the one in force in the take when not given"),
+        text("sensors", "AGD", "any of A accelerometers, G gyroscopes, D distances").orElse("AGD"),
+        choice("root", {"free", "given"}, "given: by another system, from the take's external_root")
+            .orElse("free"),
+        choice("detector", {"inflection"}, "what finds the pulses in the sound")
+            .orElse("inflection")
+            .laterOn({"matched"}),
+        choice("estimator", {"manifold", "paper"}, "paper: Vlasic 2007 to the letter").orElse("manifold"),
+        number("paper-sigma", "X", 1e-6, 1e6,
+               "process sigma of the paper's estimator, rad/s^2 (default 0.04)"),
+        choice("smooth", {"none"}, "smoothing afterwards").orElse("none").laterOn({"lag", "full", "batch"}),
+        text("run-name", "NAME", "name of the new run; from sensors and estimator when not given"),
+        text("out-dir", "D", "copy the take there and write into the copy")};
+    verb.remarks = {"Nothing is replaced: every call adds a run, and the raw data stay as they are."};
+    verb.run = run;
+    return verb;
+}
+
+}  // namespace noctule::batch

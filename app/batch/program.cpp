@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/batch/program.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "app/batch/help.h"
+
+namespace noctule::batch {
+namespace {
+
+int exitCode(const Error& error) {
+    return static_cast<int>(error.kind);
+}
+
+/// File names need not be UTF-8, JSON has to be.
+std::string textOf(const nlohmann::json& json) {
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// The result of a whole run: the outcome, or the error as JSON too when that was asked for.
+int report(const Result<Outcome>& result, Console& console) {
+    console.endProgress();
+    if (!result) {
+        const Error& error = result.error();
+        console.error(error);
+        if (console.wantsJson())
+            console.printJson(textOf({{"error", errorJson(error)}}));
+        return exitCode(error);
+    }
+    const bool written =
+        console.wantsJson() ? console.printJson(textOf(result->json)) : console.print(result->text);
+    if (!written) {
+        const Error error{ErrorKind::kDisk, "standard output cannot be written", "Check where it leads to"};
+        console.error(error);
+        return exitCode(error);
+    }
+    return result->failure ? exitCode(*result->failure) : 0;
+}
+
+const Verb* findVerb(const std::string& name) {
+    const auto found =
+        std::find_if(verbs().begin(), verbs().end(), [&](const Verb& v) { return v.name == name; });
+    return found == verbs().end() ? nullptr : &*found;
+}
+
+Error unknownVerb(const std::string& name) {
+    std::vector<std::string> names;
+    for (const Verb& verb : verbs())
+        if (verb.run)
+            names.push_back(verb.name);
+    if (name.empty())
+        return {ErrorKind::kUsage, "no verb is given", "Choose " + listed(names)};
+    return {ErrorKind::kUsage, "unknown verb " + name, "Did you mean " + nearest(name, names) + "?"};
+}
+
+Status checkArguments(const Verb& verb, const Arguments& arguments) {
+    for (const Option& option : verb.options)
+        if (option.required && !arguments.given(option.name))
+            return Error{ErrorKind::kUsage, verb.name + " needs --" + option.name + " " + option.placeholder,
+                         "For example: " + verb.example};
+    const size_t count = arguments.operands().size();
+    if (count < verb.min_operands)
+        return Error{ErrorKind::kUsage, verb.name + " needs " + verb.operands,
+                     "For example: " + verb.example};
+    if (count > verb.max_operands)
+        return Error{ErrorKind::kUsage,
+                     verb.name + " does not take '" + arguments.operands()[verb.max_operands] + "'",
+                     "For example: " + verb.example};
+    return Done{};
+}
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+Result<Outcome> runVerb(const Verb& verb, const std::vector<std::string>& words, Console& console,
+                        const CancelFlag& cancel) {
+    std::vector<Option> options = verb.options;
+    options.insert(options.end(), commonOptions().begin(), commonOptions().end());
+    const auto arguments = Arguments::parse(words, options);
+    if (!arguments)
+        return arguments.error();
+    if (Status right = checkArguments(verb, *arguments); !right)
+        return right.error();
+    return verb.run({*arguments, console, cancel});
+}
+
+}  // namespace
+
+int runBatch(const std::vector<std::string>& words, const CancelFlag& cancel) {
+    const std::string name = words.empty() ? "" : words.front();
+    const bool help = contains(words, "--help");
+    Console console(!help && contains(words, "--quiet"), contains(words, "--json"));
+    const Verb* verb = findVerb(name);
+    if (help && (verb || name.starts_with("--")))
+        return report(Outcome{{{"help", verb ? verbHelp(*verb) : programHelp()}},
+                              verb ? verbHelp(*verb) : programHelp(),
+                              std::nullopt},
+                      console);
+    if (!verb)
+        return report(unknownVerb(name), console);
+    if (!verb->run)
+        return report(
+            Error{ErrorKind::kUsage, name + " is not available yet", "It comes with a later version"},
+            console);
+    try {
+        return report(runVerb(*verb, {words.begin() + 1, words.end()}, console, cancel), console);
+    } catch (const std::exception& mistake) {
+        return report(Error{ErrorKind::kInternal, std::string("internal error: ") + mistake.what(),
+                            "Please report it with the command line and the input"},
+                      console);
+    }
+}
+
+std::string softwareName() {
+    return "noctule " NOCTULE_VERSION;
+}
+
+}  // namespace noctule::batch

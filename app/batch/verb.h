@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// One verb of `noctule --batch`: what it accepts, how it is explained and what it does. A new verb is one
+// file and one line in verbs.cpp.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/batch/arguments.h"
+#include "app/batch/console.h"
+#include "core/job/job.h"
+
+namespace noctule::batch {
+
+/// What a verb's work yields; printed as JSON or as text.
+struct Outcome {
+    nlohmann::json json;
+    std::string text;
+    std::optional<Error> failure;  ///< of several takes the first that failed; reported already
+};
+
+struct VerbContext {
+    const Arguments& arguments;
+    Console& console;
+    const CancelFlag& cancel;
+
+    JobContext job() const { return {&console, &cancel}; }
+};
+
+struct Verb {
+    std::string name, summary;
+    std::string operands;  ///< as in the usage line: "T.noctule..."
+    size_t min_operands = 0, max_operands = 0;
+    std::string example;
+    std::vector<Option> options;  ///< without the common ones
+    std::vector<std::string> remarks;
+    Result<Outcome> (*run)(const VerbContext&) = nullptr;  ///< null: comes with a later version
+};
+
+inline constexpr size_t kAnyNumber = 1'000'000;
+
+// app/batch/<name>.cpp each
+Verb simulateVerb();
+Verb processVerb();
+Verb evaluateVerb();
+Verb exportVerb();
+Verb inspectVerb();
+Verb attachVerb();
+
+/// {"exit_code", "message", "remedy"}
+nlohmann::json errorJson(const Error& error);
+
+/// All verbs, those of later versions too, in the order in which they are used.
+const std::vector<Verb>& verbs();
+
+}  // namespace noctule::batch

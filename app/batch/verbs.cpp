@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/batch/verb.h"
+
+namespace noctule::batch {
+namespace {
+
+Verb laterVerb(const std::string& name, const std::string& summary) {
+    Verb verb;
+    verb.name = name;
+    verb.summary = summary;
+    return verb;
+}
+
+}  // namespace
+
+nlohmann::json errorJson(const Error& error) {
+    return {
+        {"exit_code", static_cast<int>(error.kind)}, {"message", error.message}, {"remedy", error.remedy}};
+}
+
+const std::vector<Verb>& verbs() {
+    static const std::vector<Verb> all = {
+        simulateVerb(),
+        processVerb(),
+        evaluateVerb(),
+        exportVerb(),
+        inspectVerb(),
+        attachVerb(),
+        laterVerb("devices", "list the driver boxes that can be reached"),
+        laterVerb("record", "record a take from a driver box"),
+        laterVerb("recover", "save what a broken take still holds"),
+        laterVerb("calibrate", "find offsets, zeros and slopes from recordings"),
+        laterVerb("check", "compare a still pose with the calibration in force")};
+    return all;
+}
+
+}  // namespace noctule::batch

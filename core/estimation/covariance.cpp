@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/covariance.h"
+
+#include <Eigen/Cholesky>
+#include <utility>
+
+#include "core/math/covariance_kernels.h"
+
+namespace noctule {
+
+Eigen::MatrixXd& Covariance::dense() {
+    if (pending_.rows() > 0) {
+        subtractOuterProduct(P_, pending_);
+        pending_.resize(0, P_.cols());
+    }
+    return P_;
+}
+
+Eigen::MatrixXd Covariance::timesPending(const ObservationBlock& block) const {
+    Eigen::MatrixXd product = Eigen::MatrixXd::Zero(pending_.rows(), block.rows());
+    for (Eigen::Index k = 0; k < block.H.cols(); ++k) {
+        const auto column = pending_.col(block.columns[static_cast<size_t>(k)]);
+        for (Eigen::Index r = 0; r < block.rows(); ++r)
+            product.col(r) += block.H(r, k) * column;
+    }
+    return product.transpose();
+}
+
+Eigen::VectorXd Covariance::innovationVariance(const ObservationBlock& block) const {
+    Eigen::VectorXd variance = block.variance;
+    const Eigen::Index n = block.H.cols();
+    for (Eigen::Index j = 0; j < n; ++j) {
+        const auto column = P_.col(block.columns[static_cast<size_t>(j)]);
+        for (Eigen::Index i = 0; i <= j; ++i) {
+            const double p = column[block.columns[static_cast<size_t>(i)]] * (i == j ? 1 : 2);
+            variance += p * block.H.col(i).cwiseProduct(block.H.col(j));
+        }
+    }
+    if (pending_.rows() > 0)
+        variance -= timesPending(block).rowwise().squaredNorm();
+    return variance;
+}
+
+Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks) {
+    const Eigen::Index n = P_.rows();
+    Eigen::Index m = 0;
+    for (const ObservationBlock& block : blocks)
+        m += block.rows();
+    if (m == 0)
+        return Eigen::VectorXd::Zero(n);
+
+    Eigen::MatrixXd gain(n, m);  // P H^T
+    Eigen::MatrixXd seen(m, pending_.rows());
+    Eigen::VectorXd residual(m);
+    Eigen::Index row = 0;
+    for (const ObservationBlock& block : blocks) {
+        multiplySparse(P_, block.columns, block.H, gain, row);
+        if (pending_.rows() > 0)
+            seen.middleRows(row, block.rows()) = timesPending(block);
+        residual.segment(row, block.rows()) = block.residual;
+        row += block.rows();
+    }
+    Eigen::MatrixXd gain_by_row = gain.transpose();
+    if (pending_.rows() > 0)
+        gain_by_row.noalias() -= seen * pending_;
+
+    Eigen::MatrixXd S(m, m);  // H P H^T + R, built as its transpose: it is symmetric
+    row = 0;
+    for (const ObservationBlock& block : blocks) {
+        auto columns = S.middleCols(row, block.rows());
+        columns.setZero();
+        for (Eigen::Index k = 0; k < block.H.cols(); ++k) {
+            const auto source = gain_by_row.col(block.columns[static_cast<size_t>(k)]);
+            for (Eigen::Index r = 0; r < block.rows(); ++r)
+                columns.col(r) += block.H(r, k) * source;
+        }
+        columns.middleRows(row, block.rows()).diagonal() += block.variance;
+        row += block.rows();
+    }
+    const Eigen::LLT<Eigen::MatrixXd> factor(S);
+    if (factor.info() != Eigen::Success)
+        return Eigen::VectorXd::Zero(n);
+    factor.matrixL().solveInPlace(gain_by_row);  // X^T = L^-1 H P
+    factor.matrixL().solveInPlace(residual);
+
+    Eigen::MatrixXd all(pending_.rows() + m, n);
+    if (pending_.rows() > 0)
+        all.topRows(pending_.rows()) = pending_;
+    all.bottomRows(m) = gain_by_row;
+    pending_ = std::move(all);
+    return gain_by_row.transpose() * residual;
+}
+
+}  // namespace noctule

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The covariance of an error state and the Kalman observation step on it (Vlasic 2007, equations 7 to 9), for
+// many measurements with sparse Jacobians at one linearisation.
+//
+// An update subtracts X X^T from the matrix, which costs a pass over all of it. The subtraction is put off
+// and the next observation step of the same instant takes it into account; dense() carries out what is
+// pending in one pass. The result is that of the plain formula.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/estimation/observation.h"
+
+namespace noctule {
+
+class Covariance {
+public:
+    Covariance() = default;
+    /// Diagonal from variances.
+    explicit Covariance(const Eigen::VectorXd& variances) : P_(variances.asDiagonal()) {}
+
+    /// The matrix itself (n x n, symmetric, both triangles), up to date; may be changed.
+    Eigen::MatrixXd& dense();
+    const Eigen::MatrixXd& dense() const { return const_cast<Covariance*>(this)->dense(); }
+
+    /// Variance of the innovation of each row of a block: H P H^T + R on the diagonal.
+    Eigen::VectorXd innovationVariance(const ObservationBlock& block) const;
+
+    /// Observes; returns the error state's correction K * residual. Zero, and nothing changed, when nothing
+    /// is observed or the innovation's covariance is not positive definite.
+    Eigen::VectorXd update(const std::vector<ObservationBlock>& blocks);
+
+private:
+    /// H times the pending X, rows x pending.
+    Eigen::MatrixXd timesPending(const ObservationBlock& block) const;
+
+    Eigen::MatrixXd P_;
+    Eigen::MatrixXd pending_;  ///< X^T, m x n: true covariance = P_ - X X^T
+};
+
+}  // namespace noctule

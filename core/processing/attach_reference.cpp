@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/attach_reference.h"
+
+#include <cmath>
+
+#include "core/motion/time_offset.h"
+#include "core/processing/pose_runs.h"
+#include "core/processing/reference_motion.h"
+#include "core/recording/take_edit.h"
+
+namespace noctule {
+namespace {
+
+/// What good optical systems reach; a file does not say.
+constexpr double kUsualSigma_m = 0.0005, kUsualSigma_rad = 0.0017;
+constexpr double kUsualPointSigma_rad = 0.005;  ///< an orientation from points a hand's breadth apart
+
+Status checkFree(const Take& take, const AttachRequest& request) {
+    if (request.overwrite)
+        return Done{};
+    const bool reference = request.as == AttachAs::kReference;
+    size_t rows = 0;
+    if (reference) {
+        const auto stored = take.reference();
+        if (!stored)
+            return stored.error();
+        rows = stored->frames.size();
+    } else {
+        const auto stored = take.externalRoot();
+        if (!stored)
+            return stored.error();
+        rows = stored->size();
+    }
+    if (rows == 0)
+        return Done{};
+    return Error{ErrorKind::kUsage,
+                 take.path() + ": has " + (reference ? "a reference" : "an external root") + " already",
+                 "Use --overwrite to replace it"};
+}
+
+Result<TimeOffset> alignment(const Take& take, const AttachRequest& request, std::string& aligned_with) {
+    if (request.shift_s)
+        return TimeOffset{std::llround(*request.shift_s * 1e9), 0};
+    if (!request.motion)
+        return Error{ErrorKind::kUsage,
+                     request.source_name + ": positions cannot be aligned in time by themselves",
+                     "Give --align MILLISECONDS, the time of the file's start on the take's clock"};
+    const auto run = choosePoseRun(take, "");
+    if (!run)
+        return Error{run.error().kind, run.error().message + ", and the reference is aligned with one",
+                     run.error().remedy + ", or give --align MILLISECONDS"};
+    const auto estimate = take.poses(run->run);
+    if (!estimate)
+        return estimate.error();
+    const auto offset = findTimeOffset(*estimate, timedMotion(*request.motion));
+    if (!offset || !offset->trusted())
+        return Error{
+            ErrorKind::kUnusable,
+            request.source_name + ": its motion does not match run '" + run->name + "' of " + take.path() +
+                (offset ? " at any shift (best correlation " + std::to_string(offset->correlation) + ")"
+                        : ": no common joint moves for two seconds"),
+            "Check that it shows this take, or give --align MILLISECONDS"};
+    aligned_with = run->name;
+    return *offset;
+}
+
+/// The rigid fit of the joints that sit on the hips, frame by frame.
+class RootFromPoints {
+public:
+    static Result<RootFromPoints> create(const Actor& actor, const PositionTable& table,
+                                         const std::string& where) {
+        RootFromPoints fit;
+        const Skeleton& skeleton = actor.skeleton;
+        Eigen::AlignedBox3d box;
+        for (int j = 0; j < skeleton.size(); ++j) {
+            if (j > 0 && skeleton.joint(j).parent != 0)
+                continue;
+            const auto found = std::find(table.joints.begin(), table.joints.end(), skeleton.joint(j).name);
+            if (found == table.joints.end())
+                continue;
+            fit.columns_.push_back(static_cast<size_t>(found - table.joints.begin()));
+            fit.p_root_m_.push_back(j == 0 ? Vector3d::Zero() : skeleton.joint(j).offset_m);
+            box.extend(fit.p_root_m_.back());
+        }
+        if (fit.columns_.size() < 3)
+            return Error{ErrorKind::kUnusable,
+                         where + ": holds " + std::to_string(fit.columns_.size()) +
+                             " joints of the hips, three are needed to see how they are turned",
+                         "Give columns for Hips, Spine, LeftUpLeg and RightUpLeg, or a BVH file"};
+        return fit;
+    }
+
+    /// Nothing when the points lie on a line.
+    std::optional<Pose> root(const PositionTable& table, size_t row) const {
+        Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(columns_.size())), to(from);
+        for (size_t i = 0; i < columns_.size(); ++i) {
+            from.col(static_cast<Eigen::Index>(i)) = p_root_m_[i];
+            to.col(static_cast<Eigen::Index>(i)) = table.at(row, columns_[i]);
+        }
+        const Eigen::Matrix4d fitted = Eigen::umeyama(from, to, false);
+        const Eigen::Matrix3Xd centred = to.colwise() - to.rowwise().mean();
+        const Vector3d spread = centred.jacobiSvd().singularValues();
+        if (!fitted.allFinite() || spread[1] < 0.01)
+            return std::nullopt;
+        return Pose{fitted.topRightCorner<3, 1>(),
+                    {Quaterniond(Matrix3d(fitted.topLeftCorner<3, 3>())).normalized()}};
+    }
+
+private:
+    std::vector<size_t> columns_;
+    std::vector<Vector3d> p_root_m_;
+};
+
+/// On the file's clock.
+Result<TimedMotion> motionToAttach(const Take& take, const AttachRequest& request) {
+    if (request.motion)
+        return timedMotion(*request.motion);
+    const PositionTable& table = *request.positions;
+    const auto actor = take.actorInForce();
+    if (!actor)
+        return actor.error();
+    const auto fit = RootFromPoints::create(actor->value, table, request.source_name);
+    if (!fit)
+        return fit.error();
+    TimedMotion motion;
+    for (size_t row = 0; row < table.time_s.size(); ++row)
+        motion.frames.push_back({std::llround(table.time_s[row] * 1e9), fit->root(table, row), {}});
+    return motion;
+}
+
+Status writeRows(TakeEdit& edit, const AttachRequest& request, const TimedMotion& motion, int64_t shift_ns,
+                 int64_t end_ns, int64_t& rows) {
+    const double sigma_rad = request.motion ? kUsualSigma_rad : kUsualPointSigma_rad;
+    for (TimedPose frame : motion.frames) {
+        frame.time_ns += shift_ns;
+        if (frame.time_ns < 0 || frame.time_ns > end_ns)
+            continue;
+        Status added = Done{};
+        if (request.as == AttachAs::kReference)
+            added = edit.addReference(frame);
+        else if (frame.pose)
+            added = edit.addExternalRoot({frame.time_ns, frame.pose->p_world_root,
+                                          frame.pose->q_parent_joint[0], kUsualSigma_m, sigma_rad});
+        else
+            continue;
+        if (!added)
+            return added;
+        ++rows;
+    }
+    return Done{};
+}
+
+Status replaceRows(TakeEdit& edit, const AttachRequest& request) {
+    if (request.as == AttachAs::kExternalRoot)
+        return edit.removeExternalRoot();
+    if (Status removed = edit.removeReference(); !removed)
+        return removed;
+    if (Status set = edit.setMeta("reference_kind", "optical"); !set)
+        return set;
+    return edit.setMeta("reference_actor", toJson(actorOfClip(*request.motion)).dump());
+}
+
+}  // namespace
+
+Result<AttachSummary> attachReference(const AttachRequest& request, const JobContext& job) {
+    require(request.motion.has_value() != request.positions.has_value(),
+            "one of motion and positions is attached");
+    if (request.positions && request.as == AttachAs::kReference)
+        return Error{ErrorKind::kUnusable,
+                     request.source_name +
+                         ": positions do not say how the limbs are twisted, so angles cannot be "
+                         "compared with them",
+                     "Give the motion as BVH, or attach the positions with --as external-root"};
+    auto opened = Take::open(request.take_path, Access::kReadWrite);
+    if (!opened)
+        return opened.error();
+    Take& take = *opened;
+    if (Status free = checkFree(take, request); !free)
+        return free.error();
+    const auto rate = take.sampleRate_hz();
+    if (!rate)
+        return rate.error();
+    const auto samples = take.sampleCount();
+    if (!samples)
+        return samples.error();
+
+    AttachSummary summary;
+    job.progress(0, "Aligning");
+    const auto offset = alignment(take, request, summary.aligned_with);
+    if (!offset)
+        return offset.error();
+    const auto motion = motionToAttach(take, request);
+    if (!motion)
+        return motion.error();
+    summary.shift_s = static_cast<double>(offset->add_to_reference_ns) * 1e-9;
+    if (!request.shift_s)
+        summary.correlation = offset->correlation;
+
+    auto edit = TakeEdit::begin(take);
+    if (!edit)
+        return edit.error();
+    if (Status replaced = replaceRows(*edit, request); !replaced)
+        return replaced.error();
+    const int64_t end_ns = std::llround(static_cast<double>(*samples) * 1e9 / static_cast<double>(*rate));
+    if (Status written =
+            writeRows(*edit, request, *motion, offset->add_to_reference_ns, end_ns, summary.rows);
+        !written)
+        return written.error();
+    if (summary.rows == 0)
+        return Error{ErrorKind::kUnusable,
+                     request.source_name + ": none of it lies within the take of " +
+                         std::to_string(static_cast<double>(end_ns) * 1e-9) + " s",
+                     "Check --align"};
+    if (job.cancelled())
+        return JobContext::cancelledError();
+    if (Status committed = edit->commit(); !committed)
+        return committed.error();
+    return summary;
+}
+
+}  // namespace noctule

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/evaluate_take.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "core/processing/pose_runs.h"
+#include "core/processing/reference_motion.h"
+#include "core/processing/take_quality.h"
+#include "core/report/joint_support.h"
+
+namespace noctule {
+namespace {
+
+/// What all runs are compared with.
+struct Reference {
+    TimedMotion motion;
+    ComparisonOptions options;
+    bool there = false;
+};
+
+std::string metaText(const Take& take, const char* key) {
+    const auto found = take.meta().find(key);
+    return found == take.meta().end() ? "" : found->second;
+}
+
+std::string shortNumber(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+Result<ReportTake> describeTake(const Take& take) {
+    const TakeHeader& header = take.header();
+    ReportTake described;
+    described.name = header.name;
+    described.file = take.path();
+    described.uuid = header.uuid;
+    described.created_utc = header.created_utc;
+    described.performer = metaText(take, "performer");
+    described.actor_name = metaText(take, "actor_name");
+    described.software = header.software;
+    described.level = take.level() == TakeLevel::kReadings ? "readings" : "signal";
+    const auto rate = take.sampleRate_hz();
+    if (!rate)
+        return rate.error();
+    described.sample_rate_hz = static_cast<double>(*rate);
+    const auto samples = take.sampleCount();
+    if (!samples)
+        return samples.error();
+    described.duration_s = static_cast<double>(*samples) / described.sample_rate_hz;
+    const auto rest = take.restInterval();
+    if (!rest)
+        return rest.error();
+    if (*rest)
+        described.rest_s = static_cast<double>((*rest)->last) / described.sample_rate_hz;
+    const auto notes = take.notes();
+    if (!notes)
+        return notes.error();
+    for (const NoteRow& note : *notes)
+        described.notes.push_back(note.text);
+    return described;
+}
+
+Result<Reference> chooseReference(const Take& take, const EvaluateRequest& request, ReportData& data) {
+    Reference reference;
+    reference.options.from_ns = std::llround(data.take.rest_s * 1e9);
+    if (request.reference) {
+        reference.motion = timedMotion(*request.reference);
+        reference.options.align_time = true;
+        data.take.reference_kind = "file";
+        data.take.reference_name = request.reference_name;
+    } else {
+        auto stored = take.reference();
+        if (!stored)
+            return stored.error();
+        reference.motion = std::move(*stored);
+        if (!reference.motion.frames.empty()) {
+            const std::string kind = metaText(take, "reference_kind");
+            data.take.reference_kind = kind.empty() ? "unnamed" : kind;
+        }
+    }
+    reference.there = !reference.motion.frames.empty();
+    if (!reference.there)
+        data.warnings.push_back("There is no reference: how far the angles are off cannot be said.");
+    return reference;
+}
+
+std::string calibrationName(const Take& take, const DerivedRun& run) {
+    if (!run.calibration_id)
+        return "nominal";
+    std::string name = std::to_string(*run.calibration_id);
+    if (const auto calibration = take.calibration(*run.calibration_id); calibration.ok())
+        if (!calibration->created_utc.empty())
+            name += " of " + calibration->created_utc;
+    return name;
+}
+
+ReportRun describeRun(const Take& take, const DerivedRun& run, const RunSettings& settings) {
+    ReportRun described;
+    described.name = run.name;
+    described.sensors = settings.sensors;
+    described.estimator = settings.estimator.empty() ? "unknown" : settings.estimator;
+    described.smoother = settings.smoother;
+    described.root_given = settings.root_given;
+    described.created_utc = run.created_utc;
+    described.software = run.software;
+    described.calibration = calibrationName(take, run);
+    if (!settings.detector.empty())
+        described.settings.emplace_back("Detector", settings.detector);
+    if (settings.process_sigma_rad_per_s2)
+        described.settings.emplace_back("Process sigma",
+                                        shortNumber(*settings.process_sigma_rad_per_s2) + " rad/s²");
+    return described;
+}
+
+std::string soundText(const SoundModel& sound) {
+    std::string text = sound.kind == SoundModel::Kind::kCramer   ? "Cramer 1993"
+                       : sound.kind == SoundModel::Kind::kLinear ? "linear in temperature"
+                                                                 : shortNumber(sound.c_m_per_s) + " m/s";
+    return sound.scale == 1 ? text : text + " times " + shortNumber(sound.scale);
+}
+
+void describeProvenance(const Take& take, const Calibration& calibration, const DerivedRun& run,
+                        ReportData& data) {
+    data.provenance.emplace_back("Calibration",
+                                 NamedValues{{"In the take", calibrationName(take, run)},
+                                             {"Speed of sound", soundText(calibration.sound)},
+                                             {"Boards", std::to_string(calibration.boards.size())},
+                                             {"Sources", std::to_string(calibration.sources.size())}});
+    NamedValues simulated;
+    for (const auto& [key, words] : {std::pair("x_scenario", "Scenario"), std::pair("x_seed", "Seed")})
+        if (const std::string value = metaText(take, key); !value.empty())
+            simulated.emplace_back(words, value);
+    if (!simulated.empty())
+        data.provenance.emplace_back("Simulation", simulated);
+}
+
+/// What the run was made with; a take that lost it is still judged as far as possible.
+struct RunParts {
+    Suit suit;
+    Calibration calibration;
+    Actor actor;
+};
+
+Result<RunParts> partsOf(const Take& take, const DerivedRun& run) {
+    RunParts parts;
+    auto suit = take.suit();
+    if (!suit)
+        return suit.error();
+    parts.suit = std::move(*suit);
+    auto calibration = run.calibration_id ? take.calibration(*run.calibration_id)
+                                          : Result<Calibration>(nominalCalibration(parts.suit));
+    parts.calibration = calibration ? std::move(*calibration) : nominalCalibration(parts.suit);
+    if (run.actor_id) {
+        auto actor = take.actor(*run.actor_id);
+        if (!actor)
+            return actor.error();
+        parts.actor = std::move(*actor);
+    } else if (auto in_force = take.actorInForce(); in_force) {
+        parts.actor = std::move(in_force->value);
+    } else {
+        parts.actor = defaultActor();
+    }
+    return parts;
+}
+
+/// Boards, pulses and what each joint rested on, for the shown run.
+Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& settings,
+                  const TimedMotion& motion, ReportData& data, const JobContext& job) {
+    const auto parts = partsOf(take, run);
+    if (!parts)
+        return parts.error();
+    describeProvenance(take, parts->calibration, run, data);
+    for (const Source& source : parts->suit.sources)
+        data.sources.push_back({source.id, source.segment});
+    if (settings.inertial_run) {
+        auto boards = boardQuality(take, parts->suit, *settings.inertial_run);
+        if (!boards)
+            return boards.error();
+        data.boards = std::move(*boards);
+    }
+    job.progress(0.5, "Counting pulses");
+    LineOfSight sight(parts->suit, parts->calibration, parts->actor);
+    auto pairs = pairQuality(take, parts->suit, settings.range_run, &motion, &sight, job);
+    if (!pairs)
+        return pairs.error();
+    data.pairs = std::move(*pairs);
+    if (data.boards.empty())
+        return Done{};
+    std::vector<double> board_share;
+    for (const ReportBoard& board : data.boards)
+        board_share.push_back(board.frames_expected == 0
+                                  ? 0
+                                  : 1 - static_cast<double>(board.frames_lost) /
+                                            static_cast<double>(board.frames_expected));
+    data.support =
+        jointSupport(parts->actor.skeleton, parts->suit, data.pairs, board_share, data.take.duration_s);
+    return Done{};
+}
+
+Status addRun(const Take& take, const DerivedRun& run, const RunSettings& settings, const TimedMotion& motion,
+              const Reference& reference, ReportData& data) {
+    ReportRun described = describeRun(take, run, settings);
+    if (reference.there) {
+        auto comparison = compareMotions(motion, reference.motion, reference.options);
+        if (!comparison)
+            return comparison.error();
+        described.comparison = std::move(*comparison);
+    }
+    data.runs.push_back(std::move(described));
+    return Done{};
+}
+
+}  // namespace
+
+Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext& job) {
+    auto opened = Take::open(request.take_path);
+    if (!opened)
+        return opened.error();
+    const Take& take = *opened;
+    const auto shown = choosePoseRun(take, request.run);
+    if (!shown)
+        return shown.error();
+    const auto all_runs = take.derivedRuns();
+    if (!all_runs)
+        return all_runs.error();
+
+    ReportData data;
+    auto described = describeTake(take);
+    if (!described)
+        return described.error();
+    data.take = std::move(*described);
+    auto reference = chooseReference(take, request, data);
+    if (!reference)
+        return reference.error();
+
+    std::vector<DerivedRun> runs = request.all_runs ? poseRuns(*all_runs) : std::vector<DerivedRun>{*shown};
+    for (size_t i = 0; i < runs.size(); ++i) {
+        if (job.cancelled())
+            return JobContext::cancelledError();
+        job.progress(0.5 * static_cast<double>(i) / static_cast<double>(runs.size()), "Comparing runs");
+        const auto motion = take.poses(runs[i].run);
+        if (!motion)
+            return motion.error();
+        const RunSettings settings = runSettings(runs[i], *all_runs, take.level());
+        if (Status added = addRun(take, runs[i], settings, *motion, *reference, data); !added)
+            return added.error();
+        data.runs.back().is_shown = runs[i].run == shown->run;
+        if (data.runs.back().is_shown)
+            if (Status added = addQuality(take, runs[i], settings, *motion, data, job); !added)
+                return added.error();
+    }
+    for (const SkippedRows& skipped : take.skippedRows())
+        data.warnings.push_back(std::to_string(skipped.count) + " rows of " + skipped.table +
+                                " could not be used, first " + skipped.first + ".");
+    return data;
+}
+
+}  // namespace noctule

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/pose_runs.h"
+
+#include <algorithm>
+
+#include "core/math/json.h"
+
+namespace noctule {
+namespace {
+
+std::optional<int64_t> runNumber(const json::Json& settings, const char* member) {
+    const auto found = settings.is_object() ? settings.find(member) : settings.end();
+    return found == settings.end() || !found->is_number_integer() ? std::nullopt
+                                                                  : std::optional(found->get<int64_t>());
+}
+
+/// The last run of a kind made before the pose run; of readings takes the primary rows.
+std::optional<int64_t> likelyRun(const char* kind, const DerivedRun& pose_run,
+                                 const std::vector<DerivedRun>& runs, TakeLevel level) {
+    std::optional<int64_t> likely;
+    if (level == TakeLevel::kReadings)
+        likely = kPrimaryRun;
+    for (const DerivedRun& run : runs)
+        if (run.kind == kind && (!likely || run.run < pose_run.run))
+            likely = run.run;
+    return likely;
+}
+
+}  // namespace
+
+RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun>& runs, TakeLevel level) {
+    const json::Json read = json::Json::parse(pose_run.settings_json, nullptr, false);
+    RunSettings settings;
+    settings.sensors = json::text(read, "sensors").value_or(settings.sensors);
+    settings.estimator = json::text(read, "estimator").value_or("");
+    settings.smoother = json::text(read, "smooth").value_or(settings.smoother);
+    settings.detector = json::text(read, "detector").value_or("");
+    settings.root_given = json::text(read, "root") == "given";
+    settings.process_sigma_rad_per_s2 = json::number(read, "process_sigma_rad_per_s2");
+    settings.inertial_run = runNumber(read, "inertial_run");
+    if (!settings.inertial_run)
+        settings.inertial_run = likelyRun("inertial", pose_run, runs, level);
+    settings.range_run = runNumber(read, "range_run");
+    if (!settings.range_run)
+        settings.range_run = likelyRun("range", pose_run, runs, level);
+    return settings;
+}
+
+std::vector<DerivedRun> poseRuns(const std::vector<DerivedRun>& runs) {
+    std::vector<DerivedRun> poses;
+    std::copy_if(runs.begin(), runs.end(), std::back_inserter(poses),
+                 [](const DerivedRun& run) { return run.kind == "pose"; });
+    return poses;
+}
+
+Result<DerivedRun> choosePoseRun(const Take& take, const std::string& name) {
+    const auto runs = take.derivedRuns();
+    if (!runs)
+        return runs.error();
+    const std::vector<DerivedRun> poses = poseRuns(*runs);
+    if (poses.empty())
+        return Error{ErrorKind::kUnusable, take.path() + ": has not been processed, there is no pose run",
+                     "Run `noctule --batch process " + take.path() + "` first"};
+    const auto found = std::find_if(poses.rbegin(), poses.rend(),
+                                    [&](const DerivedRun& run) { return name.empty() || run.name == name; });
+    if (found != poses.rend())
+        return *found;
+    std::string names;
+    for (const DerivedRun& run : poses)
+        names += (names.empty() ? "'" : ", '") + run.name + "'";
+    return Error{ErrorKind::kUnusable, take.path() + ": has no run '" + name + "'", "Its runs are " + names};
+}
+
+}  // namespace noctule

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The pose runs of a take, found by name, and what their settings say about how they were made. Takes of
+// other programs may say less; what they leave out is guessed from the runs that stand in the take.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/recording/take.h"
+
+namespace noctule {
+
+struct RunSettings {
+    std::string sensors = "AGD";  ///< subset, in this order
+    std::string estimator, smoother = "none", detector;
+    bool root_given = false;
+    std::optional<int64_t> inertial_run, range_run;  ///< what it was made from; kPrimaryRun: primary rows
+    std::optional<double> process_sigma_rad_per_s2;  ///< estimator "paper"
+};
+
+/// `runs` are all of the take, in its order.
+RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun>& runs, TakeLevel level);
+
+/// In the order in which they were made.
+std::vector<DerivedRun> poseRuns(const std::vector<DerivedRun>& runs);
+
+/// The pose run of that name, the last of several; empty: the last one. kUnusable names what there is.
+Result<DerivedRun> choosePoseRun(const Take& take, const std::string& name);
+
+}  // namespace noctule

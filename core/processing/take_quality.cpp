@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/take_quality.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "core/inertial/frame_layout.h"
+
+namespace noctule {
+namespace {
+
+/// An axis is first known after its first refresh: no reading is owed before each had one.
+constexpr int64_t kJoiningFrames = kCounterPeriod;
+
+void count(const InertialReading& reading, ReportBoard& board) {
+    board.frames_lost += reading.corrected_bits ? 0 : 1;
+    board.corrected_bits += reading.corrected_bits.value_or(0);
+    if (reading.frame < kJoiningFrames)
+        return;
+    for (size_t i = 0; i < reading.counts.size(); ++i)
+        if (const std::optional<double>& counts = reading.counts[i]) {
+            ++board.readings_present;
+            const bool clipped = *counts <= kCountsMin || *counts >= kCountsMax;
+            (i < 3 ? board.clipped_gyro : board.clipped_accel) += clipped;
+        }
+}
+
+PulseFate fateOf(RangeFate fate) {
+    switch (fate) {
+        case RangeFate::kUsed:
+        case RangeFate::kWeighted:
+            return PulseFate::kUsed;
+        case RangeFate::kGated:
+            return PulseFate::kRejected;
+        case RangeFate::kNotTried:
+        case RangeFate::kBehindSource:
+        case RangeFate::kNoConfidence:
+            break;
+    }
+    return PulseFate::kUnused;
+}
+
+/// All pulses of a take at all boards, one after the other.
+class PulseGrid {
+public:
+    PulseGrid(std::vector<Pulse> pulses, const Suit& suit, double sample_rate_hz)
+        : pulses_(std::move(pulses)), suit_(suit), at_boards_(pulses_.size() * suit.boards.size()) {
+        for (size_t p = 0; p < pulses_.size(); ++p) {
+            place_[pulses_[p].id] = p;
+            for (size_t b = 0; b < suit.boards.size(); ++b)
+                at(p, b).time_s = static_cast<float>(static_cast<double>(pulses_[p].sample) / sample_rate_hz);
+        }
+    }
+
+    void add(const RangeMeasurement& range) {
+        const auto place = place_.find(range.pulse);
+        if (place == place_.end())
+            return;
+        PulseAtBoard& pulse = at(place->second, static_cast<size_t>(range.board));
+        pulse.fate = fateOf(range.fate);
+        pulse.confidence = static_cast<float>(range.confidence());
+        pulse.distance_m = static_cast<float>(range.distance_m);
+        if (pulse.fate == PulseFate::kUsed || pulse.fate == PulseFate::kRejected)
+            pulse.residual_m = static_cast<float>(range.innovation_m);
+    }
+
+    Status explain(const TimedMotion& motion, LineOfSight& sight, double sample_rate_hz,
+                   const JobContext& job) {
+        PoseSampler poses(motion, bridgeableGap_ns(motion));
+        for (size_t p = 0; p < pulses_.size(); ++p) {
+            if (p % 256 == 0 && job.cancelled())
+                return JobContext::cancelledError();
+            const auto pose =
+                poses.at(std::llround(static_cast<double>(pulses_[p].sample) * 1e9 / sample_rate_hz));
+            if (!pose)
+                continue;
+            sight.setPose(*pose);
+            for (size_t b = 0; b < suit_.boards.size(); ++b)
+                if (at(p, b).fate == PulseFate::kMissing &&
+                    sight.isBlocked(pulses_[p].source, static_cast<int>(b)))
+                    at(p, b).fate = PulseFate::kOccluded;
+        }
+        return Done{};
+    }
+
+    std::vector<ReportPair> pairs() {
+        const size_t boards = suit_.boards.size();
+        std::vector<ReportPair> pairs;
+        for (size_t s = 0; s < suit_.sources.size(); ++s)
+            for (size_t b = 0; b < boards; ++b)
+                pairs.push_back({static_cast<int>(s), static_cast<int>(b), {}});
+        for (size_t p = 0; p < pulses_.size(); ++p)
+            for (size_t b = 0; b < boards; ++b)
+                pairs[static_cast<size_t>(pulses_[p].source) * boards + b].pulses.push_back(at(p, b));
+        return pairs;
+    }
+
+private:
+    PulseAtBoard& at(size_t pulse, size_t board) { return at_boards_[pulse * suit_.boards.size() + board]; }
+
+    std::vector<Pulse> pulses_;
+    const Suit& suit_;
+    std::vector<PulseAtBoard> at_boards_;
+    std::unordered_map<int64_t, size_t> place_;
+};
+
+/// A pulse whose interval the recording does not hold to its end cannot be heard.
+Result<std::vector<Pulse>> wholePulses(const Take& take) {
+    auto pulses = take.pulses();
+    if (!pulses)
+        return pulses.error();
+    const auto end = take.sampleCount();
+    if (!end)
+        return end.error();
+    if (*end > 0)
+        std::erase_if(*pulses, [&](const Pulse& pulse) {
+            return pulse.sample + take.header().pulse_interval_samples > *end;
+        });
+    return pulses;
+}
+
+}  // namespace
+
+Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit, int64_t inertial_run) {
+    std::vector<ReportBoard> boards;
+    for (const Board& board : suit.boards)
+        boards.push_back({board.id, board.segment});
+    auto readings = take.readings(inertial_run);
+    if (!readings)
+        return readings.error();
+    int64_t frames = 0;
+    std::vector<int64_t> rows(boards.size());
+    while (true) {
+        const auto reading = readings->next();
+        if (!reading)
+            return reading.error();
+        if (!*reading)
+            break;
+        const auto board = static_cast<size_t>((*reading)->board);
+        frames = std::max({frames, (*reading)->frame + 1, ++rows[board]});
+        count(**reading, boards[board]);
+    }
+    for (size_t b = 0; b < boards.size(); ++b) {
+        boards[b].frames_expected = frames;
+        boards[b].frames_lost += frames - rows[b];
+        boards[b].readings_expected = 6 * std::max<int64_t>(0, frames - kJoiningFrames);
+    }
+    return boards;
+}
+
+Result<std::vector<ReportPair>> pairQuality(const Take& take, const Suit& suit,
+                                            std::optional<int64_t> range_run, const TimedMotion* motion,
+                                            LineOfSight* sight, const JobContext& job) {
+    auto pulses = wholePulses(take);
+    if (!pulses)
+        return pulses.error();
+    const auto rate = take.sampleRate_hz();
+    if (!rate)
+        return rate.error();
+    PulseGrid grid(std::move(*pulses), suit, static_cast<double>(*rate));
+    if (range_run) {
+        auto ranges = take.ranges(*range_run);
+        if (!ranges)
+            return ranges.error();
+        while (true) {
+            const auto range = ranges->next();
+            if (!range)
+                return range.error();
+            if (!*range)
+                break;
+            grid.add(**range);
+        }
+    }
+    if (motion && sight)
+        if (Status done = grid.explain(*motion, *sight, static_cast<double>(*rate), job); !done)
+            return done.error();
+    return grid.pairs();
+}
+
+}  // namespace noctule

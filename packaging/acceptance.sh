@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The full figures, by name: packaging/acceptance.sh table1 drift benchmarks speed sanitizers long-fuzz (or all)
+# They go into out/acceptance/YYYY-MM-DD.md, which the numbers of README.md are taken from (--readme copies them).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+packaging/dependencies.sh
+python3 -B packaging/acceptance --check "$@"
+cmake --preset release >/dev/null
+cmake --build --preset release --parallel "$(nproc)"
+exec python3 -B packaging/acceptance "$@"

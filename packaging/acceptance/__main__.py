@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs figures by name and keeps them in one dated Markdown file. A new figure is a new module and a line here."""
+import argparse
+import datetime
+import os
+import re
+import subprocess
+import sys
+import time
+
+import benchmarks
+import drift
+import long_fuzz
+import sanitizers
+import speed
+import studio
+import table1
+
+FIGURES = {
+    "table1": ("Table 1: combinations of sensors, both estimators", table1.figure),
+    "drift": ("Drift over five minutes", drift.figure),
+    "benchmarks": ("Benchmarks", benchmarks.figure),
+    "speed": ("Speed on one core", speed.figure),
+    "sanitizers": ("Unit tests under sanitizers", sanitizers.figure),
+    "long-fuzz": ("Damaged inputs", long_fuzz.figure),
+}
+
+
+def parse_options():
+    parser = argparse.ArgumentParser(prog="packaging/acceptance.sh", description="The full figures, by name.")
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"{', '.join(FIGURES)} or all")
+    parser.add_argument("--paper-sigma", type=float, metavar="X",
+                        help="the paper estimator's second process sigma; default: the best of "
+                             f"{', '.join(map(str, table1.SIGMAS_TO_TRY))}")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="programs at a time")
+    parser.add_argument("--fuzz-inputs", type=int, default=20000, metavar="N")
+    parser.add_argument("--fuzz-seed", type=int, default=1, metavar="N")
+    parser.add_argument("--readme", action="store_true", help="copy the figures into README.md")
+    parser.add_argument("--check", action="store_true", help="only look at the arguments")
+    options = parser.parse_args()
+    names = list(FIGURES) if "all" in options.names else options.names
+    unknown = sorted(set(names) - set(FIGURES))
+    if unknown or not (names or options.readme):
+        parser.error(f"no figure named {', '.join(unknown)}" if unknown else "name a figure, or all")
+    options.names = names
+    return options
+
+
+def state_of_the_sources():
+    def git(*arguments):
+        return subprocess.run(["git", "-C", studio.ROOT, *arguments], capture_output=True, text=True).stdout.strip()
+
+    changed = " with uncommitted changes" if git("status", "--porcelain", "--untracked-files=no") else ""
+    return (git("rev-parse", "--short=12", "HEAD") or "unknown") + changed
+
+
+def put_section(text, name, body):
+    """Replaces or appends what stands between the two comments that carry the figure's name."""
+    section = f"<!-- begin {name} -->\n{body.rstrip()}\n<!-- end {name} -->\n"
+    pattern = re.compile(rf"<!-- begin {name} -->\n.*?<!-- end {name} -->\n", re.DOTALL)
+    return pattern.sub(lambda _: section, text) if pattern.search(text) else text + "\n" + section
+
+
+def section_of(text, name):
+    found = re.search(rf"<!-- begin {name} -->\n(.*?)<!-- end {name} -->\n", text, re.DOTALL)
+    return found and found.group(1)
+
+
+def write_aside(path, text):
+    aside = path.with_name(path.name + ".new")
+    aside.write_text(text)
+    aside.replace(path)
+
+
+def run_figure(name, options):
+    title, figure = FIGURES[name]
+    print(f"== {name}", file=sys.stderr)
+    begin = time.monotonic()
+    body = figure(options)
+    note = f"Sources {state_of_the_sources()}, {os.cpu_count()} cores, {time.monotonic() - begin:.0f} s: "
+    return f"## {title}\n\n{body.rstrip()}\n\n{note}`packaging/acceptance.sh {name}`\n"
+
+
+def copy_into_readme(results):
+    """Only figures that README.md has a place for."""
+    readme = studio.ROOT / "README.md"
+    text = readme.read_text()
+    for name in FIGURES:
+        body = section_of(results, name)
+        if body and section_of(text, name) is not None:
+            text = put_section(text, name, re.sub(r"^##", "###", body, flags=re.MULTILINE))
+    write_aside(readme, text)
+
+
+def main():
+    options = parse_options()
+    if options.check:
+        return 0
+    today = datetime.date.today().isoformat()
+    studio.OUT.mkdir(parents=True, exist_ok=True)
+    path = studio.OUT / f"{today}.md"
+    results = path.read_text() if path.exists() else f"# Figures of {today}\n"
+    failed = []
+    for name in options.names:
+        try:
+            results = put_section(results, name, run_figure(name, options))
+            write_aside(path, results)
+        except (RuntimeError, OSError, KeyError) as error:
+            failed.append(name)
+            print(f"{name} failed: {error}", file=sys.stderr)
+    if options.readme:
+        copy_into_readme(results)
+    print(f"figures in {path}" + (f"; failed: {', '.join(failed)}" if failed else ""))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+// The main job from file to file: what it writes, what it refuses, and how far its poses are from the truth.
+#include "core/processing/process_take.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/formats/bvh.h"
+#include "core/motion/comparison.h"
+#include "core/simulation/simulate.h"
+#include "core/suit/default_suit.h"
+#include "tests/core/recording/take_files.h"
+
+namespace noctule {
+namespace {
+
+using test::Folder;
+
+ProcessRequest requestFor(const std::string& path) {
+    ProcessRequest request;
+    request.take_path = path;
+    request.tracker.root_given = true;
+    request.software = "test";
+    request.created_utc = "2026-01-01T00:00:00Z";
+    return request;
+}
+
+/// Of a run's poses against the take's reference, after its rest pose.
+Comparison compareRun(const std::string& path, int64_t pose_run) {
+    const Take take = Take::open(path).value();
+    const auto rest = take.restInterval().value();
+    ComparisonOptions options;
+    if (rest)
+        options.from_ns = rest->last * 1'000'000'000 / take.header().sample_rate_hz;
+    return compareMotions(take.poses(pose_run).value(), take.reference().value(), options).value();
+}
+
+struct SegmentError {
+    double mean_deg = 0, max_deg = 0;
+};
+
+/// Of a segment's orientation in the world. With boards on two segments alone nothing says how a turn spreads
+/// over the joints between them, so single joints cannot be asked for.
+SegmentError segmentError(const TimedMotion& poses, const TimedMotion& reference,
+                          const std::string& segment) {
+    PoseSampler truth(reference, bridgeableGap_ns(reference));
+    SegmentError error;
+    int compared = 0;
+    for (const TimedPose& timed : poses.frames) {
+        const auto true_pose = truth.at(timed.time_ns);
+        if (!true_pose || timed.time_ns < 500'000'000)
+            continue;
+        const auto orientation = [&](const Skeleton& skeleton, const Pose& pose) {
+            return globalPose(skeleton, pose).q_world_joint[static_cast<size_t>(skeleton.find(segment))];
+        };
+        const double angle_deg = degrees(orientation(poses.skeleton, *timed.pose)
+                                             .angularDistance(orientation(reference.skeleton, *true_pose)));
+        error.mean_deg += angle_deg;
+        error.max_deg = std::max(error.max_deg, angle_deg);
+        ++compared;
+    }
+    EXPECT_GT(compared, 200);
+    error.mean_deg /= compared;
+    return error;
+}
+
+TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {
+    const Folder folder;
+    const std::string path = folder.tinyTake();
+    for (const EstimatorKind estimator : {EstimatorKind::kManifold, EstimatorKind::kPaper}) {
+        SCOPED_TRACE(estimatorName(estimator));
+        ProcessRequest request = requestFor(path);
+        request.tracker.estimator = estimator;
+        const auto summary = processTake(request, {});
+        ASSERT_TRUE(summary) << summary.error().text();
+        EXPECT_NEAR(summary->duration_s, 302500 / 150000.0, 1e-9);
+        EXPECT_EQ(summary->frames_lost, 0);
+        EXPECT_GT(summary->ranges_used, 60);
+
+        const Take take = Take::open(path).value();
+        const TimedMotion poses = take.poses(summary->pose_run).value();
+        ASSERT_EQ(std::ssize(poses.frames), summary->poses);
+        EXPECT_GE(summary->poses, 280);
+        EXPECT_EQ(poses.frames.front().time_ns, 0);
+        for (size_t i = 0; i < poses.frames.size(); ++i) {
+            EXPECT_NEAR(static_cast<double>(poses.frames[i].time_ns), static_cast<double>(i) * 1e9 / 140, 1);
+            EXPECT_TRUE(poses.frames[i].pose && isUsable(*poses.frames[i].pose));
+        }
+        // Measured means: manifold 0.15, 0.6 and 1.0 degrees, paper 0.1, 2.3 and 1.9.
+        const bool paper = estimator == EstimatorKind::kPaper;
+        const TimedMotion reference = take.reference().value();
+        EXPECT_LT(segmentError(poses, reference, "Hips").mean_deg, 0.5);
+        EXPECT_LT(segmentError(poses, reference, "Chest").mean_deg, paper ? 4 : 1.5);
+        EXPECT_LT(segmentError(poses, reference, "LeftHand").mean_deg, paper ? 4 : 2);
+        EXPECT_LT(segmentError(poses, reference, "LeftHand").max_deg, 8);
+    }
+}
+
+TEST(ProcessTinyTake, WritesItsRunsWithTheirSettings) {
+    const Folder folder;
+    const std::string path = folder.tinyTake();
+    const auto first = processTake(requestFor(path), {});
+    const auto second = processTake(requestFor(path), {});
+    ASSERT_TRUE(first && second);
+    EXPECT_EQ(first->run_name, "AGD");
+    EXPECT_EQ(second->run_name, "AGD 2");
+    EXPECT_EQ(second->inertial_run, first->inertial_run) << "readings do not depend on the estimator";
+    EXPECT_NE(second->pose_run, first->pose_run);
+    EXPECT_NE(second->range_run, first->range_run);
+
+    const Take take = Take::open(path).value();
+    const auto runs = take.derivedRuns().value();
+    ASSERT_EQ(runs.size(), 5u);
+    EXPECT_EQ(std::ranges::count(runs, std::string("inertial"), &DerivedRun::kind), 1);
+    for (const auto& summary : {*first, *second}) {
+        const auto run = std::ranges::find(runs, summary.pose_run, &DerivedRun::run);
+        ASSERT_NE(run, runs.end());
+        EXPECT_EQ(run->kind, "pose");
+        EXPECT_EQ(run->name, summary.run_name);
+        EXPECT_EQ(run->software, "test");
+        EXPECT_EQ(run->created_utc, "2026-01-01T00:00:00Z");
+        EXPECT_EQ(run->calibration_id, 1);
+        EXPECT_EQ(run->actor_id, 1);
+        const auto settings = nlohmann::json::parse(run->settings_json);
+        EXPECT_EQ(settings["sensors"], "AGD");
+        EXPECT_EQ(settings["root"], "given");
+        EXPECT_EQ(settings["estimator"], "manifold");
+        EXPECT_EQ(settings["detector"], "inflection");
+        EXPECT_EQ(settings["inertial_run"], summary.inertial_run);
+        EXPECT_EQ(settings["range_run"], summary.range_run);
+        EXPECT_NEAR(settings["rest_end_s"].get<double>(), 74999 / 150000.0, 1e-9);
+        auto ranges = take.ranges(summary.range_run).value();
+        EXPECT_EQ(std::ssize(test::collect(ranges)), summary.ranges);
+    }
+    auto readings = take.readings(first->inertial_run).value();
+    EXPECT_EQ(std::ssize(test::collect(readings)), first->frames_seen);
+    EXPECT_TRUE(take.skippedRows().empty());
+}
+
+TEST(ProcessTinyTake, RepeatsItselfToTheLastBit) {
+    const Folder folder;
+    const std::string path = folder.tinyTake();
+    const auto first = processTake(requestFor(path), {});
+    const auto second = processTake(requestFor(path), {});
+    ASSERT_TRUE(first && second);
+    const Take take = Take::open(path).value();
+    const TimedMotion a = take.poses(first->pose_run).value(), b = take.poses(second->pose_run).value();
+    ASSERT_EQ(a.frames.size(), b.frames.size());
+    for (size_t i = 0; i < a.frames.size(); ++i) {
+        EXPECT_EQ(a.frames[i].sigma_rad, b.frames[i].sigma_rad);
+        for (size_t j = 0; j < a.frames[i].pose->q_parent_joint.size(); ++j)
+            EXPECT_EQ(a.frames[i].pose->q_parent_joint[j].coeffs(),
+                      b.frames[i].pose->q_parent_joint[j].coeffs());
+    }
+}
+
+/// Cancels when the work is half done, as a user would.
+class CancelHalfWay : public ProgressSink {
+public:
+    void progress(double fraction, const std::string&) override {
+        if (fraction > 0.5)
+            flag.cancel();
+    }
+    CancelFlag flag;
+};
+
+TEST(ProcessTinyTake, CancelledItLeavesTheFileAsItWas) {
+    const Folder folder;
+    const std::string path = folder.tinyTake();
+    const std::string before = test::readBytes(path);
+    CancelHalfWay user;
+    const auto cancelled = processTake(requestFor(path), {&user, &user.flag});
+    ASSERT_FALSE(cancelled);
+    EXPECT_EQ(cancelled.error().kind, ErrorKind::kCancelled);
+    EXPECT_TRUE(test::readBytes(path) == before);
+    EXPECT_EQ(folder.fileCount(), 1u);
+}
+
+TEST(ProcessTinyTake, RefusesACalibrationOfAnotherSuit) {
+    const Folder folder;
+    const std::string path = folder.tinyTake();
+    const std::string before = test::readBytes(path);
+    ProcessRequest request = requestFor(path);
+    request.calibration = nominalCalibration(defaultSuit());
+    for (BoardCalibration& board : request.calibration->boards)
+        board.id += " of another suit";
+    const auto refused = processTake(request, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::kUnusable);
+    for (const char* expected : {"tiny.noctule", "chest", "l_hand"})
+        EXPECT_NE(refused.error().message.find(expected), std::string::npos) << refused.error().text();
+    EXPECT_FALSE(refused.error().remedy.empty());
+    EXPECT_TRUE(test::readBytes(path) == before);
+}
+
+TEST(ProcessTinyTake, RefusesAGivenRootThatTheTakeDoesNotHave) {
+    const Folder folder;
+    const std::string path = folder.tinyTake();
+    test::runSql(path, "DELETE FROM external_root");
+    const auto refused = processTake(requestFor(path), {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::kUnusable);
+    EXPECT_NE(refused.error().message.find("external_root"), std::string::npos) << refused.error().text();
+    ProcessRequest free_root = requestFor(path);
+    free_root.tracker.root_given = false;
+    EXPECT_TRUE(processTake(free_root, {}));
+}
+
+constexpr const char* kMotion = "/usr/share/assimp/models/BVH/01_01.bvh";
+
+void simulate(const std::string& path, simulation::Level level, double duration_s) {
+    simulation::StageRequest stage;
+    stage.clip = toClip(readBvh(kMotion).value()).value();
+    stage.suit = defaultSuit();
+    stage.scenario = simulation::Scenario::nominal();
+    stage.duration_s = duration_s;
+    simulation::TakeRequest take;
+    take.out_path = path;
+    take.level = level;
+    take.name = "simulated";
+    take.created_utc = "2026-01-01T00:00:00Z";
+    take.software = "test";
+    const auto prepared = simulation::prepareStage(stage);
+    ASSERT_TRUE(prepared) << prepared.error().text();
+    const auto written = simulation::writeTake(*prepared, take, {});
+    ASSERT_TRUE(written) << written.error().text();
+}
+
+double meanError_deg(const std::string& path, const SensorSelection& sensors) {
+    ProcessRequest request = requestFor(path);
+    request.tracker.sensors = sensors;
+    const auto summary = processTake(request, {});
+    EXPECT_TRUE(summary) << summary.error().text();
+    const double mean_deg = compareRun(path, summary->pose_run).mean_deg;
+    std::printf("%s: %.3f degrees, %lld ranges of %lld used, %lld gated, %d resets\n",
+                summary->run_name.c_str(), mean_deg, static_cast<long long>(summary->ranges_used),
+                static_cast<long long>(summary->ranges), static_cast<long long>(summary->ranges_gated),
+                summary->resets);
+    return mean_deg;
+}
+
+TEST(ProcessSimulation, ReadingsGiveTheTruthAndNoSensorHurts) {
+    if (!std::filesystem::exists(kMotion))
+        GTEST_SKIP() << "no " << kMotion << " (package assimp-testmodels)";
+    const Folder folder;
+    const std::string path = folder.file("readings.noctule");
+    simulate(path, simulation::Level::kReadings, 8);
+    const double all_deg = meanError_deg(path, {true, true, true});
+    const double gyro_distance_deg = meanError_deg(path, {false, true, true});
+    EXPECT_LT(all_deg, 0.5);
+    EXPECT_LT(gyro_distance_deg, 0.5);
+    EXPECT_LE(all_deg, gyro_distance_deg + 0.1);
+}
+
+TEST(ProcessSimulation, SoundGivesTheTruth) {
+    if (!std::filesystem::exists(kMotion))
+        GTEST_SKIP() << "no " << kMotion << " (package assimp-testmodels)";
+    const Folder folder;
+    const std::string path = folder.file("signal.noctule");
+    simulate(path, simulation::Level::kSignal, 6);
+    EXPECT_LT(meanError_deg(path, {true, true, true}), 1.0);
+}
+
+}  // namespace
+}  // namespace noctule
