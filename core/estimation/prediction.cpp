@@ -55,20 +55,33 @@ void addProcessNoise(Eigen::MatrixXd& P, Eigen::Index n, double dt, const Eigen:
     }
 }
 
-/// P := P F^T, the same by whole columns.
-void transitionRows(Eigen::MatrixXd& P, Eigen::Index n, double dt, const Eigen::VectorXd& decay,
-                    const std::vector<Turn>& turns) {
+/// P := F P F^T. Both sides of one link's columns at a time: the matrix is as large as a processor's cache,
+/// and each pass over it costs as much as the arithmetic.
+void transition(const KinematicTree& tree, Eigen::MatrixXd& P, double dt, const Eigen::VectorXd& decay,
+                const std::vector<Turn>& turns) {
+    const Eigen::Index n = tree.freedoms();
     Eigen::Matrix<double, Eigen::Dynamic, 3> gained(P.rows(), 3), turned(P.rows(), 3);
-    for (const Turn& turn : turns) {
-        gained = dt * P.middleCols<3>(n + turn.first) + 0.5 * dt * dt * P.middleCols<3>(2 * n + turn.first);
-        turned = P.middleCols<3>(turn.first).lazyProduct(turn.exp_u_transposed.transpose());
-        turned += gained.lazyProduct((turn.right_jacobian - Matrix3d::Identity()).transpose());
-        P.middleCols<3>(turn.first) = turned;
+    auto turn = turns.begin();
+    for (const Link& link : tree.links()) {
+        for (Eigen::Index i = link.first; i < link.first + link.count; ++i)
+            for (Eigen::Index c : {i, n + i, 2 * n + i})
+                transitionColumn(P.col(c).data(), n, dt, decay, turns);
+        if (turn != turns.end() && turn->first < link.first + link.count) {
+            gained =
+                dt * P.middleCols<3>(n + turn->first) + 0.5 * dt * dt * P.middleCols<3>(2 * n + turn->first);
+            turned = P.middleCols<3>(turn->first).lazyProduct(turn->exp_u_transposed.transpose());
+            turned += gained.lazyProduct((turn->right_jacobian - Matrix3d::Identity()).transpose());
+            P.middleCols<3>(turn->first) = turned;
+            ++turn;
+        }
+        for (Eigen::Index i = link.first; i < link.first + link.count; ++i) {
+            P.col(i) += dt * P.col(n + i) + 0.5 * dt * dt * P.col(2 * n + i);
+            P.col(n + i) += dt * P.col(2 * n + i);
+            P.col(2 * n + i) *= decay[i];
+        }
     }
-    P.leftCols(n) += dt * P.middleCols(n, n) + 0.5 * dt * dt * P.middleCols(2 * n, n);
-    P.middleCols(n, n) += dt * P.middleCols(2 * n, n);
-    for (Eigen::Index i = 0; i < n; ++i)
-        P.col(2 * n + i) *= decay[i];
+    for (Eigen::Index c = 3 * n; c < P.cols(); ++c)
+        transitionColumn(P.col(c).data(), n, dt, decay, turns);
 }
 
 }  // namespace
@@ -85,9 +98,7 @@ void predictMotion(const KinematicTree& tree, MotionState& motion, Eigen::Matrix
             turns.push_back({first, expQuaternion(u).toRotationMatrix().transpose(), rightJacobian(u)});
         }
     }
-    for (Eigen::Index c = 0; c < P.cols(); ++c)
-        transitionColumn(P.col(c).data(), n, dt_s, decay, turns);
-    transitionRows(P, n, dt_s, decay, turns);
+    transition(tree, P, dt_s, decay, turns);
     addProcessNoise(P, n, dt_s, decay, acceleration_variance);
     tree.retract(motion, advance);
     motion.rate += dt_s * motion.accel;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/math/rotation.h"
 #include "core/processing/pose_runs.h"
 #include "core/processing/reference_motion.h"
 #include "core/processing/take_quality.h"
@@ -84,6 +85,34 @@ Result<Reference> chooseReference(const Take& take, const EvaluateRequest& reque
     if (!reference.there)
         data.warnings.push_back("There is no reference: how far the angles are off cannot be said.");
     return reference;
+}
+
+/// Local rotations are counted from the zero pose. Two skeletons whose bones point elsewhere in it differ by
+/// constant angles that are nobody's error: said, since no comparison can tell them apart.
+void warnOfOtherZeroPose(const Skeleton& own, const Skeleton& other, ReportData& data) {
+    constexpr double kNoticeable_rad = 0.1, kShortBone_m = 0.01;
+    double worst_rad = kNoticeable_rad;
+    std::string worst;
+    for (const Joint& joint : own.joints()) {
+        const int same = other.find(joint.name);
+        if (joint.parent < 0 || same < 0 || joint.offset_m.norm() < kShortBone_m)
+            continue;
+        const Joint& match = other.joint(same);
+        const bool same_bone =
+            match.parent >= 0 && other.joint(match.parent).name == own.joint(joint.parent).name;
+        if (!same_bone || match.offset_m.norm() < kShortBone_m)
+            continue;
+        const double angle_rad =
+            angleBetween(smallestRotation(joint.offset_m, match.offset_m), Quaterniond::Identity());
+        if (angle_rad > worst_rad) {
+            worst_rad = angle_rad;
+            worst = joint.name;
+        }
+    }
+    if (!worst.empty())
+        data.warnings.push_back("The reference's skeleton has another zero pose, by " +
+                                shortNumber(std::round(degrees(worst_rad))) + " degrees at " + worst +
+                                ": constant differences are counted as errors.");
 }
 
 std::string calibrationName(const Take& take, const DerivedRun& run) {
@@ -203,6 +232,8 @@ Status addRun(const Take& take, const DerivedRun& run, const RunSettings& settin
               const Reference& reference, ReportData& data) {
     ReportRun described = describeRun(take, run, settings);
     if (reference.there) {
+        if (data.runs.empty())
+            warnOfOtherZeroPose(motion.skeleton, reference.motion.skeleton, data);
         auto comparison = compareMotions(motion, reference.motion, reference.options);
         if (!comparison)
             return comparison.error();

@@ -15,7 +15,7 @@ using Complex = std::complex<double>;
 
 constexpr double kFineStep_s = 1e-6;
 constexpr double kLead_s = 4e-4, kLength_s = 2e-3;  // the zero-phase band-pass rings to both sides
-constexpr double kStep_s = 5e-6;                    // of the search; the envelope's rise takes 100 us
+constexpr double kStep_s = 6.7e-6;                  // of the search; the envelope's rise takes 100 us
 constexpr double kThresholdOfPower = 0.3;           // the inflection detector's
 
 void filter(const std::vector<Biquad>& sections, std::vector<Complex>& values) {

@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kFirstAboveShareOfPower = 0.3;  // the inflection detector's threshold
 constexpr double kScatterTimesSnr_s = 1.55e-4;
-constexpr double kFaintestEcho = 0.02;  // of the direct way's amplitude; it pulls by less than 0.3 mm
+// Of the direct way's amplitude. With 0.02 the spread of ranges is no nearer to the signal level's.
+constexpr double kFaintestEcho = 0.05;
 
 /// Share of pulses for which noise leads the detector astray: 3.5 % at an amplitude ratio of 8, 1 % at 11.
 double astrayShare(double snr) {

@@ -3,9 +3,14 @@
 // same geometry as the sound (flight, body, room), the detector is an error model with the figures measured
 // for the inflection detector at signal level (core/acoustics/range_finder.cpp): it takes the first way whose
 // power is above 0.3 of the loudest, is pulled by echoes that overlap it (pulse_overlap.h), scatters with
-// 0.155 ms / SNR, and goes astray where the noise leads it.
+// 0.155 ms / SNR, and goes astray where the noise leads it. Clicks are left out.
 //
-// OVERLAPDOC
+// Ranges at full confidence, 6 s of a made motion, nominal, seeds 1 to 3; in brackets the signal level.
+//   spread, mm                  1.01 (1.13)   1.37 (1.44)   1.31 (1.39)
+//   median, mm                  0.01 (0.03)   0.45 (0.52)  -0.24 (-0.26)
+//   more than 15 mm off, %      0.71 (0.74)   1.75 (1.65)   1.47 (1.23)
+// Without the echoes' pull seed 1 has a spread of 0.59 mm. In `realistic`, with a click a second, the signal
+// level has 0.5 to 0.9 % outliers and this one 0.2 to 0.3 %.
 #pragma once
 
 #include "core/acoustics/pulse_receiver.h"
