@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// The built program, started as any user would: arguments in, exit code and both outputs back.
+#pragma once
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+extern char** environ;
+
+namespace noctule::test {
+
+inline const std::string kMotion = "/usr/share/assimp/models/BVH/01_01.bvh";
+inline const std::string kTinyTake = NOCTULE_TEST_DATA "/takes/tiny_take.noctule";
+
+inline std::string readBytes(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+inline void writeBytes(const std::string& path, const std::string& bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+class Folder {
+public:
+    Folder() {
+        std::string name = (std::filesystem::temp_directory_path() / "noctule_app_XXXXXX").string();
+        path_ = mkdtemp(name.data());
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    ~Folder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    std::string file(const std::string& name) const { return (path_ / name).string(); }
+    std::vector<std::string> names() const {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(path_))
+            names.push_back(entry.path().filename().string());
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+
+private:
+    std::filesystem::path path_;
+};
+
+struct Ran {
+    int exit_code = -1;
+    std::string out, err;
+
+    nlohmann::json json() const {
+        auto parsed = nlohmann::json::parse(out, nullptr, false);
+        EXPECT_FALSE(parsed.is_discarded()) << "not one JSON object: " << out;
+        return parsed;
+    }
+};
+
+/// A program that has been started, both outputs into files.
+class Started {
+public:
+    explicit Started(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), NOCTULE_PROGRAM);
+        std::vector<char*> argv;
+        for (std::string& argument : arguments)
+            argv.push_back(argument.data());
+        argv.push_back(nullptr);
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        const int flags = O_WRONLY | O_CREAT | O_TRUNC;
+        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, outputs_.file("out").c_str(), flags, 0600);
+        posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, outputs_.file("err").c_str(), flags, 0600);
+        EXPECT_EQ(posix_spawn(&pid_, NOCTULE_PROGRAM, &actions, nullptr, argv.data(), environ), 0);
+        posix_spawn_file_actions_destroy(&actions);
+    }
+    void send(int signal) const { kill(pid_, signal); }
+    Ran wait() {
+        int status = 0;
+        waitpid(pid_, &status, 0);
+        EXPECT_TRUE(WIFEXITED(status)) << "ended by signal " << WTERMSIG(status);
+        return {WEXITSTATUS(status), readBytes(outputs_.file("out")), readBytes(outputs_.file("err"))};
+    }
+
+private:
+    Folder outputs_;
+    pid_t pid_ = 0;
+};
+
+inline Ran run(const std::vector<std::string>& arguments) {
+    return Started(arguments).wait();
+}
+
+inline Ran batch(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "--batch");
+    return run(arguments);
+}
+
+/// The exit code, and what the message must name.
+inline void expectRefusal(const std::vector<std::string>& arguments, int exit_code,
+                          const std::vector<std::string>& named) {
+    const Ran ran = batch(arguments);
+    EXPECT_EQ(ran.exit_code, exit_code) << ran.err;
+    EXPECT_TRUE(ran.out.empty()) << ran.out;
+    for (const std::string& word : named)
+        EXPECT_NE(ran.err.find(word), std::string::npos) << "'" << word << "' is not in: " << ran.err;
+    EXPECT_EQ(ran.err.find("internal error"), std::string::npos) << ran.err;
+}
+
+inline void runSql(const std::string& path, const std::string& sql) {
+    sqlite3* handle = nullptr;
+    ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
+    EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK)
+        << sqlite3_errmsg(handle) << ": " << sql;
+    sqlite3_close(handle);
+}
+
+/// A take of a few seconds of real motion, simulated at readings level.
+inline void makeTake(const std::string& path, const std::string& seconds = "5") {
+    const Ran ran = batch({"simulate", "--motion", kMotion, "--out", path, "--level", "readings",
+                           "--duration", seconds, "--rest-seconds", "1"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+}
+
+}  // namespace noctule::test
+
+#define SKIP_WITHOUT_MOTION()                             \
+    if (!std::filesystem::exists(noctule::test::kMotion)) \
+    GTEST_SKIP() << "install assimp-testmodels for " << noctule::test::kMotion

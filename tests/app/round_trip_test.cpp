@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// simulate, process, evaluate, export, attach, inspect: one after the other, and the numbers that come out.
+#include <cmath>
+
+#include "core/formats/bvh.h"
+#include "core/formats/positions_csv.h"
+#include "tests/app/program_run.h"
+
+namespace noctule::test {
+namespace {
+
+nlohmann::json jsonOf(std::vector<std::string> arguments) {
+    arguments.push_back("--json");
+    const Ran ran = batch(arguments);
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    return ran.json();
+}
+
+/// One take, made once, processed with the root given and free.
+class RoundTrip : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        if (!std::filesystem::exists(kMotion))
+            return;
+        folder_ = new Folder;
+        makeTake(take());
+        for (const char* root : {"free", "given"})
+            ASSERT_EQ(batch({"process", take(), "--root", root, "--run-name", root}).exit_code, 0);
+    }
+    static void TearDownTestSuite() {
+        delete folder_;
+        folder_ = nullptr;
+    }
+    void SetUp() override { SKIP_WITHOUT_MOTION(); }
+
+    static std::string file(const std::string& name) { return folder_->file(name); }
+    static std::string take() { return file("hops_001.noctule"); }
+    static std::string copyOfTake(const std::string& name) {
+        std::filesystem::copy_file(take(), file(name));
+        return file(name);
+    }
+
+private:
+    static inline Folder* folder_ = nullptr;
+};
+
+TEST_F(RoundTrip, EvaluateTellsSmallErrors) {
+    const auto json = jsonOf({"evaluate", take(), "--run", "given"});
+    EXPECT_EQ(json["take"], "hops_001");
+    EXPECT_EQ(json["run"], "given");
+    EXPECT_EQ(json["sensors"], "AGD");
+    EXPECT_GT(json["mean_deg"], 0.001);
+    EXPECT_LT(json["mean_deg"], 1.0);
+    EXPECT_LT(json["end_effector_mm"], 20);
+    EXPECT_LT(json["root"]["position_m"], 0.01);
+    EXPECT_GT(json["nees"], 0);
+    EXPECT_NEAR(json["duration_s"], 4, 0.1);
+    ASSERT_GE(json["joints"].size(), 15u);
+    double sum = 0;
+    for (const auto& joint : json["joints"]) {
+        EXPECT_NEAR(std::hypot(joint["mean_deg"].get<double>(), joint["std_deg"].get<double>()),
+                    joint["rms_deg"], 1e-3);
+        sum += joint["mean_deg"].get<double>();
+    }
+    EXPECT_NEAR(sum / static_cast<double>(json["joints"].size()), json["mean_deg"], 1e-9);
+    EXPECT_GT(json["ranges"]["used"], 100);
+    EXPECT_GT(json["ranges"]["occluded"], 100);
+    EXPECT_EQ(json["boards"].size(), 18u);
+    for (const auto& board : json["boards"])
+        EXPECT_GE(board["readings_present"], 0.98 * board["readings_expected"].get<double>()) << board;
+}
+
+TEST_F(RoundTrip, EvaluateForPeopleAndAsAReport) {
+    const Ran ran = batch({"evaluate", take(), "--report", file("r.html")});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    for (const char* word : {"joint", "mean deg", "RightArm", "\nmean ", "r.html"})
+        EXPECT_NE(ran.out.find(word), std::string::npos) << word;
+    const std::string html = readBytes(file("r.html"));
+    EXPECT_EQ(html.substr(0, 15), "<!DOCTYPE html>");
+    for (const char* word : {"free", "given", "Right shoulder"})
+        EXPECT_NE(html.find(word), std::string::npos) << word;
+    EXPECT_TRUE(batch({"evaluate", take(), "--quiet"}).out.empty());
+}
+
+TEST_F(RoundTrip, AWrongRunIsNamedWithTheOnesThereAre) {
+    expectRefusal({"evaluate", take(), "--run", "nothing"}, 4, {"nothing", "free", "given"});
+}
+
+TEST_F(RoundTrip, ExportedFilesSayTheSame) {
+    const auto json = jsonOf({"export", take(), "--run", "given", "--bvh", file("{name}.bvh"), "--csv",
+                              file("{name}.csv"), "--angles", "--fps", "60", "--from", "1", "--to", "3"});
+    EXPECT_EQ(json["takes"][0]["frames"], 121);
+    const auto document = readBvh(file("hops_001.bvh"));
+    ASSERT_TRUE(document) << document.error().text();
+    EXPECT_EQ(document->frameCount(), 121u);
+    EXPECT_NEAR(document->frame_time_s, 1 / 60.0, 1e-9);
+    const auto clip = toClip(*document, BvhUnit::kCentimetre);
+    ASSERT_TRUE(clip);
+    const auto table = readPositionsCsv(file("hops_001.csv"));
+    ASSERT_TRUE(table) << table.error().text();
+    ASSERT_EQ(table->time_s.size(), 121u);
+    ASSERT_EQ(table->joints.size(), 21u);
+    for (size_t frame : {0u, 60u, 120u}) {
+        const GlobalPose pose = globalPose(*clip, frame);
+        for (size_t j = 0; j < table->joints.size(); ++j) {
+            const int joint = clip->skeleton.find(table->joints[j]);
+            ASSERT_GE(joint, 0);
+            EXPECT_LT((table->at(frame, j) - pose.p_world_joint[static_cast<size_t>(joint)]).norm(), 1e-5);
+        }
+    }
+    EXPECT_NE(readBytes(file("hops_001.csv")).find("LeftForeArm."), std::string::npos);
+}
+
+TEST_F(RoundTrip, PresetsAndRootMotion) {
+    ASSERT_EQ(batch({"export", take(), "--bvh", file("m.bvh"), "--preset", "blender", "--root", "heading"})
+                  .exit_code,
+              0);
+    const auto document = readBvh(file("m.bvh"));
+    ASSERT_TRUE(document);
+    EXPECT_EQ(chooseUnit(*document).unit, BvhUnit::kMetre);
+    const auto clip = toClip(*document, BvhUnit::kMetre);
+    ASSERT_TRUE(clip);
+    for (const Pose& pose : clip->frames) {
+        EXPECT_NEAR(pose.p_world_root.x(), clip->frames[0].p_world_root.x(), 1e-6);
+        EXPECT_NEAR(pose.p_world_root.z(), clip->frames[0].p_world_root.z(), 1e-6);
+        const Vector3d forward = pose.q_parent_joint[0] * Vector3d::UnitZ();
+        EXPECT_NEAR(std::atan2(forward.x(), forward.z()), 0, 1e-4);
+    }
+}
+
+TEST_F(RoundTrip, ProcessIntoAnotherFolderLeavesTheTakeAlone) {
+    const std::string before = readBytes(take());
+    std::filesystem::create_directory(file("results"));
+    const auto json = jsonOf({"process", take(), "--out-dir", file("results"), "--sensors", "gA",
+                              "--estimator", "paper", "--paper-sigma", "3", "--root", "given"});
+    EXPECT_EQ(json["takes"][0]["run"], "AG paper");
+    EXPECT_EQ(json["takes"][0]["take"], file("results") + "/hops_001.noctule");
+    EXPECT_EQ(readBytes(take()), before);
+    const auto evaluation = jsonOf({"evaluate", file("results/hops_001.noctule")});
+    EXPECT_EQ(evaluation["sensors"], "AG");
+    EXPECT_EQ(evaluation["estimator"], "paper");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file("results")), {}), 1);
+}
+
+TEST_F(RoundTrip, AttachedMotionIsFoundInTime) {
+    ASSERT_EQ(
+        batch({"export", take(), "--run", "given", "--bvh", file("optical.bvh"), "--from", "1.25"}).exit_code,
+        0);
+    const std::string copy = copyOfTake("attached.noctule");
+    expectRefusal({"attach", copy, "--reference", file("optical.bvh")}, 2,
+                  {"attached.noctule", "--overwrite"});
+    const auto json = jsonOf({"attach", copy, "--reference", file("optical.bvh"), "--overwrite"});
+    EXPECT_NEAR(json["shift_ms"], 1250, 2);
+    EXPECT_GT(json["correlation"], 0.99);
+    const auto evaluation = jsonOf({"evaluate", copy, "--run", "given"});
+    EXPECT_EQ(evaluation["reference_kind"], "optical");
+    EXPECT_LT(evaluation["mean_deg"], 0.1);
+    const auto against_file =
+        jsonOf({"evaluate", take(), "--run", "given", "--reference", file("optical.bvh")});
+    EXPECT_NEAR(against_file["reference_offset_s"], 1.25, 0.002);
+    EXPECT_LT(against_file["mean_deg"], 0.1);
+}
+
+TEST_F(RoundTrip, PositionsServeAsTheRoot) {
+    ASSERT_EQ(batch({"export", take(), "--run", "given", "--csv", file("points.csv")}).exit_code, 0);
+    const std::string copy = copyOfTake("points.noctule");
+    expectRefusal({"attach", copy, "--reference", file("points.csv"), "--overwrite"}, 4,
+                  {"points.csv", "external-root"});
+    expectRefusal({"attach", copy, "--reference", file("points.csv"), "--as", "external-root", "--overwrite"},
+                  2, {"points.csv", "--align"});
+    jsonOf({"attach", copy, "--reference", file("points.csv"), "--as", "external-root", "--overwrite",
+            "--align", "0"});
+    jsonOf({"process", copy, "--root", "given", "--run-name", "points"});
+    const auto json = jsonOf({"evaluate", copy, "--run", "points"});
+    EXPECT_LT(json["mean_deg"], 1.0);
+    EXPECT_LT(json["root"]["position_m"], 0.02);
+}
+
+TEST_F(RoundTrip, InspectShowsWhatIsThere) {
+    const auto json = jsonOf({"inspect", take()})["takes"][0];
+    EXPECT_EQ(json["name"], "hops_001");
+    EXPECT_EQ(json["level"], "readings");
+    EXPECT_EQ(json["boards"].size(), 18u);
+    EXPECT_EQ(json["quality"]["pairs"].size(), 144u);
+    EXPECT_EQ(json["quality"]["inertia"].size(), 18u);
+    EXPECT_NEAR(json["duration_s"], 5, 0.01);
+    EXPECT_TRUE(json["missing"].empty()) << json["missing"];
+    EXPECT_TRUE(json["problems"].empty()) << json["problems"];
+    EXPECT_EQ(json["runs"].size(), 4u);
+}
+
+TEST(Simulate, WritesWhatALaboratoryKnowsAndTheTruth) {
+    Folder folder;
+    const auto json = jsonOf({"simulate", "--rig", "rest", "--duration", "1.5", "--level", "readings",
+                              "--seed", "7", "--out", folder.file("still.noctule"), "--calibration-out",
+                              folder.file("c.json"), "--truth-out", folder.file("f.json")});
+    EXPECT_EQ(json["seed"], 7);
+    EXPECT_NEAR(json["duration_s"], 1.5, 1e-6);
+    EXPECT_EQ(nlohmann::json::parse(readBytes(folder.file("c.json")))["format"], "noctule-calibration");
+    EXPECT_FALSE(nlohmann::json::parse(readBytes(folder.file("f.json"))).empty());
+    jsonOf({"process", folder.file("still.noctule"), "--calibration", folder.file("c.json")});
+}
+
+TEST(TinyTake, IsReadProcessedAndEvaluated) {
+    Folder folder;
+    const std::string take = folder.file("tiny.noctule");
+    writeBytes(take, readBytes(kTinyTake));
+    EXPECT_EQ(jsonOf({"inspect", take})["takes"][0]["boards"].size(), 2u);
+    const auto processed = jsonOf({"process", take, "--root", "given"})["takes"][0];
+    EXPECT_EQ(processed["frames"]["lost"], 0);
+    EXPECT_GT(processed["ranges"]["heard"], 400);
+    EXPECT_TRUE(jsonOf({"evaluate", take})["mean_deg"].is_number());
+}
+
+}  // namespace
+}  // namespace noctule::test

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line itself: help, mistakes, and what is not available yet.
+#include "tests/app/program_run.h"
+
+namespace noctule::test {
+namespace {
+
+const std::vector<std::string> kVerbs = {"simulate", "process", "evaluate", "export", "inspect", "attach"};
+const std::vector<std::string> kLaterVerbs = {"devices", "record", "recover", "calibrate", "check"};
+
+TEST(Usage, WithoutBatchItSaysWhatExists) {
+    const Ran ran = run({});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_NE(ran.err.find("--batch"), std::string::npos);
+    EXPECT_EQ(run({"take.noctule"}).exit_code, 2);
+}
+
+TEST(Usage, VersionAndHelpEndWell) {
+    EXPECT_EQ(run({"--version"}).out.substr(0, 8), "noctule ");
+    for (const auto& arguments : {std::vector<std::string>{"--help"}, {"--batch", "--help"}}) {
+        const Ran ran = run(arguments);
+        EXPECT_EQ(ran.exit_code, 0);
+        for (const std::vector<std::string>& verbs : {kVerbs, kLaterVerbs})
+            for (const std::string& verb : verbs)
+                EXPECT_NE(ran.out.find("\n  " + verb + " "), std::string::npos) << verb;
+        EXPECT_NE(ran.out.find("not yet available"), std::string::npos);
+    }
+}
+
+TEST(Usage, EveryVerbExplainsItselfWithOneExample) {
+    for (const std::string& verb : kVerbs) {
+        const Ran ran = batch({verb, "--help"});
+        EXPECT_EQ(ran.exit_code, 0) << verb;
+        EXPECT_NE(ran.out.find("example: noctule --batch " + verb + " "), std::string::npos) << ran.out;
+        for (const char* common : {"--json", "--quiet", "--seed", "--jobs", "--overwrite", "--help"})
+            EXPECT_NE(ran.out.find(common), std::string::npos) << verb << " " << common;
+    }
+    for (const std::string& verb : kLaterVerbs)
+        EXPECT_EQ(batch({verb, "--help"}).exit_code, 0) << verb;
+}
+
+TEST(Usage, UnknownWordsNameTheNearestKnownOne) {
+    expectRefusal({}, 2, {"no verb", "simulate"});
+    expectRefusal({"evalute"}, 2, {"evalute", "evaluate"});
+    expectRefusal({"simulate", "--mtion", "x"}, 2, {"--mtion", "--motion"});
+    expectRefusal({"evaluate", "-x", "t"}, 2, {"-x"});
+}
+
+TEST(Usage, ValuesAreChecked) {
+    const std::string m = kMotion;
+    expectRefusal({"simulate", "--motion", m}, 2, {"--out"});
+    expectRefusal({"simulate", "--motion", m, "--out"}, 2, {"--out has no value"});
+    expectRefusal({"simulate", "--motion", "--out", "x"}, 2, {"--motion has no value"});
+    expectRefusal({"simulate", "--out", "x"}, 2, {"--motion", "--rig"});
+    expectRefusal({"simulate", "--motion", m, "--rig", "rest", "--out", "x"}, 2, {"--motion", "--rig"});
+    expectRefusal({"simulate", "--motion", m, "--out", "x", "--scenario", "good"}, 2,
+                  {"--scenario", "good", "nominal"});
+    for (const char* bad : {"-4", "nan", "inf", "1e999", "3s", ""})
+        expectRefusal({"simulate", "--motion", m, "--out", "x", "--duration", bad}, 2, {"--duration", bad});
+    expectRefusal({"simulate", "--motion", m, "--out", "x", "--seed", "1.5"}, 2, {"--seed", "whole"});
+    expectRefusal({"simulate", "--out=x", "--out", "y"}, 2, {"--out", "twice"});
+    expectRefusal({"process", "t", "--overwrite=yes"}, 2, {"--overwrite", "no value"});
+    expectRefusal({"process"}, 2, {"T.noctule"});
+    expectRefusal({"evaluate", "a", "b"}, 2, {"'b'"});
+    for (const char* bad : {"AX", "AA", "", "A,G"})
+        expectRefusal({"process", "t", "--sensors", bad}, 2, {"--sensors"});
+    expectRefusal({"process", "t", "--paper-sigma", "3"}, 2, {"--paper-sigma", "--estimator paper"});
+    expectRefusal({"process", "t", "./t"}, 2, {"twice"});
+    expectRefusal({"export", "t"}, 2, {"--bvh"});
+    expectRefusal({"export", "t", "--bvh", "x", "--angles"}, 2, {"--angles"});
+    expectRefusal({"export", "t", "--bvh", "x", "--from", "3", "--to", "2"}, 2, {"--from"});
+    expectRefusal({"export", "t", "u", "--bvh", "x"}, 2, {"{name}"});
+}
+
+TEST(Usage, WhatComesLaterIsRefusedByName) {
+    for (const std::string& verb : kLaterVerbs)
+        expectRefusal({verb}, 2, {verb, "not available yet"});
+    expectRefusal({"process", "t", "--detector", "matched"}, 2, {"--detector matched", "not available"});
+    for (const char* smoother : {"lag", "full", "batch"})
+        expectRefusal({"process", "t", "--smooth", smoother}, 2, {smoother, "not available"});
+    for (const char* option : {"--fbx", "--glb", "--mot", "--sto", "--video", "--png", "--mesh"})
+        expectRefusal({"export", "t", option, "x"}, 2, {option, "not available"});
+    for (const char* rig : {"jig", "level", "turntable"})
+        expectRefusal({"simulate", "--rig", rig, "--out", "x"}, 2, {rig, "not available"});
+}
+
+TEST(Usage, ErrorsAreJsonTooWhenAskedFor) {
+    const Ran ran = batch({"inspect", "nowhere.noctule", "--json"});
+    EXPECT_EQ(ran.exit_code, 3);
+    EXPECT_EQ(ran.json()["error"]["exit_code"], 3);
+    EXPECT_NE(ran.err.find("nowhere.noctule"), std::string::npos);
+}
+
+TEST(Usage, AFullStandardOutputIsADiskError) {
+    if (!std::filesystem::exists("/dev/full"))
+        GTEST_SKIP() << "no /dev/full";
+    const std::string command = std::string("'") + NOCTULE_PROGRAM + "' --batch inspect '" + kTinyTake +
+                                "' --json >/dev/full 2>/dev/null";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 6);
+}
+
+}  // namespace
+}  // namespace noctule::test
