@@ -5,143 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/live/live_pipeline.h"
+#include "core/processing/ingredients.h"
 #include "core/recording/take_edit.h"
 
 namespace noctule {
 namespace {
-
-/// Everything about the take that processing needs, read and checked.
-struct Ingredients {
-    Suit suit;
-    Calibration calibration;
-    Actor actor;
-    std::optional<int64_t> calibration_id, actor_id;
-    DecoderSettings decoder;
-    std::optional<std::pair<int64_t, int64_t>> rest;
-    std::vector<ExternalRootRow> roots;
-    int64_t sample_count = 0;
-};
-
-Error unusable(const Take& take, const std::string& what, const std::string& remedy) {
-    return {ErrorKind::kUnusable, take.path() + ": " + what, remedy};
-}
-
-/// A calibration of another suit is refused; boards it lacks get nominal values and a warning.
-Status checkCalibration(const Take& take, const Suit& suit, const Calibration& calibration,
-                        std::vector<std::string>& warnings) {
-    std::string missing;
-    size_t found = 0;
-    for (const Board& board : suit.boards) {
-        if (calibration.findBoard(board.id))
-            ++found;
-        else
-            missing += (missing.empty() ? "" : ", ") + board.id;
-    }
-    if (found == 0 && !suit.boards.empty() && !calibration.boards.empty())
-        return unusable(take, "the calibration knows none of the suit's boards (" + missing + ")",
-                        "Give the calibration of this suit");
-    if (!missing.empty())
-        warnings.push_back("The calibration lacks " + missing + "; nominal values are used there.");
-    return Done{};
-}
-
-Result<Calibration> chooseCalibration(const Take& take, const ProcessRequest& request, Ingredients& in,
-                                      std::vector<std::string>& warnings) {
-    if (request.calibration)
-        return *request.calibration;
-    const auto stored = take.calibrations();
-    if (!stored)
-        return stored.error();
-    if (stored->empty()) {
-        warnings.push_back(
-            "The take has no calibration: nominal values are used for the boards, and distances cannot be "
-            "measured.");
-        return nominalCalibration(in.suit);
-    }
-    auto in_force = take.calibrationInForce();
-    if (!in_force)
-        return in_force.error();
-    in.calibration_id = in_force->id;
-    return in_force->value;
-}
-
-Result<Actor> chooseActor(const Take& take, const ProcessRequest& request, Ingredients& in,
-                          std::vector<std::string>& warnings) {
-    if (request.actor)
-        return *request.actor;
-    const auto stored = take.actors();
-    if (!stored)
-        return stored.error();
-    if (stored->empty()) {
-        warnings.push_back("The take names no actor: the default actor of 1.75 m is used.");
-        return defaultActor();
-    }
-    auto in_force = take.actorInForce();
-    if (!in_force)
-        return in_force.error();
-    in.actor_id = in_force->id;
-    return in_force->value;
-}
-
-Status readDecoderSettings(const Take& take, const ProcessRequest& request, Ingredients& in) {
-    const auto rate = take.sampleRate_hz();
-    if (!rate)
-        return rate.error();
-    const auto boards = take.boardCount();
-    if (!boards)
-        return boards.error();
-    if (*boards != static_cast<int>(in.suit.boards.size()))
-        return unusable(take,
-                        "the sound holds " + std::to_string(*boards) + " boards, the suit describes " +
-                            std::to_string(in.suit.boards.size()),
-                        "Correct board_count in meta or the suit's JSON");
-    in.decoder.train = {static_cast<double>(*rate), static_cast<int>(take.header().pulse_interval_samples),
-                        take.header().drive_hz, static_cast<int>(take.header().pulse_cycles)};
-    in.decoder.detector = request.detector;
-    return Done{};
-}
-
-Result<Ingredients> gather(const Take& take, const ProcessRequest& request,
-                           std::vector<std::string>& warnings) {
-    Ingredients in;
-    auto suit = take.suit();
-    if (!suit)
-        return suit.error();
-    in.suit = *suit;
-    if (Status ready = readDecoderSettings(take, request, in); !ready)
-        return ready.error();
-    auto calibration = chooseCalibration(take, request, in, warnings);
-    if (!calibration)
-        return calibration.error();
-    in.calibration = *calibration;
-    if (Status fits = checkCalibration(take, in.suit, in.calibration, warnings); !fits)
-        return fits.error();
-    auto actor = chooseActor(take, request, in, warnings);
-    if (!actor)
-        return actor.error();
-    in.actor = *actor;
-    const auto rest = take.restInterval();
-    if (!rest)
-        return rest.error();
-    if (*rest)
-        in.rest = {(*rest)->first, (*rest)->last};
-    else
-        warnings.push_back("No rest pose is marked: the motion is believed to begin in it.");
-    if (request.tracker.root_given) {
-        auto roots = take.externalRoot();
-        if (!roots)
-            return roots.error();
-        in.roots = *roots;
-        if (in.roots.empty())
-            return unusable(take, "the root is to be given, but the take has no external_root rows",
-                            "Use --root free, or attach the other system's motion with --as external-root");
-    }
-    const auto count = take.sampleCount();
-    if (!count)
-        return count.error();
-    in.sample_count = *count;
-    return in;
-}
 
 /// Where results go while the data are still being read; one transaction.
 class ResultWriter {
@@ -373,7 +241,7 @@ Result<ProcessSummary> processTake(const ProcessRequest& request, const JobConte
         return opened.error();
     Take& take = *opened;
     std::vector<std::string> warnings;
-    auto gathered = gather(take, request, warnings);
+    auto gathered = gatherIngredients(take, request, warnings);
     if (!gathered)
         return gathered.error();
     Ingredients& in = *gathered;
@@ -428,8 +296,8 @@ Result<ProcessSummary> processTake(const ProcessRequest& request, const JobConte
     if (!done)
         return done.error();
     if (results.summary.poses == 0)
-        return unusable(take, "it is too short or holds no sound: no pose came out",
-                        "`noctule --batch inspect` shows what is in it");
+        return unusableTake(take, "it is too short or holds no sound: no pose came out",
+                            "`noctule --batch inspect` shows what is in it");
     for (const SkippedRows& skipped : take.skippedRows())
         results.summary.warnings.push_back(std::to_string(skipped.count) + " rows of " + skipped.table +
                                            " could not be used, first " + skipped.first + ".");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What really happens around the suit, as the sound sees it: where every microphone, source and piece of flesh
-// is at any time. Truth; only the simulator may ask. World frame, metres, seconds since sample 0.
+// What really happens around the suit, as the sound sees it: where every microphone, source and piece of
+// flesh is at any time. Truth; only the simulator may ask. World frame, metres, seconds since sample 0.
 #pragma once
 
 #include <vector>

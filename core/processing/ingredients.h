@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What processing needs of a take, read and checked before the long work begins.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/live/suit_decoder.h"
+#include "core/processing/process_take.h"
+
+namespace noctule {
+
+struct Ingredients {
+    Suit suit;
+    Calibration calibration;
+    Actor actor;
+    std::optional<int64_t> calibration_id, actor_id;
+    DecoderSettings decoder;
+    std::optional<std::pair<int64_t, int64_t>> rest;
+    std::vector<ExternalRootRow> roots;
+    int64_t sample_count = 0;
+};
+
+/// Fails when the take cannot be processed as asked (its suit and sound contradict each other, the
+/// calibration is another suit's, the root is to be given and is not there) and adds whole sentences to
+/// `warnings` where a default stands in for something that is missing.
+Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& request,
+                                      std::vector<std::string>& warnings);
+
+/// kUnusable, with the take's file in front.
+Error unusableTake(const Take& take, const std::string& what, const std::string& remedy);
+
+}  // namespace noctule
