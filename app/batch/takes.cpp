@@ -99,7 +99,7 @@ Status checkDistinct(const std::vector<std::string>& takes) {
     std::set<std::filesystem::path> seen;
     std::error_code ignored;
     for (const std::string& take : takes)
-        if (!seen.insert(std::filesystem::weakly_canonical(take, ignored)).second)
+        if (!seen.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(take), ignored)).second)
             return Error{ErrorKind::kUsage, take + " is named twice", "Name it once"};
     return Done{};
 }
