@@ -45,10 +45,17 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
       observations_(tree_, suit_, layout_, parameters_.g_m_per_s2),
       step_s_(1.0 / (kInertialFramesPerSecond * parameters_.steps_per_frame)) {
     const int n = tree_.freedoms();
-    const double joint_accel = parameters_.sensors.gyroscopes ? parameters_.joint_accel_rad_per_s2
-                                                              : parameters_.blind.joint_accel_rad_per_s2;
     acceleration_decay_ = Eigen::VectorXd::Constant(n, std::exp(-step_s_ / parameters_.joint_accel_time_s));
-    acceleration_variance_ = Eigen::VectorXd::Constant(n, joint_accel * joint_accel);
+    acceleration_variance_ = Eigen::VectorXd::Constant(n, std::pow(parameters_.joint_accel_rad_per_s2, 2));
+    blind_joints_.assign(static_cast<size_t>(skeleton_.size()), true);
+    if (parameters_.sensors.gyroscopes)
+        for (const MountedBoard& board : suit_.boards)
+            if (board.link >= 0)
+                blind_joints_[static_cast<size_t>(tree_.link(board.link).joint)] = false;
+    for (const Link& link : tree_.links())
+        if (isBlind(link))
+            acceleration_variance_.segment(link.first, link.count)
+                .setConstant(std::pow(parameters_.blind.joint_accel_rad_per_s2, 2));
     if (!tree_.links().empty() && tree_.link(0).type == LinkType::kFree) {
         acceleration_decay_.head<3>().setConstant(std::exp(-step_s_ / parameters_.root_accel_time_s));
         acceleration_variance_.head<3>().setConstant(std::pow(parameters_.root_accel_m_per_s2, 2));
@@ -216,9 +223,12 @@ void ManifoldFilter::updateDistances(double limit_s) {
     std::vector<ObservationBlock> blocks;
     const double now_s = static_cast<double>(step_index_) * step_s_;
     for (const DistanceMeasurement& measurement : distances_.takeUpTo(limit_s)) {
-        if (measurement.arrival_s < limit_s - step_s_ - 1e-9)
-            continue;
         DistanceDecision decision{measurement.id, measurement.board, RangeFate::kNoConfidence, 1, 0, 0};
+        if (measurement.arrival_s < limit_s - step_s_ - 1e-9) {  // before the first step
+            decision.fate = RangeFate::kNotTried;
+            decisions_.push_back(decision);
+            continue;
+        }
         auto [block, cos_angle] = observations_.distance(state_, measurement, measurement.emission_s - now_s,
                                                          measurement.arrival_s - now_s);
         decision.w_a = cos_angle >= 0 ? 1 : 0;
@@ -270,22 +280,23 @@ void ManifoldFilter::updatePriors() {
     if (free_root)
         for (int i = 0; i < 3; ++i)
             pull(layout_.rate(i), -state_.motion.rate[i], parameters_.root_velocity_prior_m_per_s);
-    if (!parameters_.sensors.gyroscopes)
-        for (size_t i = 0; i < tree_.links().size(); ++i) {
-            const Link& link = tree_.links()[i];
-            const int rotation = link.type == LinkType::kFree ? 3 : 0;
-            const Vector3d away =
-                logQuaternion(rest_.q_parent_link[i].conjugate() * state_.motion.q_parent_link[i]);
-            for (int k = rotation; k < link.count; ++k) {
-                const int index = link.first + k;
-                const double angle = link.type == LinkType::kHinge
-                                         ? state_.motion.angle_rad[i] - rest_.angle_rad[i]
-                                         : away[k - rotation];
-                if (i > 0)
-                    pull(layout_.theta(index), -angle, parameters_.blind.pose_prior_rad);
-                pull(layout_.rate(index), -state_.motion.rate[index], parameters_.blind.rate_prior_rad_per_s);
-            }
+    for (size_t i = 0; i < tree_.links().size(); ++i) {
+        const Link& link = tree_.links()[i];
+        if (!isBlind(link) || (i == 0 && parameters_.root_given))
+            continue;
+        const int rotation = link.type == LinkType::kFree ? 3 : 0;
+        const Vector3d away =
+            logQuaternion(rest_.q_parent_link[i].conjugate() * state_.motion.q_parent_link[i]);
+        for (int k = rotation; k < link.count; ++k) {
+            const int index = link.first + k;
+            const double angle = link.type == LinkType::kHinge
+                                     ? state_.motion.angle_rad[i] - rest_.angle_rad[i]
+                                     : away[k - rotation];
+            if (i > 0)
+                pull(layout_.theta(index), -angle, parameters_.blind.pose_prior_rad);
+            pull(layout_.rate(index), -state_.motion.rate[index], parameters_.blind.rate_prior_rad_per_s);
         }
+    }
     correct(P_.update(blocks));
 }
 

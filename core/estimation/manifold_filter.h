@@ -46,9 +46,9 @@ struct ManifoldParameters {
 
     double prior_interval_s = 0.1;
 
-    /// Without gyroscopes nothing holds the pose and a linearised filter soon believes its own errors: slower
-    /// motion, accelerometers as coarse levels only, and a pull towards the rest pose and towards rest (per
-    /// prior_interval_s).
+    /// Where no gyroscope rides on a segment, or none is listened to, nothing holds its joint and a
+    /// linearised filter soon believes its own errors: slower motion and a pull towards the rest pose and
+    /// towards rest (per prior_interval_s). Without any gyroscope accelerometers are coarse levels only.
     struct Blind {
         double joint_accel_rad_per_s2 = 10, accel_floor_m_per_s2 = 10;
         double pose_prior_rad = 0.3, rate_prior_rad_per_s = 0.5;
@@ -82,6 +82,7 @@ private:
     void updateTriads(bool gyro);
     void updateDistances(double limit_s);
     void updatePriors();
+    bool isBlind(const Link& link) const { return blind_joints_[static_cast<size_t>(link.joint)]; }
     void correct(const Eigen::VectorXd& delta);
     void noteGating(bool gated);
     TimedPose estimateAt(double time_s) const;
@@ -94,7 +95,8 @@ private:
     StateLayout layout_;
     ObservationModel observations_;
     BodyState state_;
-    MotionState rest_;  ///< for the pose prior
+    MotionState rest_;                ///< for the pose prior
+    std::vector<bool> blind_joints_;  ///< their segments carry no gyroscope in use
     Covariance P_;
     Eigen::VectorXd acceleration_decay_;     ///< per velocity index, for one step
     Eigen::VectorXd acceleration_variance_;  ///< stationary

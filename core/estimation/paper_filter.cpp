@@ -63,7 +63,11 @@ void PaperFilter::frame() {
     std::vector<DistanceMeasurement> distances = distances_.takeUpTo(now_s);
     std::vector<RootMeasurement> roots = roots_.takeUpTo(now_s);
     std::erase_if(readings, [&](const auto& m) { return !fresh(m.time_s); });
-    std::erase_if(distances, [&](const auto& m) { return !fresh(m.arrival_s); });
+    std::erase_if(distances, [&](const auto& m) {  // before the first frame
+        if (!fresh(m.arrival_s))
+            decisions_.push_back({m.id, m.board, RangeFate::kNotTried, 1, 0, 0});
+        return !fresh(m.arrival_s);
+    });
     std::erase_if(roots, [&](const auto& m) { return !fresh(m.time_s); });
     if (parameters_.root_given)
         updateRoot(roots);

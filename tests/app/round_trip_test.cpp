@@ -189,6 +189,29 @@ TEST_F(RoundTrip, InspectShowsWhatIsThere) {
     EXPECT_EQ(json["runs"].size(), 4u);
 }
 
+TEST(Process, ACopyHoldsWhatTheWriteAheadLogHolds) {
+    Folder folder;
+    const std::string take = folder.file("t.noctule");
+    writeBytes(take, readBytes(kTinyTake));
+    sqlite3* handle = nullptr;
+    ASSERT_EQ(sqlite3_open(take.c_str(), &handle), SQLITE_OK);
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+    ASSERT_EQ(sqlite3_exec(
+                  handle, "PRAGMA journal_mode = WAL; INSERT INTO note(created_utc, text) VALUES('', 'late')",
+                  nullptr, nullptr, nullptr),
+              SQLITE_OK);
+    sqlite3_close(handle);
+    const std::string before = readBytes(take), log_before = readBytes(take + "-wal");
+    ASSERT_FALSE(log_before.empty());
+    std::filesystem::create_directory(folder.file("o"));
+    jsonOf({"process", take, "--out-dir", folder.file("o")});
+    EXPECT_EQ(readBytes(take), before);
+    EXPECT_EQ(readBytes(take + "-wal"), log_before);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.file("o")), {}), 1);
+    const auto notes = jsonOf({"inspect", folder.file("o/t.noctule")})["takes"][0]["notes"];
+    EXPECT_EQ(notes.back()["text"], "late");
+}
+
 TEST(Simulate, WritesWhatALaboratoryKnowsAndTheTruth) {
     Folder folder;
     const auto json = jsonOf({"simulate", "--rig", "rest", "--duration", "1.5", "--level", "readings",

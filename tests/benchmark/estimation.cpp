@@ -50,7 +50,7 @@ std::vector<InertialMeasurement> stillReadings(const Rig& rig, double time_s) {
     return readings;
 }
 
-/// The six boards nearest to each source, in front of it: a third of all pairs, as in the rest pose.
+/// The six boards nearest to each source, in front of it: 29 % of all pairs.
 std::vector<std::vector<DistanceMeasurement>> stillDistances(const Rig& rig) {
     constexpr size_t kHeard = 6;
     std::vector<std::vector<DistanceMeasurement>> by_source(rig.model.sources.size());
@@ -142,7 +142,7 @@ Eigen::VectorXd denseUpdate(Eigen::MatrixXd& P, const Eigen::MatrixXd& H, const 
     return K * residual;
 }
 
-/// Accelerometers of all boards in one update: the largest of a frame. Time is ours; the dense one's is
+/// Accelerometers of all boards in one update. Time is ours; the dense one's is
 /// measured alternately and reported beside it.
 void kalmanUpdateBesideDense(benchmark::State& state) {
     using Clock = std::chrono::steady_clock;

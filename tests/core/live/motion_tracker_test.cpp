@@ -88,15 +88,17 @@ void expectEachRangeOnce(const Rest& rest, const TrackerSettings& settings) {
         out.insert(range.pulse);
         tried += range.fate != RangeFate::kNotTried;
     }
-    EXPECT_EQ(std::ssize(out), kPulses);
-    EXPECT_EQ(std::set(out.begin(), out.end()).size(), out.size());
+    for (int64_t pulse = 0; pulse < kPulses; ++pulse)
+        EXPECT_EQ(out.count(pulse), 1u) << "pulse " << pulse;
     const int64_t after_rest = rest ? kPulses - (rest->second + 1199) / 1200 : kPulses;
-    EXPECT_EQ(tried, settings.sensors.distances ? after_rest : 0);
+    // One that arrives before the estimator's first step comes out untried.
+    EXPECT_LE(tried, settings.sensors.distances ? after_rest : 0);
+    EXPECT_GE(tried, settings.sensors.distances ? after_rest - 1 : 0);
 }
 
 TEST(MotionTracker, EveryRangeComesOutOnce) {
     for (const EstimatorKind estimator : {EstimatorKind::kManifold, EstimatorKind::kPaper})
-        for (const Rest& rest : {Rest(), Rest({0, 30001})}) {
+        for (const Rest& rest : {Rest(), Rest({0, 30001}), Rest({0, 36000})}) {
             SCOPED_TRACE(std::string(estimatorName(estimator)) + (rest ? ", rest" : ", no rest"));
             TrackerSettings settings;
             settings.estimator = estimator;

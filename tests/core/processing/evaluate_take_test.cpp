@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/evaluate_take.h"
+
+#include "core/processing/pose_runs.h"
+#include "core/report/range_statistics.h"
+#include "tests/core/processing/made_take.h"
+
+namespace noctule::test {
+namespace {
+
+class EvaluateTake : public MadeTake {
+protected:
+    ReportData evaluate(EvaluateRequest request = {}) {
+        request.take_path = path();
+        auto data = evaluateTake(request, {});
+        EXPECT_TRUE(data) << data.error().text();
+        return data ? std::move(*data) : ReportData{};
+    }
+};
+
+TEST_F(EvaluateTake, AKnownErrorComesOutAfterTheRest) {
+    addRuns("mine");
+    addReference(radians(10));
+    const ReportData data = evaluate();
+    ASSERT_EQ(data.runs.size(), 1u);
+    ASSERT_TRUE(data.runs[0].comparison);
+    const Comparison& c = *data.runs[0].comparison;
+    EXPECT_NEAR(c.find("RightArm")->angle.mean_deg, 10, 1e-6);
+    EXPECT_NEAR(c.find("LeftArm")->angle.mean_deg, 0, 1e-6);
+    EXPECT_NEAR(c.mean_deg, 10 / static_cast<double>(c.joints.size()), 1e-6);
+    EXPECT_NEAR(c.root.position_m, 0, 1e-9);
+    EXPECT_NEAR(c.duration_s, 1.5, 0.01);
+    EXPECT_NEAR(data.take.rest_s, 0.5, 1e-9);
+    EXPECT_EQ(data.take.reference_kind, "simulated");
+    EXPECT_TRUE(data.warnings.empty());
+}
+
+TEST_F(EvaluateTake, SettingsOfTheRunAreShown) {
+    addRuns("mine");
+    const ReportData data = evaluate();
+    EXPECT_EQ(data.runs[0].sensors, "GD");
+    EXPECT_EQ(data.runs[0].estimator, "manifold");
+    EXPECT_TRUE(data.runs[0].root_given);
+    EXPECT_FALSE(data.runs[0].comparison) << "there is no reference";
+    ASSERT_EQ(data.warnings.size(), 1u);
+    EXPECT_NE(data.warnings[0].find("no reference"), std::string::npos);
+}
+
+TEST_F(EvaluateTake, PulsesHaveTheirFates) {
+    addRuns("mine");
+    const ReportData data = evaluate();
+    ASSERT_EQ(data.pairs.size(), 2u);
+    const RangeStatistics heard = rangeStatistics(data.pairs[0]);
+    EXPECT_EQ(heard.pulses(), kPulses);
+    EXPECT_EQ(heard.of(PulseFate::kUsed), 2 * kPulses / 5);
+    EXPECT_EQ(heard.of(PulseFate::kRejected), kPulses / 5);
+    EXPECT_EQ(heard.of(PulseFate::kUnused), kPulses / 5);
+    EXPECT_NEAR(*heard.residualRms_m(), 0.002, 1e-7);
+    EXPECT_NEAR(heard.meanConfidence(), 0.25 * 0.8, 1e-6);
+    const RangeStatistics silent = rangeStatistics(data.pairs[1]);
+    EXPECT_EQ(silent.heard(), 0);
+    EXPECT_EQ(silent.of(PulseFate::kOccluded) + silent.of(PulseFate::kMissing), kPulses);
+    EXPECT_FLOAT_EQ(data.pairs[0].pulses[100].time_s, 0.8f);
+}
+
+TEST_F(EvaluateTake, BoardsOweTheirFrames) {
+    addRuns("mine");
+    const ReportData data = evaluate();
+    ASSERT_EQ(data.boards.size(), 2u);
+    EXPECT_EQ(data.boards[0].frames_expected, kFrames);
+    EXPECT_EQ(data.boards[0].frames_lost, 0);
+    EXPECT_EQ(data.boards[0].readings_expected, 6 * 160) << "160 frames after all axes can be known";
+    EXPECT_EQ(data.boards[0].readings_present, 6 * 160);
+    EXPECT_EQ(data.boards[0].clipped_gyro, 1);
+    EXPECT_EQ(data.boards[0].clipped_accel, 0);
+    EXPECT_EQ(data.boards[1].frames_lost, 60 + 40) << "every fourth, and those at the end that never came";
+    EXPECT_EQ(data.boards[1].readings_present, 6 * 90);
+    EXPECT_FALSE(data.support.empty());
+}
+
+TEST_F(EvaluateTake, AReferenceFromAFileIsAlignedInTime) {
+    addRuns("mine");
+    TimedMotion motion{actor_.skeleton, {}};
+    for (int i = 0; i < 1400; ++i)  // begins 5 s earlier
+        motion.frames.push_back({std::llround(i * 1e9 / 100), poseAt(i / 100.0 - 5), {}});
+    // A swing at a steady pace fits at many shifts; the file has a motion that does not repeat.
+    for (TimedPose& frame : motion.frames) {
+        const double t_s = static_cast<double>(frame.time_ns) * 1e-9 - 5;
+        frame.pose = poseAt(t_s);
+        if (t_s < 0 || t_s > 2)
+            frame.pose->q_parent_joint = actor_.restPose().q_parent_joint;
+    }
+    EvaluateRequest request;
+    request.reference = toClip("optical", motion, 100);
+    request.reference_name = "optical.bvh";
+    const ReportData data = evaluate(request);
+    ASSERT_TRUE(data.runs[0].comparison);
+    EXPECT_NEAR(static_cast<double>(data.runs[0].comparison->offset.add_to_reference_ns) * 1e-9, -5, 0.02);
+    EXPECT_LT(data.runs[0].comparison->mean_deg, 0.2);
+    EXPECT_EQ(data.take.reference_name, "optical.bvh");
+}
+
+TEST_F(EvaluateTake, RunsAreChosenByName) {
+    addRuns("first");
+    addRuns("second");
+    EXPECT_EQ(evaluate().shownRun()->name, "second");
+    EvaluateRequest request;
+    request.run = "first";
+    EXPECT_EQ(evaluate(request).runs.size(), 1u);
+    request.all_runs = true;
+    const ReportData all = evaluate(request);
+    EXPECT_EQ(all.runs.size(), 2u);
+    EXPECT_EQ(all.shownRun()->name, "first");
+    request.run = "third";
+    request.take_path = path();
+    const auto refused = evaluateTake(request, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::kUnusable);
+    EXPECT_NE(refused.error().remedy.find("'first', 'second'"), std::string::npos);
+}
+
+DerivedRun runOf(int64_t number, const std::string& kind, const std::string& settings = "") {
+    DerivedRun run;
+    run.run = number;
+    run.kind = kind;
+    run.settings_json = settings;
+    return run;
+}
+
+TEST(RunSettings, MissingOnesAreGuessedFromTheRunsBefore) {
+    const std::vector<DerivedRun> runs = {runOf(1, "inertial"), runOf(2, "range"), runOf(3, "pose"),
+                                          runOf(4, "range"), runOf(5, "pose")};
+    EXPECT_EQ(runSettings(runs[2], runs, TakeLevel::kSignal).range_run, 2);
+    EXPECT_EQ(runSettings(runs[4], runs, TakeLevel::kSignal).range_run, 4);
+    EXPECT_EQ(runSettings(runs[4], runs, TakeLevel::kSignal).inertial_run, 1);
+    EXPECT_EQ(runSettings(runs[2], {runs[2]}, TakeLevel::kReadings).range_run, kPrimaryRun);
+    EXPECT_FALSE(runSettings(runs[2], {runs[2]}, TakeLevel::kSignal).range_run);
+    EXPECT_EQ(runSettings(runOf(3, "pose", "not json"), {}, TakeLevel::kSignal).sensors, "AGD");
+}
+
+}  // namespace
+}  // namespace noctule::test
