@@ -30,7 +30,9 @@ std::string comparisonText(const Comparison& c) {
     for (const JointComparison& joint : c.joints)
         text += jointRow(joint.name, fixed(joint.angle.mean_deg), fixed(joint.angle.std_deg),
                          fixed(joint.angle.rms_deg));
-    text += jointRow("mean", fixed(c.mean_deg), "", "");
+    char mean[48];
+    std::snprintf(mean, sizeof mean, "%-20s %10s\n", "mean", fixed(c.mean_deg).c_str());
+    text += mean;
     if (c.end_effector_mm)
         text += "hands, feet, head     " + fixed(*c.end_effector_mm, 1) + " mm off in the hips' frame\n";
     text += "root                  yaw " + fixed(c.root.yaw_deg) + " deg, tilt " + fixed(c.root.tilt_deg) +
