@@ -35,12 +35,11 @@ def parse_options():
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="programs at a time")
     parser.add_argument("--fuzz-inputs", type=int, default=20000, metavar="N")
     parser.add_argument("--fuzz-seed", type=int, default=1, metavar="N")
-    parser.add_argument("--readme", action="store_true", help="copy the figures into README.md")
     parser.add_argument("--check", action="store_true", help="only look at the arguments")
     options = parser.parse_args()
     names = list(FIGURES) if "all" in options.names else options.names
     unknown = sorted(set(names) - set(FIGURES))
-    if unknown or not (names or options.readme):
+    if unknown or not names:
         parser.error(f"no figure named {', '.join(unknown)}" if unknown else "name a figure, or all")
     options.names = names
     return options
@@ -61,11 +60,6 @@ def put_section(text, name, body):
     return pattern.sub(lambda _: section, text) if pattern.search(text) else text + "\n" + section
 
 
-def section_of(text, name):
-    found = re.search(rf"<!-- begin {name} -->\n(.*?)<!-- end {name} -->\n", text, re.DOTALL)
-    return found and found.group(1)
-
-
 def write_aside(path, text):
     aside = path.with_name(path.name + ".new")
     aside.write_text(text)
@@ -79,17 +73,6 @@ def run_figure(name, options):
     body = figure(options)
     note = f"Sources {state_of_the_sources()}, {os.cpu_count()} cores, {time.monotonic() - begin:.0f} s: "
     return f"## {title}\n\n{body.rstrip()}\n\n{note}`packaging/acceptance.sh {name}`\n"
-
-
-def copy_into_readme(results):
-    """Only figures that README.md has a place for."""
-    readme = studio.ROOT / "README.md"
-    text = readme.read_text()
-    for name in FIGURES:
-        body = section_of(results, name)
-        if body and section_of(text, name) is not None:
-            text = put_section(text, name, re.sub(r"^##", "###", body, flags=re.MULTILINE))
-    write_aside(readme, text)
 
 
 def main():
@@ -108,8 +91,6 @@ def main():
         except (RuntimeError, OSError, KeyError) as error:
             failed.append(name)
             print(f"{name} failed: {error}", file=sys.stderr)
-    if options.readme:
-        copy_into_readme(results)
     print(f"figures in {path}" + (f"; failed: {', '.join(failed)}" if failed else ""))
     return 1 if failed else 0
 
