@@ -31,7 +31,7 @@ Result<T> readDocument(const std::string& path,
 }  // namespace
 
 Option bvhUnitOption() {
-    return choice("bvh-unit", {"m", "cm", "mm", "inch", "cmu", "auto"},
+    return choice("bvh-unit", {"m", "cm", "mm", "inch", "cmu", "dm", "auto"},
                   "unit of lengths in BVH files; auto: from the figure's height")
         .orElse("auto");
 }

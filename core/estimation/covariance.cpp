@@ -62,7 +62,7 @@ Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks) 
     }
     Eigen::MatrixXd gain_by_row = gain.transpose();
     if (pending_.rows() > 0)
-        gain_by_row.noalias() -= seen * pending_;
+        addProduct(gain_by_row, -1, seen, pending_);
 
     Eigen::MatrixXd S(m, m);  // H P H^T + R, built as its transpose: it is symmetric
     row = 0;
@@ -80,15 +80,17 @@ Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks) 
     const Eigen::LLT<Eigen::MatrixXd> factor(S);
     if (factor.info() != Eigen::Success)
         return Eigen::VectorXd::Zero(n);
-    factor.matrixL().solveInPlace(gain_by_row);  // X^T = L^-1 H P
-    factor.matrixL().solveInPlace(residual);
+    const Eigen::MatrixXd inverse_L = factor.matrixL().solve(Eigen::MatrixXd::Identity(m, m));
+    const Eigen::VectorXd whitened = inverse_L * residual;
+    Eigen::MatrixXd x = Eigen::MatrixXd::Zero(m, n);  // X^T = L^-1 H P
+    addProduct(x, 1, inverse_L, gain_by_row);
 
     Eigen::MatrixXd all(pending_.rows() + m, n);
     if (pending_.rows() > 0)
         all.topRows(pending_.rows()) = pending_;
-    all.bottomRows(m) = gain_by_row;
+    all.bottomRows(m) = x;
     pending_ = std::move(all);
-    return gain_by_row.transpose() * residual;
+    return x.transpose() * whitened;
 }
 
 }  // namespace noctule

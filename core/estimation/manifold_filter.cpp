@@ -22,7 +22,7 @@ StateLayout makeLayout(int freedoms, const SuitModel& suit, const ManifoldParame
     };
     // A bias that nothing observes only hurts: none without the sensor it belongs to.
     layout.gyro_bias = reserve(p.sensors.gyroscopes, 3 * boards);
-    layout.accel_bias = reserve(p.sensors.accelerometers, 3 * boards);
+    layout.accel_bias = reserve(p.sensors.accelerometers && !p.sensors.distances, 3 * boards);
     layout.source_offset = reserve(p.sensors.distances, static_cast<int>(suit.sources.size()));
     layout.sound_scale = reserve(p.sensors.distances, 1);
     layout.size = next;
@@ -214,6 +214,8 @@ void ManifoldFilter::updateTriads(bool gyro) {
             continue;
         if (!gyro && !parameters_.sensors.gyroscopes)
             block.variance.array() += std::pow(parameters_.blind.accel_floor_m_per_s2, 2);
+        if (!gyro && layout_.accel_bias < 0)
+            block.variance.array() += std::pow(parameters_.accel_beside_distances_m_per_s2, 2);
         blocks.push_back(std::move(block));
     }
     correct(P_.update(blocks));

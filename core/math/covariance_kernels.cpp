@@ -104,6 +104,25 @@ NOCTULE_AVX2 void multiplyOneAvx2(const double* p, long n, const int* columns, l
             product[i] += h[k * h_rows] * p[columns[k] * n + i];
 }
 
+/// Rows from..m of one column: c += a (m x p) * b.
+NOCTULE_AVX2 void addColumnAvx2(double* c, const double* a, const double* b, long m, long p) {
+    long r = 0;
+    for (; r + 4 <= m; r += 4) {
+        __m256d even = _mm256_loadu_pd(c + r), odd = _mm256_setzero_pd();
+        long q = 0;
+        for (; q + 2 <= p; q += 2) {
+            even = _mm256_fmadd_pd(_mm256_loadu_pd(a + q * m + r), _mm256_broadcast_sd(b + q), even);
+            odd = _mm256_fmadd_pd(_mm256_loadu_pd(a + (q + 1) * m + r), _mm256_broadcast_sd(b + q + 1), odd);
+        }
+        if (q < p)
+            even = _mm256_fmadd_pd(_mm256_loadu_pd(a + q * m + r), _mm256_broadcast_sd(b + q), even);
+        _mm256_storeu_pd(c + r, _mm256_add_pd(even, odd));
+    }
+    for (; r < m; ++r)
+        for (long q = 0; q < p; ++q)
+            c[r] += a[q * m + r] * b[q];
+}
+
 #endif
 
 /// The best version for this processor; the choice is the same for the whole run, so results repeat to the
@@ -188,6 +207,20 @@ void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, c
 #endif
         multiplyOne(P.data(), n, columns.data(), count, H.data() + row, rows, target);
     }
+}
+
+void addProduct(Eigen::MatrixXd& C, double factor, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+    require(C.rows() == A.rows() && A.cols() == B.rows() && C.cols() == B.cols(),
+            "addProduct: shapes do not fit");
+#ifdef NOCTULE_AVX2
+    if (hasAvx2()) {
+        const Eigen::MatrixXd scaled = factor * A;
+        for (Eigen::Index c = 0; c < C.cols(); ++c)
+            addColumnAvx2(C.col(c).data(), scaled.data(), B.col(c).data(), C.rows(), A.cols());
+        return;
+    }
+#endif
+    C.noalias() += factor * A * B;
 }
 
 }  // namespace noctule

@@ -17,4 +17,7 @@ void subtractOuterProduct(Eigen::MatrixXd& P, const Eigen::MatrixXd& X_transpose
 void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, const Eigen::MatrixXd& H,
                     Eigen::MatrixXd& product, Eigen::Index first);
 
+/// C (m x n) += factor * A (m x p) * B (p x n) for small m and p.
+void addProduct(Eigen::MatrixXd& C, double factor, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+
 }  // namespace noctule

@@ -38,5 +38,17 @@ TEST(CovarianceKernels, SparseProductEqualsTheDenseOne) {
         }
 }
 
+TEST(CovarianceKernels, ProductOfSmallMatricesIsAdded) {
+    std::srand(5);
+    for (long m : {1, 3, 4, 9, 18})
+        for (long p : {1, 2, 7, 22}) {
+            const Eigen::MatrixXd A = Eigen::MatrixXd::Random(m, p), B = Eigen::MatrixXd::Random(p, 31);
+            Eigen::MatrixXd C = Eigen::MatrixXd::Random(m, 31);
+            const Eigen::MatrixXd expected = C - 2 * A * B;
+            addProduct(C, -2, A, B);
+            EXPECT_LT((C - expected).cwiseAbs().maxCoeff(), 1e-13) << m << " " << p;
+        }
+}
+
 }  // namespace
 }  // namespace noctule
