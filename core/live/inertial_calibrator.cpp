@@ -26,9 +26,13 @@ InertialCalibrator::InertialCalibrator(const Suit& suit, const Calibration& cali
             const AxisCalibration& triad = i < 3 ? known->gyro : known->accel;
             // counts - zero = M^-1 value: axis i senses along row i of M^-1.
             const Vector3d row = triad.matrix.inverse().row(i % 3).transpose();
-            axes.axes[i] = {row.normalized(), triad.zero_counts[i % 3],
-                            1 / row.norm(),   i < 3 ? noise.gyro_rad_per_s : noise.accel_m_per_s2,
-                            std::nullopt,     codecRoundingSigmaCounts(0)};
+            axes.axes[i] = {row.normalized(),
+                            triad.zero_counts[i % 3],
+                            1 / row.norm(),
+                            i < 3 ? noise.gyro_rad_per_s : noise.accel_m_per_s2,
+                            std::nullopt,
+                            codecRoundingSigmaCounts(0),
+                            !(triad.zero_counts.isZero() && triad.matrix.isIdentity())};
         }
         boards_.push_back(axes);
     }
@@ -42,6 +46,11 @@ InertialMeasurement InertialCalibrator::convert(const InertialReading& reading) 
         const std::optional<double>& counts = reading.counts[i];
         if (!counts)
             continue;
+        TriadReading& triad = i < 3 ? measurement.gyro : measurement.accel;
+        if (!axis.counts) {
+            triad.add({axis.sensitive_axis, *counts, axis.noise});
+            continue;
+        }
         const double step = axis.last_counts ? std::abs(*counts - *axis.last_counts) : 0;
         const double rounding = codecRoundingSigmaCounts(step);
         // What one frame rounds away the next pays back: the error is the difference of two roundings.
@@ -55,9 +64,8 @@ InertialMeasurement InertialCalibrator::convert(const InertialReading& reading) 
         const double reach = std::sqrt(12.0) * rounding;
         if (step >= kLargeStep_counts && (*counts - reach <= kCountsMin || *counts + reach >= kCountsMax))
             continue;  // within one step of the end after a large one: may stand for a clipped value
-        (i < 3 ? measurement.gyro : measurement.accel)
-            .add({axis.sensitive_axis, (*counts - axis.zero_counts) * axis.per_count,
-                  std::hypot(axis.noise, both)});
+        triad.add({axis.sensitive_axis, (*counts - axis.zero_counts) * axis.per_count,
+                   std::hypot(axis.noise, both)});
     }
     return measurement;
 }

@@ -21,8 +21,10 @@ public:
     InertialCalibrator(const Suit& suit, const Calibration& calibration, double sample_rate_hz,
                        const SensorNoise& noise = {});
 
-    /// Readings of one board in order of time. An axis that is absent or clipped is left out; its sigma holds
-    /// the sensor's noise and the rounding of the step by which the stream reached the reading.
+    /// Readings of one board in order of time. A triad with zero 0 and the identity for a matrix holds SI
+    /// values of another maker's sensor and is taken as it is. An axis that is absent or clipped is left out;
+    /// its sigma holds the sensor's noise and the rounding of the step by which the stream reached the
+    /// reading.
     InertialMeasurement convert(const InertialReading& reading);
 
     int64_t clippedReadings(int board) const { return boards_[static_cast<size_t>(board)].clipped; }
@@ -34,6 +36,7 @@ private:
         double noise;
         std::optional<double> last_counts;
         double last_rounding;  ///< counts
+        bool counts;  ///< else SI already, as in takes imported from other sensors: neither clipped nor coded
     };
     struct BoardAxes {
         Axis axes[6];

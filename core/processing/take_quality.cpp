@@ -20,7 +20,7 @@ void count(const InertialReading& reading, ReportBoard& board) {
     for (size_t i = 0; i < reading.counts.size(); ++i)
         if (const std::optional<double>& counts = reading.counts[i]) {
             ++board.readings_present;
-            const bool clipped = *counts <= kCountsMin || *counts >= kCountsMax;
+            const bool clipped = *counts == kCountsMin || *counts == kCountsMax;
             (i < 3 ? board.clipped_gyro : board.clipped_accel) += clipped;
         }
 }

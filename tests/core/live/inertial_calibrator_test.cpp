@@ -114,5 +114,28 @@ TEST(InertialCalibrator, SigmaGrowsWithTheStepAndRemembersTheOneBefore) {
     EXPECT_GT(last_sigma, 10 * noise.gyro_rad_per_s);
 }
 
+TEST(InertialCalibrator, ValuesOfOtherSensorsPassAsTheyAre) {
+    Suit suit;
+    suit.boards.resize(1);
+    suit.boards[0].id = "hips";
+    Calibration calibration;
+    calibration.boards.resize(1);
+    calibration.boards[0].id = "hips";
+    calibration.boards[0].gyro.zero_counts.setZero();
+    calibration.boards[0].accel.zero_counts.setZero();
+    InertialCalibrator calibrator(suit, calibration, 150000);
+    InertialReading reading;
+    const double values[6] = {-0.5, 0.0, 3.25, -9.8, 0.01, -200.0};
+    std::copy(values, values + 6, reading.counts.begin());
+    const InertialMeasurement measurement = calibrator.convert(reading);
+    ASSERT_EQ(measurement.gyro.count, 3);
+    ASSERT_EQ(measurement.accel.count, 3);
+    for (size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(measurement.gyro.axes[i].value, values[i]);
+        EXPECT_EQ(measurement.accel.axes[i].value, values[3 + i]);
+    }
+    EXPECT_EQ(calibrator.clippedReadings(0), 0);
+}
+
 }  // namespace
 }  // namespace noctule
