@@ -61,15 +61,17 @@ bool sameContent(const BvhDocument& a, const BvhDocument& b) {
            std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(), b.joints.end(), sameJoint);
 }
 
-// --- files of other programs
-// -------------------------------------------------------------------------------------
-
 struct KnownFile {
     const char* path;
     size_t joints, channels, declared_frames, frames;
     double frame_time_s;
     BvhUnit unit;
 };
+
+/// How GoogleTest names the case.
+void PrintTo(const KnownFile& file, std::ostream* out) {
+    *out << file.path;
+}
 
 class BvhFiles : public testing::TestWithParam<KnownFile> {};
 
@@ -167,9 +169,6 @@ TEST(Bvh, SaysThatTheBoxerHasARowMore) {
     EXPECT_EQ(document.warnings[0].text, "Frames is 3069, but 3070 complete rows follow; these are used");
     EXPECT_EQ(document.values.capacity(), document.values.size());  // one row more costs no second block
 }
-
-// --- valid, however odd
-// --------------------------------------------------------------------------------------------
 
 TEST(Bvh, HoldsAllThatTheTextSays) {
     const BvhDocument document = parsed(kSmall);
@@ -319,9 +318,6 @@ TEST(Bvh, UnitsHaveTheirWords) {
     EXPECT_EQ(bvhUnitFromText("foot").error().kind, ErrorKind::kUsage);
 }
 
-// --- damaged, but the complete rows are what a user wants
-// -------------------------------------------------------------
-
 struct Salvaged {
     std::string text;
     size_t frames, line;
@@ -347,9 +343,6 @@ TEST(Bvh, CompleteRowsSurvive) {
         EXPECT_LT(document.values.capacity(), 1000u);
     }
 }
-
-// --- damaged beyond use
-// -----------------------------------------------------------------------------------------------
 
 struct Damaged {
     std::string text;

@@ -144,6 +144,11 @@ struct Refusal {
     const char* message;
 };
 
+/// How GoogleTest names the case.
+void PrintTo(const Refusal& c, std::ostream* out) {
+    *out << c.sql;
+}
+
 class RefusedTake : public testing::TestWithParam<Refusal> {};
 
 TEST_P(RefusedTake, SaysWhy) {

@@ -80,6 +80,11 @@ struct Damage {
     const char* named;
 };
 
+/// How GoogleTest names the case.
+void PrintTo(const Damage& c, std::ostream* out) {
+    *out << c.pointer;
+}
+
 class DamagedCalibration : public testing::TestWithParam<Damage> {};
 
 TEST_P(DamagedCalibration, IsRefusedByName) {

@@ -60,6 +60,11 @@ struct Damage {
     const char* named;  ///< must stand in the message
 };
 
+/// How GoogleTest names the case.
+void PrintTo(const Damage& c, std::ostream* out) {
+    *out << c.pointer;
+}
+
 class DamagedSuit : public testing::TestWithParam<Damage> {};
 
 TEST_P(DamagedSuit, IsRefusedByName) {
