@@ -13,6 +13,16 @@ packages=(
     libsqlite3-dev       # SQLite3
     libzstd-dev          # libzstd
     qtbase5-dev          # Qt5
+    libqt5svg5-dev       # Qt5: Svg
+    qttools5-dev         # Qt5: LinguistTools
+    qttools5-dev-tools   # Qt5: lupdate, lrelease
+    libqwt-qt5-dev       # Qt5Qwt6
+    libepoxy-dev         # epoxy
+    libegl-dev           # epoxy: pictures without a screen
+    libgl1-mesa-dri      # OpenGL without a graphics card
+    fonts-roboto-unhinted # the studio's type
+    xvfb                 # a screen for the studio's tests
+    xauth                # xvfb-run needs it
     libgtest-dev         # GTest
     libgmock-dev         # GTest: its CMake configuration names both
     libbenchmark-dev     # benchmark

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// A triangle mesh whose vertices hang on the joints of a skeleton (linear blend skinning). Metres, in the
+// skeleton's zero pose with the root's frame at rootRestHeight above y = 0; Y up, Z forward, X to the left.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/body/skeleton.h"
+
+namespace noctule {
+
+struct SkinnedVertex {
+    Eigen::Vector3f p_m = Eigen::Vector3f::Zero();
+    Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();
+    std::array<uint16_t, 4> bones{};  ///< indices into SkinnedMesh::bones
+    std::array<float, 4> weights{};   ///< sum 1; unused ones 0
+};
+
+struct SkinBone {
+    std::string joint;                                           ///< canonical joint name
+    Eigen::Matrix4f bind_inverse = Eigen::Matrix4f::Identity();  ///< mesh -> joint frame in the bind pose
+};
+
+struct SkinnedMesh {
+    std::vector<SkinnedVertex> vertices;
+    std::vector<std::array<uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
+    std::vector<SkinBone> bones;
+};
+
+/// Per bone the matrix mesh -> world: globalPose of the bone's joint times bind_inverse. A bone without a
+/// joint of that name in the skeleton follows its nearest ancestor by canonical name, else the root.
+std::vector<Eigen::Matrix4f> skinMatrices(const SkinnedMesh& mesh, const Skeleton& skeleton,
+                                          const GlobalPose& pose);
+
+}  // namespace noctule

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the screens show of a take, as plain values read part by part: the overview at once, the long tables
+// when they are looked at. Every function opens the file itself and may run on any thread; none changes it.
+// Times in seconds of the take's clock (0 = first sample).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/acoustics/range.h"
+#include "core/body/actor.h"
+#include "core/job/job.h"
+#include "core/job/result.h"
+#include "core/motion/timed_poses.h"
+#include "core/processing/pose_runs.h"
+#include "core/recording/rows.h"
+#include "core/suit/calibration.h"
+#include "core/suit/suit.h"
+
+namespace noctule {
+
+/// A pose run as listed; its motion is loaded by loadPoses().
+struct ReviewRun {
+    DerivedRun run;
+    RunSettings settings;
+};
+
+struct ReviewMarker {
+    double t_s = 0;
+    std::string kind, label;
+};
+
+struct TakeOverview {
+    std::string path;
+    TakeHeader header;
+    std::string state;  ///< complete, recovered, recording
+    std::string performer;
+    TakeLevel level = TakeLevel::kSignal;
+    double duration_s = 0;
+    double sample_rate_hz = 0;
+    int64_t bytes = 0;
+    Suit suit;
+    Calibration calibration;  ///< in force; nominal when the take holds none
+    std::optional<Actor> actor;
+    std::vector<ReviewRun> runs;        ///< pose runs in the order they were made
+    std::vector<ReviewMarker> markers;  ///< user and sync; rest is in rest_s
+    std::optional<std::pair<double, double>> rest_s;
+    std::vector<std::pair<double, double>> gaps_s;  ///< of all boards
+    std::vector<NoteRow> notes;
+    bool has_reference = false;
+    bool has_external_root = false;
+    std::string reference_kind;
+    std::vector<std::string> problems;  ///< whole sentences
+};
+Result<TakeOverview> overviewTake(const std::string& path, const JobContext& job);
+
+/// The motion of a pose run, or the reference when `run` is absent.
+Result<TimedMotion> loadPoses(const std::string& path, std::optional<int64_t> run, const JobContext& job);
+
+/// All ranges of one source-board pair, equally long arrays in order of time.
+struct PairTrack {
+    std::vector<double> t_s;                                           ///< of the pulse
+    std::vector<float> distance_m, confidence, sigma_m, innovation_m;  ///< innovation NaN: not tried
+    std::vector<RangeFate> fate;
+};
+struct RangeTable {
+    int source_count = 0, board_count = 0;
+    std::vector<PairTrack> pairs;  ///< source * board_count + board
+    const PairTrack& pair(int source, int board) const {
+        return pairs[static_cast<size_t>(source * board_count + board)];
+    }
+};
+/// `run`: of kind range, or kPrimaryRun.
+Result<RangeTable> loadRanges(const std::string& path, int64_t run, const JobContext& job);
+
+/// Calibrated readings of one board: gyroscope x y z in rad/s, accelerometer x y z in m/s^2; NaN: lost.
+struct BoardTrack {
+    std::vector<double> t_s;
+    std::array<std::vector<float>, 6> value;
+    std::vector<double> lost_s, clipped_s;
+};
+struct ReadingTable {
+    std::vector<BoardTrack> boards;
+};
+/// `run`: of kind inertial, or kPrimaryRun.
+Result<ReadingTable> loadReadings(const std::string& path, int64_t run, const JobContext& job);
+
+/// The raw sound of one board between two times, full scale 1, NaN in gaps, and the pulses sent meanwhile.
+struct SoundWindow {
+    double from_s = 0;
+    double sample_rate_hz = 0;
+    std::vector<float> value;
+    struct PulseMark {
+        double sent_s = 0;
+        int source = 0;
+        std::optional<double> arrival_s;  ///< as detected, in the range run given
+    };
+    std::vector<PulseMark> pulses;
+};
+/// At most 10 s at a time (kUsage). kUnusable for takes without sound.
+Result<SoundWindow> loadSound(const std::string& path, int board, double from_s, double to_s,
+                              std::optional<int64_t> range_run, const JobContext& job);
+
+/// Lowest and highest value of the raw sound in `columns` equal columns over the whole take, for an overview.
+struct SoundEnvelope {
+    std::vector<float> min, max;  ///< full scale 1; NaN where there is none
+};
+Result<SoundEnvelope> loadSoundEnvelope(const std::string& path, int board, int columns,
+                                        const JobContext& job);
+
+}  // namespace noctule

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Long work off the interface's thread, with progress, cancel and an end in words. A job ends as exactly one
+// of done, failed or cancelled. `work` runs on a thread of its own pool; `done` runs on the interface's
+// thread.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/job/job.h"
+#include "core/job/result.h"
+
+namespace noctule::ui {
+
+class Job : public QObject {
+    Q_OBJECT
+public:
+    enum class State { kRunning, kDone, kFailed, kCancelled };
+
+    const QString& title() const { return title_; }
+    State state() const { return state_; }
+    double fraction() const { return fraction_; }
+    const QString& stage() const { return stage_; }
+    /// Absent while it cannot be told.
+    std::optional<int> secondsLeft() const;
+    /// In words, once it ended: the result, or what went wrong and what to do.
+    const QString& outcome() const { return outcome_; }
+    const std::optional<Error>& error() const { return error_; }
+    bool seen() const { return seen_; }
+    void setSeen();
+
+public slots:
+    void cancel();
+
+signals:
+    void changed();  ///< at most 20 times a second
+    void ended();
+
+private:
+    friend class Jobs;
+    struct Shared;
+    Job(QString title, QObject* parent);
+    void poll();
+    void end(const Status& status, const QString& outcome);
+
+    QString title_, stage_, outcome_;
+    State state_ = State::kRunning;
+    double fraction_ = 0;
+    std::optional<Error> error_;
+    bool seen_ = false;
+    QElapsedTimer clock_;
+    std::shared_ptr<Shared> shared_;
+};
+
+class Jobs : public QObject {
+    Q_OBJECT
+public:
+    explicit Jobs(QObject* parent = nullptr);
+    ~Jobs() override;  ///< cancels what runs and waits for it
+
+    /// Short work (loading for a view) is `quiet`: it appears in the panel only when it fails or lasts over a
+    /// second.
+    enum class Loudness { kNormal, kQuiet };
+
+    /// `done` gets the value on success and errors alike; returns words for the panel (empty: none).
+    template <class T>
+    Job* start(const QString& title, std::function<Result<T>(const JobContext&)> work,
+               std::function<QString(Result<T>)> done, Loudness loudness = Loudness::kNormal) {
+        auto slot = std::make_shared<std::optional<Result<T>>>();
+        return startUntyped(
+            title, [slot, work = std::move(work)](const JobContext& job) { slot->emplace(work(job)); },
+            [slot, done = std::move(done)](Job* job, const auto& end) {
+                const bool ok = (*slot)->ok();
+                const Status status = ok ? Status(Done{}) : Status((*slot)->error());
+                end(job, status, done(std::move(**slot)));
+            },
+            loudness);
+    }
+
+    const std::vector<Job*>& all() const { return jobs_; }  ///< newest last
+    int running() const;
+    void clearEnded();
+
+signals:
+    void started(noctule::ui::Job* job);
+    void changed();  ///< any job's state or progress
+
+private:
+    using End = std::function<void(Job*, const Status&, const QString&)>;
+    Job* startUntyped(const QString& title, std::function<void(const JobContext&)> work,
+                      std::function<void(Job*, const End&)> finish, Loudness loudness);
+
+    std::vector<Job*> jobs_;
+};
+
+}  // namespace noctule::ui

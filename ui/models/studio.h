@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// What all screens share: one session, one take under review, one time, one selection, one list of jobs, one
+// set of preferences. Pages get a Studio& and talk to each other through it only.
+#pragma once
+
+#include <QObject>
+#include <QSettings>
+#include <functional>
+#include <string>
+
+#include "core/mesh/skinned_mesh.h"
+#include "ui/jobs/jobs.h"
+#include "ui/models/selection.h"
+#include "ui/models/session_model.h"
+#include "ui/models/take_document.h"
+#include "ui/models/time_cursor.h"
+
+namespace noctule::ui {
+
+/// What the program gives the studio: the screens know no simulator.
+struct StudioParts {
+    std::string software;                  ///< "noctule 0.1.0"
+    std::function<std::string()> utc_now;  ///< ISO 8601
+    /// Writes a take of the virtual suit on a sample motion, not yet processed.
+    std::function<Status(const std::string& path, const JobContext&)> make_sample_take;
+};
+
+enum class Step { kStart, kConnect, kCalibrate, kRecord, kReview, kExport, kPerformer };
+
+class Studio : public QObject {
+    Q_OBJECT
+public:
+    explicit Studio(StudioParts parts, QObject* parent = nullptr);
+
+    const StudioParts& parts() const { return parts_; }
+    Jobs& jobs() { return jobs_; }
+    TimeCursor& time() { return time_; }
+    Selection& selection() { return selection_; }
+    SessionModel& session() { return session_; }
+    TakeDocument& take() { return take_; }
+    QSettings& settings() { return settings_; }
+    /// The body that ships with the studio, loaded on first use; null when it cannot be read.
+    std::shared_ptr<const SkinnedMesh> body();
+
+    /// A session with a sample take, processed and open in Review.
+    void tryVirtualSuit();
+    /// Processes a take of the session as a job; shows the new run when the take is open.
+    Job* process(ProcessRequest request);
+
+public slots:
+    void goTo(noctule::ui::Step step) { emit stepRequested(step); }
+
+signals:
+    void stepRequested(noctule::ui::Step step);
+    /// A sentence for the status bar.
+    void said(const QString& text);
+    /// Something failed: what happened, and what to do.
+    void failed(const QString& what, const QString& remedy);
+
+private:
+    StudioParts parts_;
+    QSettings settings_;
+    Jobs jobs_;
+    TimeCursor time_;
+    Selection selection_;
+    SessionModel session_;
+    TakeDocument take_;
+    std::shared_ptr<const SkinnedMesh> body_;
+};
+
+}  // namespace noctule::ui
