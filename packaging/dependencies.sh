@@ -17,6 +17,7 @@ packages=(
     qttools5-dev         # Qt5: LinguistTools
     qttools5-dev-tools   # Qt5: lupdate, lrelease
     libqwt-qt5-dev       # Qt5Qwt6
+    libqt5opengl5-dev    # Qt5Qwt6 asks for it
     libepoxy-dev         # epoxy
     libegl-dev           # epoxy: pictures without a screen
     libgl1-mesa-dri      # OpenGL without a graphics card

@@ -17,12 +17,8 @@ Eigen::MatrixXd& Covariance::dense() {
 }
 
 Eigen::MatrixXd Covariance::timesPending(const ObservationBlock& block) const {
-    Eigen::MatrixXd product = Eigen::MatrixXd::Zero(pending_.rows(), block.rows());
-    for (Eigen::Index k = 0; k < block.H.cols(); ++k) {
-        const auto column = pending_.col(block.columns[static_cast<size_t>(k)]);
-        for (Eigen::Index r = 0; r < block.rows(); ++r)
-            product.col(r) += block.H(r, k) * column;
-    }
+    Eigen::MatrixXd product(pending_.rows(), block.rows());
+    multiplySparse(pending_, block.columns, block.H, product, 0);
     return product.transpose();
 }
 
@@ -67,14 +63,8 @@ Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks) 
     Eigen::MatrixXd S(m, m);  // H P H^T + R, built as its transpose: it is symmetric
     row = 0;
     for (const ObservationBlock& block : blocks) {
-        auto columns = S.middleCols(row, block.rows());
-        columns.setZero();
-        for (Eigen::Index k = 0; k < block.H.cols(); ++k) {
-            const auto source = gain_by_row.col(block.columns[static_cast<size_t>(k)]);
-            for (Eigen::Index r = 0; r < block.rows(); ++r)
-                columns.col(r) += block.H(r, k) * source;
-        }
-        columns.middleRows(row, block.rows()).diagonal() += block.variance;
+        multiplySparse(gain_by_row, block.columns, block.H, S, row);
+        S.diagonal().segment(row, block.rows()) += block.variance;
         row += block.rows();
     }
     const Eigen::LLT<Eigen::MatrixXd> factor(S);
@@ -83,7 +73,7 @@ Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks) 
     const Eigen::MatrixXd inverse_L = factor.matrixL().solve(Eigen::MatrixXd::Identity(m, m));
     const Eigen::VectorXd whitened = inverse_L * residual;
     Eigen::MatrixXd x = Eigen::MatrixXd::Zero(m, n);  // X^T = L^-1 H P
-    addProduct(x, 1, inverse_L, gain_by_row);
+    addProduct(x, 1, inverse_L, gain_by_row, Shape::kLowerTriangular);
 
     Eigen::MatrixXd all(pending_.rows() + m, n);
     if (pending_.rows() > 0)

@@ -73,24 +73,25 @@ NOCTULE_AVX2 void tileSumAvx2(const double* panel, const double* factors, long m
             _mm256_storeu_pd(sum + c * kRows + 4 * f, total[c][f]);
 }
 
-/// Returns how many leading rows it has done.
+/// Rows `from` .. as far as whole packs of 4 * kFours go; returns the first row not done.
+template <int kFours>
 NOCTULE_AVX2 long multiplyThreeAvx2(const double* p, long n, const int* columns, long count, const double* h,
-                                    long h_rows, double* product) {
-    long i = 0;
-    for (; i + 12 <= n; i += 12) {
-        __m256d sum[3][3] = {};
+                                    long h_rows, long from, double* product) {
+    long i = from;
+    for (; i + 4 * kFours <= n; i += 4 * kFours) {
+        __m256d sum[3][kFours] = {};
         for (long k = 0; k < count; ++k) {
-            const double* column = p + columns[k] * n + i;
-            const __m256d rows[3] = {_mm256_loadu_pd(column), _mm256_loadu_pd(column + 4),
-                                     _mm256_loadu_pd(column + 8)};
+            __m256d rows[kFours];
+            for (int f = 0; f < kFours; ++f)
+                rows[f] = _mm256_loadu_pd(p + columns[k] * n + i + 4 * f);
             for (long r = 0; r < 3; ++r) {
                 const __m256d factor = _mm256_broadcast_sd(h + k * h_rows + r);
-                for (int f = 0; f < 3; ++f)
+                for (int f = 0; f < kFours; ++f)
                     sum[r][f] = _mm256_fmadd_pd(rows[f], factor, sum[r][f]);
             }
         }
         for (long r = 0; r < 3; ++r)
-            for (int f = 0; f < 3; ++f)
+            for (int f = 0; f < kFours; ++f)
                 _mm256_storeu_pd(product + r * n + i + 4 * f, sum[r][f]);
     }
     return i;
@@ -104,23 +105,41 @@ NOCTULE_AVX2 void multiplyOneAvx2(const double* p, long n, const int* columns, l
             product[i] += h[k * h_rows] * p[columns[k] * n + i];
 }
 
-/// Rows from..m of one column: c += a (m x p) * b.
-NOCTULE_AVX2 void addColumnAvx2(double* c, const double* a, const double* b, long m, long p) {
-    long r = 0;
-    for (; r + 4 <= m; r += 4) {
-        __m256d even = _mm256_loadu_pd(c + r), odd = _mm256_setzero_pd();
-        long q = 0;
-        for (; q + 2 <= p; q += 2) {
-            even = _mm256_fmadd_pd(_mm256_loadu_pd(a + q * m + r), _mm256_broadcast_sd(b + q), even);
-            odd = _mm256_fmadd_pd(_mm256_loadu_pd(a + (q + 1) * m + r), _mm256_broadcast_sd(b + q + 1), odd);
+/// 4 * kFours rows of kCount columns: C += A (m x p) * B.
+template <int kFours, int kCount>
+NOCTULE_AVX2 void addBlockAvx2(double* c, const double* a, const double* b, long m, long p, long p_used) {
+    __m256d sum[kCount][kFours];
+    for (int i = 0; i < kCount; ++i)
+        for (int f = 0; f < kFours; ++f)
+            sum[i][f] = _mm256_loadu_pd(c + i * m + 4 * f);
+    for (long q = 0; q < p_used; ++q) {
+        __m256d rows[kFours];
+        for (int f = 0; f < kFours; ++f)
+            rows[f] = _mm256_loadu_pd(a + q * m + 4 * f);
+        for (int i = 0; i < kCount; ++i) {
+            const __m256d factor = _mm256_broadcast_sd(b + i * p + q);
+            for (int f = 0; f < kFours; ++f)
+                sum[i][f] = _mm256_fmadd_pd(rows[f], factor, sum[i][f]);
         }
-        if (q < p)
-            even = _mm256_fmadd_pd(_mm256_loadu_pd(a + q * m + r), _mm256_broadcast_sd(b + q), even);
-        _mm256_storeu_pd(c + r, _mm256_add_pd(even, odd));
     }
+    for (int i = 0; i < kCount; ++i)
+        for (int f = 0; f < kFours; ++f)
+            _mm256_storeu_pd(c + i * m + 4 * f, sum[i][f]);
+}
+
+/// kCount columns: C += A (m x p) * B; of a lower triangular A the upper part is not read.
+template <int kCount>
+NOCTULE_AVX2 void addColumnsAvx2(double* c, const double* a, const double* b, long m, long p, bool lower) {
+    const auto used = [&](long row_end) { return lower ? std::min(p, row_end) : p; };
+    long r = 0;
+    for (; r + 8 <= m; r += 8)
+        addBlockAvx2<2, kCount>(c + r, a + r, b, m, p, used(r + 8));
+    for (; r + 4 <= m; r += 4)
+        addBlockAvx2<1, kCount>(c + r, a + r, b, m, p, used(r + 4));
     for (; r < m; ++r)
-        for (long q = 0; q < p; ++q)
-            c[r] += a[q * m + r] * b[q];
+        for (int i = 0; i < kCount; ++i)
+            for (long q = 0; q < used(r + 1); ++q)
+                c[i * m + r] += a[q * m + r] * b[i * p + q];
 }
 
 #endif
@@ -136,32 +155,31 @@ void bestTileSum(const double* panel, const double* factors, long m, double* sum
     tileSum<kRows>(panel, factors, m, sum);
 }
 
-/// Rows i .. i + kRows of P left of them in whole tiles, mirrored; returns the first column not done.
+/// Rows i .. i + kRows of P up to the diagonal, mirrored. Tiles that the diagonal crosses are computed whole
+/// and used below it.
 template <int kRows>
-long subtractRows(double* p, const Eigen::MatrixXd& rows_of_x, long n, long i, std::vector<double>& panel) {
+void subtractRows(double* p, const Eigen::MatrixXd& rows_of_x, long n, long i, std::vector<double>& panel) {
     const long m = rows_of_x.rows();
     panel.resize(static_cast<size_t>(kRows * m));
     for (long r = 0; r < kRows; ++r)
         for (long k = 0; k < m; ++k)
             panel[static_cast<size_t>(k * kRows + r)] = rows_of_x(k, i + r);
-    long j = 0;
-    for (; j + kColumns <= i; j += kColumns) {
+    for (long j = 0; j < i + kRows; j += kColumns) {
         alignas(32) double sum[kColumns * kRows];
         bestTileSum<kRows>(panel.data(), rows_of_x.col(j).data(), m, sum);
         for (long c = 0; c < kColumns; ++c)
-            for (long r = 0; r < kRows; ++r)
+            for (long r = std::max(0L, j + c - i); r < kRows; ++r)
                 p[(j + c) * n + i + r] -= sum[c * kRows + r];
         for (long r = 0; r < kRows; ++r)
-            for (long c = 0; c < kColumns; ++c)
+            for (long c = 0; c < kColumns && j + c < i + r; ++c)
                 p[(i + r) * n + j + c] = p[(j + c) * n + i + r];
     }
-    return j;
 }
 
-/// Rows i .. end, columns from `first` up to the diagonal, one by one.
-void subtractCorner(double* p, const Eigen::MatrixXd& rows_of_x, long n, long i, long end, long first) {
-    for (long r = i; r < end; ++r)
-        for (long c = first; c <= r; ++c) {
+/// Rows i .. n, one by one.
+void subtractLastRows(double* p, const Eigen::MatrixXd& rows_of_x, long n, long i) {
+    for (long r = i; r < n; ++r)
+        for (long c = 0; c <= r; ++c) {
             p[c * n + r] -= rows_of_x.col(r).dot(rows_of_x.col(c));
             p[r * n + c] = p[c * n + r];
         }
@@ -173,13 +191,15 @@ void subtractOuterProduct(Eigen::MatrixXd& P, const Eigen::MatrixXd& X_transpose
     require(P.cols() == P.rows() && X_transposed.cols() == P.rows(),
             "subtractOuterProduct: shapes do not fit");
     constexpr int kRows = 12;
+    static_assert(kRows % kColumns == 0, "the last tile of a row panel ends on the diagonal");
     const long n = P.rows();
     std::vector<double> panel;
     long i = 0;
     for (; i + kRows <= n; i += kRows)
-        subtractCorner(P.data(), X_transposed, n, i, i + kRows,
-                       subtractRows<kRows>(P.data(), X_transposed, n, i, panel));
-    subtractCorner(P.data(), X_transposed, n, i, n, 0);
+        subtractRows<kRows>(P.data(), X_transposed, n, i, panel);
+    for (; i + kColumns <= n; i += kColumns)
+        subtractRows<kColumns>(P.data(), X_transposed, n, i, panel);
+    subtractLastRows(P.data(), X_transposed, n, i);
 }
 
 void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, const Eigen::MatrixXd& H,
@@ -193,7 +213,8 @@ void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, c
         long done = 0;
 #ifdef NOCTULE_AVX2
         if (hasAvx2())
-            done = multiplyThreeAvx2(P.data(), n, columns.data(), count, H.data() + row, rows, target);
+            for (auto* multiply : {multiplyThreeAvx2<3>, multiplyThreeAvx2<1>})
+                done = multiply(P.data(), n, columns.data(), count, H.data() + row, rows, done, target);
 #endif
         multiplyThree(P.data(), n, columns.data(), count, H.data() + row, rows, done, target);
     }
@@ -209,18 +230,27 @@ void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, c
     }
 }
 
-void addProduct(Eigen::MatrixXd& C, double factor, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+void addProduct(Eigen::MatrixXd& C, double factor, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
+                Shape shape) {
     require(C.rows() == A.rows() && A.cols() == B.rows() && C.cols() == B.cols(),
             "addProduct: shapes do not fit");
+    const bool lower = shape == Shape::kLowerTriangular;
 #ifdef NOCTULE_AVX2
     if (hasAvx2()) {
         const Eigen::MatrixXd scaled = factor * A;
-        for (Eigen::Index c = 0; c < C.cols(); ++c)
-            addColumnAvx2(C.col(c).data(), scaled.data(), B.col(c).data(), C.rows(), A.cols());
+        const long m = C.rows(), p = A.cols(), n = C.cols();
+        long j = 0;
+        for (; j + 4 <= n; j += 4)
+            addColumnsAvx2<4>(C.col(j).data(), scaled.data(), B.col(j).data(), m, p, lower);
+        for (; j < n; ++j)
+            addColumnsAvx2<1>(C.col(j).data(), scaled.data(), B.col(j).data(), m, p, lower);
         return;
     }
 #endif
-    C.noalias() += factor * A * B;
+    if (lower)
+        C.noalias() += (factor * A).triangularView<Eigen::Lower>() * B;
+    else
+        C.noalias() += factor * A * B;
 }
 
 }  // namespace noctule

@@ -13,11 +13,16 @@ namespace noctule {
 /// the bit.
 void subtractOuterProduct(Eigen::MatrixXd& P, const Eigen::MatrixXd& X_transposed);
 
-/// P H^T for an H (rows x columns.size()) that is zero outside `columns`, into columns first.. of `product`.
+/// P H^T for any P and an H (rows x columns.size()) that is zero outside `columns`, into columns first.. of
+/// `product`.
 void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, const Eigen::MatrixXd& H,
                     Eigen::MatrixXd& product, Eigen::Index first);
 
-/// C (m x n) += factor * A (m x p) * B (p x n) for small m and p.
-void addProduct(Eigen::MatrixXd& C, double factor, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
+enum class Shape { kFull, kLowerTriangular };
+
+/// C (m x n) += factor * A (m x p) * B (p x n) for small m and p. What stands above the diagonal of a lower
+/// triangular A must be zero.
+void addProduct(Eigen::MatrixXd& C, double factor, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
+                Shape shape = Shape::kFull);
 
 }  // namespace noctule

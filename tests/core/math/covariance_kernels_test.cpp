@@ -24,10 +24,10 @@ TEST(CovarianceKernels, SparseProductEqualsTheDenseOne) {
     std::srand(4);
     for (long n : {3, 8, 45, 252})
         for (long rows : {1, 2, 3, 6, 7}) {
-            const Eigen::MatrixXd P = Eigen::MatrixXd::Random(n, n);
-            const std::vector<int> columns{0, static_cast<int>(n) - 1, static_cast<int>(n) / 2};
+            const Eigen::MatrixXd P = Eigen::MatrixXd::Random(n, n + 2);
+            const std::vector<int> columns{0, static_cast<int>(n) + 1, static_cast<int>(n) / 2};
             const Eigen::MatrixXd H = Eigen::MatrixXd::Random(rows, 3);
-            Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(rows, n);
+            Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(rows, n + 2);
             for (size_t k = 0; k < columns.size(); ++k)
                 dense.col(columns[k]) += H.col(static_cast<long>(k));
             Eigen::MatrixXd product = Eigen::MatrixXd::Constant(n, rows + 2, 7);
@@ -48,6 +48,18 @@ TEST(CovarianceKernels, ProductOfSmallMatricesIsAdded) {
             addProduct(C, -2, A, B);
             EXPECT_LT((C - expected).cwiseAbs().maxCoeff(), 1e-13) << m << " " << p;
         }
+}
+
+TEST(CovarianceKernels, ProductWithALowerTriangleEqualsTheFullOne) {
+    std::srand(6);
+    for (long m : {1, 3, 4, 9, 12, 19, 27}) {
+        const Eigen::MatrixXd L =
+            Eigen::MatrixXd(Eigen::MatrixXd::Random(m, m).triangularView<Eigen::Lower>());
+        const Eigen::MatrixXd B = Eigen::MatrixXd::Random(m, 33), C = Eigen::MatrixXd::Random(m, 33);
+        Eigen::MatrixXd sum = C;
+        addProduct(sum, 1.5, L, B, Shape::kLowerTriangular);
+        EXPECT_LT((sum - (C + 1.5 * L * B)).cwiseAbs().maxCoeff(), 1e-13) << m;
+    }
 }
 
 }  // namespace
