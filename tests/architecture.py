@@ -58,34 +58,39 @@ def sources(files, folder):
             SOURCE_SUFFIXES}
 
 
-def linked_rooms(files, complaints):
-    """{room: all rooms it may include}, from the noctule_library lines."""
+def linked_rooms(files, layer, complaints):
+    """{room of the layer: all its rooms that it may include}, from the noctule_library lines."""
+    lines = f"{layer}/CMakeLists.txt"
+    prefix = "" if layer == "core" else f"{layer}_"
     reach = {}
-    for line in ROOM_LINE.finditer(files["core/CMakeLists.txt"]):
-        room = line.group(1)
-        links = re.findall(r"\bnoctule_(\w+)", line.group(2) or "")
+    for line in ROOM_LINE.finditer(files.get(lines, "")):
+        room = line.group(1).removeprefix(prefix)
+        links = re.findall(rf"\bnoctule_{prefix}(\w+)", line.group(2) or "")
         for link in links:
             if link not in reach:
-                complaints.append(f"core/CMakeLists.txt: {room} links {link}, which does not stand above it")
+                complaints.append(f"{lines}: {room} links {link}, which does not stand above it")
         reach[room] = {room}.union(*(reach.get(link, {link}) for link in links))
-        if room != APART and APART in reach[room]:
-            complaints.append(f"core/CMakeLists.txt: {room} links {APART}")
+        if layer == "core" and room != APART and APART in reach[room]:
+            complaints.append(f"{lines}: {room} links {APART}")
     return reach
 
 
 def check_rooms(files, complaints):
-    reach = linked_rooms(files, complaints)
-    for path, text in sources(files, "core").items():
-        room = path.split("/")[1]
-        if room not in reach:
-            complaints.append(f"{path}: core/CMakeLists.txt has no line for the room {room}")
-            continue
-        for header in INCLUDE.findall(text):
-            target = re.match(r"core/(\w+)/", header)
-            if room == APART and header == ESTIMATORS_KINEMATICS:
-                complaints.append(f"{path}: {APART} includes the estimator's kinematics")
-            if target and target.group(1) not in reach[room]:
-                complaints.append(f"{path}: {room} does not link {target.group(1)}, but includes {header}")
+    for layer in ("core", "ui"):
+        reach = linked_rooms(files, layer, complaints)
+        for path, text in sources(files, layer).items():
+            room = path.split("/")[1]
+            if room not in reach:
+                complaints.append(f"{path}: {layer}/CMakeLists.txt has no line for the room {room}")
+                continue
+            for header in INCLUDE.findall(text):
+                target = re.match(rf"{layer}/(\w+)/", header)
+                if room == APART and header == ESTIMATORS_KINEMATICS:
+                    complaints.append(f"{path}: {APART} includes the estimator's kinematics")
+                if target and target.group(1) not in reach[room]:
+                    complaints.append(f"{path}: {room} does not link {target.group(1)}, but includes {header}")
+                if layer != "core" and header.startswith(f"core/{APART}/"):
+                    complaints.append(f"{path}: {layer} knows {APART}")
 
 
 def check_core(files, complaints):
@@ -200,7 +205,7 @@ def read_tree():
     return files
 
 
-TREE_OF_THE_SELF_TEST = {"CMakeLists.txt", "core/CMakeLists.txt", "packaging/dependencies.sh"}
+TREE_OF_THE_SELF_TEST = {"CMakeLists.txt", "core/CMakeLists.txt", "ui/CMakeLists.txt", "packaging/dependencies.sh"}
 
 
 def broken_trees(files):
@@ -236,19 +241,23 @@ def broken_trees(files):
         ("core includes ui", source("core/math/a.cpp", '#include "ui/main_window.h"'), "core includes ui/"),
         ("devices include ui", source("devices/replay/a.cpp", '#include "ui/main_window.h"'), "devices includes ui/"),
         ("devices draw", source("devices/replay/a.cpp", "#include <QWidget>"), "belongs to the screen"),
-        ("ui includes app", source("ui/a.cpp", '#include "app/batch/verb.h"'), "ui includes app/"),
+        ("ui includes app", source("ui/views/a.cpp", '#include "app/batch/verb.h"'), "ui includes app/"),
         ("product includes tests", source("app/a.cpp", '#include "tests/support/x.h"'), "app includes tests/"),
         ("relative include", source("core/math/a.cpp", '#include "../body/skeleton.h"'), "not relative to the top"),
         ("assimp in the wrong room", source("core/body/a.cpp", "#include <assimp/scene.h>"), "core/formats and core/"),
-        ("OpenCV in ui", source("ui/a.cpp", "#include <opencv2/core.hpp>"), "core/vision only"),
+        ("OpenCV in ui", source("ui/views/a.cpp", "#include <opencv2/core.hpp>"), "core/vision only"),
         ("source without licence", {"core/math/a.cpp": "int a;\n"}, "first line is not"),
         ("script without licence", {"packaging/a.sh": "#!/bin/sh\n"}, "first two lines"),
-        ("word", source("ui/a.cpp", "// TO" "DO later"), "ui/a.cpp:2: TO"),
+        ("word", source("ui/views/a.cpp", "// TO" "DO later"), "ui/views/a.cpp:2: TO"),
         ("path of a machine", {"README.md": "see /ho" "me/me/x\n"}, "README.md:1: /ho"),
+        ("arrow up in ui", source("ui/style/a.cpp", '#include "ui/views/page.h"'), "style does not link views"),
+        ("room of ui without a line", source("ui/attic/a.cpp", ""), "no line for the room attic"),
+        ("simulation on the screen", source("ui/views/a.cpp", '#include "core/simulation/world.h"'),
+         "ui knows simulation"),
         ("stray file", {"notes.txt": ""}, "notes.txt: does not belong"),
         ("flags elsewhere", {"app/CMakeLists.txt": "add_compile_options(-O3)\n"}, "compiler flags"),
         ("dependency without package", {"CMakeLists.txt": build + "find_package(Ceres REQUIRED)\n"}, "for Ceres"),
-        ("module without package", {"CMakeLists.txt": build + "pkg_check_modules(E REQUIRED epoxy)\n"}, "for epoxy"),
+        ("module without package", {"CMakeLists.txt": build + "pkg_check_modules(E REQUIRED flite)\n"}, "for flite"),
     ]
 
 

@@ -4,11 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "core/math/rotation.h"
 #include "core/recording/take_edit.h"
 #include "core/recording/take_writer.h"
+#include "tests/support/files.h"
 
 namespace noctule::test {
 
@@ -18,15 +17,12 @@ inline constexpr int kFrames = 280, kPulses = 240;  // two seconds, the last ten
 class MadeTake : public testing::Test {
 protected:
     void SetUp() override {
-        std::string name = (std::filesystem::temp_directory_path() / "noctule_made_XXXXXX").string();
-        folder_ = mkdtemp(name.data());
         actor_ = defaultActor();
         writePrimary();
     }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
 
     std::string path() const { return file("made_001.noctule"); }
-    std::string file(const std::string& name) const { return (folder_ / name).string(); }
+    std::string file(const std::string& name) const { return folder_.file(name); }
 
     /// Walks along X at 1 m/s and turns about the vertical at 1 rad/s; the right arm swings.
     Pose poseAt(double t_s) const {
@@ -134,7 +130,7 @@ protected:
         ASSERT_TRUE(edit->commit());
     }
 
-    std::filesystem::path folder_;
+    Folder folder_;
     Actor actor_;
 };
 

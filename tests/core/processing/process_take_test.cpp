@@ -10,7 +10,7 @@
 #include "core/motion/comparison.h"
 #include "core/simulation/simulate.h"
 #include "core/suit/default_suit.h"
-#include "tests/core/recording/take_files.h"
+#include "tests/core/recording/collect.h"
 
 namespace noctule {
 namespace {
@@ -67,7 +67,7 @@ SegmentError segmentError(const TimedMotion& poses, const TimedMotion& reference
 
 TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     for (const EstimatorKind estimator : {EstimatorKind::kManifold, EstimatorKind::kPaper}) {
         SCOPED_TRACE(estimatorName(estimator));
         ProcessRequest request = requestFor(path);
@@ -99,7 +99,7 @@ TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {
 
 TEST(ProcessTinyTake, WritesItsRunsWithTheirSettings) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     const auto first = processTake(requestFor(path), {});
     const auto second = processTake(requestFor(path), {});
     ASSERT_TRUE(first && second);
@@ -140,7 +140,7 @@ TEST(ProcessTinyTake, WritesItsRunsWithTheirSettings) {
 
 TEST(ProcessTinyTake, RepeatsItselfToTheLastBit) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     const auto first = processTake(requestFor(path), {});
     const auto second = processTake(requestFor(path), {});
     ASSERT_TRUE(first && second);
@@ -167,19 +167,19 @@ public:
 
 TEST(ProcessTinyTake, CancelledItLeavesTheFileAsItWas) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     const std::string before = test::readBytes(path);
     CancelHalfWay user;
     const auto cancelled = processTake(requestFor(path), {&user, &user.flag});
     ASSERT_FALSE(cancelled);
     EXPECT_EQ(cancelled.error().kind, ErrorKind::kCancelled);
     EXPECT_TRUE(test::readBytes(path) == before);
-    EXPECT_EQ(folder.fileCount(), 1u);
+    EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(ProcessTinyTake, RefusesACalibrationOfAnotherSuit) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     const std::string before = test::readBytes(path);
     ProcessRequest request = requestFor(path);
     request.calibration = nominalCalibration(defaultSuit());
@@ -196,7 +196,7 @@ TEST(ProcessTinyTake, RefusesACalibrationOfAnotherSuit) {
 
 TEST(ProcessTinyTake, RefusesAGivenRootThatTheTakeDoesNotHave) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     test::runSql(path, "DELETE FROM external_root");
     const auto refused = processTake(requestFor(path), {});
     ASSERT_FALSE(refused);

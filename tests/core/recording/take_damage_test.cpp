@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/recording/take_edit.h"
-#include "tests/core/recording/take_files.h"
+#include "tests/core/recording/collect.h"
 
 namespace noctule {
 namespace {
@@ -103,7 +103,7 @@ TEST(ForeignTake, OnlySection2AndAnotherPageSize) {
 
 TEST(ForeignTake, IsCompletedByAnEditAndKeepsWhatWeDoNotKnow) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     runSql(path, "CREATE TABLE weather(wind REAL); INSERT INTO weather VALUES(3); DROP TABLE note;");
     Result<Take> take = Take::open(path, Access::kReadWrite);
     Result<TakeEdit> edit = TakeEdit::begin(*take);
@@ -119,7 +119,7 @@ TEST(ForeignTake, IsCompletedByAnEditAndKeepsWhatWeDoNotKnow) {
 
 TEST(ForeignTake, TwoSuitsTakeTheirCountsFromTheirJson) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     runSql(path,
            "INSERT INTO suit(json,clock_offset_ns,clock_rate) SELECT replace(json, 'l_hand', 'r_hand'), 5e6, "
            "1.5 FROM suit;"
@@ -153,7 +153,7 @@ class RefusedTake : public testing::TestWithParam<Refusal> {};
 
 TEST_P(RefusedTake, SaysWhy) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     runSql(path, GetParam().sql);
     const auto take = Take::open(path);
     ASSERT_FALSE(take);
@@ -185,7 +185,7 @@ TEST(RefusedTake, NoFileAndNoDatabase) {
 
 TEST(DamagedTake, MissingMetaRefusesOnlyProcessing) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     runSql(path, "DELETE FROM meta WHERE key IN ('sample_rate_hz', 'board_count')");
     const Result<Take> take = Take::open(path);
     ASSERT_TRUE(take);
@@ -200,7 +200,7 @@ TEST(DamagedTake, MissingMetaRefusesOnlyProcessing) {
 
 TEST(DamagedTake, BoardCountsThatContradict) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     runSql(path, "UPDATE meta SET value='3' WHERE key='board_count'");
     const auto count = Take::open(path)->boardCount();
     ASSERT_FALSE(count);
@@ -209,7 +209,7 @@ TEST(DamagedTake, BoardCountsThatContradict) {
 
 TEST(DamagedTake, BadBlocksAreSkippedCountedAndNamed) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     runSql(path,
            "UPDATE adc_block SET data=x'0102' WHERE id=2; UPDATE adc_block SET sample_count=70000 WHERE id=4;"
            "UPDATE adc_block SET first_sample=-5 WHERE id=6; UPDATE adc_block SET codec=9 WHERE id=8;"
@@ -229,7 +229,7 @@ TEST(DamagedTake, BadBlocksAreSkippedCountedAndNamed) {
 
 TEST(DamagedTake, BadRowsAreSkipped) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     runSql(path,
            "UPDATE pulse SET source=2 WHERE id=1; UPDATE pulse SET sample=-1 WHERE id=2;"
            "UPDATE status SET sample='x' WHERE id=1; UPDATE status SET temperature_c='warm' WHERE id=2;"
@@ -251,7 +251,7 @@ TEST(DamagedTake, BadRowsAreSkipped) {
 
 TEST(DamagedTake, BadReadingsAndRangesAreSkipped) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     runSql(path,
            "CREATE TABLE inertial(run INTEGER, suit INTEGER NOT NULL DEFAULT 1, board INTEGER, frame "
            "INTEGER, sample"
@@ -282,7 +282,7 @@ TEST(DamagedTake, BadReadingsAndRangesAreSkipped) {
 
 TEST(DamagedTake, BrokenJsonIsNamed) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     runSql(
         path,
         "UPDATE suit SET json='{\"format\":'; UPDATE calibration SET json='[]'; UPDATE actor SET json=x'00'");

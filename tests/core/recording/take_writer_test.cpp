@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/suit/default_suit.h"
-#include "tests/core/recording/take_files.h"
+#include "tests/core/recording/collect.h"
 
 namespace noctule {
 namespace {
@@ -63,7 +63,7 @@ TEST(TakeWriter, EverythingIsReadBack) {
         ASSERT_TRUE(writer->addRange(kPrimaryRun, {1, 1200, 7, 17, 1400, 0.4, 1, 1, 1, 0.002}, "matched"));
         ASSERT_TRUE(writer->finish());
     }
-    EXPECT_EQ(folder.fileCount(), 1u);
+    EXPECT_EQ(folder.names().size(), 1u);
 
     const Result<Take> take = Take::open(path);
     ASSERT_TRUE(take) << take.error().text();
@@ -119,14 +119,14 @@ TEST(TakeWriter, LeavesNoHalfFile) {
         ASSERT_TRUE(forgotten->addBlock({0, noise(18 * 5000)}, 18));
         Result<TakeWriter> abandoned = TakeWriter::create(path, smallHeader());
         abandoned->abandon();
-        EXPECT_EQ(folder.fileCount(), 1u);
+        EXPECT_EQ(folder.names().size(), 1u);
     }
-    EXPECT_EQ(folder.fileCount(), 0u);
+    EXPECT_EQ(folder.names().size(), 0u);
 }
 
 TEST(TakeWriter, NeverOverwritesUnasked) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     const auto refused = TakeWriter::create(path, smallHeader());
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, ErrorKind::kUsage);
@@ -140,7 +140,7 @@ TEST(TakeWriter, NeverOverwritesUnasked) {
     Result<TakeWriter> asked = TakeWriter::create(path, smallHeader(), {true});
     ASSERT_TRUE(asked->finish());
     EXPECT_EQ(Take::open(path)->header().name, "small");
-    EXPECT_EQ(folder.fileCount(), 1u);
+    EXPECT_EQ(folder.names().size(), 1u);
     test::writeBytes(path + "-wal", "frames");
     EXPECT_EQ(TakeWriter::create(path, smallHeader(), {true}).error().kind, ErrorKind::kUsage);
 }

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "core/recording/take_edit.h"
-#include "tests/core/recording/take_files.h"
+#include "tests/core/recording/collect.h"
 
 namespace noctule {
 namespace {
@@ -155,7 +155,7 @@ Pose poseOf(int joints, double x) {
 
 TEST(TakeEdit, DerivedRunIsReadBack) {
     const Folder folder;
-    Result<Take> take = Take::open(folder.tinyTake(), Access::kReadWrite);
+    Result<Take> take = Take::open(tinyTake(folder), Access::kReadWrite);
     ASSERT_TRUE(take);
     Result<TakeEdit> edit = TakeEdit::begin(*take);
     ASSERT_TRUE(edit) << edit.error().text();
@@ -226,7 +226,7 @@ TEST(TakeEdit, DerivedRunIsReadBack) {
 
 TEST(TakeEdit, WithoutCommitNothingChanges) {
     const Folder folder;
-    const std::string path = folder.tinyTake();
+    const std::string path = tinyTake(folder);
     {
         Result<Take> take = Take::open(path, Access::kReadWrite);
         Result<TakeEdit> edit = TakeEdit::begin(*take);
@@ -237,12 +237,12 @@ TEST(TakeEdit, WithoutCommitNothingChanges) {
         ASSERT_TRUE(edit->setMeta("name", "other"));
     }
     EXPECT_EQ(test::readBytes(path), test::readBytes(kTinyTake));
-    EXPECT_EQ(folder.fileCount(), 1u);
+    EXPECT_EQ(folder.names().size(), 1u);
 }
 
 TEST(TakeEdit, DropsRunsButNeverPrimaryRows) {
     const Folder folder;
-    Result<Take> take = Take::open(folder.tinyTake(), Access::kReadWrite);
+    Result<Take> take = Take::open(tinyTake(folder), Access::kReadWrite);
     {
         Result<TakeEdit> edit = TakeEdit::begin(*take);
         ASSERT_TRUE(edit->addInertial(kPrimaryRun, {0, 0, 129, {}, {}, 0}));
@@ -267,7 +267,7 @@ TEST(TakeEdit, DropsRunsButNeverPrimaryRows) {
 
 TEST(TakeEdit, NewestCalibrationIsInForce) {
     const Folder folder;
-    Result<Take> take = Take::open(folder.tinyTake(), Access::kReadWrite);
+    Result<Take> take = Take::open(tinyTake(folder), Access::kReadWrite);
     Result<TakeEdit> edit = TakeEdit::begin(*take);
     Calibration newer = nominalCalibration(*take->suit());
     newer.created_utc = "2027-01-01T00:00:00Z";
@@ -287,7 +287,7 @@ TEST(TakeEdit, NewestCalibrationIsInForce) {
 
 TEST(TakeEdit, NumbersThatAreNoneStopAtTheBorder) {
     const Folder folder;
-    Result<Take> take = Take::open(folder.tinyTake(), Access::kReadWrite);
+    Result<Take> take = Take::open(tinyTake(folder), Access::kReadWrite);
     Result<TakeEdit> edit = TakeEdit::begin(*take);
     RangeMeasurement range;
     range.distance_m = std::numeric_limits<double>::quiet_NaN();
