@@ -9,6 +9,7 @@ import sys
 import time
 
 import benchmarks
+import blender
 import drift
 import long_fuzz
 import sanitizers
@@ -21,6 +22,7 @@ FIGURES = {
     "drift": ("Drift over five minutes", drift.figure),
     "benchmarks": ("Benchmarks", benchmarks.figure),
     "speed": ("Speed on one core", speed.figure),
+    "blender": ("Exports opened in Blender", blender.figure),
     "sanitizers": ("Unit tests under sanitizers", sanitizers.figure),
     "long-fuzz": ("Damaged inputs", long_fuzz.figure),
 }
