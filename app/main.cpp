@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wires the parts: without `--batch` the studio will open here, with it a job runs without a display.
+// Wires the parts: without `--batch` the studio opens, with it a job runs without a display.
 #include <QCoreApplication>
 #include <clocale>
 #include <csignal>
@@ -9,6 +9,7 @@
 
 #include "app/batch/help.h"
 #include "app/batch/program.h"
+#include "app/studio/studio_main.h"
 
 namespace {
 
@@ -28,8 +29,20 @@ void handleSignals() {
     std::signal(SIGPIPE, SIG_IGN);
 }
 
-int withoutBatch(const std::vector<std::string>& words) {
+int runBatch(int argc, char** argv, const std::vector<std::string>& words) {
+    handleSignals();
+    QCoreApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's; files and JSON are the same everywhere
+    return noctule::batch::runBatch({words.begin() + 1, words.end()}, cancel_flag);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
     const std::string first = words.empty() ? "" : words.front();
+    if (first == "--batch")
+        return runBatch(argc, argv, words);
     if (first == "--help" || first == "-h") {
         std::fputs(noctule::batch::programHelp().c_str(), stdout);
         return 0;
@@ -38,21 +51,5 @@ int withoutBatch(const std::vector<std::string>& words) {
         std::puts(noctule::batch::softwareName().c_str());
         return 0;
     }
-    std::fputs(
-        "noctule: the studio is not part of this version yet; jobs without a screen are: "
-        "`noctule --batch VERB`. `noctule --help` shows the verbs.\n",
-        stderr);
-    return 2;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-    const std::vector<std::string> words(argv + 1, argv + argc);
-    if (words.empty() || words.front() != "--batch")
-        return withoutBatch(words);
-    handleSignals();
-    QCoreApplication application(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's; files and JSON are the same everywhere
-    return noctule::batch::runBatch({words.begin() + 1, words.end()}, cancel_flag);
+    return noctule::studio::runStudio(argc, argv);
 }

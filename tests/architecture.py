@@ -31,7 +31,7 @@ QT_SCREEN = re.compile(r"Qt(Gui|Widgets|Svg|OpenGL)(/.*)?|Q(Widget|Application|G
 NOT_IN_CORE = re.compile(r"std::(jthread|thread|async|cout|cerr|random_device|time|clock)\b|\bpthread_\w+"
                          r"|\b(system|steady|high_resolution|utc)_clock\b|\b(gettimeofday|clock_gettime|getenv)\b")
 HEADERS_NOT_IN_CORE = {"thread", "future", "pthread.h", "iostream"}
-ROOM_LINE = re.compile(r"^noctule_library\((\w+)(?:\s+LINK\s+([^)]*))?\)", re.MULTILINE)
+ROOM_LINE = re.compile(r"^noctule_library\((\w+)(?:\s+PLAIN)?(?:\s+LINK\s+([^)]*))?\)", re.MULTILINE)
 FLAGS = re.compile(r"\b(add_compile_options|target_compile_options|CMAKE_CXX_FLAGS)\b")
 # Spelled in pieces, so that this file does not complain about itself.
 FORBIDDEN_WORDS = re.compile(r"\b(TO" r"DO|FIX" r"ME)\b|(?<![\w.])/(wo" r"rk|ro" r"ot|ho" r"me)/\w")

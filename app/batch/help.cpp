@@ -67,7 +67,8 @@ std::string verbList(bool later) {
 
 std::string programHelp() {
     return "Noctule: motion capture with a suit of gyroscopes, accelerometers and ultrasound.\n\n"
-           "usage: noctule --batch VERB [ARGUMENTS]\n"
+           "usage: noctule [SESSION|TAKE]      the studio; it needs a display\n"
+           "       noctule --batch VERB [ARGUMENTS]\n"
            "       noctule --batch VERB --help\n"
            "       noctule --help | --version\n\nverbs:\n" +
            verbList(false) + "\nnot yet available:\n" + verbList(true) + "\nafter every verb:\n" +

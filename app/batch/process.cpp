@@ -5,9 +5,9 @@
 
 #include "app/batch/files.h"
 #include "app/batch/program.h"
-#include "app/batch/take_copy.h"
 #include "app/batch/takes.h"
 #include "core/processing/process_take.h"
+#include "core/recording/take_copy.h"
 
 namespace noctule::batch {
 namespace {

@@ -31,4 +31,8 @@ struct PositionTable {
 Result<PositionTable> readPositionsCsv(const std::string& path);
 Result<PositionTable> parsePositionsCsv(std::string_view text, const std::string& where);
 
+/// Other columns of such a table by their names (the angles, say): row after row, in the order of `names`.
+/// kUnreadable when one is missing or holds something that is not a finite number.
+Result<std::vector<double>> readNumberColumns(const std::string& path, const std::vector<std::string>& names);
+
 }  // namespace noctule

@@ -48,6 +48,31 @@ public:
         return std::move(table_);
     }
 
+    Result<std::vector<double>> readColumns(const std::vector<std::string>& names) {
+        if (Status header = readHeader(); !header)
+            return header.error();
+        std::vector<size_t> columns;
+        for (const std::string& name : names) {
+            const auto found = std::find(header_.begin(), header_.end(), name);
+            if (found == header_.end())
+                return error("there is no column " + name, "Write the table again with its angles");
+            columns.push_back(static_cast<size_t>(found - header_.begin()));
+        }
+        std::vector<double> values;
+        while (nextLine()) {
+            const Result<Cells> cells = rowCells();
+            if (!cells)
+                return cells.error();
+            for (const size_t column : columns) {
+                const Result<double> value = number(*cells, column);
+                if (!value)
+                    return value.error();
+                values.push_back(*value);
+            }
+        }
+        return values;
+    }
+
 private:
     Error error(const std::string& what, const std::string& remedy) const {
         return {ErrorKind::kUnreadable, where_ + ", line " + std::to_string(line_number_) + ": " + what,
@@ -70,6 +95,7 @@ private:
     Status readHeader();
     Status findColumns();
     Status readRow();
+    Result<Cells> rowCells() const;
     Result<double> number(const Cells& cells, size_t column) const;
 
     std::string_view rest_;
@@ -140,12 +166,20 @@ Result<double> PositionsReader::number(const Cells& cells, size_t column) const 
                  "Give a finite number with a decimal point, or leave the row out");
 }
 
-Status PositionsReader::readRow() {
-    const Cells cells = cellsOf(line_, separator_);
+Result<Cells> PositionsReader::rowCells() const {
+    Cells cells = cellsOf(line_, separator_);
     if (cells.size() != header_.size())
         return error("this row has " + std::to_string(cells.size()) + " cells, but the header has " +
                          std::to_string(header_.size()),
                      "Give every row one cell per column");
+    return cells;
+}
+
+Status PositionsReader::readRow() {
+    const Result<Cells> row = rowCells();
+    if (!row)
+        return row.error();
+    const Cells& cells = *row;
     const Result<double> time_s = number(cells, time_column_);
     if (!time_s)
         return time_s.error();
@@ -172,6 +206,12 @@ Result<PositionTable> parsePositionsCsv(std::string_view text, const std::string
     if (text.starts_with("\xEF\xBB\xBF"))
         text.remove_prefix(3);
     return PositionsReader(text, where).read();
+}
+
+Result<std::vector<double>> readNumberColumns(const std::string& path,
+                                              const std::vector<std::string>& names) {
+    const Result<std::string> text = readWholeFile(path);
+    return text ? PositionsReader(*text, path).readColumns(names) : text.error();
 }
 
 Result<PositionTable> readPositionsCsv(const std::string& path) {

@@ -89,8 +89,9 @@ private:
 std::string asideName(const std::string& path) {
     static std::atomic<unsigned> count{0};
     const std::filesystem::path target(path);
-    const std::string name = "." + target.filename().string() + "." + std::to_string(::getpid()) + "-" +
-                             std::to_string(count++) + ".partial";
+    std::string name = ".";
+    name += target.filename().string() + "." + std::to_string(::getpid()) + "-" + std::to_string(count++);
+    name += ".partial";
     return (target.parent_path() / name).string();
 }
 

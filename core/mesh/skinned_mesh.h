@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A triangle mesh whose vertices hang on the joints of a skeleton (linear blend skinning). Metres, in the
-// skeleton's zero pose with the root's frame at rootRestHeight above y = 0; Y up, Z forward, X to the left.
+// skeleton's bind pose (see bindPose); Y up, Z forward, X to the left.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,6 +31,15 @@ struct SkinnedMesh {
     std::vector<std::array<uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
     std::vector<SkinBone> bones;
 };
+
+/// The zero pose with its lowest joint or tip on y = 0; root above the origin.
+Pose bindPose(const Skeleton& skeleton);
+
+/// One bone per joint, in the skeleton's order, bound in bindPose().
+std::vector<SkinBone> bonesOf(const Skeleton& skeleton);
+
+/// Index of the joint of that name, else of its nearest ancestor by canonical name, else of the root.
+int nearestJoint(const Skeleton& skeleton, const std::string& joint);
 
 /// Per bone the matrix mesh -> world: globalPose of the bone's joint times bind_inverse. A bone without a
 /// joint of that name in the skeleton follows its nearest ancestor by canonical name, else the root.

@@ -73,16 +73,42 @@ std::optional<Pose> PoseSampler::at(int64_t time_ns) {
                        static_cast<double>(time_ns - before.time_ns) / step);
 }
 
-int64_t bridgeableGap_ns(const TimedMotion& motion) {
-    constexpr int64_t kLeast_ns = 50'000'000;
+std::optional<Pose> poseAt(const TimedMotion& motion, int64_t time_ns, int64_t max_gap_ns) {
+    const auto seen = [](const TimedPose& frame) { return frame.pose && isUsable(*frame.pose); };
+    const auto& frames = motion.frames;
+    const auto later = std::upper_bound(frames.begin(), frames.end(), time_ns,
+                                        [](int64_t t, const TimedPose& frame) { return t < frame.time_ns; });
+    auto before = later;
+    while (before != frames.begin() && time_ns - std::prev(before)->time_ns <= max_gap_ns)
+        if (seen(*--before))
+            break;
+    if (before == later || !seen(*before))
+        return std::nullopt;
+    if (before->time_ns == time_ns)
+        return interpolate(*before->pose, *before->pose, 0);
+    for (auto after = later; after != frames.end() && after->time_ns - before->time_ns <= max_gap_ns; ++after)
+        if (seen(*after))
+            return interpolate(*before->pose, *after->pose,
+                               static_cast<double>(time_ns - before->time_ns) /
+                                   static_cast<double>(after->time_ns - before->time_ns));
+    return std::nullopt;
+}
+
+int64_t usualStep_ns(const TimedMotion& motion) {
     std::vector<int64_t> steps;
     for (size_t i = 1; i < motion.frames.size(); ++i)
         steps.push_back(motion.frames[i].time_ns - motion.frames[i - 1].time_ns);
     if (steps.empty())
-        return kLeast_ns;
+        return 0;
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::nth_element(steps.begin(), middle, steps.end());
-    return std::max(kLeast_ns, *middle + *middle / 2);
+    return *middle;
+}
+
+int64_t bridgeableGap_ns(const TimedMotion& motion) {
+    constexpr int64_t kLeast_ns = 50'000'000;
+    const int64_t step_ns = usualStep_ns(motion);
+    return std::max(kLeast_ns, step_ns + step_ns / 2);
 }
 
 TimedMotion resample(const TimedMotion& motion, double frames_per_second) {

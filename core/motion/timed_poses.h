@@ -50,6 +50,12 @@ private:
     size_t next_ = 0;           ///< into seen_: first frame after the last time asked for
 };
 
+/// The pose at one time, as PoseSampler gives it, by a binary search.
+std::optional<Pose> poseAt(const TimedMotion& motion, int64_t time_ns, int64_t max_gap_ns = 100'000'000);
+
+/// The median time from one frame to the next; 0 with fewer than two frames.
+int64_t usualStep_ns(const TimedMotion& motion);
+
 /// Half as much again as the usual step of a motion, 50 ms at least: what interpolation may bridge.
 int64_t bridgeableGap_ns(const TimedMotion& motion);
 

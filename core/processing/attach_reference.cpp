@@ -2,6 +2,7 @@
 #include "core/processing/attach_reference.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "core/motion/time_offset.h"
 #include "core/processing/pose_runs.h"
@@ -150,13 +151,17 @@ Status writeRows(TakeEdit& edit, const AttachRequest& request, const TimedMotion
     return Done{};
 }
 
-Status replaceRows(TakeEdit& edit, const AttachRequest& request) {
+Status replaceRows(TakeEdit& edit, const AttachRequest& request, double shift_s) {
     if (request.as == AttachAs::kExternalRoot)
         return edit.removeExternalRoot();
     if (Status removed = edit.removeReference(); !removed)
         return removed;
-    if (Status set = edit.setMeta("reference_kind", "optical"); !set)
-        return set;
+    const std::string file = std::filesystem::path(request.source_name).filename().string();
+    for (const auto& [key, value] : {std::pair<const char*, std::string>{"reference_kind", "optical"},
+                                     {"reference_name", file},
+                                     {"reference_shift_s", std::to_string(shift_s)}})
+        if (Status set = edit.setMeta(key, value); !set)
+            return set;
     return edit.setMeta("reference_actor", toJson(actorOfClip(*request.motion)).dump());
 }
 
@@ -199,7 +204,7 @@ Result<AttachSummary> attachReference(const AttachRequest& request, const JobCon
     auto edit = TakeEdit::begin(take);
     if (!edit)
         return edit.error();
-    if (Status replaced = replaceRows(*edit, request); !replaced)
+    if (Status replaced = replaceRows(*edit, request, summary.shift_s); !replaced)
         return replaced.error();
     const int64_t end_ns = std::llround(static_cast<double>(*samples) * 1e9 / static_cast<double>(*rate));
     if (Status written =

@@ -250,7 +250,8 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
     if (!opened)
         return opened.error();
     const Take& take = *opened;
-    const auto shown = choosePoseRun(take, request.run);
+    const auto shown =
+        request.run_number ? poseRun(take, *request.run_number) : choosePoseRun(take, request.run);
     if (!shown)
         return shown.error();
     const auto all_runs = take.derivedRuns();

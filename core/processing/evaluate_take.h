@@ -15,6 +15,7 @@ namespace noctule {
 struct EvaluateRequest {
     std::string take_path;
     std::string run;                      ///< empty: the last pose run
+    std::optional<int64_t> run_number;    ///< instead of the name, which several runs may share
     std::optional<MotionClip> reference;  ///< on a clock of its own; none: the reference in the take
     std::string reference_name;           ///< its file
     bool all_runs = false;                ///< compare every run, for the report; else only the shown one

@@ -71,4 +71,15 @@ Result<DerivedRun> choosePoseRun(const Take& take, const std::string& name) {
     return Error{ErrorKind::kUnusable, take.path() + ": has no run '" + name + "'", "Its runs are " + names};
 }
 
+Result<DerivedRun> poseRun(const Take& take, int64_t number) {
+    const auto runs = take.derivedRuns();
+    if (!runs)
+        return runs.error();
+    for (const DerivedRun& run : poseRuns(*runs))
+        if (run.run == number)
+            return run;
+    return Error{ErrorKind::kUnusable, take.path() + ": has no pose run " + std::to_string(number),
+                 "Open the take again to see its runs"};
+}
+
 }  // namespace noctule

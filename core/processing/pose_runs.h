@@ -27,5 +27,7 @@ std::vector<DerivedRun> poseRuns(const std::vector<DerivedRun>& runs);
 
 /// The pose run of that name, the last of several; empty: the last one. kUnusable names what there is.
 Result<DerivedRun> choosePoseRun(const Take& take, const std::string& name);
+/// The pose run of that number; kUnusable when there is none.
+Result<DerivedRun> poseRun(const Take& take, int64_t number);
 
 }  // namespace noctule

@@ -191,12 +191,7 @@ std::string sensorLetters(const SensorSelection& sensors) {
 
 /// "AGD", "AGD paper", and when there is one already "AGD 2".
 std::string freeRunName(const std::vector<DerivedRun>& runs, const ProcessRequest& request) {
-    std::string wanted = request.run_name;
-    if (wanted.empty()) {
-        wanted = sensorLetters(request.tracker.sensors);
-        if (request.tracker.estimator == EstimatorKind::kPaper)
-            wanted += " paper";
-    }
+    const std::string wanted = request.run_name.empty() ? defaultRunName(request.tracker) : request.run_name;
     const auto taken = [&](const std::string& name) {
         return std::any_of(runs.begin(), runs.end(),
                            [&](const DerivedRun& run) { return run.kind == "pose" && run.name == name; });
@@ -234,6 +229,10 @@ int64_t earlierInertialRun(const std::vector<DerivedRun>& runs, const std::strin
 }
 
 }  // namespace
+
+std::string defaultRunName(const TrackerSettings& tracker) {
+    return sensorLetters(tracker.sensors) + (tracker.estimator == EstimatorKind::kPaper ? " paper" : "");
+}
 
 Result<ProcessSummary> processTake(const ProcessRequest& request, const JobContext& job) {
     auto opened = Take::open(request.take_path, Access::kReadWrite);

@@ -37,6 +37,9 @@ struct ProcessSummary {
     std::vector<std::string> warnings;  ///< whole sentences
 };
 
+/// What a run is called when no name is given: "AGD", "G paper".
+std::string defaultRunName(const TrackerSettings& tracker);
+
 /// Everything or nothing: failed or cancelled, the take stays as it was.
 Result<ProcessSummary> processTake(const ProcessRequest& request, const JobContext& job);
 

@@ -156,8 +156,11 @@ Result<RangeCursor> RangeCursor::open(const RunOfTake& run) {
         for (const char* column : {"arrival_sample", "distance_m", "w_s", "w_t", "w_a", "sigma_m", "detector",
                                    "fate", "innovation_m"})
             sql += "," + schema.expression("range", column);
-        sql += " FROM range LEFT JOIN pulse ON pulse.id=range.pulse" + whereRun(run, "range") +
-               " ORDER BY range.pulse,range.board";
+        sql += " FROM range LEFT JOIN pulse ON pulse.id=range.pulse" + whereRun(run, "range");
+        if (run.pulses)
+            sql += " AND range.pulse BETWEEN " + std::to_string(run.pulses->first) + " AND " +
+                   std::to_string(run.pulses->second);
+        sql += " ORDER BY range.pulse,range.board";
     }
     Result<Statement> rows = run.database->prepare(sql);
     if (!rows)

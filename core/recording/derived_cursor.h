@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/acoustics/range.h"
@@ -23,6 +24,7 @@ struct RunOfTake {
     int suit = 1;
     int board_count = 0;
     int source_count = 0;
+    std::optional<std::pair<int64_t, int64_t>> pulses{};  ///< only ranges of pulses with these ids
 };
 
 /// All boards' readings in the order of their instants, lost frames among them.

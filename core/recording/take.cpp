@@ -211,8 +211,11 @@ Result<int64_t> Take::sampleCount(int suit) const {
         return std::llround(stated);
     if (!schema_->has("adc_block"))
         return int64_t{0};
-    const auto end = database_->queryInteger("SELECT max(first_sample+sample_count) FROM adc_block" +
-                                             ofSuit("adc_block", suit));
+    // The last few only: they stand in order, and walking through all sound takes long. A few, for the very
+    // last row may be damage.
+    const auto end = database_->queryInteger(
+        "SELECT max(first_sample+sample_count) FROM (SELECT first_sample,sample_count FROM adc_block" +
+        ofSuit("adc_block", suit) + " ORDER BY first_sample DESC LIMIT 16)");
     if (!end)
         return end.error();
     return std::clamp<int64_t>(end->value_or(0), 0, kLastSample);

@@ -63,7 +63,11 @@ public:
 
     /// The raw sound in order of time. Holes between blocks are gaps.
     Status forEachBlock(int suit, const BlockSink& sink) const;
+    /// Only the blocks that hold any of these samples.
+    Status forEachBlock(int suit, const SampleInterval& within, const BlockSink& sink) const;
     Result<std::vector<Pulse>> pulses(int suit = 1) const;
+    /// Only those sent within it.
+    Result<std::vector<Pulse>> pulses(int suit, const SampleInterval& within) const;
     Result<std::vector<StatusRow>> statusRows(int suit = 1) const;
     Result<std::vector<GapRow>> gaps(int suit = 1) const;
     Result<std::vector<MarkerRow>> markers(int suit = 1) const;
@@ -74,10 +78,14 @@ public:
     /// Truth of a simulation or an optical system, on its own skeleton; no frames when there is none.
     Result<TimedMotion> reference(int suit = 1) const;
     Result<std::vector<ExternalRootRow>> externalRoot(int suit = 1) const;
+    /// Whether the table (reference, external_root, adc_block, ...) has any row of the suit; quick.
+    Result<bool> hasRows(const std::string& table, int suit = 1) const;
 
     Result<std::vector<DerivedRun>> derivedRuns() const;
     Result<ReadingCursor> readings(int64_t run, int suit = 1) const;
     Result<RangeCursor> ranges(int64_t run, int suit = 1) const;
+    /// Only those of the pulses with ids `first` to `last`.
+    Result<RangeCursor> rangesOfPulses(int64_t run, int64_t first, int64_t last, int suit = 1) const;
     /// On the skeleton of the actor that the run names, else of the one in force.
     Result<TimedMotion> poses(int64_t run, int suit = 1) const;
 
@@ -103,6 +111,8 @@ private:
     Result<RunOfTake> runOfTake(int64_t run, int suit) const;
     Error unusable(const std::string& what, const std::string& remedy) const;
     std::string ofSuit(const std::string& table, int suit) const;  ///< " WHERE suit=N"
+    Result<std::vector<Pulse>> pulsesWhere(const std::string& filter, int suit) const;
+    Status forEachBlockWhere(const std::string& filter, int suit, const BlockSink& sink) const;
 
     std::unique_ptr<Database> database_;  ///< on the heap: cursors and edits refer to them
     std::unique_ptr<TakeSchema> schema_;

@@ -79,6 +79,21 @@ private:
 }  // namespace
 
 Status Take::forEachBlock(int suit, const BlockSink& sink) const {
+    return forEachBlockWhere("", suit, sink);
+}
+
+Status Take::forEachBlock(int suit, const SampleInterval& within, const BlockSink& sink) const {
+    // By first_sample alone, which is indexed: a block reaches no further than the largest can.
+    const std::string filter = " AND first_sample>" + std::to_string(within.first - kMaxBlockSamples) +
+                               " AND first_sample<=" + std::to_string(within.last);
+    const auto boards = boardCount(suit);
+    return forEachBlockWhere(filter, suit, [&](const AdcBlock& block) {
+        const auto samples = static_cast<int64_t>(block.values.size()) / *boards;
+        return block.first_sample + samples <= within.first || sink(block);
+    });
+}
+
+Status Take::forEachBlockWhere(const std::string& filter, int suit, const BlockSink& sink) const {
     const auto board_count = boardCount(suit);
     if (!board_count)
         return board_count.error();
@@ -87,7 +102,7 @@ Status Take::forEachBlock(int suit, const BlockSink& sink) const {
     // Two queries: sorting a file without the index must not drag the sound through the sorter.
     auto rows =
         database_->prepare(schema_->select("adc_block", {"id", "first_sample", "sample_count", "codec"}) +
-                           ofSuit("adc_block", suit) + " ORDER BY 2");
+                           ofSuit("adc_block", suit) + filter + " ORDER BY 2");
     auto data = database_->prepare(schema_->select("adc_block", {"data"}) + " WHERE id=?");
     if (!rows || !data)
         return rows ? data.error() : rows.error();

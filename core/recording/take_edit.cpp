@@ -7,6 +7,11 @@ namespace noctule {
 
 namespace {
 
+// What does not fit into the cache goes to the file before the commit, and from then on nobody can read the
+// take. 512 MiB hold the results of about a quarter of an hour, so that a take can be looked at while it is
+// processed. Used only as far as needed.
+constexpr const char* kLargeCache = "PRAGMA cache_size=-524288";
+
 constexpr const char* kTablesWithRuns[] = {"derived", "inertial", "range", "pose"};
 
 }  // namespace
@@ -15,6 +20,8 @@ TakeEdit::TakeEdit(Take& take, Transaction transaction)
     : TakeTables(take.database_.get(), *take.schema_), take_(&take), transaction_(std::move(transaction)) {}
 
 Result<TakeEdit> TakeEdit::begin(Take& take) {
+    if (const Status enlarged = take.database_->execute(kLargeCache); !enlarged)
+        return enlarged.error();
     Result<Transaction> transaction = Transaction::begin(*take.database_);
     if (!transaction)
         return transaction.error();

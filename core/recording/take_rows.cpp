@@ -69,11 +69,20 @@ RowVerdict readExternalRoot(const Statement& row, ExternalRootRow& root) {
 }  // namespace
 
 Result<std::vector<Pulse>> Take::pulses(int suit) const {
+    return pulsesWhere("", suit);
+}
+
+Result<std::vector<Pulse>> Take::pulses(int suit, const SampleInterval& within) const {
+    return pulsesWhere(
+        " AND sample BETWEEN " + std::to_string(within.first) + " AND " + std::to_string(within.last), suit);
+}
+
+Result<std::vector<Pulse>> Take::pulsesWhere(const std::string& filter, int suit) const {
     const auto known = sourceCount(suit);
     const int source_count = known ? *known : static_cast<int>(Suit::kMaxPerSuit);
     return collectRows<Pulse>(
         *database_, *log_, rowsOfSuit("pulse", suit),
-        schema_->select("pulse", {"id", "sample", "source"}) + ofSuit("pulse", suit) + " ORDER BY 2",
+        schema_->select("pulse", {"id", "sample", "source"}) + ofSuit("pulse", suit) + filter + " ORDER BY 2",
         [source_count](const Statement& row, Pulse& pulse) -> RowVerdict {
             const auto sample = row.integer(1);
             if (!isSample(sample))
@@ -186,6 +195,15 @@ Result<std::vector<ExternalRootRow>> Take::externalRoot(int suit) const {
         readExternalRoot);
 }
 
+Result<bool> Take::hasRows(const std::string& table, int suit) const {
+    if (!schema_->has(table))
+        return false;
+    const auto row = database_->queryInteger("SELECT 1 FROM " + table + ofSuit(table, suit) + " LIMIT 1");
+    if (!row)
+        return row.error();
+    return row->has_value();
+}
+
 Result<std::vector<DerivedRun>> Take::derivedRuns() const {
     return collectRows<DerivedRun>(
         *database_, *log_, "derived",
@@ -231,6 +249,14 @@ Result<RangeCursor> Take::ranges(int64_t run, int suit) const {
     const auto where = runOfTake(run, suit);
     if (!where)
         return where.error();
+    return RangeCursor::open(*where);
+}
+
+Result<RangeCursor> Take::rangesOfPulses(int64_t run, int64_t first, int64_t last, int suit) const {
+    auto where = runOfTake(run, suit);
+    if (!where)
+        return where.error();
+    where->pulses = std::pair(first, last);
     return RangeCursor::open(*where);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/report/html_report.h"
 
+#include <span>
+
 #include "core/report/html.h"
 #include "core/report/sections.h"
 #include "core/report/style.h"
@@ -16,18 +18,26 @@ constexpr const char* kMark =
     "3.4-3.4 5-1.6-1.6-2.7-3.3-3.4-5-.9-1.8-2.7-2.2-4.2-1-1.4-1.3-3.2-1.4-4.9-.3.8-4.9 "
     "3.6-8 7-9.5.1 1.8 1 3.2 3 3.4l1-2.4z\"/></svg>";
 
+struct Part {
+    const char *id, *title;
+    std::string (*section)(const ReportData& data);
+};
+
+constexpr Part kParts[] = {{"summary", "Summary", summarySection},
+                           {"runs", "Sensors and runs", runsSection},
+                           {"joints", "Joints", jointsSection},
+                           {"root", "Root", rootSection},
+                           {"confidence", "Confidence", confidenceSection},
+                           {"ranges", "Ranges", rangesSection},
+                           {"inertia", "Inertial readings", inertiaSection},
+                           {"observability", "What was observable", observabilitySection},
+                           {"provenance", "Settings", provenanceSection}};
+
+/// To all parts but the summary, which stands below it.
 std::string navigation() {
-    const std::pair<const char*, const char*> places[] = {{"runs", "Sensors and runs"},
-                                                          {"joints", "Joints"},
-                                                          {"root", "Root"},
-                                                          {"confidence", "Confidence"},
-                                                          {"ranges", "Ranges"},
-                                                          {"inertia", "Inertial readings"},
-                                                          {"observability", "What was observable"},
-                                                          {"provenance", "Settings"}};
     std::string out = "<nav aria-label=\"Parts of this report\">";
-    for (const auto& [id, title] : places)
-        out += std::string("<a href=\"#") + id + "\">" + title + "</a>";
+    for (const Part& part : std::span(kParts).subspan(1))
+        out += std::string("<a href=\"#") + part.id + "\">" + part.title + "</a>";
     return out + "</nav>\n";
 }
 
@@ -51,12 +61,18 @@ std::string banner(const ReportTake& take) {
 
 std::string htmlReport(const ReportData& data) {
     std::string page = head(data.take) + "<body>" + banner(data.take) + "<main>" + navigation();
-    for (const auto section : {summarySection, runsSection, jointsSection, rootSection, confidenceSection,
-                               rangesSection, inertiaSection, observabilitySection, provenanceSection})
-        page += section(data);
+    for (const Part& part : kParts)
+        page += part.section(data);
     return page +
            "<footer>Made by Noctule. Angles in degrees, lengths in metres unless a column says otherwise, "
            "time in minutes and seconds of the take.</footer></main></body></html>\n";
+}
+
+std::vector<ReportPart> reportParts(const ReportData& data) {
+    std::vector<ReportPart> parts;
+    for (const Part& part : kParts)
+        parts.push_back({part.id, part.title, part.section(data)});
+    return parts;
 }
 
 }  // namespace noctule

@@ -7,8 +7,6 @@
 namespace noctule {
 namespace {
 
-constexpr double kStep_s = 0.032;
-
 /// Joint and all its ancestors; empty for -1.
 std::set<int> chainOf(const Skeleton& skeleton, int joint) {
     std::set<int> chain;
@@ -33,9 +31,9 @@ void cover(Covered& covered, const ReportPair& pair, double hold_s) {
     for (const PulseAtBoard& pulse : pair.pulses) {
         if (pulse.fate != PulseFate::kUsed || !(pulse.time_s >= 0))
             continue;
-        const auto first = static_cast<size_t>(pulse.time_s / kStep_s);
+        const auto first = static_cast<size_t>(pulse.time_s / kCoverageStep_s);
         const auto last =
-            std::min(covered.size(), static_cast<size_t>((pulse.time_s + hold_s) / kStep_s) + 1);
+            std::min(covered.size(), static_cast<size_t>((pulse.time_s + hold_s) / kCoverageStep_s) + 1);
         for (size_t i = first; i < last; ++i)
             covered[i] = true;
     }
@@ -53,7 +51,7 @@ std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& sui
                                        const std::vector<double>& board_share, double duration_s,
                                        double hold_s) {
     require(board_share.size() == suit.boards.size(), "every board has a share");
-    const auto steps = static_cast<size_t>(std::max(0.0, duration_s) / kStep_s);
+    const auto steps = static_cast<size_t>(std::max(0.0, duration_s) / kCoverageStep_s);
     std::vector<Covered> covered(skeleton.joints().size(), Covered(steps));
     for (const ReportPair& pair : pairs) {
         const Board& board = suit.boards.at(static_cast<size_t>(pair.board));
@@ -74,6 +72,20 @@ std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& sui
         support.push_back({skeleton.joint(j).name, ranges, readings * (1 - ranges)});
     }
     return support;
+}
+
+std::vector<bool> rangeCoverage(const Skeleton& skeleton, const Suit& suit,
+                                const std::vector<ReportPair>& pairs, int joint, double duration_s,
+                                double hold_s) {
+    Covered covered(static_cast<size_t>(std::max(0.0, duration_s) / kCoverageStep_s));
+    for (const ReportPair& pair : pairs) {
+        const int board = skeleton.find(suit.boards.at(static_cast<size_t>(pair.board)).segment);
+        const int source = skeleton.find(suit.sources.at(static_cast<size_t>(pair.source)).segment);
+        const std::vector<int> between = jointsBetween(skeleton, board, source);
+        if (std::find(between.begin(), between.end(), joint) != between.end())
+            cover(covered, pair, hold_s);
+    }
+    return covered;
 }
 
 }  // namespace noctule

@@ -18,4 +18,10 @@ std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& sui
                                        const std::vector<double>& board_share, double duration_s,
                                        double hold_s = 0.192);
 
+/// Whether a used range constrained the joint a moment ago, at every kCoverageStep_s of the take.
+inline constexpr double kCoverageStep_s = 0.032;
+std::vector<bool> rangeCoverage(const Skeleton& skeleton, const Suit& suit,
+                                const std::vector<ReportPair>& pairs, int joint, double duration_s,
+                                double hold_s = 0.192);
+
 }  // namespace noctule

@@ -36,32 +36,32 @@ std::vector<std::string> statements(const ReportData& data, const ReportRun* run
     const bool has_gyroscopes = run && run->sensors.find('G') != std::string::npos;
     const bool has_accelerometers = run && run->sensors.find('A') != std::string::npos;
     if (run && !has_distances)
-        out.push_back(
+        out.emplace_back(
             "The shown run used no ranges: every joint rested on inertia alone and nothing held the "
             "angles between segments over long times.");
     else if (!data.support.empty())
-        out.push_back(supportStatement(data.support));
+        out.emplace_back(supportStatement(data.support));
     if (run && !has_gyroscopes)
-        out.push_back(
+        out.emplace_back(
             "The shown run used no gyroscopes: rotation between two ranges or readings is a guess of "
             "the model.");
     if (!run || run->root_given)
-        out.push_back(
+        out.emplace_back(
             "The root came from another system; this report says nothing about how well the suit "
             "alone would know it.");
     else
-        out.push_back(
+        out.emplace_back(
             "Heading and position of the root cannot be observed by the suit: nothing on it measures "
             "them absolutely, so they drift.");
     if (run && !run->root_given)
-        out.push_back(has_accelerometers ? "Tilt of the root is held by gravity in the accelerometers."
-                                         : "Without accelerometers nothing holds the tilt of the root.");
+        out.emplace_back(has_accelerometers ? "Tilt of the root is held by gravity in the accelerometers."
+                                            : "Without accelerometers nothing holds the tilt of the root.");
     if (data.take.reference_kind == "simulated")
-        out.push_back(
+        out.emplace_back(
             "The reference is the simulation's own truth: errors contain what the simulation models "
             "and nothing that it leaves out.");
     else if (!data.take.reference_kind.empty())
-        out.push_back(
+        out.emplace_back(
             "The reference has errors of its own, which are contained in every error of this report.");
     return out;
 }

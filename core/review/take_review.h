@@ -67,7 +67,8 @@ struct PairTrack {
 };
 struct RangeTable {
     int source_count = 0, board_count = 0;
-    std::vector<PairTrack> pairs;  ///< source * board_count + board
+    std::vector<PairTrack> pairs;                ///< source * board_count + board
+    std::vector<std::vector<double>> pulse_t_s;  ///< of every source, heard or not
     const PairTrack& pair(int source, int board) const {
         return pairs[static_cast<size_t>(source * board_count + board)];
     }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A session is a folder: session.json, calibration/, takes/, video/, exports/. It can be copied and moved;
-// paths inside are relative. session.json holds what the operator said (name, performers, suits, order,
+// A session is a folder: session.json, calibration/, takes/, video/, exports/ (README.md). It can be copied
+// and moved; paths inside are relative. session.json holds what the operator said (name, performers, suits,
 // rating, notes of takes); what a take knows of itself stays in the take. Nothing is ever overwritten: files
 // are written aside and renamed, takes get the next free number, deleted takes go to the trash of the
 // session.
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,12 +19,16 @@
 
 namespace noctule {
 
+/// Members of session.json that this program does not know; written back as they were.
+using UnknownMembers = nlohmann::json;
+
 /// A person with measures and the suit as it sits on that person.
 struct Performer {
     std::string name;
     BodyMeasures measures;
     Suit suit;  ///< boards and sources placed on this body (Vlasic 2007, section 5.2: rigid transforms)
     std::string notes;
+    UnknownMembers unknown = UnknownMembers::object();
 };
 
 enum class TakeState { kComplete, kRecovered, kRecording, kDamaged };
@@ -35,12 +40,13 @@ struct SessionTake {
     int rating = 0;  ///< 0..5
     std::string notes;
     double in_s = 0, out_s = 0;  ///< chosen range; out 0: the end
+    UnknownMembers unknown = UnknownMembers::object();
     // Read from the take's file, not stored in session.json:
-    TakeState state = TakeState::kComplete;
+    TakeState state = TakeState::kComplete;  ///< kRecording: it was not finished; see recoverTake()
     double duration_s = 0;
     bool processed = false;
     std::string created_utc;
-    std::string problem;  ///< one sentence; empty: fine
+    std::string problem;  ///< whole sentences; empty: fine
 };
 
 struct Session {
@@ -51,10 +57,13 @@ struct Session {
     std::vector<SessionTake> takes;  ///< in order of creation
     std::string current_performer;
     std::string notes;
+    UnknownMembers unknown = UnknownMembers::object();
 
-    const Performer* findPerformer(const std::string& name) const;
-    int findTake(const std::string& name) const;  ///< -1 when absent
+    const Performer* findPerformer(const std::string& performer) const;
+    int findTake(const std::string& take) const;  ///< -1 when absent
     std::filesystem::path pathOf(const SessionTake& take) const { return folder / take.file; }
+    std::filesystem::path takesFolder() const { return folder / "takes"; }
+    std::filesystem::path trashFolder() const { return folder / "trash"; }
     std::filesystem::path exportsFolder() const { return folder / "exports"; }
 };
 
@@ -67,14 +76,28 @@ Result<Session> openSession(const std::filesystem::path& folder, const JobContex
 /// Writes session.json aside and renames it.
 Status saveSession(const Session& session);
 
-/// "walk_004": the next free number for a base name, looking at the folder and the session.
+/// Whether rebuildSession() is the way on: session.json is missing or damaged, and there are takes.
+bool canRebuildSession(const std::filesystem::path& folder);
+/// A new session.json from what the takes know of themselves (performers with the suits they wore). The old
+/// one is kept beside it as session.json.damaged-1.
+Result<Session> rebuildSession(const std::filesystem::path& folder, const std::string& created_utc,
+                               const JobContext& job);
+
+// takes (session_takes.cpp)
+
+/// "walk_004": the next free number for a base name, looking at the folder, its trash and the session.
 std::string nextTakeName(const Session& session, const std::string& base);
 /// Copies a take from elsewhere into the session (next free name when taken) and adds it.
 Result<SessionTake> importTake(Session& session, const std::filesystem::path& take, const JobContext& job);
 /// Looks again at one take's file (after processing, say).
 void refreshTake(const Session& session, SessionTake& take);
-/// Moves a take's files to trash/ of the session; the way back is restoreTake.
+/// Adds a take that has come into takes/ since the session was opened; its index, or -1 when it is none.
+int addTake(Session& session, const std::filesystem::path& take);
+/// Moves a take's files to trash/ of the session and leaves it out of the list; the way back is restoreTake.
 Status trashTake(Session& session, const std::string& name);
 Status restoreTake(Session& session, const SessionTake& take);
+/// Finishes a recording that broke off. The result takes the recording's place; the recording itself goes to
+/// the trash once the result is safe. Nobody may be writing it.
+Status recoverTake(Session& session, const std::string& name, const JobContext& job);
 
 }  // namespace noctule

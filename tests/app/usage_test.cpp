@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line itself: help, mistakes, and what is not available yet.
+#include <array>
+#include <cstdlib>
+#include <optional>
+
 #include "tests/app/program_run.h"
 
 namespace noctule::test {
@@ -8,11 +12,44 @@ namespace {
 const std::vector<std::string> kVerbs = {"simulate", "process", "evaluate", "export", "inspect", "attach"};
 const std::vector<std::string> kLaterVerbs = {"devices", "record", "recover", "calibrate", "check"};
 
-TEST(Usage, WithoutBatchItSaysWhatExists) {
+/// The environment without a way to a screen, as on a server; as it was afterwards.
+class NoScreen {
+public:
+    NoScreen() {
+        for (size_t i = 0; i < kNames.size(); ++i) {
+            if (const char* value = getenv(kNames[i]))
+                before_[i] = value;
+            unsetenv(kNames[i]);
+        }
+    }
+    ~NoScreen() {
+        for (size_t i = 0; i < kNames.size(); ++i)
+            if (before_[i])
+                setenv(kNames[i], before_[i]->c_str(), 1);
+    }
+
+private:
+    static constexpr std::array kNames{"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"};
+    std::array<std::optional<std::string>, kNames.size()> before_;
+};
+
+TEST(Usage, TheStudioSaysWhenThereIsNoScreen) {
+    const NoScreen server;
+    for (const auto& arguments : {std::vector<std::string>{}, {"take.noctule"}}) {
+        const Ran ran = run(arguments);
+        EXPECT_EQ(ran.exit_code, 2);
+        EXPECT_NE(ran.err.find("display"), std::string::npos) << ran.err;
+        EXPECT_NE(ran.err.find("--batch"), std::string::npos) << ran.err;
+    }
+}
+
+TEST(Usage, TheStudioSaysWhenItsScreenCannotBeReached) {
+    const NoScreen server;
+    setenv("DISPLAY", ":987", 1);
     const Ran ran = run({});
+    unsetenv("DISPLAY");
     EXPECT_EQ(ran.exit_code, 2);
-    EXPECT_NE(ran.err.find("--batch"), std::string::npos);
-    EXPECT_EQ(run({"take.noctule"}).exit_code, 2);
+    EXPECT_NE(ran.err.find("--batch"), std::string::npos) << ran.err;
 }
 
 TEST(Usage, VersionAndHelpEndWell) {

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Long work off the interface's thread, with progress, cancel and an end in words. A job ends as exactly one
 // of done, failed or cancelled. `work` runs on a thread of its own pool; `done` runs on the interface's
-// thread.
+// thread, and never after the Jobs object is gone.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <QThreadPool>
+#include <QTimer>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "core/job/job.h"
 #include "core/job/result.h"
+#include "ui/jobs/remaining_time.h"
 
 namespace noctule::ui {
 
@@ -44,7 +48,7 @@ private:
     friend class Jobs;
     struct Shared;
     Job(QString title, QObject* parent);
-    void poll();
+    bool poll();  ///< true: something changed
     void end(const Status& status, const QString& outcome);
 
     QString title_, stage_, outcome_;
@@ -52,7 +56,9 @@ private:
     double fraction_ = 0;
     std::optional<Error> error_;
     bool seen_ = false;
+    bool quiet_ = false;
     QElapsedTimer clock_;
+    RemainingTime remaining_;
     std::shared_ptr<Shared> shared_;
 };
 
@@ -62,17 +68,25 @@ public:
     explicit Jobs(QObject* parent = nullptr);
     ~Jobs() override;  ///< cancels what runs and waits for it
 
-    /// Short work (loading for a view) is `quiet`: it appears in the panel only when it fails or lasts over a
-    /// second.
+    /// Short work (loading for a view) is `quiet`: it appears in all() only when it fails or lasts over a
+    /// second, and leaves again by itself when it is done; keep it in a QPointer.
     enum class Loudness { kNormal, kQuiet };
 
-    /// `done` gets the value on success and errors alike; returns words for the panel (empty: none).
+    /// `done` gets the value on success and errors alike, also a mistake that `work` threw; returns words for
+    /// the panel (empty: none).
     template <class T>
     Job* start(const QString& title, std::function<Result<T>(const JobContext&)> work,
                std::function<QString(Result<T>)> done, Loudness loudness = Loudness::kNormal) {
         auto slot = std::make_shared<std::optional<Result<T>>>();
         return startUntyped(
-            title, [slot, work = std::move(work)](const JobContext& job) { slot->emplace(work(job)); },
+            title,
+            [slot, work = std::move(work)](const JobContext& job) {
+                try {
+                    slot->emplace(job.cancelled() ? Result<T>(JobContext::cancelledError()) : work(job));
+                } catch (...) {
+                    slot->emplace(brokenPromise(std::current_exception()));
+                }
+            },
             [slot, done = std::move(done)](Job* job, const auto& end) {
                 const bool ok = (*slot)->ok();
                 const Status status = ok ? Status(Done{}) : Status((*slot)->error());
@@ -82,19 +96,28 @@ public:
     }
 
     const std::vector<Job*>& all() const { return jobs_; }  ///< newest last
-    int running() const;
+    int running() const;                                    ///< of all()
+    bool idle() const { return unfinished_ == 0; }          ///< no quiet work either
     void clearEnded();
 
 signals:
-    void started(noctule::ui::Job* job);
-    void changed();  ///< any job's state or progress
+    void started(noctule::ui::Job* job);  ///< it appeared in all()
+    void changed();                       ///< any job's state or progress
 
 private:
     using End = std::function<void(Job*, const Status&, const QString&)>;
     Job* startUntyped(const QString& title, std::function<void(const JobContext&)> work,
                       std::function<void(Job*, const End&)> finish, Loudness loudness);
+    static Error brokenPromise(std::exception_ptr thrown);
+    void show(Job* job);
+    void finish(Job* job, const std::function<void(Job*, const End&)>& tell);
+    void poll();
 
     std::vector<Job*> jobs_;
+    std::vector<Job*> quiet_;  ///< run without being in jobs_
+    int unfinished_ = 0;
+    QThreadPool pool_;
+    QTimer poll_timer_;
 };
 
 }  // namespace noctule::ui

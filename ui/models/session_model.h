@@ -4,14 +4,17 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <QTimer>
 #include <QUndoStack>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/session/session.h"
 #include "ui/jobs/jobs.h"
+#include "ui/models/session_saver.h"
 
 namespace noctule::ui {
 
@@ -30,7 +33,11 @@ public:
     void setCurrentTake(int index);
 
     bool create(const QString& folder, const QString& name);  ///< false: failed() was emitted
-    void open(const QString& folder);                         ///< a job; opened() or failed()
+    /// A job; opened() or failed(). The take named becomes the current one, else the one that was current
+    /// when the session was last open.
+    void open(const QString& folder, const QString& take = {});
+    /// Makes a new session.json from the takes (after damaged()) and opens it; a job.
+    void rebuild(const QString& folder);
     void close();
 
     // Commands with undo. Indices into session().takes.
@@ -38,17 +45,22 @@ public:
     void setTakeNotes(int take, const QString& notes);
     void setTakeRange(int take, double in_s, double out_s);
     void renameSession(const QString& name);
+    void setNotes(const QString& notes);
     void addPerformer(const Performer& performer);
     /// Changes of one kind in quick succession (dragging a gizmo) become one step when `merge_key` is the
-    /// same.
+    /// same. A new name also goes to the takes of this performer.
     void changePerformer(int index, const Performer& performer, const QString& what,
                          const QString& merge_key = {});
+    /// The last one stays.
     void removePerformer(int index);
     void setCurrentPerformer(const QString& name);
     void trashTake(int take);
 
+    // Not undone: files come, nothing goes.
     void importTakes(const QStringList& paths);  ///< a job
-    /// Looks at a take's file again.
+    /// Finishes a take whose recording broke off; a job.
+    void recover(int take);
+    /// Looks at a take's file again; one that has come into the folder is added.
     void refresh(const QString& take_path);
     void saveNow();
 
@@ -56,17 +68,33 @@ signals:
     void opened();   ///< or closed
     void changed();  ///< anything of the session
     void currentTakeChanged(int index);
+    void takeAdded(const QString& name);  ///< imported
     void failed(const QString& message);
+    /// Opening failed in a way that rebuild() may mend; comes after failed().
+    void damaged(const QString& folder);
 
 private:
-    void push(const QString& what, std::function<void(Session&)> change, const QString& merge_key = {});
-
     friend class SessionCommand;
+    using Step = std::function<Status(Session&)>;
+    /// Does it; `undo` must take back exactly what `redo` did.
+    void push(const QString& what, Step redo, Step undo, const QString& merge_key = {});
+    bool apply(const Step& step);
+    void adopt(Session session, const QString& take);
+    void openWith(const QString& title, const QString& folder, const QString& take,
+                  std::function<Result<Session>(const JobContext&)> work);
+    void leave();
+    void announce();
+    void noteChange();
+    void followCurrentTake();
+    void tell(const QString& what_failed, const Error& error);
+
     Jobs& jobs_;
+    SessionSaver saver_;
     std::optional<Session> session_;
     QUndoStack undo_;
     int current_ = -1;
-    QTimer save_timer_;
+    std::string current_name_;
+    QPointer<Job> opening_;
 };
 
 }  // namespace noctule::ui

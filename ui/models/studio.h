@@ -4,11 +4,15 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QSettings>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <string>
 
 #include "core/mesh/skinned_mesh.h"
+#include "core/processing/process_take.h"
 #include "ui/jobs/jobs.h"
 #include "ui/models/selection.h"
 #include "ui/models/session_model.h"
@@ -42,8 +46,11 @@ public:
     /// The body that ships with the studio, loaded on first use; null when it cannot be read.
     std::shared_ptr<const SkinnedMesh> body();
 
-    /// A session with a sample take, processed and open in Review.
-    void tryVirtualSuit();
+    /// Where sessions are made unless the operator says otherwise.
+    QString sessionsFolder() const;
+    /// A session with a sample take, processed and open in Review. The one made earlier is used again. A job;
+    /// cancelled, nothing of it stays.
+    Job* tryVirtualSuit();
     /// Processes a take of the session as a job; shows the new run when the take is open.
     Job* process(ProcessRequest request);
 
@@ -65,7 +72,14 @@ private:
     Selection selection_;
     SessionModel session_;
     TakeDocument take_;
+    void openTakeUnderReview(int index);
+
     std::shared_ptr<const SkinnedMesh> body_;
+    bool body_looked_for_ = false;
+    QPointer<Job> virtual_suit_;
+    std::shared_ptr<std::timed_mutex> processing_;  ///< a take takes one writer, the machine one filter
 };
 
 }  // namespace noctule::ui
+
+Q_DECLARE_METATYPE(noctule::ui::Step)

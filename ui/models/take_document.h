@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The take that is open for review, with the parts that have been loaded so far. Loading runs as jobs;
-// signals tell when a part has come. Parts are shared and never change once loaded: views may keep them.
+// signals tell when a part has come. Parts are shared and never change once loaded: views may keep them. The
+// document keeps the parts of the runs that are shown and compared only, so that memory stays flat.
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <map>
 #include <memory>
 #include <optional>
 
-#include "core/processing/process_take.h"
-#include "core/report/report_data.h"
-#include "core/review/series.h"
+#include "core/motion/foot_contacts.h"
+#include "core/review/joint_curves.h"
+#include "core/review/plot_series.h"
 #include "core/review/take_review.h"
+#include "core/review/take_verdict.h"
 #include "ui/jobs/jobs.h"
 #include "ui/models/time_cursor.h"
 
@@ -22,6 +25,7 @@ class TakeDocument : public QObject {
     Q_OBJECT
 public:
     TakeDocument(Jobs& jobs, TimeCursor& time, QObject* parent = nullptr);
+    ~TakeDocument() override;
 
     bool isOpen() const { return overview_ != nullptr; }
     QString path() const { return path_; }
@@ -36,13 +40,30 @@ public:
     void setShownRun(int index);
     void setComparedRun(int index);
 
-    /// Null until loaded; asking starts loading. Of the shown or compared run.
+    // Null until loaded; asking starts loading. The signal comes too when loading failed; the part stays
+    // null and problem() says why.
     std::shared_ptr<const TimedMotion> shownMotion();
     std::shared_ptr<const TimedMotion> comparedMotion();
     std::shared_ptr<const TimedMotion> reference();
-    std::shared_ptr<const RangeTable> ranges();  ///< those that the shown run used
+    std::shared_ptr<const std::vector<FootContacts>> contacts();  ///< of the shown motion
+    std::shared_ptr<const RangeTable> ranges();                   ///< those that the shown run used
+    std::shared_ptr<const PairSummaries> pairSummaries();         ///< of ranges()
     std::shared_ptr<const ReadingTable> readings();
-    std::shared_ptr<const ReportData> report();  ///< of the shown run
+    std::shared_ptr<const ReportData> report();    ///< of the shown run
+    std::shared_ptr<const TakeVerdict> verdict();  ///< of report()
+
+    // One curve each, ready to draw at any zoom; of the shown run unless said otherwise. Null until loaded;
+    // asking starts loading, curvesChanged() tells.
+    enum class Whose { kShown, kCompared, kReference };
+    std::shared_ptr<const SeriesPyramid> rangeCurve(int source, int board, RangeQuantity quantity);
+    std::shared_ptr<const SeriesPyramid> readingCurve(int board, int axis);
+    std::shared_ptr<const MotionCurve> motionCurve(const CurveChoice& choice, Whose whose = Whose::kShown);
+
+    /// What went wrong with the part that failed last, and what to do; empty when none did since the take was
+    /// opened or reloaded.
+    const QString& problem() const { return problem_; }
+    /// Whether anything is being read.
+    bool isLoading() const;
 
 public slots:
     void open(const QString& path);
@@ -55,29 +76,104 @@ signals:
     void opened();  ///< overview is there, or the document was closed
     void failed(const QString& message);
     void runsChanged();    ///< list or choice
-    void motionChanged();  ///< a motion has been loaded
+    void motionChanged();  ///< a motion or the contacts have been loaded
     void rangesChanged();
     void readingsChanged();
     void reportChanged();
+    void curvesChanged();
 
 private:
+    /// One thing that is loaded on demand. A result whose ticket is not the part's own is an earlier one's.
     template <class T>
     struct Part {
         std::shared_ptr<const T> value;
-        bool loading = false, failed = false;
+        bool ended = false;  ///< well or not
+        uint64_t ticket = 0;
+        uint64_t asked = 0;  ///< when last asked for: the oldest curves go first
+        QPointer<Job> job;
     };
+    template <class Key, class T>
+    using Parts = std::map<Key, Part<T>>;
+    using Changed = void (TakeDocument::*)();
+    template <class T>
+    using Work = std::function<Result<T>(const JobContext&)>;
+
+    struct Judged {
+        ReportData report;
+        TakeVerdict verdict;
+    };
+    struct Ranges {
+        RangeTable table;
+        PairSummaries summaries;
+    };
+    struct RangeCurveKey {
+        int64_t run;
+        int source, board;
+        RangeQuantity quantity;
+        auto operator<=>(const RangeCurveKey&) const = default;
+    };
+    struct ReadingCurveKey {
+        int64_t run;
+        int board, axis;
+        auto operator<=>(const ReadingCurveKey&) const = default;
+    };
+    struct MotionCurveKey {
+        int64_t run;
+        CurveChoice choice;
+        auto operator<=>(const MotionCurveKey&) const = default;
+    };
+
+    /// The part; starts loading when it is asked for the first time.
+    template <class Key, class T>
+    std::shared_ptr<const T> ask(Parts<Key, T>& parts, const Key& key, const QString& title, Changed changed,
+                                 Work<T> work);
+    template <class Key, class T>
+    void accept(Parts<Key, T>& parts, const Key& key, uint64_t ticket, Result<T> result, Changed changed);
+    /// Drops the parts for which it holds and cancels their loading.
+    template <class Key, class T, class Unwanted>
+    static void drop(Parts<Key, T>& parts, Unwanted unwanted);
+    template <class Key, class T>
+    static void keepNewest(Parts<Key, T>& parts);
+    template <class Visit>
+    void forEachKind(Visit visit);
+
+    void loadOverview(const QString& path, bool show_newest);
+    void accept(TakeOverview overview, bool show_newest);
+    void refuse(const Error& error);
+    void motionLoaded();
+    void rangesLoaded();
+    void readingsLoaded();
     void forget();
+    void forgetUnshown();
+    /// Parts of runs that the take no longer holds as they were, and what failed to load.
+    void forgetOutdated(const TakeOverview& earlier);
+    void showFrames();
+
+    /// Number of a run of the take, kReference for the reference, absent for none.
+    std::optional<int64_t> runNumber(int index) const;
+    const ReviewRun* shown() const;
+    std::optional<int64_t> runOf(Whose whose) const;
+    std::shared_ptr<const TimedMotion> motion(std::optional<int64_t> run);
+    std::shared_ptr<const Ranges> rangesWithSummaries();
+    std::shared_ptr<const Judged> judged();
 
     Jobs& jobs_;
     TimeCursor& time_;
-    QString path_;
-    int generation_ = 0;  ///< results of an earlier take or choice are dropped
+    QString path_, problem_;
+    uint64_t ticket_ = 0, overview_ticket_ = 0;
+    QPointer<Job> overview_job_;
     std::shared_ptr<const TakeOverview> overview_;
     int shown_ = -1, compared_ = -1;
-    std::map<int, Part<TimedMotion>> motions_;  ///< by index of run; kReference: the reference
-    std::map<int64_t, Part<RangeTable>> ranges_;
-    std::map<int64_t, Part<ReadingTable>> readings_;
-    std::map<int, Part<ReportData>> reports_;
+
+    // By number of the run; kReference: the reference.
+    Parts<int64_t, TimedMotion> motions_;
+    Parts<int64_t, std::vector<FootContacts>> contacts_;
+    Parts<int64_t, Ranges> ranges_;
+    Parts<int64_t, ReadingTable> readings_;
+    Parts<int64_t, Judged> reports_;
+    Parts<RangeCurveKey, SeriesPyramid> range_curves_;
+    Parts<ReadingCurveKey, SeriesPyramid> reading_curves_;
+    Parts<MotionCurveKey, MotionCurve> motion_curves_;
 };
 
 }  // namespace noctule::ui

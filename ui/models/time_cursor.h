@@ -24,6 +24,8 @@ public:
 
     /// Of the take that is shown; puts the cursor at its start, in and out at the ends.
     void setExtent(double duration_s, double frame_step_s);
+    /// The frames that stepFrames() stops at.
+    void setFrames(double first_s, double frame_step_s);
 
 public slots:
     void setTime(double t_s);  ///< clamped
@@ -47,6 +49,7 @@ private:
     void advance();
 
     double time_s_ = 0, duration_s_ = 0, in_s_ = 0, out_s_ = 0, speed_ = 1, frame_step_s_ = 1.0 / 120;
+    double first_frame_s_ = 0;
     bool loops_ = false;
     QTimer timer_;
     QElapsedTimer clock_;

@@ -30,8 +30,9 @@ class Theme : public QObject {
 public:
     /// The application's one theme; lives from install() to the application's end.
     static Theme& get();
-    /// Loads fonts and tokens from the resources, sets palette, style sheet and font of the application.
+    /// Loads fonts and tokens from the resources, sets palette, style and font of the application.
     static void install(QApplication& application);
+    ~Theme() override;
 
     const Tokens& tokens() const { return tokens_; }
     bool isDark() const { return dark_; }
@@ -42,6 +43,7 @@ public:
     void setScale(double scale);
     /// Animations last this long in ms; 0 with "reduce motion".
     int motion_ms(int normal_ms) const { return reduce_motion_ ? 0 : normal_ms; }
+    /// At first what the desktop wishes.
     void setReduceMotion(bool reduce);
     bool reduceMotion() const { return reduce_motion_; }
 
@@ -68,8 +70,9 @@ private:
     QApplication& application_;
     Tokens tokens_;
     Scheme scheme_ = Scheme::kDark;
+    bool desktop_is_dark_;
     bool dark_ = true;
-    bool reduce_motion_ = false;
+    bool reduce_motion_;
     double scale_ = 1;
     std::array<QRgb, 256> confidence_{};
 };

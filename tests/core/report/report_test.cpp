@@ -62,6 +62,17 @@ TEST(HtmlReport, IsWellFormedCompleteAndStandsAlone) {
         EXPECT_FALSE(std::regex_search(page, std::regex(std::string("[ \">]") + wrong + "[ \"<]"))) << wrong;
 }
 
+TEST(HtmlReport, ItsPartsAreTheSameForOtherViewers) {
+    const ReportData data = shortReport();
+    const std::string page = htmlReport(data);
+    const auto parts = reportParts(data);
+    ASSERT_EQ(parts.size(), 9U);
+    for (const ReportPart& part : parts) {
+        EXPECT_NE(page.find(part.html), std::string::npos) << part.title;
+        EXPECT_TRUE(part.html.starts_with("<section id=\"" + part.id + "\"")) << part.title;
+    }
+}
+
 TEST(HtmlReport, HoldsTheNumbersItWasGiven) {
     const ReportData& data = shortReport();
     const std::string page = htmlReport(data);

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The take that the virtual suit records: the suit that Noctule comes with, worn on the motion that ships
+// with the studio, in the scenario `nominal` and down to the sampled sound. What `--batch simulate` makes of
+// that motion.
+#pragma once
+
+#include <string>
+
+#include "core/job/job.h"
+#include "core/job/result.h"
+
+namespace noctule::studio {
+
+/// The motion inside the program.
+constexpr const char* kSampleMotion = ":/noctule/motions/sample.bvh";
+
+/// Writes a new file; `created_utc` and `software` go into its header.
+Status makeSampleTake(const std::string& path, const std::string& created_utc, const std::string& software,
+                      const JobContext& job);
+
+}  // namespace noctule::studio

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/studio/studio_main.h"
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QSettings>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "app/batch/files.h"
+#include "app/batch/program.h"
+#include "app/studio/sample_take.h"
+#include "ui/main_window/language.h"
+#include "ui/main_window/look.h"
+#include "ui/main_window/main_window.h"
+#include "ui/models/studio.h"
+#include "ui/style/theme.h"
+
+namespace noctule::studio {
+namespace {
+
+using namespace ui;
+
+constexpr int kNoDisplay = 2;
+
+[[noreturn]] void endWithoutDisplay() {
+    std::fputs(
+        "noctule: no display can be reached, and the studio needs one. Start it on a desktop, or run jobs "
+        "without a screen: `noctule --batch VERB`; `noctule --help` shows the verbs.\n",
+        stderr);
+    std::_Exit(kNoDisplay);
+}
+
+/// Qt's own way to say that there is no display is to abort with a core dump; until the application exists, a
+/// fatal message is ours. Afterwards Qt's warnings go to standard error only when asked for
+/// (NOCTULE_QT_DEBUG=1).
+void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
+    if (type == QtFatalMsg && !QCoreApplication::instance())
+        endWithoutDisplay();
+    static const bool wanted = qEnvironmentVariableIsSet("NOCTULE_QT_DEBUG");
+    if (!wanted && type != QtFatalMsg)
+        return;
+    std::fprintf(stderr, "noctule: %s\n", text.toLocal8Bit().constData());
+    if (type == QtFatalMsg)
+        std::abort();
+}
+
+void refuseWithoutDisplay() {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        if (!qEnvironmentVariableIsEmpty(name))
+            return;
+    endWithoutDisplay();
+}
+
+void chooseSurface() {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    QSurfaceFormat::setDefaultFormat(format);
+}
+
+StudioParts parts() {
+    StudioParts parts;
+    parts.software = batch::softwareName();
+    parts.utc_now = batch::utcNow;
+    parts.make_sample_take = [software = parts.software](const std::string& path, const JobContext& job) {
+        return makeSampleTake(path, batch::utcNow(), software, job);
+    };
+    return parts;
+}
+
+/// The window is made anew when the language changes: every sentence in it is then in that language.
+class Windows : public QObject {
+public:
+    explicit Windows(Studio& studio) : studio_(studio) {}
+
+    MainWindow& show(Step step) {
+        applyLanguage(studio_.settings());
+        window_ = std::make_unique<MainWindow>(studio_);
+        connect(window_.get(), &MainWindow::languageChanged, this, [this] {
+            QMetaObject::invokeMethod(
+                this, [this] { renew(); }, Qt::QueuedConnection);
+        });
+        window_->goTo(step);
+        window_->show();
+        return *window_;
+    }
+
+private:
+    void renew() {
+        const Step step = window_->step();
+        window_.reset();
+        QTimer::singleShot(0, &show(step), &MainWindow::showPreferences);
+    }
+
+    Studio& studio_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace
+
+int runStudio(int argc, char** argv) {
+    refuseWithoutDisplay();
+    qInstallMessageHandler(onQtMessage);
+    QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    chooseSurface();
+    QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's; files and JSON are the same everywhere
+    QApplication::setOrganizationName("Noctule");
+    QApplication::setApplicationName("noctule");
+    QApplication::setApplicationDisplayName("Noctule");
+    QApplication::setApplicationVersion(NOCTULE_VERSION);
+    QApplication::setQuitOnLastWindowClosed(true);
+    Theme::install(application);
+
+    Studio studio(parts());
+    applyLook(studio.settings());
+    Windows windows(studio);
+    MainWindow& window = windows.show(Step::kStart);
+    if (application.arguments().size() > 1)
+        window.open(QFileInfo(application.arguments().at(1)).absoluteFilePath());
+    else
+        window.offerTour();
+    return QApplication::exec();
+}
+
+}  // namespace noctule::studio

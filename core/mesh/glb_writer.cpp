@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/mesh/glb_writer.h"
+
+#include <assimp/material.h>
+#include <assimp/scene.h>
+
+#include <assimp/Exporter.hpp>
+#include <map>
+#include <memory>
+
+#include "core/job/atomic_file.h"
+
+namespace noctule {
+namespace {
+
+aiVector3D toAssimp(const Eigen::Vector3f& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+aiMatrix4x4 toAssimp(const Eigen::Matrix4f& m) {
+    return {m(0, 0), m(0, 1), m(0, 2), m(0, 3), m(1, 0), m(1, 1), m(1, 2), m(1, 3),
+            m(2, 0), m(2, 1), m(2, 2), m(2, 3), 0,       0,       0,       1};
+}
+
+std::unique_ptr<aiBone> boneOf(const SkinnedMesh& mesh, size_t index) {
+    std::vector<aiVertexWeight> weights;
+    for (size_t v = 0; v < mesh.vertices.size(); ++v)
+        for (size_t i = 0; i < 4; ++i)
+            if (mesh.vertices[v].bones[i] == index && mesh.vertices[v].weights[i] > 0)
+                weights.emplace_back(static_cast<unsigned>(v), mesh.vertices[v].weights[i]);
+    auto bone = std::make_unique<aiBone>();
+    bone->mName = mesh.bones[index].joint;
+    bone->mOffsetMatrix = toAssimp(mesh.bones[index].bind_inverse);
+    bone->mNumWeights = static_cast<unsigned>(weights.size());
+    bone->mWeights = new aiVertexWeight[weights.size()];
+    std::copy(weights.begin(), weights.end(), bone->mWeights);
+    return bone;
+}
+
+std::unique_ptr<aiMesh> meshOf(const SkinnedMesh& mesh) {
+    auto result = std::make_unique<aiMesh>();
+    result->mName = "Body";
+    result->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+    result->mNumVertices = static_cast<unsigned>(mesh.vertices.size());
+    result->mVertices = new aiVector3D[mesh.vertices.size()];
+    result->mNormals = new aiVector3D[mesh.vertices.size()];
+    for (size_t v = 0; v < mesh.vertices.size(); ++v) {
+        result->mVertices[v] = toAssimp(mesh.vertices[v].p_m);
+        result->mNormals[v] = toAssimp(mesh.vertices[v].normal);
+    }
+    result->mNumFaces = static_cast<unsigned>(mesh.triangles.size());
+    result->mFaces = new aiFace[mesh.triangles.size()];
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+        result->mFaces[t].mNumIndices = 3;
+        result->mFaces[t].mIndices = new unsigned[3];
+        std::copy(mesh.triangles[t].begin(), mesh.triangles[t].end(), result->mFaces[t].mIndices);
+    }
+    result->mNumBones = static_cast<unsigned>(mesh.bones.size());
+    result->mBones = new aiBone*[mesh.bones.size()];
+    for (size_t b = 0; b < mesh.bones.size(); ++b)
+        result->mBones[b] = boneOf(mesh, b).release();
+    return result;
+}
+
+/// Nodes of the bones, under each other as in the skeleton; a bone without a joint there goes to the top.
+/// Nodes stand where the bones were bound, which exporters and viewers take as the rest position.
+void addBoneNodes(aiNode& top, const SkinnedMesh& mesh, const Skeleton& skeleton) {
+    std::map<std::string, aiNode*> nodes;
+    std::map<std::string, aiMatrix4x4> world_from_mesh;
+    for (const SkinBone& bone : mesh.bones) {
+        nodes[bone.joint] = new aiNode(bone.joint);
+        world_from_mesh[bone.joint] = toAssimp(bone.bind_inverse);
+    }
+    for (const SkinBone& bone : mesh.bones) {
+        const int joint = skeleton.find(bone.joint);
+        const int parent = joint >= 0 ? skeleton.joint(joint).parent : -1;
+        const auto found = parent >= 0 ? nodes.find(skeleton.joint(parent).name) : nodes.end();
+        aiNode* node = nodes[bone.joint];
+        node->mTransformation = world_from_mesh[bone.joint];
+        node->mTransformation.Inverse();
+        if (found != nodes.end())
+            node->mTransformation = world_from_mesh[found->first] * node->mTransformation;
+        aiNode* above = found != nodes.end() ? found->second : &top;
+        above->addChildren(1, &node);
+    }
+}
+
+/// The skinned mesh hangs on the root node itself: glTF wants skinned meshes at the root.
+std::unique_ptr<aiScene> sceneOf(const SkinnedMesh& mesh, const Skeleton& skeleton) {
+    auto scene = std::make_unique<aiScene>();
+    auto material = std::make_unique<aiMaterial>();
+    const aiColor4D grey(0.62F, 0.66F, 0.72F, 1);
+    const float metallic = 0, roughness = 0.8F;
+    material->AddProperty(&grey, 1, AI_MATKEY_BASE_COLOR);
+    material->AddProperty(&metallic, 1, AI_MATKEY_METALLIC_FACTOR);
+    material->AddProperty(&roughness, 1, AI_MATKEY_ROUGHNESS_FACTOR);
+    scene->mNumMaterials = 1;
+    scene->mMaterials = new aiMaterial* [1] { material.release() };
+    scene->mNumMeshes = 1;
+    scene->mMeshes = new aiMesh* [1] { meshOf(mesh).release() };
+    scene->mRootNode = new aiNode("Mannequin");
+    scene->mRootNode->mNumMeshes = 1;
+    scene->mRootNode->mMeshes = new unsigned[1]{0};
+    addBoneNodes(*scene->mRootNode, mesh, skeleton);
+    return scene;
+}
+
+}  // namespace
+
+Status writeSkinnedMesh(const std::string& path, const SkinnedMesh& mesh, const Skeleton& skeleton,
+                        bool overwrite) {
+    const auto scene = sceneOf(mesh, skeleton);
+    Assimp::Exporter exporter;
+    const aiExportDataBlob* blob = exporter.ExportToBlob(scene.get(), "glb2");
+    if (!blob)
+        return Error{ErrorKind::kInternal,
+                     path + ": the mesh cannot be written as glTF: " + exporter.GetErrorString(),
+                     "Report this with the mesh"};
+    return writeFileAtomically(path, {static_cast<const char*>(blob->data), blob->size}, overwrite);
+}
+
+}  // namespace noctule

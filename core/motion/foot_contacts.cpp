@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/motion/foot_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace noctule {
+namespace {
+
+constexpr double kSpeedReach_s = 0.02;   ///< to either side
+constexpr double kLevelQuantile = 0.05;  ///< of the heights of a point
+constexpr size_t kPoints = 2;            ///< ankle and tip of the toes
+
+int findJoint(const Skeleton& skeleton, const std::string& name) {
+    if (const int found = skeleton.find(name); found >= 0)
+        return found;
+    for (int j = 0; j < skeleton.size(); ++j)
+        for (const auto& [system, alias] : skeleton.joint(j).aliases)
+            if (alias == name)
+                return j;
+    return -1;
+}
+
+/// A point fixed to a joint.
+struct FixedPoint {
+    int joint = -1;
+    Vector3d p_joint_m = Vector3d::Zero();
+};
+
+std::array<FixedPoint, kPoints> pointsOf(const Skeleton& skeleton, int foot, const std::string& side) {
+    const int toes = findJoint(skeleton, side + "ToeBase");
+    const int last = toes >= 0 ? toes : foot;
+    return {{{foot, Vector3d::Zero()}, {last, skeleton.joint(last).end_m.value_or(Vector3d::Zero())}}};
+}
+
+/// Where a point was in every frame, how high above its level and how fast; NaN where nothing was seen.
+struct Track {
+    std::vector<Vector3d> p_world_m;
+    std::vector<double> height_m, speed_m_per_s;
+};
+
+double levelOf(const Track& track) {
+    std::vector<double> heights;
+    for (const Vector3d& p : track.p_world_m)
+        if (p.allFinite())
+            heights.push_back(p.y());
+    if (heights.empty())
+        return 0;
+    const auto low =
+        heights.begin() + static_cast<std::ptrdiff_t>(kLevelQuantile * static_cast<double>(heights.size()));
+    std::nth_element(heights.begin(), low, heights.end());
+    return *low;
+}
+
+void finish(Track& track, const std::vector<TimedPose>& frames, size_t reach) {
+    const double level_m = levelOf(track);
+    const size_t count = frames.size();
+    for (size_t i = 0; i < count; ++i) {
+        const size_t before = i - std::min(i, reach), after = std::min(count - 1, i + reach);
+        const double step_s = static_cast<double>(frames[after].time_ns - frames[before].time_ns) * 1e-9;
+        track.height_m.push_back(track.p_world_m[i].y() - level_m);
+        track.speed_m_per_s.push_back((track.p_world_m[after] - track.p_world_m[before]).norm() / step_s);
+    }
+}
+
+class FootWatcher {
+public:
+    FootWatcher(const TimedMotion& motion, const ContactSettings& settings)
+        : motion_(motion), settings_(settings) {
+        const double step_s = static_cast<double>(usualStep_ns(motion)) * 1e-9;
+        reach_ = step_s > 0 ? std::max<size_t>(1, static_cast<size_t>(kSpeedReach_s / step_s + 0.5)) : 1;
+    }
+
+    std::vector<FootContact> watch(std::array<Track, kPoints> tracks) {
+        tracks_ = std::move(tracks);
+        for (Track& track : tracks_)
+            finish(track, motion_.frames, reach_);
+        std::vector<FootContact> contacts;
+        for (const auto& [first, last] : standing())
+            if (seconds(last) - seconds(first) >= settings_.least_contact_s)
+                contacts.push_back({seconds(first), seconds(last), slide(first, last)});
+        return contacts;
+    }
+
+private:
+    using Span = std::pair<size_t, size_t>;  // frames, both included
+
+    double seconds(size_t frame) const { return static_cast<double>(motion_.frames[frame].time_ns) * 1e-9; }
+
+    /// Comparisons with NaN are false: what is not seen does not stand.
+    bool stands(const Track& track, size_t frame, bool already) const {
+        return track.height_m[frame] <= (already ? settings_.leave_height_m : settings_.touch_height_m) &&
+               track.speed_m_per_s[frame] <=
+                   (already ? settings_.leave_speed_m_per_s : settings_.touch_speed_m_per_s);
+    }
+
+    /// Spans of standing, with flights too short to be true filled.
+    std::vector<Span> standing() const {
+        std::vector<Span> spans;
+        bool stood = false, unseen_since = false;
+        for (size_t i = 0; i < motion_.frames.size(); ++i) {
+            const bool now = std::any_of(tracks_.begin(), tracks_.end(),
+                                         [&](const Track& track) { return stands(track, i, stood); });
+            unseen_since = unseen_since || !tracks_[0].p_world_m[i].allFinite();
+            const bool goes_on = now && !unseen_since && !spans.empty() &&
+                                 seconds(i) - seconds(spans.back().second) < settings_.least_flight_s;
+            if (now && (stood || goes_on))
+                spans.back().second = i;
+            else if (now)
+                spans.emplace_back(i, i);
+            stood = now;
+            unseen_since = unseen_since && !now;
+        }
+        return spans;
+    }
+
+    double slide(size_t first, size_t last) const {
+        const size_t end = (last - first) / 5;  // where the foot comes down and rolls off
+        first += end, last -= end;
+        std::vector<Vector3d> longest;
+        for (const Track& track : tracks_) {
+            std::vector<Vector3d> places;
+            for (size_t i = first; i <= last; ++i)
+                if (stands(track, i, true))
+                    places.emplace_back(track.p_world_m[i].x(), 0, track.p_world_m[i].z());
+            if (places.size() > longest.size())
+                longest = std::move(places);
+        }
+        Vector3d mean = Vector3d::Zero();
+        for (const Vector3d& place : longest)
+            mean += place / static_cast<double>(longest.size());
+        double farthest = 0;
+        for (const Vector3d& place : longest)
+            farthest = std::max(farthest, (place - mean).norm());
+        return farthest;
+    }
+
+    const TimedMotion& motion_;
+    const ContactSettings& settings_;
+    size_t reach_ = 1;
+    std::array<Track, kPoints> tracks_;
+};
+
+struct Foot {
+    std::string name;
+    std::array<FixedPoint, kPoints> points;
+    std::array<Track, kPoints> tracks{};
+};
+
+void follow(const TimedMotion& motion, std::vector<Foot>& feet) {
+    const Vector3d nowhere = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    for (const TimedPose& frame : motion.frames) {
+        const bool seen = frame.pose && isUsable(*frame.pose);
+        const GlobalPose global = seen ? globalPose(motion.skeleton, *frame.pose) : GlobalPose{};
+        for (Foot& foot : feet)
+            for (size_t p = 0; p < kPoints; ++p) {
+                const auto joint = static_cast<size_t>(foot.points[p].joint);
+                foot.tracks[p].p_world_m.push_back(
+                    seen ? Vector3d(global.p_world_joint[joint] +
+                                    global.q_world_joint[joint] * foot.points[p].p_joint_m)
+                         : nowhere);
+            }
+    }
+}
+
+}  // namespace
+
+std::vector<FootContacts> findFootContacts(const TimedMotion& motion, const ContactSettings& settings) {
+    std::vector<Foot> feet;
+    for (const std::string side : {"Left", "Right"})
+        if (const int joint = findJoint(motion.skeleton, side + "Foot"); joint >= 0)
+            feet.push_back({side + "Foot", pointsOf(motion.skeleton, joint, side)});
+    follow(motion, feet);
+    FootWatcher watcher(motion, settings);
+    std::vector<FootContacts> found;
+    for (Foot& foot : feet)
+        found.push_back({foot.name, watcher.watch(std::move(foot.tracks))});
+    return found;
+}
+
+double meanSlide_m(const std::vector<FootContacts>& feet) {
+    double sum_m = 0;
+    size_t count = 0;
+    for (const FootContacts& foot : feet) {
+        for (const FootContact& contact : foot.contacts)
+            sum_m += contact.slide_m;
+        count += foot.contacts.size();
+    }
+    return count == 0 ? 0 : sum_m / static_cast<double>(count);
+}
+
+}  // namespace noctule

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/check_export.h"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "core/math/rotation.h"
+#include "core/processing/export_comparison.h"
+#include "core/processing/pose_runs.h"
+
+namespace noctule {
+namespace {
+
+int64_t toNs(double s) {
+    return static_cast<int64_t>(std::llround(s * 1e9));
+}
+
+/// What the file should hold: the run at the instants that were asked for.
+Result<ExpectedMotion> expectedMotion(const Take& take, const ExportRequest& request, std::string& run_name) {
+    const auto run = choosePoseRun(take, request.run);
+    if (!run)
+        return run.error();
+    run_name = run->name;
+    const auto motion = take.poses(run->run);
+    if (!motion)
+        return motion.error();
+    ExpectedMotion expected;
+    expected.skeleton = motion->skeleton;
+    expected.root = request.root;
+    expected.frame_time_s = 1 / request.frames_per_second;
+    if (motion->frames.empty())
+        return expected;
+    const int64_t first = motion->frames.front().time_ns, last = motion->frames.back().time_ns;
+    const int64_t begin = request.from_s ? toNs(*request.from_s) : first;
+    const int64_t end = std::min(request.to_s ? toNs(*request.to_s) : last, last);
+    PoseSampler sampler(*motion, std::numeric_limits<int64_t>::max());
+    for (int64_t i = 0, time_ns = begin; time_ns <= end;
+         time_ns = begin + toNs(static_cast<double>(++i) * expected.frame_time_s))
+        if (auto pose = sampler.at(time_ns)) {
+            if (expected.frames.empty())
+                expected.begin_s = static_cast<double>(time_ns) * 1e-9;
+            expected.frames.push_back(std::move(*pose));
+        }
+    return expected;
+}
+
+Result<std::vector<SilentBoard>> silentBoards(const Take& take, const ExpectedMotion& expected) {
+    const auto rate = take.sampleRate_hz();
+    const auto gaps = take.gaps();
+    const auto suit = take.suit();
+    if (!rate || !gaps || !suit)
+        return !rate ? rate.error() : !gaps ? gaps.error() : suit.error();
+    const double end_s =
+        expected.begin_s + expected.frame_time_s * (static_cast<double>(expected.frames.size()) - 1);
+    std::vector<SilentBoard> silent;
+    for (const GapRow& gap : *gaps) {
+        const double per_second = static_cast<double>(*rate);
+        SilentBoard board;
+        board.board = gap.board.value_or(-1);
+        if (board.board >= 0 && board.board < static_cast<int>(suit->boards.size()))
+            board.segment = suit->boards[static_cast<size_t>(board.board)].segment;
+        board.from_s = std::max(static_cast<double>(gap.first_sample) / per_second, expected.begin_s);
+        board.to_s = std::min(static_cast<double>(gap.first_sample + gap.sample_count) / per_second, end_s);
+        if (board.to_s <= board.from_s)
+            continue;
+        board.frames = static_cast<size_t>(std::ceil((board.to_s - board.from_s) / expected.frame_time_s));
+        silent.push_back(board);
+    }
+    return silent;
+}
+
+void judge(ExportCheck& check, double expected_frames_per_second) {
+    const auto fault = [&](bool is_fault, const std::string& sentence) {
+        if (is_fault)
+            check.faults.push_back(sentence);
+    };
+    fault(check.frames != check.expected_frames,
+          "The file holds " + std::to_string(check.frames) + " frames, the take has " +
+              std::to_string(check.expected_frames) + " in this range.");
+    fault(std::abs(check.frames_per_second / expected_frames_per_second - 1) > 1e-6,
+          "The file runs at another frame rate than asked for.");
+    fault(check.joints != check.expected_joints, "The file names " + std::to_string(check.joints) +
+                                                     " of the take's " +
+                                                     std::to_string(check.expected_joints) + " joints.");
+    fault(std::abs(check.height_m - check.expected_height_m) > 1e-3,
+          "The figure in the file has another height than the performer.");
+    fault(std::abs(std::remainder(check.facing_rad - check.expected_facing_rad, 2 * M_PI)) > radians(0.1),
+          "The figure in the file faces another way than the performer.");
+    fault(check.largest_angle_rad > kExportAngle_rad,
+          "Joints in the file are turned otherwise than in the take.");
+    fault(check.largest_position_m > kExportPosition_m, "Joints in the file are elsewhere than in the take.");
+}
+
+ExportCheck checkFile(const std::string& path, const ExpectedMotion& expected, const ExportRequest& request,
+                      bool is_csv) {
+    ExportCheck check;
+    check.path = path;
+    check.expected_frames = expected.frames.size();
+    check.expected_joints = expected.skeleton.size();
+    std::error_code ignored;
+    check.bytes = static_cast<int64_t>(std::filesystem::file_size(path, ignored));
+    const Status compared = is_csv ? compareCsv(path, request.angles, expected, check)
+                                   : compareBvh(path, request.metres_per_unit, expected, check);
+    if (compared)
+        judge(check, request.frames_per_second);
+    else
+        check.faults.push_back(compared.error().text() + ".");
+    return check;
+}
+
+}  // namespace
+
+Result<std::vector<ExportCheck>> checkExport(const ExportRequest& request, const JobContext& job) {
+    const auto take = Take::open(request.take_path);
+    if (!take)
+        return take.error();
+    std::string run_name;
+    const auto expected = expectedMotion(*take, request, run_name);
+    if (!expected)
+        return expected.error();
+    const auto silent = silentBoards(*take, *expected);
+    if (!silent)
+        return silent.error();
+    std::vector<ExportCheck> checks;
+    for (const std::string* path : {&request.bvh_path, &request.csv_path}) {
+        if (path->empty())
+            continue;
+        if (job.cancelled())
+            return JobContext::cancelledError();
+        job.progress(checks.empty() ? 0 : 0.5, "Reading " + *path + " again");
+        checks.push_back(checkFile(*path, *expected, request, path == &request.csv_path));
+        checks.back().run = run_name;
+        checks.back().silent = *silent;
+    }
+    return checks;
+}
+
+}  // namespace noctule

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// A written animation file is opened again and held against its take. The check shares nothing with the
+// export but the readers and kinematics: it samples the run itself, and where the root was held it compares
+// what holding must leave alone (height, tilt, shape) and what it must have made (one spot, one heading).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/processing/export_take.h"
+
+namespace noctule {
+
+/// A board that delivered nothing for a while within the exported time; the filter went on without it.
+struct SilentBoard {
+    int board = -1;  ///< -1: all boards
+    std::string segment;
+    double from_s = 0, to_s = 0;  ///< of the take's clock, cut to the exported time
+    size_t frames = 0;            ///< of the file
+};
+
+struct ExportCheck {
+    std::string path;
+    std::string run;
+    int64_t bytes = 0;
+    size_t frames = 0, expected_frames = 0;
+    double frames_per_second = 0;                ///< as the file says
+    double height_m = 0, expected_height_m = 0;  ///< BVH: of the zero pose; CSV: of the first frame's joints
+    double lowest_m = 0;                         ///< lowest joint or tip of all frames; 0 is the floor
+    /// Heading of the zero pose (BVH) or of the first frame (CSV): 0 faces +Z with the left side to +X,
+    /// positive turns towards +X.
+    double facing_rad = 0, expected_facing_rad = 0;
+    int joints = 0, expected_joints = 0;
+    bool has_angles = false;  ///< the file states angles
+    double largest_angle_rad = 0, largest_position_m = 0;
+    std::vector<SilentBoard> silent;
+    std::vector<std::string> faults;  ///< whole sentences; empty: the file holds what the take holds
+
+    bool ok() const { return faults.empty(); }
+};
+
+/// What rounding in the files can explain, with room to spare; more is a fault.
+inline constexpr double kExportAngle_rad = 1e-4, kExportPosition_m = 1e-5;
+
+/// One check per file of a request that was exported, in the order BVH, CSV. A file that cannot be read is a
+/// check with that as its fault; an Error means that the take could not be read.
+Result<std::vector<ExportCheck>> checkExport(const ExportRequest& request, const JobContext& job);
+
+}  // namespace noctule

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/export_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/formats/bvh.h"
+#include "core/formats/positions_csv.h"
+#include "core/math/rotation.h"
+
+namespace noctule {
+namespace {
+
+constexpr double kLevel = 0.1;  ///< a direction's horizontal part below which its heading means nothing
+
+/// Joints of the take's skeleton as the file numbers them, -1: not there.
+std::vector<int> jointsInFile(const Skeleton& skeleton, const std::vector<std::string>& names) {
+    std::vector<int> indices;
+    for (const Joint& joint : skeleton.joints()) {
+        const auto found = std::find(names.begin(), names.end(), joint.name);
+        indices.push_back(found == names.end() ? -1 : static_cast<int>(found - names.begin()));
+    }
+    return indices;
+}
+
+/// Heading of somebody whose hips these are: the left leg is on the left. Nothing without both legs.
+std::optional<double> facing(const std::vector<Vector3d>& p_world, int left_leg, int right_leg) {
+    if (left_leg < 0 || right_leg < 0)
+        return std::nullopt;
+    const Vector3d left = p_world[static_cast<size_t>(left_leg)] - p_world[static_cast<size_t>(right_leg)];
+    const Vector3d forward = left.cross(Vector3d::UnitY());
+    return std::atan2(forward.x(), forward.z());
+}
+
+double headingError_rad(const Quaterniond& q_world_root) {
+    const Vector3d forward = q_world_root * Vector3d::UnitZ();
+    return std::hypot(forward.x(), forward.z()) > kLevel ? std::abs(std::atan2(forward.x(), forward.z())) : 0;
+}
+
+/// Of a skeleton's zero pose: joints, and the tips that `with_tips` knows.
+double zeroPoseHeight(const Skeleton& skeleton, const Skeleton& with_tips) {
+    const GlobalPose zero = globalPose(skeleton, skeleton.zeroPose());
+    Eigen::AlignedBox3d box;
+    for (int j = 0; j < skeleton.size(); ++j) {
+        const Vector3d& p = zero.p_world_joint[static_cast<size_t>(j)];
+        box.extend(p);
+        const int known = with_tips.find(skeleton.joint(j).name);
+        if (skeleton.joint(j).end_m && known >= 0 && with_tips.joint(known).end_m)
+            box.extend(Vector3d(p + *skeleton.joint(j).end_m));
+    }
+    return box.sizes().y();
+}
+
+double lowestPoint(const MotionClip& clip, size_t frame) {
+    const GlobalPose global = globalPose(clip, frame);
+    double lowest = INFINITY;
+    for (size_t j = 0; j < global.p_world_joint.size(); ++j) {
+        lowest = std::min(lowest, global.p_world_joint[j].y());
+        if (const auto& end_m = clip.skeleton.joints()[j].end_m)
+            lowest = std::min(lowest, (global.p_world_joint[j] + global.q_world_joint[j] * *end_m).y());
+    }
+    return lowest;
+}
+
+/// Where the root should be, as far as the way it is held determines that.
+Vector3d expectedRoot(const ExpectedMotion& expected, size_t frame) {
+    Vector3d root = expected.frames[frame].p_world_root;
+    if (expected.root != RootMotion::kMoving) {
+        root.x() = expected.frames.front().p_world_root.x();
+        root.z() = expected.frames.front().p_world_root.z();
+    }
+    return root;
+}
+
+class BvhComparison {
+public:
+    BvhComparison(const MotionClip& file, const ExpectedMotion& expected, ExportCheck& check)
+        : file_(file), expected_(expected), check_(check) {
+        std::vector<std::string> names;
+        for (const Joint& joint : file.skeleton.joints())
+            names.push_back(joint.name);
+        joints_ = jointsInFile(expected.skeleton, names);
+    }
+
+    void run() {
+        check_.frames = file_.frames.size();
+        check_.frames_per_second = 1 / file_.frame_time_s;
+        check_.joints =
+            static_cast<int>(std::count_if(joints_.begin(), joints_.end(), [](int j) { return j >= 0; }));
+        check_.height_m = zeroPoseHeight(file_.skeleton, expected_.skeleton);
+        check_.expected_height_m = zeroPoseHeight(expected_.skeleton, file_.skeleton);
+        check_.facing_rad = zeroPoseFacing(file_.skeleton);
+        check_.expected_facing_rad = zeroPoseFacing(expected_.skeleton);
+        check_.has_angles = true;
+        check_.lowest_m = INFINITY;
+        for (size_t f = 0; f < file_.frames.size(); ++f)
+            check_.lowest_m = std::min(check_.lowest_m, lowestPoint(file_, f));
+        for (size_t f = 0; f < std::min(file_.frames.size(), expected_.frames.size()); ++f) {
+            compareRoot(f);
+            compareJoints(f);
+        }
+    }
+
+private:
+    static double zeroPoseFacing(const Skeleton& skeleton) {
+        return facing(globalPose(skeleton, skeleton.zeroPose()).p_world_joint, skeleton.find("LeftUpLeg"),
+                      skeleton.find("RightUpLeg"))
+            .value_or(0);
+    }
+
+    void compareRoot(size_t f) {
+        const Quaterniond& q_file = file_.frames[f].q_parent_joint[0];
+        const Quaterniond& q_take = expected_.frames[f].q_parent_joint[0];
+        if (expected_.root == RootMotion::kHeading) {
+            const Vector3d up_file = q_file.conjugate() * Vector3d::UnitY();
+            const Vector3d up_take = q_take.conjugate() * Vector3d::UnitY();
+            add(std::max(std::atan2(up_file.cross(up_take).norm(), up_file.dot(up_take)),
+                         headingError_rad(q_file)));
+        } else {
+            add(angleBetween(q_file, q_take));
+        }
+        addDistance(file_.frames[f].p_world_root - expectedRoot(expected_, f));
+    }
+
+    /// Local rotations, and positions within the root's frame: those show offsets that differ.
+    void compareJoints(size_t f) {
+        for (size_t j = 1; j < joints_.size(); ++j)
+            if (joints_[j] >= 0)
+                add(angleBetween(file_.frames[f].q_parent_joint[static_cast<size_t>(joints_[j])],
+                                 expected_.frames[f].q_parent_joint[j]));
+        const GlobalPose in_file = globalPose(file_, f);
+        const GlobalPose in_take = globalPose(expected_.skeleton, expected_.frames[f]);
+        const auto inRoot = [](const GlobalPose& pose, size_t j) -> Vector3d {
+            return pose.q_world_joint[0].conjugate() * (pose.p_world_joint[j] - pose.p_world_joint[0]);
+        };
+        for (size_t j = 1; j < joints_.size(); ++j)
+            if (joints_[j] >= 0)
+                addDistance(inRoot(in_file, static_cast<size_t>(joints_[j])) - inRoot(in_take, j));
+    }
+
+    void add(double angle_rad) { check_.largest_angle_rad = std::max(check_.largest_angle_rad, angle_rad); }
+    void addDistance(const Vector3d& apart_m) {
+        check_.largest_position_m = std::max(check_.largest_position_m, apart_m.norm());
+    }
+
+    const MotionClip& file_;
+    const ExpectedMotion& expected_;
+    ExportCheck& check_;
+    std::vector<int> joints_;
+};
+
+class CsvComparison {
+public:
+    CsvComparison(const PositionTable& file, const ExpectedMotion& expected, ExportCheck& check)
+        : file_(file),
+          expected_(expected),
+          check_(check),
+          joints_(jointsInFile(expected.skeleton, file.joints)) {}
+
+    void run() {
+        check_.frames = file_.time_s.size();
+        check_.frames_per_second = check_.frames > 1 ? static_cast<double>(check_.frames - 1) /
+                                                           (file_.time_s.back() - file_.time_s.front())
+                                                     : 1 / expected_.frame_time_s;
+        check_.joints =
+            static_cast<int>(std::count_if(joints_.begin(), joints_.end(), [](int j) { return j >= 0; }));
+        check_.lowest_m = INFINITY;
+        for (const Vector3d& p_m : file_.p_world_m)
+            check_.lowest_m = std::min(check_.lowest_m, p_m.y());
+        for (size_t f = 0; f < std::min(check_.frames, expected_.frames.size()); ++f)
+            compareFrame(f);
+    }
+
+private:
+    std::vector<Vector3d> inFile(size_t f) const {
+        std::vector<Vector3d> p_m;
+        for (const int j : joints_)
+            p_m.push_back(j < 0 ? Vector3d::Constant(NAN) : file_.at(f, static_cast<size_t>(j)));
+        return p_m;
+    }
+
+    /// The take's joints as they should stand. With the heading taken out the file may show them turned about
+    /// the vertical: they are turned onto it, and what is left of the heading counts as an angle.
+    std::vector<Vector3d> inTake(size_t f, const std::vector<Vector3d>& in_file) {
+        std::vector<Vector3d> p_m = globalPose(expected_.skeleton, expected_.frames[f]).p_world_joint;
+        const Vector3d root = expectedRoot(expected_, f), moved = root - p_m[0];
+        for (Vector3d& p : p_m)
+            p += moved;
+        if (expected_.root != RootMotion::kHeading)
+            return p_m;
+        const Quaterniond turn = turnOnto(p_m, in_file);
+        for (Vector3d& p : p_m)
+            p = root + turn * (p - root);
+        check_.largest_angle_rad = std::max(check_.largest_angle_rad,
+                                            headingError_rad(turn * expected_.frames[f].q_parent_joint[0]));
+        return p_m;
+    }
+
+    /// The turn about the vertical that fits best, in the sense of least squares.
+    static Quaterniond turnOnto(const std::vector<Vector3d>& from, const std::vector<Vector3d>& onto) {
+        double sine = 0, cosine = 0;
+        for (size_t j = 1; j < from.size(); ++j) {
+            const Vector3d a = from[j] - from[0], b = onto[j] - onto[0];
+            if (!b.allFinite())
+                continue;
+            sine += a.z() * b.x() - a.x() * b.z();
+            cosine += a.x() * b.x() + a.z() * b.z();
+        }
+        return axisAngle(Vector3d::UnitY(), std::atan2(sine, cosine));
+    }
+
+    void compareFrame(size_t f) {
+        const std::vector<Vector3d> in_file = inFile(f), in_take = inTake(f, in_file);
+        for (size_t j = 0; j < in_take.size(); ++j)
+            if (joints_[j] >= 0)
+                check_.largest_position_m =
+                    std::max(check_.largest_position_m, (in_file[j] - in_take[j]).norm());
+        if (f == 0)
+            describeFirst(in_file, in_take);
+    }
+
+    void describeFirst(const std::vector<Vector3d>& in_file, const std::vector<Vector3d>& in_take) {
+        const auto height = [&](const std::vector<Vector3d>& p_m) {
+            double low = INFINITY, high = -INFINITY;
+            for (size_t j = 0; j < p_m.size(); ++j)
+                if (joints_[j] >= 0) {
+                    low = std::min(low, p_m[j].y());
+                    high = std::max(high, p_m[j].y());
+                }
+            return high - low;
+        };
+        const int left = expected_.skeleton.find("LeftUpLeg"), right = expected_.skeleton.find("RightUpLeg");
+        check_.height_m = height(in_file);
+        check_.expected_height_m = height(in_take);
+        check_.facing_rad = facing(in_file, left, right).value_or(0);
+        check_.expected_facing_rad = facing(in_take, left, right).value_or(0);
+    }
+
+    const PositionTable& file_;
+    const ExpectedMotion& expected_;
+    ExportCheck& check_;
+    std::vector<int> joints_;
+};
+
+struct AngleColumns {
+    std::vector<std::string> names;
+    std::vector<size_t> joint;  ///< whose rotation they are taken from
+    std::vector<int> freedom;
+};
+
+AngleColumns angleColumns(const Skeleton& skeleton) {
+    AngleColumns columns;
+    for (size_t j = 0; j < skeleton.joints().size(); ++j)
+        for (size_t d = 0; d < skeleton.joints()[j].dof.size(); ++d) {
+            columns.names.push_back(skeleton.joints()[j].name + "." + skeleton.joints()[j].dof[d].name);
+            columns.joint.push_back(j);
+            columns.freedom.push_back(static_cast<int>(d));
+        }
+    return columns;
+}
+
+Status compareAngles(const std::string& path, const ExpectedMotion& expected, ExportCheck& check) {
+    const AngleColumns columns = angleColumns(expected.skeleton);
+    const auto table = readNumberColumns(path, columns.names);
+    if (!table)
+        return table.error();
+    check.has_angles = true;
+    const size_t width = columns.names.size();
+    for (size_t f = 0; f < std::min(table->size() / std::max<size_t>(1, width), expected.frames.size()); ++f)
+        for (size_t c = 0; c < width; ++c) {
+            const JointAngles angles =
+                projectOntoJoint(expected.skeleton.joints()[columns.joint[c]],
+                                 expected.frames[f].q_parent_joint[columns.joint[c]], false);
+            const double apart_rad = radians((*table)[f * width + c]) - angles.angles_rad[columns.freedom[c]];
+            check.largest_angle_rad =
+                std::max(check.largest_angle_rad, std::abs(std::remainder(apart_rad, 2 * M_PI)));
+        }
+    return Done{};
+}
+
+}  // namespace
+
+Status compareBvh(const std::string& path, double metres_per_unit, const ExpectedMotion& expected,
+                  ExportCheck& check) {
+    const auto document = readBvh(path);
+    if (!document)
+        return document.error();
+    for (const BvhUnit unit : {BvhUnit::kMetre, BvhUnit::kCentimetre, BvhUnit::kMillimetre, BvhUnit::kInch}) {
+        if (metresPer(unit) != metres_per_unit)
+            continue;
+        const auto clip = toClip(*document, unit);
+        if (!clip)
+            return clip.error();
+        BvhComparison(*clip, expected, check).run();
+        return Done{};
+    }
+    return Error{ErrorKind::kUsage, path + ": the unit of its lengths is not one that can be checked",
+                 "Write metres, centimetres, millimetres or inches"};
+}
+
+Status compareCsv(const std::string& path, bool angles, const ExpectedMotion& expected, ExportCheck& check) {
+    const auto table = readPositionsCsv(path);
+    if (!table)
+        return table.error();
+    CsvComparison(*table, expected, check).run();
+    return angles ? compareAngles(path, expected, check) : Status(Done{});
+}
+
+}  // namespace noctule

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files' side of check_export.h: reads a file and fills in what it holds and how far that is from the
+// motion it should hold.
+#pragma once
+
+#include "core/processing/check_export.h"
+
+namespace noctule {
+
+/// The take's own poses at the instants of the file's frames, root as captured.
+struct ExpectedMotion {
+    Skeleton skeleton;
+    RootMotion root = RootMotion::kMoving;
+    double frame_time_s = 0;
+    double begin_s = 0;  ///< of the first frame, on the take's clock
+    std::vector<Pose> frames;
+};
+
+/// An Error when the file cannot be read.
+Status compareBvh(const std::string& path, double metres_per_unit, const ExpectedMotion& expected,
+                  ExportCheck& check);
+Status compareCsv(const std::string& path, bool angles, const ExpectedMotion& expected, ExportCheck& check);
+
+}  // namespace noctule

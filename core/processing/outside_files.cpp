@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/outside_files.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/formats/bvh.h"
+#include "core/formats/number_text.h"
+#include "core/job/atomic_file.h"
+#include "core/motion/common_joints.h"
+#include "core/recording/take.h"
+
+namespace noctule {
+namespace {
+
+std::string sentence(const std::string& path, const BvhWarning& warning) {
+    return std::filesystem::path(path).filename().string() + ", line " + std::to_string(warning.line) + ": " +
+           warning.text + ".";
+}
+
+}  // namespace
+
+bool isPositionsFile(const std::string& path) {
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return extension == ".csv" || extension == ".CSV";
+}
+
+Result<AttachRequest> readAttachment(const std::string& path, std::vector<std::string>& warnings) {
+    AttachRequest request;
+    request.source_name = path;
+    if (isPositionsFile(path)) {
+        auto table = readPositionsCsv(path);
+        if (!table)
+            return table.error();
+        request.positions = std::move(*table);
+        return request;
+    }
+    const auto document = readBvh(path);
+    if (!document)
+        return document.error();
+    for (const BvhWarning& warning : document->warnings)
+        warnings.push_back(sentence(path, warning));
+    if (document->frameCount() > 0)
+        if (const BvhUnitChoice choice = chooseUnit(*document); !choice.plausible)
+            warnings.push_back("No unit makes the figure in " +
+                               std::filesystem::path(path).filename().string() + " as tall as a person; " +
+                               toText(choice.unit) + " is assumed.");
+    auto clip = toClip(*document);
+    if (!clip)
+        return clip.error();
+    request.motion = std::move(*clip);
+    return request;
+}
+
+Result<Calibration> readCalibrationFile(const std::string& path) {
+    const auto text = readWholeFile(path);
+    if (!text)
+        return text.error();
+    const nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
+    if (json.is_discarded())
+        return Error{ErrorKind::kUnreadable, path + ": is not JSON", "Check that it is the right file"};
+    return calibrationFromJson(json, path);
+}
+
+Result<ReferenceFacts> referenceFacts(const std::string& take_path) {
+    const auto take = Take::open(take_path);
+    if (!take)
+        return take.error();
+    const auto reference = take->reference();
+    if (!reference)
+        return reference.error();
+    if (reference->frames.empty())
+        return Error{ErrorKind::kUnusable, take_path + ": holds no reference", "Attach one first"};
+    const auto actor = take->actorInForce();
+    if (!actor)
+        return actor.error();
+    ReferenceFacts facts;
+    const auto meta = [&](const char* key) {
+        const auto found = take->meta().find(key);
+        return found == take->meta().end() ? std::string() : found->second;
+    };
+    facts.kind = meta("reference_kind");
+    facts.name = meta("reference_name");
+    if (double shift_s = 0; parseFiniteNumber(meta("reference_shift_s"), shift_s))
+        facts.shift_s = shift_s;
+    const auto& joints = actor->value.skeleton.joints();
+    facts.joints = static_cast<int>(std::count_if(
+        joints.begin(), joints.end(), [](const Joint& joint) { return joint.type != JointType::kFixed; }));
+    const auto common = commonJoints(actor->value.skeleton, reference->skeleton);
+    facts.matched = static_cast<int>(
+        std::count_if(common.begin(), common.end(), [](const CommonJoint& joint) { return joint.moves; }));
+    return facts;
+}
+
+}  // namespace noctule

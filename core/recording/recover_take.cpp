@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/recording/recover_take.h"
+
+#include "core/recording/database.h"
+#include "core/recording/take_copy.h"
+#include "core/recording/take_edit.h"
+
+namespace noctule {
+namespace {
+
+/// SQLite's own look at every page and index.
+Status checkIntegrity(const std::string& path) {
+    Result<Database> database = Database::open(path, Access::kRead);
+    if (!database)
+        return database.error();
+    Result<Statement> check = database->prepare("PRAGMA integrity_check(1)");
+    if (!check)
+        return check.error();
+    const Result<bool> row = check->step();
+    if (!row)
+        return row.error();
+    const std::string verdict = *row ? check->text(0).value_or("") : "";
+    if (verdict != "ok")
+        return Error{ErrorKind::kUnreadable, path + ": is damaged: " + verdict,
+                     "Keep the file and its -wal; nothing was changed"};
+    return Done{};
+}
+
+Status markRecovered(const std::string& path) {
+    Result<Take> take = Take::open(path, Access::kReadWrite);
+    if (!take)
+        return take.error();
+    const Result<int64_t> samples = take->sampleCount();
+    if (!samples)
+        return samples.error();
+    Result<TakeEdit> edit = TakeEdit::begin(*take);
+    if (!edit)
+        return edit.error();
+    if (*samples > 0)
+        if (const Status set = edit->setMeta("sample_count", std::to_string(*samples)); !set)
+            return set;
+    if (const Status set = edit->setMeta("state", "recovered"); !set)
+        return set;
+    return edit->commit();
+}
+
+}  // namespace
+
+Status recoverTake(const std::string& recording, const std::string& recovered_path, const JobContext& job) {
+    Result<TakeCopy> copy = TakeCopy::make(recording, recovered_path, job);
+    if (!copy)
+        return copy.error();
+    if (const Status folded = copy->foldLog(); !folded)
+        return folded;
+    job.progress(1, "Checking");
+    if (const Status sound = checkIntegrity(copy->path()); !sound)
+        return copy->named(sound.error());
+    if (const Status marked = markRecovered(copy->path()); !marked)
+        return copy->named(marked.error());
+    return copy->publish(false);
+}
+
+}  // namespace noctule

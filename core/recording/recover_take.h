@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes a finished take of a recording that broke off (README.md, section 7): everything that was committed,
+// checked, with its length noted and `state` = recovered. The recording itself stays as it is. Nobody may be
+// writing it.
+#pragma once
+
+#include <string>
+
+#include "core/job/job.h"
+
+namespace noctule {
+
+/// kUsage when something stands at `recovered_path`, kUnreadable when the recording is damaged.
+Status recoverTake(const std::string& recording, const std::string& recovered_path, const JobContext& job);
+
+}  // namespace noctule

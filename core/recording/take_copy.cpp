@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/recording/take_copy.h"
+
+#include <filesystem>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+#include "core/job/atomic_file.h"
+#include "core/recording/database.h"
+
+namespace noctule {
+namespace {
+
+constexpr size_t kChunk_bytes = 4 << 20;
+
+Status copyFile(const std::string& from, const std::string& to, const JobContext& job) {
+    std::ifstream in(from, std::ios::binary);
+    if (!in)
+        return Error{ErrorKind::kUnreadable, from + ": cannot be read", "Check the path and its permissions"};
+    const Error disk{ErrorKind::kDisk, to + ": cannot be written", "Check that the folder has room"};
+    std::ofstream out(to, std::ios::binary);
+    if (!out)
+        return disk;
+    std::error_code ignored;
+    const auto size = static_cast<double>(std::max<uintmax_t>(1, std::filesystem::file_size(from, ignored)));
+    std::vector<char> chunk(kChunk_bytes);
+    double done = 0;
+    while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), in.gcount() > 0) {
+        if (job.cancelled())
+            return JobContext::cancelledError();
+        if (!out.write(chunk.data(), in.gcount()))
+            return disk;
+        done += static_cast<double>(in.gcount());
+        job.progress(done / size, "Copying");
+    }
+    if (in.bad())
+        return Error{ErrorKind::kUnreadable, from + ": cannot be read to its end", "Check the disk"};
+    out.close();
+    return out ? Status(Done{}) : Status(disk);
+}
+
+}  // namespace
+
+TakeCopy::TakeCopy(std::string original, std::string path, std::string aside)
+    : original_(std::move(original)), path_(std::move(path)), aside_(std::move(aside)) {}
+
+TakeCopy::TakeCopy(TakeCopy&& other) noexcept
+    : original_(std::move(other.original_)),
+      path_(std::move(other.path_)),
+      aside_(std::exchange(other.aside_, std::string())) {}
+
+TakeCopy::~TakeCopy() {
+    if (aside_.empty())
+        return;
+    std::error_code ignored;
+    for (const char* ending : {"", "-wal", "-shm", "-journal"})
+        std::filesystem::remove(aside_ + ending, ignored);
+}
+
+Result<TakeCopy> TakeCopy::make(const std::string& original, const std::string& path, const JobContext& job) {
+    TakeCopy copy(original, path, asidePath(path));
+    if (Status copied = copyFile(original, copy.aside_, job); !copied)
+        return copied.error();
+    const std::string log = original + "-wal";
+    std::error_code ignored;
+    if (std::filesystem::exists(log, ignored))
+        if (Status copied = copyFile(log, copy.aside_ + "-wal", job); !copied)
+            return copied.error();
+    return copy;
+}
+
+Error TakeCopy::named(Error error) const {
+    for (std::string* text : {&error.message, &error.remedy})
+        for (size_t at = 0; (at = text->find(aside_, at)) != std::string::npos; at += original_.size())
+            text->replace(at, aside_.size(), original_);
+    return error;
+}
+
+Status TakeCopy::foldLog() {
+    Result<Database> database = Database::open(aside_, Access::kReadWrite);
+    if (!database)
+        return named(database.error());
+    if (Status done = database->execute("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode=DELETE"); !done)
+        return named(done.error());
+    if (Status closed = database->close(); !closed)
+        return named(closed.error());
+    return Done{};
+}
+
+Status TakeCopy::publish(bool overwrite) {
+    Status published = publishFile(aside_, path_, overwrite);
+    if (published)
+        aside_.clear();
+    return published;
+}
+
+}  // namespace noctule

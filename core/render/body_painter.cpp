@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/body_painter.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/render/shaders.h"
+
+namespace noctule {
+
+namespace {
+
+struct CardVertex {
+    float p_m[3], normal[3];
+    uint8_t bones[4];
+    float weights[4];
+};
+
+std::vector<CardVertex> forCard(const SkinnedMesh& mesh) {
+    std::vector<CardVertex> vertices;
+    vertices.reserve(mesh.vertices.size());
+    for (const SkinnedVertex& from : mesh.vertices) {
+        CardVertex vertex{};
+        std::copy_n(from.p_m.data(), 3, vertex.p_m);
+        std::copy_n(from.normal.data(), 3, vertex.normal);
+        for (size_t i = 0; i < 4; ++i)
+            vertex.bones[i] = static_cast<uint8_t>(from.bones[i]);
+        std::copy_n(from.weights.data(), 4, vertex.weights);
+        vertices.push_back(vertex);
+    }
+    return vertices;
+}
+
+void describeVertex() {
+    constexpr auto kStride = static_cast<GLsizei>(sizeof(CardVertex));
+    const auto offset = [](size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+    for (GLuint location = 0; location < 4; ++location)
+        glEnableVertexAttribArray(location);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(CardVertex, p_m)));
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(CardVertex, normal)));
+    glVertexAttribIPointer(2, 4, GL_UNSIGNED_BYTE, kStride, offset(offsetof(CardVertex, bones)));
+    glVertexAttribPointer(3, 4, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(CardVertex, weights)));
+}
+
+template <class T>
+void fillBuffer(GLenum kind, GLuint buffer, const std::vector<T>& values) {
+    glBindBuffer(kind, buffer);
+    glBufferData(kind, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
+}
+
+bool canBeDrawn(const SceneBody& body) {
+    return body.mesh && !body.mesh->triangles.empty() && !body.skin.empty() &&
+           body.skin.size() == body.mesh->bones.size() && body.skin.size() <= shaders::kMaxBones;
+}
+
+void setColor(const GlProgram& program, const Rgba& color) {
+    glUniform4f(program.at("color"), color.r, color.g, color.b, color.a);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<BodyPainter>> BodyPainter::create() {
+    std::unique_ptr<BodyPainter> painter(new BodyPainter);
+    auto surface = GlProgram::link("body", shaders::kBodyVertex, shaders::kBodyFragment);
+    if (!surface)
+        return surface.error();
+    auto contour = GlProgram::link("contour", shaders::kBodyVertex, shaders::kContourFragment);
+    if (!contour)
+        return contour.error();
+    painter->surface_ = std::move(*surface);
+    painter->contour_ = std::move(*contour);
+    return painter;
+}
+
+void BodyPainter::forgetDeadMeshes() {
+    std::erase_if(uploads_, [](const Upload& upload) { return upload.mesh.expired(); });
+}
+
+const BodyPainter::Upload& BodyPainter::uploaded(const std::shared_ptr<const SkinnedMesh>& mesh) {
+    for (const Upload& upload : uploads_)
+        if (upload.mesh.lock() == mesh)
+            return upload;
+    Upload upload{mesh, makeVertexArray(), makeBuffer(), makeBuffer(),
+                  static_cast<GLsizei>(mesh->triangles.size() * 3)};
+    glBindVertexArray(upload.vertex_array);
+    fillBuffer(GL_ARRAY_BUFFER, upload.vertices, forCard(*mesh));
+    fillBuffer(GL_ELEMENT_ARRAY_BUFFER, upload.indices, mesh->triangles);
+    describeVertex();
+    uploads_.push_back(std::move(upload));
+    return uploads_.back();
+}
+
+void BodyPainter::drawTriangles(const GlProgram& program, const SceneBody& body, const ScreenView& view,
+                                float outwards_px) {
+    std::vector<float> rows;
+    rows.reserve(body.skin.size() * 12);
+    for (const Eigen::Matrix4f& matrix : body.skin)
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 4; ++column)
+                rows.push_back(matrix(row, column));
+    glUniform4fv(program.at("bones"), static_cast<GLsizei>(rows.size() / 4), rows.data());
+    const Eigen::Matrix4f view_from_world = view.camera.viewMatrix().cast<float>();
+    const Eigen::Matrix4f clip_from_view = view.camera.projectionMatrix(view.size).cast<float>();
+    glUniformMatrix4fv(program.at("view_from_world"), 1, GL_FALSE, view_from_world.data());
+    glUniformMatrix4fv(program.at("clip_from_view"), 1, GL_FALSE, clip_from_view.data());
+    glUniform2f(program.at("outline_ndc"), 2 * outwards_px / static_cast<float>(view.size.width_px),
+                2 * outwards_px / static_cast<float>(view.size.height_px));
+    const Upload& upload = uploaded(body.mesh);
+    glBindVertexArray(upload.vertex_array);
+    glDrawElements(GL_TRIANGLES, upload.index_count, GL_UNSIGNED_INT, nullptr);
+}
+
+void BodyPainter::drawDepth(const SceneBody& body, const ScreenView& view) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    contour_.use();
+    drawTriangles(contour_, body, view, 0);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void BodyPainter::drawSolid(const SceneBody& body, const ScreenView& view) {
+    if (body.opacity < 1)  // first the depth alone: then only the nearest surface is blended
+        drawDepth(body, view);
+    surface_.use();
+    setColor(surface_, {body.color.r, body.color.g, body.color.b, body.opacity});
+    glUniform1f(surface_.at("parallel"), view.camera.parallel ? 1.0F : 0.0F);
+    drawTriangles(surface_, body, view, 0);
+}
+
+/// The back of the body, grown by the width of the line, shows beside its own front.
+void BodyPainter::drawOutline(const SceneBody& body, const ScreenView& view) {
+    drawDepth(body, view);
+    glCullFace(GL_FRONT);
+    contour_.use();
+    setColor(contour_, body.color);
+    glDepthMask(GL_FALSE);
+    drawTriangles(contour_, body, view, body.outline_px * static_cast<float>(view.ratio));
+    glDepthMask(GL_TRUE);
+    glCullFace(GL_BACK);
+}
+
+void BodyPainter::draw(const std::vector<SceneBody>& bodies, const ScreenView& view) {
+    forgetDeadMeshes();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+    glEnable(GL_CULL_FACE);
+    std::vector<const SceneBody*> solid, outlined;
+    for (const SceneBody& body : bodies)
+        if (canBeDrawn(body))
+            (body.style == BodyStyle::kSolid ? solid : outlined).push_back(&body);
+    for (const SceneBody* body : solid)
+        drawSolid(*body, view);
+    for (const SceneBody* body : outlined) {  // each by itself, so that solid bodies do not hide it
+        glClear(GL_DEPTH_BUFFER_BIT);
+        drawOutline(*body, view);
+    }
+    if (!outlined.empty()) {  // later shapes ask what the solid bodies hide
+        glClear(GL_DEPTH_BUFFER_BIT);
+        for (const SceneBody* body : solid)
+            drawDepth(*body, view);
+    }
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_FALSE);
+}
+
+}  // namespace noctule

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws skinned bodies: solid ones shaded, ghosts as contours. Writes depth, so that what is drawn later
+// knows what the solid bodies hide.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/render/gl_objects.h"
+#include "core/render/screen_shapes.h"
+
+namespace noctule {
+
+class BodyPainter {
+public:
+    static Result<std::unique_ptr<BodyPainter>> create();
+
+    /// Depth must be cleared. Bodies with more than shaders::kMaxBones bones or without skin are left out.
+    void draw(const std::vector<SceneBody>& bodies, const ScreenView& view);
+
+private:
+    struct Upload {
+        std::weak_ptr<const SkinnedMesh> mesh;
+        GlVertexArray vertex_array;
+        GlBuffer vertices, indices;
+        GLsizei index_count = 0;
+    };
+    BodyPainter() = default;
+    const Upload& uploaded(const std::shared_ptr<const SkinnedMesh>& mesh);
+    void forgetDeadMeshes();
+
+    void drawDepth(const SceneBody& body, const ScreenView& view);
+    void drawSolid(const SceneBody& body, const ScreenView& view);
+    void drawOutline(const SceneBody& body, const ScreenView& view);
+    void drawTriangles(const GlProgram& program, const SceneBody& body, const ScreenView& view,
+                       float outwards_px);
+
+    GlProgram surface_, contour_;
+    std::vector<Upload> uploads_;
+};
+
+}  // namespace noctule

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/body_scene.h"
+
+#include <algorithm>
+
+namespace noctule {
+
+namespace {
+
+void addBones(const Skeleton& skeleton, BodyPlaces& places) {
+    const GlobalPose& joints = places.joints;
+    for (int j = 0; j < skeleton.size(); ++j) {
+        const Joint& joint = skeleton.joint(j);
+        const auto at = static_cast<size_t>(j);
+        const auto parent = static_cast<size_t>(joint.parent);
+        if (joint.parent >= 0)
+            places.bones.push_back({joint.parent, joints.p_world_joint[parent], joints.p_world_joint[at]});
+        if (joint.end_m)
+            places.bones.push_back({j, joints.p_world_joint[at],
+                                    joints.p_world_joint[at] + joints.q_world_joint[at] * *joint.end_m});
+    }
+}
+
+}  // namespace
+
+Eigen::AlignedBox3d BodyPlaces::box() const {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& p : joints.p_world_joint)
+        box.extend(p);
+    for (const BonePlace& bone : bones)
+        box.extend(bone.to_m);
+    return box;
+}
+
+Eigen::Isometry3d segmentFrame(const Skeleton& skeleton, const GlobalPose& joints,
+                               const std::string& segment) {
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+    if (segment.empty() || joints.p_world_joint.empty())
+        return frame;
+    const auto joint = static_cast<size_t>(std::max(0, skeleton.find(segment)));
+    frame.linear() = joints.q_world_joint[joint].toRotationMatrix();
+    frame.translation() = joints.p_world_joint[joint];
+    return frame;
+}
+
+BodyPlaces placeBody(const Skeleton& skeleton, const Pose& pose, const Suit& suit,
+                     const Calibration* calibration) {
+    BodyPlaces places;
+    places.joints = globalPose(skeleton, pose);
+    addBones(skeleton, places);
+    for (const Board& board : suit.boards) {
+        const BoardCalibration* corrected = calibration ? calibration->findBoard(board.id) : nullptr;
+        Vector3d p_segment_board = board.p_segment_board_m;
+        Quaterniond q_segment_board = board.q_segment_board;
+        if (corrected) {
+            p_segment_board = corrected->p_segment_board_m.value_or(p_segment_board);
+            q_segment_board = corrected->q_segment_board.value_or(q_segment_board);
+        }
+        const Eigen::Isometry3d T_world_segment = segmentFrame(skeleton, places.joints, board.segment);
+        places.boards.push_back({T_world_segment * p_segment_board,
+                                 (Quaterniond(T_world_segment.linear()) * q_segment_board).normalized()});
+    }
+    for (const Source& source : suit.sources) {
+        const Eigen::Isometry3d T_world_segment = segmentFrame(skeleton, places.joints, source.segment);
+        places.sources.push_back(
+            {T_world_segment * source.p_segment_source_m, T_world_segment.linear() * source.normal_segment});
+    }
+    return places;
+}
+
+std::optional<float> confidenceAt(const PairHistory& history, double t_s, double max_age_s) {
+    const auto after = std::upper_bound(history.t_s.begin(), history.t_s.end(), t_s);
+    if (after == history.t_s.begin() || t_s - *(after - 1) > max_age_s)
+        return std::nullopt;
+    return history.confidence[static_cast<size_t>(after - history.t_s.begin()) - 1];
+}
+
+}  // namespace noctule

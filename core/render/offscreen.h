@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of scenes without a window or a display: an OpenGL context of its own through EGL (surfaceless
+// platform of Mesa) and a framebuffer. Every call makes that context current in the calling thread and
+// releases it; another context must not be current there.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/job/result.h"
+#include "core/render/camera.h"
+#include "core/render/scene.h"
+
+namespace noctule {
+
+/// 8 bits each of red, green, blue, alpha; first row on top.
+struct Picture {
+    int width_px = 0, height_px = 0;
+    std::vector<uint8_t> rgba;
+
+    const uint8_t* at(int x, int y) const {
+        return rgba.data() +
+               4 * (static_cast<size_t>(y) * static_cast<size_t>(width_px) + static_cast<size_t>(x));
+    }
+};
+
+class Offscreen {
+public:
+    /// kUnusable when EGL or OpenGL 3.3 is not there.
+    static Result<std::unique_ptr<Offscreen>> create();
+    ~Offscreen();
+
+    /// kUsage for sizes outside 1..8192 pixels.
+    Result<Picture> render(const Scene& scene, const Camera& camera, const PictureSize& size, int samples = 4,
+                           double pixel_ratio = 1);
+
+private:
+    struct Context;
+    explicit Offscreen(std::unique_ptr<Context> context);
+    std::unique_ptr<Context> context_;
+};
+
+}  // namespace noctule

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// A take opened for reading what the screens show: sample numbers as seconds, trouble as sentences.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/job/job.h"
+#include "core/recording/take.h"
+
+namespace noctule {
+
+/// The take and its clock; kUnusable without a sample rate.
+struct ReviewFile {
+    Take take;
+    double sample_rate_hz = 0;
+
+    static Result<ReviewFile> open(const std::string& path);
+    double seconds(double sample) const { return sample / sample_rate_hz; }
+};
+
+/// Notes errors as sentences, each once.
+class Problems {
+public:
+    /// The value, or nothing and a problem noted.
+    template <class T>
+    std::optional<T> keep(Result<T> result) {
+        if (result)
+            return std::move(*result);
+        add(result.error().text() + ".");
+        return std::nullopt;
+    }
+    void add(const std::string& sentence) {
+        if (std::find(sentences_.begin(), sentences_.end(), sentence) == sentences_.end())
+            sentences_.push_back(sentence);
+    }
+    std::vector<std::string> sentences() && { return std::move(sentences_); }
+
+private:
+    std::vector<std::string> sentences_;
+};
+
+/// Looks at the cancel flag every few thousand rows and tells the progress by the time that was reached.
+class RowProgress {
+public:
+    RowProgress(const JobContext& job, std::string stage, double duration_s)
+        : job_(job), stage_(std::move(stage)), duration_s_(duration_s) {}
+    /// False when cancelled.
+    bool at(double t_s) {
+        if (rows_++ % 4096 != 0)
+            return true;
+        if (duration_s_ > 0)
+            job_.progress(std::clamp(t_s / duration_s_, 0.0, 1.0), stage_);
+        return !job_.cancelled();
+    }
+
+private:
+    const JobContext& job_;
+    std::string stage_;
+    double duration_s_;
+    int64_t rows_ = 0;
+};
+
+}  // namespace noctule

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is known of a take at once: nothing here reads a table whose length grows with the take, except the
+// few rows of markers, gaps and notes.
+#include <filesystem>
+
+#include "core/review/review_file.h"
+#include "core/review/take_review.h"
+
+namespace noctule {
+namespace {
+
+class Overview {
+public:
+    explicit Overview(const Take& take) : take_(take) { view_.path = take.path(); }
+
+    TakeOverview read() {
+        readHead();
+        readWearing();
+        readMarks();
+        readRuns();
+        readAttachments();
+        for (const SkippedRows& skipped : take_.skippedRows())
+            problems_.add(std::to_string(skipped.count) + " rows of " + skipped.table +
+                          " could not be used, first " + skipped.first + ".");
+        view_.problems = std::move(problems_).sentences();
+        return std::move(view_);
+    }
+
+private:
+    std::string meta(const char* key) const {
+        const auto found = take_.meta().find(key);
+        return found == take_.meta().end() ? "" : found->second;
+    }
+
+    double seconds(int64_t sample) const {
+        return view_.sample_rate_hz > 0 ? static_cast<double>(sample) / view_.sample_rate_hz : 0;
+    }
+
+    void readHead() {
+        view_.header = take_.header();
+        view_.state = meta("state");
+        view_.performer = meta("performer");
+        view_.level = take_.level();
+        view_.sample_rate_hz = static_cast<double>(view_.header.sample_rate_hz);
+        view_.duration_s = seconds(problems_.keep(take_.sampleCount()).value_or(0));
+        std::error_code ignored;
+        for (const char* part : {"", "-wal"})
+            if (const auto size = std::filesystem::file_size(view_.path + part, ignored); !ignored)
+                view_.bytes += static_cast<int64_t>(size);
+        if (view_.state == "recording")
+            problems_.add("The take was never closed: it is being recorded, or the recording was cut short.");
+        for (const std::string& part :
+             problems_.keep(take_.missingParts()).value_or(std::vector<std::string>{}))
+            problems_.add("The take lacks a part: " + part + ".");
+    }
+
+    void readWearing() {
+        if (!take_.suitIds().empty())
+            view_.suit = problems_.keep(take_.suit()).value_or(Suit{});
+        view_.calibration = nominalCalibration(view_.suit);
+        if (const auto rows = problems_.keep(take_.calibrations()); rows && !rows->empty())
+            if (auto stored = problems_.keep(take_.calibrationInForce()))
+                view_.calibration = std::move(stored->value);
+        if (const auto rows = problems_.keep(take_.actors()); rows && !rows->empty())
+            if (auto stored = problems_.keep(take_.actorInForce()))
+                view_.actor = std::move(stored->value);
+    }
+
+    void readMarks() {
+        for (MarkerRow& marker : problems_.keep(take_.markers()).value_or(std::vector<MarkerRow>{}))
+            if (marker.kind != "rest")
+                view_.markers.push_back(
+                    {seconds(marker.sample), std::move(marker.kind), std::move(marker.label)});
+        if (const auto rest = problems_.keep(take_.restInterval()); rest && *rest)
+            view_.rest_s = std::pair(seconds((*rest)->first), seconds((*rest)->last));
+        for (const GapRow& gap : problems_.keep(take_.gaps()).value_or(std::vector<GapRow>{}))
+            if (!gap.board)
+                view_.gaps_s.emplace_back(seconds(gap.first_sample),
+                                          seconds(gap.first_sample + gap.sample_count));
+        view_.notes = problems_.keep(take_.notes()).value_or(std::vector<NoteRow>{});
+    }
+
+    void readRuns() {
+        const auto all = problems_.keep(take_.derivedRuns()).value_or(std::vector<DerivedRun>{});
+        for (const DerivedRun& run : poseRuns(all))
+            view_.runs.push_back({run, runSettings(run, all, view_.level)});
+    }
+
+    void readAttachments() {
+        view_.has_reference = problems_.keep(take_.hasRows("reference")).value_or(false);
+        view_.has_external_root = problems_.keep(take_.hasRows("external_root")).value_or(false);
+        if (view_.has_reference)
+            view_.reference_kind = meta("reference_kind");
+    }
+
+    const Take& take_;
+    TakeOverview view_;
+    Problems problems_;
+};
+
+}  // namespace
+
+Result<TakeOverview> overviewTake(const std::string& path, const JobContext& job) {
+    const auto take = Take::open(path);
+    if (!take)
+        return take.error();
+    if (job.cancelled())
+        return JobContext::cancelledError();
+    return Overview(*take).read();
+}
+
+}  // namespace noctule

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/review/review_file.h"
+#include "core/review/take_review.h"
+
+namespace noctule {
+
+Result<TimedMotion> loadPoses(const std::string& path, std::optional<int64_t> run, const JobContext& job) {
+    const auto take = Take::open(path);
+    if (!take)
+        return take.error();
+    if (job.cancelled())
+        return JobContext::cancelledError();
+    auto motion = run ? take->poses(*run) : take->reference();
+    if (!motion)
+        return motion;
+    if (motion->frames.empty())
+        return Error{
+            ErrorKind::kUnusable,
+            path + (run ? ": the run " + std::to_string(*run) + " holds no poses" : ": holds no reference"),
+            run ? "Process the take again" : "Attach a reference first"};
+    if (const Status fits = checkMotion(*motion, path); !fits)
+        return fits.error();
+    return motion;
+}
+
+}  // namespace noctule

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a processed take can be used, and why not, as data that the screens word. report/verdict.h judges
+// against a reference only, for publication; this also judges takes without one, by what the angles rested
+// on.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/report/report_data.h"
+#include "core/review/take_review.h"
+
+namespace noctule {
+
+enum class TakeGrade { kGood, kUsable, kNotUsable };
+
+/// The limits of the grades, with their reasons. With a reference the error is known and decides; what the
+/// angles rested on then only explains. Lost frames and holes count either way. Simulated takes of the
+/// nominal scenario have errors of 0.1 to 0.5 degrees, 72 to 82 % backed, residuals of 4 to 15 mm.
+struct VerdictLimits {
+    /// Mean joint error against a reference: an animator sees more than about 3 degrees; the paper's complete
+    /// system had 5.7 to 8.0 and was a success.
+    double good_mean_deg = 3, usable_mean_deg = 8;
+    /// A single joint beyond this is seen at once.
+    double good_joint_deg = 8;
+    /// Share of joints and time constrained by a range not longer than three rounds ago; the rest drifts with
+    /// its gyroscopes, 1 to 3 degrees a minute. Shins and feet are always low: few microphones hear them.
+    double good_backed = 0.5, usable_backed = 0.2;
+    /// Of one joint, before and after something changed (a strap that moved, a source that fell off).
+    double backed_before = 0.7, backed_after = 0.25;
+    /// Share of a joint's time in which neither ranges nor inertia told anything.
+    double good_alone = 0.02, usable_alone = 0.2;
+    /// Range residuals: 3 mm is the detector's noise, 15 mm what sound around the body and parts a little out
+    /// of place add; more is a source gone astray or a lost pose.
+    double good_residual_m = 0.02, usable_residual_m = 0.05;
+    /// Frames that a board lost: gyroscopes bridge single frames, not the loss of every fifth.
+    double good_lost = 0.02, usable_lost = 0.2;
+    /// One hole without any signal: a second of prediction is off by tens of degrees.
+    double good_hole_s = 0.25, usable_hole_s = 1;
+};
+
+enum class VerdictReason {
+    kNone,
+    kMeanError,   ///< against the reference
+    kJointError,  ///< of the worst joint
+    kSupport,     ///< too little of the worst joint's time was backed by ranges
+    kResidual,    ///< ranges do not fit the poses
+    kBoardLost,   ///< a board lost frames
+    kHole,        ///< a hole without signal
+    kNoPoses,     ///< the run shows nothing
+};
+
+/// Of a joint that moves, in the order of the skeleton.
+struct VerdictJoint {
+    std::string joint;
+    std::optional<double> mean_deg, worst_deg;  ///< against the reference
+    double backed_by_ranges = 0;                ///< share of time, 0..1
+    double backed_by_inertia = 0;               ///< of the rest
+    TakeGrade grade = TakeGrade::kGood;         ///< a low one need not lower that of the take
+};
+
+struct VerdictBoard {
+    int board = 0;  ///< index into the suit
+    double lost_share = 0;
+};
+
+struct TakeVerdict {
+    TakeGrade grade = TakeGrade::kGood;
+    /// What lowered the grade, worst first; empty when nothing did. The screens word the first one or two.
+    std::vector<VerdictReason> reasons;
+
+    /// By error with a reference, else the one that ranges stopped backing; empty: none stands out.
+    std::string worst_joint;
+    std::optional<double> worst_from_s;      ///< from when on it was less certain, where that can be told
+    std::vector<VerdictBoard> lossy_boards;  ///< that lost more than is good, worst first
+
+    std::optional<double> mean_error_deg;         ///< over joints, against the reference
+    double backed_share = 0;                      ///< of joints and time: backed by ranges
+    std::optional<double> residual_rms_m;         ///< of used ranges
+    double hole_s = 0, longest_hole_s = 0;        ///< without signal, of all boards
+    std::optional<double> yaw_drift_deg_per_min;  ///< against the reference
+    std::vector<VerdictJoint> joints;
+};
+
+TakeVerdict judgeTake(const ReportData& report, const TakeOverview& overview,
+                      const VerdictLimits& limits = {});
+
+}  // namespace noctule

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <tuple>
+
+#include "core/recording/recover_take.h"
+#include "core/recording/take.h"
+#include "core/recording/take_copy.h"
+#include "core/session/session.h"
+#include "core/session/take_folder.h"
+
+namespace noctule {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kDefaultBase = "take";
+
+/// What can be part of a file's name everywhere; other letters than ASCII may stay.
+std::string cleanName(const std::string& name) {
+    std::string clean;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool fine = byte >= 0x80 || std::isalnum(byte) || c == '-' || c == '_';
+        clean += fine ? c : '_';
+    }
+    return clean;
+}
+
+/// "walk" of "walk_001" and of "walk".
+std::string baseOf(const std::string& name) {
+    std::string base = cleanName(name);
+    const size_t before_digits = base.find_last_not_of("0123456789");
+    if (before_digits != std::string::npos && before_digits + 1 < base.size() && base[before_digits] == '_')
+        base.erase(before_digits);
+    const bool nothing = base.find_first_not_of('_') == std::string::npos;
+    return nothing ? kDefaultBase : base;
+}
+
+/// Messages name takes as the session does: "takes/walk_001.noctule".
+std::string withoutFolder(std::string text, const fs::path& folder) {
+    const std::string prefix = (folder / "").string();
+    for (size_t at = 0; (at = text.find(prefix, at)) != std::string::npos;)
+        text.erase(at, prefix.size());
+    return text;
+}
+
+void readFrom(const Take& file, SessionTake& take) {
+    const auto& meta = file.meta();
+    const auto text = [&](const char* key) {
+        const auto found = meta.find(key);
+        return found == meta.end() ? std::string() : found->second;
+    };
+    take.created_utc = file.header().created_utc;
+    if (take.performer.empty())
+        take.performer = text("performer");
+    const auto rate_hz = file.sampleRate_hz();
+    const auto samples = file.sampleCount();
+    if (rate_hz.ok() && samples.ok())
+        take.duration_s = static_cast<double>(*samples) / static_cast<double>(*rate_hz);
+    const auto runs = file.derivedRuns();
+    take.processed = runs.ok() && std::any_of(runs->begin(), runs->end(),
+                                              [](const DerivedRun& run) { return run.kind == "pose"; });
+    const std::string state = text("state");
+    if (state == "recording") {
+        take.state = TakeState::kRecording;
+        take.problem = take.name + ": the recording was not finished. What was written is safe; recover it.";
+    } else if (state == "recovered") {
+        take.state = TakeState::kRecovered;
+    }
+}
+
+Error noSuchTake(const std::string& name) {
+    return {ErrorKind::kUsage, name + ": is not a take of this session", "Choose another one"};
+}
+
+SessionTake takeNamed(const std::string& name) {
+    SessionTake take;
+    take.name = name;
+    take.file = "takes/" + name + kTakeExtension;
+    return take;
+}
+
+}  // namespace
+
+const Performer* Session::findPerformer(const std::string& performer) const {
+    const auto found = std::find_if(performers.begin(), performers.end(),
+                                    [&](const Performer& p) { return p.name == performer; });
+    return found == performers.end() ? nullptr : &*found;
+}
+
+int Session::findTake(const std::string& take) const {
+    const auto found =
+        std::find_if(takes.begin(), takes.end(), [&](const SessionTake& t) { return t.name == take; });
+    return found == takes.end() ? -1 : static_cast<int>(found - takes.begin());
+}
+
+void sortTakes(Session& session) {
+    const auto key = [](const SessionTake& take) {
+        return std::tuple(take.created_utc.empty(), take.created_utc, take.name);
+    };
+    std::stable_sort(session.takes.begin(), session.takes.end(),
+                     [&](const SessionTake& a, const SessionTake& b) { return key(a) < key(b); });
+}
+
+std::string nextTakeName(const Session& session, const std::string& base) {
+    const std::string stem = baseOf(base);
+    for (int number = 1;; ++number) {
+        char digits[16];
+        std::snprintf(digits, sizeof digits, "_%03d", number);
+        if (isNameFree(session, stem + digits))
+            return stem + digits;
+    }
+}
+
+void refreshTake(const Session& session, SessionTake& take) {
+    take.state = TakeState::kComplete;
+    take.duration_s = 0;
+    take.processed = false;
+    take.problem.clear();
+    const fs::path path = session.pathOf(take);
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) {
+        take.state = TakeState::kDamaged;
+        take.problem = take.file + " is not there any more. Put it back, or remove the take from the list.";
+        return;
+    }
+    const Result<Take> file = Take::open(path.string());
+    if (file) {
+        readFrom(*file, take);
+    } else {
+        take.state = TakeState::kDamaged;
+        take.problem = withoutFolder(file.error().text(), session.folder) + ".";
+    }
+}
+
+int addTake(Session& session, const fs::path& path) {
+    std::error_code ignored;
+    const std::string name = path.stem().string();
+    const bool inside = fs::equivalent(path.parent_path(), session.takesFolder(), ignored);
+    if (!inside || path.extension() != kTakeExtension || !fs::is_regular_file(path, ignored))
+        return -1;
+    if (const int known = session.findTake(name); known >= 0) {
+        refreshTake(session, session.takes[static_cast<size_t>(known)]);
+        return known;
+    }
+    SessionTake take = takeNamed(name);
+    refreshTake(session, take);
+    session.takes.push_back(std::move(take));
+    sortTakes(session);
+    return session.findTake(name);
+}
+
+Result<SessionTake> importTake(Session& session, const fs::path& original, const JobContext& job) {
+    std::error_code ignored;
+    // A take with a log beside it may be readable only where its copy will stand.
+    if (!fs::exists(original.string() + "-wal", ignored))
+        if (const Result<Take> opened = Take::open(original.string()); !opened)
+            return opened.error();
+    const std::string wanted = original.stem().string();
+    const bool usable = cleanName(wanted) == wanted;
+    const std::string name = usable && isNameFree(session, wanted) ? wanted : nextTakeName(session, wanted);
+    Result<TakeCopy> copy = TakeCopy::make(original.string(), takePath(session, name).string(), job);
+    if (!copy)
+        return copy.error();
+    if (const Status folded = copy->foldLog(); !folded)
+        return folded.error();
+    if (const Result<Take> opened = Take::open(copy->path()); !opened)
+        return copy->named(opened.error());
+    if (const Status published = copy->publish(false); !published)
+        return published.error();
+    const int index = addTake(session, takePath(session, name));
+    require(index >= 0, "a copied take stands in takes/");
+    return session.takes[static_cast<size_t>(index)];
+}
+
+Status trashTake(Session& session, const std::string& name) {
+    const int index = session.findTake(name);
+    if (index < 0)
+        return noSuchTake(name);
+    const SessionTake& take = session.takes[static_cast<size_t>(index)];
+    std::error_code ignored;
+    if (fs::exists(session.pathOf(take), ignored))
+        if (const Status moved = moveToTrash(session, take.file); !moved)
+            return moved;
+    session.takes.erase(session.takes.begin() + index);
+    return Done{};
+}
+
+Status restoreTake(Session& session, const SessionTake& take) {
+    if (session.findTake(take.name) >= 0)
+        return Error{ErrorKind::kUsage, take.name + " is in the list already",
+                     "Rename or remove the one that is there first"};
+    const fs::path trashed = session.trashFolder() / fs::path(take.file).filename();
+    std::error_code ignored;
+    if (fs::exists(trashed, ignored))
+        if (const Status moved = moveTakeFiles(trashed, session.pathOf(take)); !moved)
+            return moved;
+    session.takes.push_back(take);
+    refreshTake(session, session.takes.back());
+    sortTakes(session);
+    return Done{};
+}
+
+Status recoverTake(Session& session, const std::string& name, const JobContext& job) {
+    const int index = session.findTake(name);
+    if (index < 0)
+        return noSuchTake(name);
+    SessionTake& take = session.takes[static_cast<size_t>(index)];
+    if (take.state != TakeState::kRecording)
+        return Error{ErrorKind::kUsage, name + ": is finished already", "There is nothing to recover"};
+    const fs::path safe = takePath(session, nextTakeName(session, name + "_recovered"));
+    if (const Status recovered = recoverTake(session.pathOf(take).string(), safe.string(), job); !recovered)
+        return recovered;
+    // From here on nothing can be lost: at worst both stand side by side under their names.
+    if (!moveToTrash(session, take.file).ok() || !moveTakeFiles(safe, session.pathOf(take)).ok()) {
+        refreshTake(session, take);
+        addTake(session, safe);
+        return Done{};
+    }
+    refreshTake(session, take);
+    return Done{};
+}
+
+}  // namespace noctule

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/take_folder.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "core/job/atomic_file.h"
+
+namespace noctule {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kBeside[] = {"-wal", "-journal", "-shm"};
+
+bool isThere(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
+
+fs::path beside(const fs::path& take, const char* ending) {
+    return take.string() + ending;
+}
+
+Status makeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        return Error{ErrorKind::kDisk, folder.string() + ": cannot be made: " + error.message(),
+                     "Check that you may write there"};
+    return Done{};
+}
+
+}  // namespace
+
+std::vector<std::string> takeFilesIn(const fs::path& folder) {
+    std::vector<std::string> files;
+    std::error_code ignored;
+    for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored)) {
+        const std::string file = entry->path().filename().string();
+        if (entry->path().extension() == kTakeExtension && !file.starts_with('.') &&
+            entry->is_regular_file(ignored))
+            files.push_back(file);
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+fs::path takePath(const Session& session, const std::string& name) {
+    return session.takesFolder() / (name + kTakeExtension);
+}
+
+bool isNameFree(const Session& session, const std::string& name) {
+    return session.findTake(name) < 0 && !isThere(takePath(session, name)) &&
+           !isThere(session.trashFolder() / (name + kTakeExtension));
+}
+
+Status moveTakeFiles(const fs::path& from, const fs::path& to) {
+    std::vector<const char*> moved;
+    const auto moveOne = [&](const fs::path& source, const fs::path& target) {
+        return publishFile(source.string(), target.string(), false);
+    };
+    // The log goes first: a take without its log looks whole and is not, a log without its take is nothing.
+    for (const char* ending : kBeside) {
+        if (!isThere(beside(from, ending)))
+            continue;
+        if (const Status done = moveOne(beside(from, ending), beside(to, ending)); !done) {
+            for (const char* back : moved)
+                (void)moveOne(beside(to, back), beside(from, back));
+            return done;
+        }
+        moved.push_back(ending);
+    }
+    const Status done = moveOne(from, to);
+    if (!done)
+        for (const char* back : moved)
+            (void)moveOne(beside(to, back), beside(from, back));
+    return done;
+}
+
+Status moveToTrash(const Session& session, const std::string& file) {
+    const fs::path name = fs::path(file).filename();
+    const fs::path target = session.trashFolder() / name;
+    if (const Status made = makeFolder(session.trashFolder()); !made)
+        return made;
+    if (isThere(target)) {
+        fs::path older;
+        for (int number = 1; older.empty() || isThere(older); ++number)
+            older = session.trashFolder() /
+                    (name.stem().string() + "." + std::to_string(number) + kTakeExtension);
+        if (const Status moved = moveTakeFiles(target, older); !moved)
+            return moved;
+    }
+    return moveTakeFiles(session.folder / file, target);
+}
+
+}  // namespace noctule

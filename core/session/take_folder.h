@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files behind a session's takes: which there are, which names are free, and moving one with what SQLite
+// keeps beside it. Names are those of files, "walk_001.noctule".
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/job/result.h"
+#include "core/session/session.h"
+
+namespace noctule {
+
+inline constexpr const char* kTakeExtension = ".noctule";
+
+/// Of all takes in a folder, sorted; empty when the folder is missing.
+std::vector<std::string> takeFilesIn(const std::filesystem::path& folder);
+
+/// The take's file in takes/.
+std::filesystem::path takePath(const Session& session, const std::string& name);
+
+/// Whether nothing in the session, its takes/ and its trash/ has the name "walk_001".
+bool isNameFree(const Session& session, const std::string& name);
+
+/// Moves the take and the log beside it, if there is one; kUsage when something is there already. On an error
+/// all stays where it was.
+Status moveTakeFiles(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Moves a take to trash/. One of that name that lies there already gets another.
+Status moveToTrash(const Session& session, const std::string& file);
+
+/// In order of creation; those whose time is not known come last.
+void sortTakes(Session& session);
+
+}  // namespace noctule

@@ -1,0 +1,4851 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>ChannelMenu</name>
+    <message>
+        <source>Open a take first</source>
+        <translation>Zuerst eine Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>Joint angles</source>
+        <translation>Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>Platinen</translation>
+    </message>
+    <message>
+        <source>Remove added channels</source>
+        <translation>Hinzugefügte Kanäle entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>CurveNames</name>
+    <message>
+        <source>flexion</source>
+        <translation>Beugung</translation>
+    </message>
+    <message>
+        <source>elevation</source>
+        <translation>Hebung</translation>
+    </message>
+    <message>
+        <source>protraction</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>pronation</source>
+        <translation>Einwärtsdrehung</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>Seitneigung</translation>
+    </message>
+    <message>
+        <source>inversion</source>
+        <translation>Kippung</translation>
+    </message>
+    <message>
+        <source>turn about x</source>
+        <translation>Drehung um x</translation>
+    </message>
+    <message>
+        <source>turn about y</source>
+        <translation>Drehung um y</translation>
+    </message>
+    <message>
+        <source>turn about z</source>
+        <translation>Drehung um z</translation>
+    </message>
+    <message>
+        <source>to the left</source>
+        <translation>nach links</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>nach vorn</translation>
+    </message>
+    <message>
+        <source>heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Nicken</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Root, %1</source>
+        <comment>Root, height</comment>
+        <translation>Wurzel, %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>Left knee, flexion</comment>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>JobWords</name>
+    <message numerus="yes">
+        <source>%n s left</source>
+        <comment>seconds</comment>
+        <translation>
+            <numerusform>noch %n s</numerusform>
+            <numerusform>noch %n s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n min left</source>
+        <comment>minutes</comment>
+        <translation>
+            <numerusform>noch %n min</numerusform>
+            <numerusform>noch %n min</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>title of a job: time left</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>title of a job: its stage</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <comment>title of a job: its stage, time left</comment>
+        <translation>%1: %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>LaneLegend</name>
+    <message>
+        <source>used</source>
+        <translation>benutzt</translation>
+    </message>
+    <message>
+        <source>less weight</source>
+        <translation>weniger Gewicht</translation>
+    </message>
+    <message>
+        <source>gated out</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>behind</source>
+        <translation>von hinten</translation>
+    </message>
+    <message>
+        <source>unsure</source>
+        <translation>unsicher</translation>
+    </message>
+    <message>
+        <source>not tried</source>
+        <translation>nicht versucht</translation>
+    </message>
+</context>
+<context>
+    <name>Lanes</name>
+    <message>
+        <source>Reading the take</source>
+        <translation>Die Aufnahme wird gelesen</translation>
+    </message>
+    <message>
+        <source>Process the take to see its curves</source>
+        <translation>Die Aufnahme verarbeiten, um ihre Kurven zu sehen</translation>
+    </message>
+    <message>
+        <source>pulse sent, by source</source>
+        <translation>Puls gesendet, nach Quelle</translation>
+    </message>
+    <message>
+        <source>arrival detected</source>
+        <translation>Ankunft erkannt</translation>
+    </message>
+    <message>
+        <source>Raw sound, %1</source>
+        <translation>Rohton, %1</translation>
+    </message>
+    <message>
+        <source>Reading the sound</source>
+        <translation>Der Ton wird gelesen</translation>
+    </message>
+    <message>
+        <source>samples, full scale 1</source>
+        <translation>Abtastwerte, Vollausschlag 1</translation>
+    </message>
+    <message>
+        <source>loudest and quietest, full scale 1</source>
+        <translation>lautester und leisester Wert, Vollausschlag 1</translation>
+    </message>
+    <message>
+        <source>sound of %1 (full scale 1)</source>
+        <translation>Ton von %1 (Vollausschlag 1)</translation>
+    </message>
+    <message>
+        <source>This board sent nothing</source>
+        <translation>Diese Platine hat nichts gesendet</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation>übersteuert</translation>
+    </message>
+    <message>
+        <source>Raw sound</source>
+        <translation>Rohton</translation>
+    </message>
+    <message>
+        <source>Choose a pair in the heat map to see the sound of its board</source>
+        <translation>Ein Paar in der Karte wählen, um den Ton seiner Platine zu sehen</translation>
+    </message>
+    <message>
+        <source>This take holds ranges and readings, but not the sound they were taken from</source>
+        <translation>Diese Aufnahme enthält Entfernungen und Messwerte, aber nicht den Ton, aus dem sie stammen</translation>
+    </message>
+    <message>
+        <source>Inertial</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>Choose a pair in the heat map to see how its board moved</source>
+        <translation>Ein Paar in der Karte wählen, um zu sehen, wie sich seine Platine bewegt hat</translation>
+    </message>
+    <message>
+        <source>Turning rate in °/s, %1</source>
+        <translation>Drehrate in °/s, %1</translation>
+    </message>
+    <message>
+        <source>gyroscope %2 (rad/s) of %1</source>
+        <translation>Gyroskop %2 (rad/s) von %1</translation>
+    </message>
+    <message>
+        <source>Acceleration in m/s², %1</source>
+        <translation>Beschleunigung in m/s², %1</translation>
+    </message>
+    <message>
+        <source>accelerometer %2 (m/s2) of %1</source>
+        <translation>Beschleunigungssensor %2 (m/s2) von %1</translation>
+    </message>
+    <message>
+        <source>result A</source>
+        <translation>Ergebnis A</translation>
+    </message>
+    <message>
+        <source>result B</source>
+        <translation>Ergebnis B</translation>
+    </message>
+    <message>
+        <source>B %1</source>
+        <translation>B %1</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>ref %1</source>
+        <translation>Ref. %1</translation>
+    </message>
+    <message>
+        <source>%1 with 2 sigma</source>
+        <translation>%1 mit 2 Sigma</translation>
+    </message>
+    <message>
+        <source>%1 (m), %2</source>
+        <translation>%1 (m), %2</translation>
+    </message>
+    <message>
+        <source>%1 (deg), %2</source>
+        <translation>%1 (Grad), %2</translation>
+    </message>
+    <message>
+        <source>Joint angles</source>
+        <translation>Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>Choose a joint in the report or add one with + to see its angles</source>
+        <translation>Im Bericht ein Gelenk wählen oder mit + eines hinzufügen, um seine Winkel zu sehen</translation>
+    </message>
+    <message>
+        <source>Nothing was seen of it</source>
+        <translation>Davon war nichts zu sehen</translation>
+    </message>
+    <message>
+        <source>Root</source>
+        <translation>Wurzel</translation>
+    </message>
+    <message>
+        <source>Nothing was seen of the root</source>
+        <translation>Von der Wurzel war nichts zu sehen</translation>
+    </message>
+    <message>
+        <source>%1 in metres</source>
+        <translation>%1 in Metern</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Konfidenz</translation>
+    </message>
+    <message>
+        <source>Choose a pair in the heat map to see its confidence</source>
+        <translation>Ein Paar in der Karte wählen, um seine Konfidenz zu sehen</translation>
+    </message>
+    <message>
+        <source>confidence of %1</source>
+        <translation>Konfidenz von %1</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>Entfernungen</translation>
+    </message>
+    <message>
+        <source>Choose a pair in the heat map to see its ranges</source>
+        <translation>Ein Paar in der Karte wählen, um seine Entfernungen zu sehen</translation>
+    </message>
+    <message>
+        <source>Range in metres, %1</source>
+        <translation>Entfernung in Metern, %1</translation>
+    </message>
+    <message>
+        <source>This board never heard this source</source>
+        <translation>Diese Platine hat diese Quelle nie gehört</translation>
+    </message>
+    <message>
+        <source>Measured minus expected in millimetres, %1</source>
+        <translation>Gemessen minus erwartet in Millimetern, %1</translation>
+    </message>
+    <message>
+        <source>range (m) of %1</source>
+        <translation>Entfernung (m) von %1</translation>
+    </message>
+    <message>
+        <source>measured minus expected (m) of %1</source>
+        <translation>gemessen minus erwartet (m) von %1</translation>
+    </message>
+</context>
+<context>
+    <name>Licences</name>
+    <message>
+        <source>windows and controls</source>
+        <translation>Fenster und Bedienelemente</translation>
+    </message>
+    <message>
+        <source>plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>linear algebra</source>
+        <translation>lineare Algebra</translation>
+    </message>
+    <message>
+        <source>public domain</source>
+        <translation>gemeinfrei</translation>
+    </message>
+    <message>
+        <source>take files</source>
+        <translation>Aufnahmedateien</translation>
+    </message>
+    <message>
+        <source>compression of takes</source>
+        <translation>Kompression der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>meshes</source>
+        <translation>Körpernetze</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>settings and documents</source>
+        <translation>Einstellungen und Dokumente</translation>
+    </message>
+    <message>
+        <source>typeface</source>
+        <translation>Schrift</translation>
+    </message>
+</context>
+<context>
+    <name>Measures</name>
+    <message>
+        <source>Upper arm</source>
+        <translation>Oberarm</translation>
+    </message>
+    <message>
+        <source>From the point of the shoulder to the elbow</source>
+        <translation>Von der Schulterspitze bis zum Ellbogen</translation>
+    </message>
+    <message>
+        <source>Forearm</source>
+        <translation>Unterarm</translation>
+    </message>
+    <message>
+        <source>From the elbow to the wrist</source>
+        <translation>Vom Ellbogen bis zum Handgelenk</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>From the wrist to the tip of the middle finger</source>
+        <translation>Vom Handgelenk bis zur Spitze des Mittelfingers</translation>
+    </message>
+    <message>
+        <source>Shoulder width</source>
+        <translation>Schulterbreite</translation>
+    </message>
+    <message>
+        <source>From shoulder joint to shoulder joint, about 4 cm less than outside</source>
+        <translation>Von Schultergelenk zu Schultergelenk, etwa 4 cm weniger als außen</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Rumpf</translation>
+    </message>
+    <message>
+        <source>From the hip joints to the base of the neck</source>
+        <translation>Von den Hüftgelenken bis zum Halsansatz</translation>
+    </message>
+    <message>
+        <source>Hip width</source>
+        <translation>Hüftbreite</translation>
+    </message>
+    <message>
+        <source>From hip joint to hip joint, about half the width outside</source>
+        <translation>Von Hüftgelenk zu Hüftgelenk, etwa halb so breit wie außen</translation>
+    </message>
+    <message>
+        <source>Thigh</source>
+        <translation>Oberschenkel</translation>
+    </message>
+    <message>
+        <source>From the hip joint to the middle of the knee</source>
+        <translation>Vom Hüftgelenk bis zur Mitte des Knies</translation>
+    </message>
+    <message>
+        <source>Shin</source>
+        <translation>Unterschenkel</translation>
+    </message>
+    <message>
+        <source>From the middle of the knee to the ankle</source>
+        <translation>Von der Mitte des Knies bis zum Knöchel</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>From the ankle forward to the ball of the foot</source>
+        <translation>Vom Knöchel nach vorn bis zum Ballen</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>PartNames</name>
+    <message>
+        <source>Room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>Pelvis</source>
+        <translation>Becken</translation>
+    </message>
+    <message>
+        <source>pelvis</source>
+        <translation>Becken</translation>
+    </message>
+    <message>
+        <source>Abdomen</source>
+        <translation>Bauch</translation>
+    </message>
+    <message>
+        <source>abdomen</source>
+        <translation>Bauch</translation>
+    </message>
+    <message>
+        <source>Chest</source>
+        <translation>Brust</translation>
+    </message>
+    <message>
+        <source>chest</source>
+        <translation>Brust</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Hals</translation>
+    </message>
+    <message>
+        <source>neck</source>
+        <translation>Hals</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>Left clavicle</source>
+        <translation>Linkes Schlüsselbein</translation>
+    </message>
+    <message>
+        <source>left clavicle</source>
+        <translation>linkes Schlüsselbein</translation>
+    </message>
+    <message>
+        <source>Left upper arm</source>
+        <translation>Linker Oberarm</translation>
+    </message>
+    <message>
+        <source>left upper arm</source>
+        <translation>linker Oberarm</translation>
+    </message>
+    <message>
+        <source>Left forearm</source>
+        <translation>Linker Unterarm</translation>
+    </message>
+    <message>
+        <source>left forearm</source>
+        <translation>linker Unterarm</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>left hand</source>
+        <translation>linke Hand</translation>
+    </message>
+    <message>
+        <source>Left thigh</source>
+        <translation>Linker Oberschenkel</translation>
+    </message>
+    <message>
+        <source>left thigh</source>
+        <translation>linker Oberschenkel</translation>
+    </message>
+    <message>
+        <source>Left shin</source>
+        <translation>Linker Unterschenkel</translation>
+    </message>
+    <message>
+        <source>left shin</source>
+        <translation>linker Unterschenkel</translation>
+    </message>
+    <message>
+        <source>Left foot</source>
+        <translation>Linker Fuß</translation>
+    </message>
+    <message>
+        <source>left foot</source>
+        <translation>linker Fuß</translation>
+    </message>
+    <message>
+        <source>Left toes</source>
+        <translation>Linke Zehen</translation>
+    </message>
+    <message>
+        <source>left toes</source>
+        <translation>linke Zehen</translation>
+    </message>
+    <message>
+        <source>Right clavicle</source>
+        <translation>Rechtes Schlüsselbein</translation>
+    </message>
+    <message>
+        <source>right clavicle</source>
+        <translation>rechtes Schlüsselbein</translation>
+    </message>
+    <message>
+        <source>Right upper arm</source>
+        <translation>Rechter Oberarm</translation>
+    </message>
+    <message>
+        <source>right upper arm</source>
+        <translation>rechter Oberarm</translation>
+    </message>
+    <message>
+        <source>Right forearm</source>
+        <translation>Rechter Unterarm</translation>
+    </message>
+    <message>
+        <source>right forearm</source>
+        <translation>rechter Unterarm</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>right hand</source>
+        <translation>rechte Hand</translation>
+    </message>
+    <message>
+        <source>Right thigh</source>
+        <translation>Rechter Oberschenkel</translation>
+    </message>
+    <message>
+        <source>right thigh</source>
+        <translation>rechter Oberschenkel</translation>
+    </message>
+    <message>
+        <source>Right shin</source>
+        <translation>Rechter Unterschenkel</translation>
+    </message>
+    <message>
+        <source>right shin</source>
+        <translation>rechter Unterschenkel</translation>
+    </message>
+    <message>
+        <source>Right foot</source>
+        <translation>Rechter Fuß</translation>
+    </message>
+    <message>
+        <source>right foot</source>
+        <translation>rechter Fuß</translation>
+    </message>
+    <message>
+        <source>Right toes</source>
+        <translation>Rechte Zehen</translation>
+    </message>
+    <message>
+        <source>right toes</source>
+        <translation>rechte Zehen</translation>
+    </message>
+    <message>
+        <source>Lower back</source>
+        <translation>Unterer Rücken</translation>
+    </message>
+    <message>
+        <source>lower back</source>
+        <translation>unterer Rücken</translation>
+    </message>
+    <message>
+        <source>Upper back</source>
+        <translation>Oberer Rücken</translation>
+    </message>
+    <message>
+        <source>upper back</source>
+        <translation>oberer Rücken</translation>
+    </message>
+    <message>
+        <source>Base of the neck</source>
+        <translation>Halsansatz</translation>
+    </message>
+    <message>
+        <source>base of the neck</source>
+        <translation>Halsansatz</translation>
+    </message>
+    <message>
+        <source>Left shoulder</source>
+        <translation>Linke Schulter</translation>
+    </message>
+    <message>
+        <source>left shoulder</source>
+        <translation>linke Schulter</translation>
+    </message>
+    <message>
+        <source>Left elbow</source>
+        <translation>Linker Ellbogen</translation>
+    </message>
+    <message>
+        <source>left elbow</source>
+        <translation>linker Ellbogen</translation>
+    </message>
+    <message>
+        <source>Left wrist</source>
+        <translation>Linkes Handgelenk</translation>
+    </message>
+    <message>
+        <source>left wrist</source>
+        <translation>linkes Handgelenk</translation>
+    </message>
+    <message>
+        <source>Left hip</source>
+        <translation>Linke Hüfte</translation>
+    </message>
+    <message>
+        <source>left hip</source>
+        <translation>linke Hüfte</translation>
+    </message>
+    <message>
+        <source>Left knee</source>
+        <translation>Linkes Knie</translation>
+    </message>
+    <message>
+        <source>left knee</source>
+        <translation>linkes Knie</translation>
+    </message>
+    <message>
+        <source>Left ankle</source>
+        <translation>Linkes Sprunggelenk</translation>
+    </message>
+    <message>
+        <source>left ankle</source>
+        <translation>linkes Sprunggelenk</translation>
+    </message>
+    <message>
+        <source>Right shoulder</source>
+        <translation>Rechte Schulter</translation>
+    </message>
+    <message>
+        <source>right shoulder</source>
+        <translation>rechte Schulter</translation>
+    </message>
+    <message>
+        <source>Right elbow</source>
+        <translation>Rechter Ellbogen</translation>
+    </message>
+    <message>
+        <source>right elbow</source>
+        <translation>rechter Ellbogen</translation>
+    </message>
+    <message>
+        <source>Right wrist</source>
+        <translation>Rechtes Handgelenk</translation>
+    </message>
+    <message>
+        <source>right wrist</source>
+        <translation>rechtes Handgelenk</translation>
+    </message>
+    <message>
+        <source>Right hip</source>
+        <translation>Rechte Hüfte</translation>
+    </message>
+    <message>
+        <source>right hip</source>
+        <translation>rechte Hüfte</translation>
+    </message>
+    <message>
+        <source>Right knee</source>
+        <translation>Rechtes Knie</translation>
+    </message>
+    <message>
+        <source>right knee</source>
+        <translation>rechtes Knie</translation>
+    </message>
+    <message>
+        <source>Right ankle</source>
+        <translation>Rechtes Sprunggelenk</translation>
+    </message>
+    <message>
+        <source>right ankle</source>
+        <translation>rechtes Sprunggelenk</translation>
+    </message>
+    <message>
+        <source>Chest, left</source>
+        <translation>Brust links</translation>
+    </message>
+    <message>
+        <source>chest, left</source>
+        <translation>Brust links</translation>
+    </message>
+    <message>
+        <source>Chest, right</source>
+        <translation>Brust rechts</translation>
+    </message>
+    <message>
+        <source>chest, right</source>
+        <translation>Brust rechts</translation>
+    </message>
+    <message>
+        <source>Ribs, left</source>
+        <translation>Rippen links</translation>
+    </message>
+    <message>
+        <source>ribs, left</source>
+        <translation>Rippen links</translation>
+    </message>
+    <message>
+        <source>Ribs, right</source>
+        <translation>Rippen rechts</translation>
+    </message>
+    <message>
+        <source>ribs, right</source>
+        <translation>Rippen rechts</translation>
+    </message>
+    <message>
+        <source>Navel</source>
+        <translation>Nabel</translation>
+    </message>
+    <message>
+        <source>navel</source>
+        <translation>Nabel</translation>
+    </message>
+    <message>
+        <source>Belly, left</source>
+        <translation>Bauch links</translation>
+    </message>
+    <message>
+        <source>belly, left</source>
+        <translation>Bauch links</translation>
+    </message>
+    <message>
+        <source>Belly, right</source>
+        <translation>Bauch rechts</translation>
+    </message>
+    <message>
+        <source>belly, right</source>
+        <translation>Bauch rechts</translation>
+    </message>
+    <message>
+        <source>Hat</source>
+        <translation>Hut</translation>
+    </message>
+    <message>
+        <source>hat</source>
+        <translation>Hut</translation>
+    </message>
+    <message>
+        <source>%1 (board %2)</source>
+        <comment>Left shin (board 14)</comment>
+        <translation>%1 (Platine %2)</translation>
+    </message>
+    <message>
+        <source>board %1 (%2)</source>
+        <comment>board 14 (left shin)</comment>
+        <translation>Platine %1 (%2)</translation>
+    </message>
+    <message>
+        <source>source %1 (%2)</source>
+        <comment>source 8 (hat)</comment>
+        <translation>Quelle %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Source %1 (%2)</source>
+        <comment>Source 8 (hat)</comment>
+        <translation>Quelle %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>source 8 (hat) to left shin</comment>
+        <translation>%1 zu %2</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Rumpf</translation>
+    </message>
+    <message>
+        <source>Left arm</source>
+        <translation>Linker Arm</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>Rechter Arm</translation>
+    </message>
+    <message>
+        <source>Left leg</source>
+        <translation>Linkes Bein</translation>
+    </message>
+    <message>
+        <source>Right leg</source>
+        <translation>Rechtes Bein</translation>
+    </message>
+    <message>
+        <source>Elsewhere</source>
+        <comment>boards that sit on no known part of the body</comment>
+        <translation>Anderswo</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPanel</name>
+    <message>
+        <source>%1 is written</source>
+        <translation>%1 ist geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>SceneOverlay</name>
+    <message>
+        <source>Ray confidence, source to board</source>
+        <translation>Konfidenz der Strahlen, Quelle zu Platine</translation>
+    </message>
+</context>
+<context>
+    <name>SessionCommands</name>
+    <message>
+        <source>Open session</source>
+        <translation>Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Choose takes</source>
+        <translation>Aufnahmen wählen</translation>
+    </message>
+    <message>
+        <source>Takes (*.noctule)</source>
+        <translation>Aufnahmen (*.noctule)</translation>
+    </message>
+</context>
+<context>
+    <name>TransportBar</name>
+    <message>
+        <source>%1×</source>
+        <comment>speed of playback</comment>
+        <translation>%1×</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::AboutDialog</name>
+    <message>
+        <source>%1. %2. %3</source>
+        <comment>what a library is for, its licence, its address</comment>
+        <translation>%1. %2. %3</translation>
+    </message>
+    <message>
+        <source>About Noctule</source>
+        <translation>Über Noctule</translation>
+    </message>
+    <message>
+        <source>Noctule %1</source>
+        <translation>Noctule %1</translation>
+    </message>
+    <message>
+        <source>Motion capture by sound and inertia. After Vlasic et al., Practical motion capture in everyday surroundings, 2007.</source>
+        <translation>Bewegungserfassung mit Schall und Trägheit. Nach Vlasic u. a., Practical motion capture in everyday surroundings, 2007.</translation>
+    </message>
+    <message>
+        <source>Noctule itself is free under the Apache License 2.0. It is linked with Qt and Qwt under the LGPL; whoever passes the program on passes on their terms too: both libraries may be replaced by other versions of them. No library under the GPL is linked.</source>
+        <translation>Noctule selbst ist frei unter der Apache-Lizenz 2.0. Es ist mit Qt und Qwt unter der LGPL gelinkt; wer das Programm weitergibt, gibt auch deren Bedingungen weiter: beide Bibliotheken dürfen durch andere Fassungen ersetzt werden. Keine Bibliothek unter der GPL ist gelinkt.</translation>
+    </message>
+    <message>
+        <source>What it is made of</source>
+        <translation>Woraus es besteht</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Alles kopieren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::AttachDialog</name>
+    <message>
+        <source>Attach %1</source>
+        <translation>%1 anhängen</translation>
+    </message>
+    <message>
+        <source>Another system&apos;s recording of the same performance goes into the take.</source>
+        <translation>Die Aufzeichnung derselben Darbietung durch ein anderes System kommt in die Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Attach</source>
+        <translation>Anhängen</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>What results are compared with.</source>
+        <translation>Womit Ergebnisse verglichen werden.</translation>
+    </message>
+    <message>
+        <source>External root</source>
+        <translation>Wurzel von außen</translation>
+    </message>
+    <message>
+        <source>Hips that processing with root given follows.</source>
+        <translation>Hüften, denen die Verarbeitung mit gegebener Wurzel folgt.</translation>
+    </message>
+    <message>
+        <source>Found by motion</source>
+        <translation>Aus der Bewegung</translation>
+    </message>
+    <message>
+        <source>Where its movements match the last result best.</source>
+        <translation>Wo ihre Bewegungen am besten zum letzten Ergebnis passen.</translation>
+    </message>
+    <message>
+        <source>It begins at</source>
+        <translation>Sie beginnt bei</translation>
+    </message>
+    <message>
+        <source>Milliseconds of the take&apos;s clock; may be negative.</source>
+        <translation>Millisekunden auf der Uhr der Aufnahme; auch negativ.</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Begin of the recording in milliseconds</source>
+        <translation>Beginn der Aufzeichnung in Millisekunden</translation>
+    </message>
+    <message>
+        <source>Use as</source>
+        <translation>Verwenden als</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Positions do not say how limbs are twisted; give a BVH file for that.</source>
+        <translation>Positionen sagen nicht, wie Glieder verdreht sind; dafür eine BVH-Datei angeben.</translation>
+    </message>
+    <message>
+        <source>Positions cannot be aligned by themselves.</source>
+        <translation>Positionen lassen sich nicht von selbst ausrichten.</translation>
+    </message>
+    <message>
+        <source>Process the take first: its result is what motion is matched with.</source>
+        <translation>Zuerst die Aufnahme verarbeiten: mit ihrem Ergebnis wird die Bewegung abgeglichen.</translation>
+    </message>
+    <message>
+        <source>The take has a reference already. Attaching replaces it.</source>
+        <translation>Die Aufnahme hat schon eine Referenz. Anhängen ersetzt sie.</translation>
+    </message>
+    <message>
+        <source>The take has an external root already. Attaching replaces it.</source>
+        <translation>Die Aufnahme hat schon eine Wurzel von außen. Anhängen ersetzt sie.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::BodyMap</name>
+    <message>
+        <source>Boards and sources on the body</source>
+        <translation>Platinen und Quellen am Körper</translation>
+    </message>
+    <message>
+        <source>Performer’s right</source>
+        <translation>Rechts des Darstellers</translation>
+    </message>
+    <message>
+        <source>Performer’s left</source>
+        <translation>Links des Darstellers</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::CalibratePage</name>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Nothing to calibrate</source>
+        <translation>Nichts zu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibration needs a suit, and the link to it is not part of this version.</source>
+        <translation>Zum Kalibrieren gehört ein Anzug, und die Verbindung zu ihm ist in dieser Version noch nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>Four wizards that recognise by themselves when a step is done, and that end with a verdict in numbers and words.</source>
+        <translation>Vier Assistenten, die selbst erkennen, wann ein Schritt getan ist, und mit einem Urteil in Zahlen und Worten enden.</translation>
+    </message>
+    <message>
+        <source>Which calibration is in force, how old it is, and what it is worth.</source>
+        <translation>Welche Kalibrierung gilt, wie alt sie ist und was sie taugt.</translation>
+    </message>
+    <message>
+        <source>Takes are processed with the calibration they carry. Those of the virtual suit carry one, and Review says how old it is.</source>
+        <translation>Aufnahmen werden mit der Kalibrierung verarbeitet, die sie enthalten. Die des virtuellen Anzugs enthalten eine, und Prüfen sagt, wie alt sie ist.</translation>
+    </message>
+    <message>
+        <source>Source offsets</source>
+        <translation>Quellenversatz</translation>
+    </message>
+    <message>
+        <source>How far from its housing each source sounds from, so that distances are right to the millimetre.</source>
+        <translation>Wie weit vom Gehäuse entfernt jede Quelle klingt, damit Abstände auf den Millimeter stimmen.</translation>
+    </message>
+    <message>
+        <source>Suit on its jig, three placements, about 6 minutes; once a year</source>
+        <translation>Anzug auf der Lehre, drei Stellungen, etwa 6 Minuten; einmal im Jahr</translation>
+    </message>
+    <message>
+        <source>Accelerometers</source>
+        <translation>Beschleunigungssensoren</translation>
+    </message>
+    <message>
+        <source>Scale, zero and axes of each accelerometer.</source>
+        <translation>Maßstab, Nullpunkt und Achsen jedes Beschleunigungssensors.</translation>
+    </message>
+    <message>
+        <source>Boards on the level plate, six sides, about 4 minutes; every three months</source>
+        <translation>Platinen auf der waagrechten Platte, sechs Seiten, etwa 4 Minuten; alle drei Monate</translation>
+    </message>
+    <message>
+        <source>Gyroscopes</source>
+        <translation>Gyroskope</translation>
+    </message>
+    <message>
+        <source>Scale, zero and axes of each gyroscope.</source>
+        <translation>Maßstab, Nullpunkt und Achsen jedes Gyroskops.</translation>
+    </message>
+    <message>
+        <source>Boards on the turntable, three axes, about 5 minutes; every three months</source>
+        <translation>Platinen auf dem Drehteller, drei Achsen, etwa 5 Minuten; alle drei Monate</translation>
+    </message>
+    <message>
+        <source>Rest pose</source>
+        <translation>Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>How the boards sit on the performer today.</source>
+        <translation>Wie die Platinen heute am Darsteller sitzen.</translation>
+    </message>
+    <message>
+        <source>Stand still for 3 seconds; each time the suit is put on</source>
+        <translation>3 Sekunden still stehen; bei jedem Anlegen des Anzugs</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ComingPage</name>
+    <message>
+        <source>What will be here</source>
+        <translation>Was hier sein wird</translation>
+    </message>
+    <message>
+        <source>Until then</source>
+        <translation>Bis dahin</translation>
+    </message>
+    <message>
+        <source>Try the virtual suit</source>
+        <translation>Virtuellen Anzug ausprobieren</translation>
+    </message>
+    <message>
+        <source>Import takes</source>
+        <translation>Aufnahmen importieren</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ConfidenceLegend</name>
+    <message>
+        <source>Colours of confidence from 0 to 1</source>
+        <translation>Farben der Konfidenz von 0 bis 1</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ConnectPage</name>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>No suit is connected</source>
+        <translation>Kein Anzug verbunden</translation>
+    </message>
+    <message>
+        <source>The link to the driver box is not part of this version.</source>
+        <translation>Die Verbindung zur Steuerbox ist in dieser Version noch nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>Driver boxes found on USB and in the network, and the virtual suit as one of them.</source>
+        <translation>Steuerboxen, die an USB und im Netz gefunden wurden, und der virtuelle Anzug als eine davon.</translation>
+    </message>
+    <message>
+        <source>Every board and source on the drawing with its state: what arrives, what is faint, what fell silent, and what to do about it.</source>
+        <translation>Jede Platine und Quelle auf der Zeichnung mit ihrem Zustand: was ankommt, was schwach ist, was verstummt ist und was dagegen hilft.</translation>
+    </message>
+    <message>
+        <source>Whether a pair of boards is swapped, and how many source-board pairs are good.</source>
+        <translation>Ob zwei Platinen vertauscht sind und wie viele Paare aus Quelle und Platine gut sind.</translation>
+    </message>
+    <message>
+        <source>Takes from elsewhere can be reviewed, processed and exported, and the virtual suit makes one now.</source>
+        <translation>Aufnahmen von anderswo lassen sich prüfen, verarbeiten und exportieren, und der virtuelle Anzug macht sofort eine.</translation>
+    </message>
+    <message>
+        <source>Performer and suit</source>
+        <translation>Darsteller und Anzug</translation>
+    </message>
+    <message>
+        <source>Put the suit on</source>
+        <translation>Anzug anlegen</translation>
+    </message>
+    <message>
+        <source>Choose a board or a source to see where it sits.</source>
+        <translation>Eine Platine oder Quelle wählen, um zu sehen, wo sie sitzt.</translation>
+    </message>
+    <message>
+        <source>board %1</source>
+        <translation>Platine %1</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::DialogFrame</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ExportForm</name>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Joint angles too, in degrees</source>
+        <translation>Auch Gelenkwinkel, in Grad</translation>
+    </message>
+    <message>
+        <source>Write one frame and check</source>
+        <translation>Ein Bild schreiben und prüfen</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Takes to export</source>
+        <translation>Zu exportierende Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Last of each take</source>
+        <translation>Letztes jeder Aufnahme</translation>
+    </message>
+    <message>
+        <source>As shown in Review</source>
+        <translation>Wie in Prüfen gezeigt</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>What and how</source>
+        <translation>Was und wie</translation>
+    </message>
+    <message>
+        <source>In to out of each take</source>
+        <translation>Anfang bis Ende jeder Aufnahme</translation>
+    </message>
+    <message>
+        <source>Whole takes</source>
+        <translation>Ganze Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigener</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>First second</source>
+        <translation>Erste Sekunde</translation>
+    </message>
+    <message>
+        <source>Last second</source>
+        <translation>Letzte Sekunde</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>%1 per second</source>
+        <translation>%1 je Sekunde</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Moves as captured</source>
+        <translation>Bewegt sich wie aufgenommen</translation>
+    </message>
+    <message>
+        <source>Stays in place</source>
+        <translation>Bleibt am Ort</translation>
+    </message>
+    <message>
+        <source>In place, facing +Z</source>
+        <translation>Am Ort, Blick nach +Z</translation>
+    </message>
+    <message>
+        <source>Root</source>
+        <translation>Wurzel</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wohin</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation>Dateiname</translation>
+    </message>
+    <message>
+        <source>{take} {fps} {performer} {run} {date} are filled in.</source>
+        <translation>{take} {fps} {performer} {run} {date} werden ausgefüllt.</translation>
+    </message>
+    <message>
+        <source>Try first</source>
+        <translation>Erst probieren</translation>
+    </message>
+    <message>
+        <source>CSV files are in metres.</source>
+        <translation>CSV-Dateien sind in Metern.</translation>
+    </message>
+    <message>
+        <source>exports of the session</source>
+        <translation>Exporte der Sitzung</translation>
+    </message>
+    <message>
+        <source>%1/%2</source>
+        <translation>%1/%2</translation>
+    </message>
+    <message>
+        <source>Shown: %1</source>
+        <translation>Gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>Folder for exported files</source>
+        <translation>Ordner für exportierte Dateien</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>Not processed yet: there is no motion to export.</source>
+        <translation>Noch nicht verarbeitet: es gibt keine Bewegung zu exportieren.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ExportPage</name>
+    <message>
+        <source>Write again</source>
+        <translation>Noch einmal schreiben</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Made for</source>
+        <translation>Gemacht für</translation>
+    </message>
+    <message>
+        <source>No session is open</source>
+        <translation>Keine Sitzung ist offen</translation>
+    </message>
+    <message>
+        <source>Open one first</source>
+        <translation>Zuerst eine öffnen</translation>
+    </message>
+    <message>
+        <source>No take is chosen</source>
+        <translation>Keine Aufnahme ist gewählt</translation>
+    </message>
+    <message>
+        <source>Tick at least one</source>
+        <translation>Mindestens eine ankreuzen</translation>
+    </message>
+    <message>
+        <source>The range ends before it begins</source>
+        <translation>Der Bereich endet, bevor er beginnt</translation>
+    </message>
+    <message>
+        <source>Give a last second after the first</source>
+        <translation>Eine letzte Sekunde nach der ersten angeben</translation>
+    </message>
+    <message numerus="yes">
+        <source>Write %n files</source>
+        <translation>
+            <numerusform>%n Datei schreiben</numerusform>
+            <numerusform>%n Dateien schreiben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Files are being written.</source>
+        <translation>Dateien werden geschrieben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing is overwritten: a second export gets _2.</source>
+        <translation>Nichts wird überschrieben: ein zweiter Export bekommt _2.</translation>
+    </message>
+    <message>
+        <source>%1 free.</source>
+        <translation>%1 frei.</translation>
+    </message>
+    <message>
+        <source>Took %1. %2</source>
+        <translation>Dauerte %1. %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exporting %n takes</source>
+        <translation>
+            <numerusform>%n Aufnahme wird exportiert</numerusform>
+            <numerusform>%n Aufnahmen werden exportiert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Writing one frame of %1</source>
+        <translation>Ein Bild von %1 wird geschrieben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files written and checked.</source>
+        <translation>
+            <numerusform>%n Datei geschrieben und geprüft.</numerusform>
+            <numerusform>%n Dateien geschrieben und geprüft.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the check</source>
+        <translation>Prüfung sichern</translation>
+    </message>
+    <message>
+        <source>check.txt</source>
+        <translation>pruefung.txt</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>Save as own preset</source>
+        <translation>Als eigene Vorgabe sichern</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ExportPresetList</name>
+    <message>
+        <source>Save as own preset</source>
+        <translation>Als eigene Vorgabe sichern</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ExportResultsPanel</name>
+    <message>
+        <source>What was written stands here, with what reading it again said.</source>
+        <translation>Was geschrieben wurde, steht hier, und was das Zurücklesen ergab.</translation>
+    </message>
+    <message>
+        <source>Save the check as text</source>
+        <translation>Prüfung als Text sichern</translation>
+    </message>
+    <message>
+        <source>One frame written, read back and deleted</source>
+        <translation>Ein Bild geschrieben, zurückgelesen und gelöscht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files written and read back</source>
+        <translation>
+            <numerusform>%n Datei geschrieben und zurückgelesen</numerusform>
+            <numerusform>%n Dateien geschrieben und zurückgelesen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each file was opened again and compared with its take.</source>
+        <translation>Jede Datei wurde wieder geöffnet und mit ihrer Aufnahme verglichen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each file was opened again and compared with its take. %n are not what they should be.</source>
+        <translation>
+            <numerusform>Jede Datei wurde wieder geöffnet und mit ihrer Aufnahme verglichen. %n ist nicht, was sie sein sollte.</numerusform>
+            <numerusform>Jede Datei wurde wieder geöffnet und mit ihrer Aufnahme verglichen. %n sind nicht, was sie sein sollten.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Each file was opened again and compared with its take. %n have something you should know.</source>
+        <translation>
+            <numerusform>Jede Datei wurde wieder geöffnet und mit ihrer Aufnahme verglichen. Bei %n ist etwas zu beachten.</numerusform>
+            <numerusform>Jede Datei wurde wieder geöffnet und mit ihrer Aufnahme verglichen. Bei %n ist etwas zu beachten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 frames, %2</source>
+        <translation>%1 Bilder, %2</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>Blick</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Largest difference</source>
+        <translation>Größter Unterschied</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ExportRun</name>
+    <message>
+        <source>Writing and checking %1</source>
+        <translation>%1 wird geschrieben und geprüft</translation>
+    </message>
+    <message>
+        <source>%1, feet on the floor</source>
+        <translation>%1, Füße am Boden</translation>
+    </message>
+    <message>
+        <source>%1, lowest point %2 above the floor</source>
+        <translation>%1, tiefster Punkt %2 über dem Boden</translation>
+    </message>
+    <message>
+        <source>%1, lowest point %2 below the floor</source>
+        <translation>%1, tiefster Punkt %2 unter dem Boden</translation>
+    </message>
+    <message>
+        <source>+Z, left hand to +X</source>
+        <translation>+Z, linke Hand nach +X</translation>
+    </message>
+    <message>
+        <source>%1 to the left of +Z</source>
+        <translation>%1 links von +Z</translation>
+    </message>
+    <message>
+        <source>%1 to the right of +Z</source>
+        <translation>%1 rechts von +Z</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>All boards were silent from %1 to %2. The pose in those %n frames is a guess.</source>
+        <translation>
+            <numerusform>Alle Platinen schwiegen von %1 bis %2. Die Haltung in diesem %n Bild ist geraten.</numerusform>
+            <numerusform>Alle Platinen schwiegen von %1 bis %2. Die Haltung in diesen %n Bildern ist geraten.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Board %1 (%2) was silent from %3 to %4. It follows its neighbours in those %n frames.</source>
+        <translation>
+            <numerusform>Platine %1 (%2) schwieg von %3 bis %4. In diesem %n Bild folgt sie ihren Nachbarn.</numerusform>
+            <numerusform>Platine %1 (%2) schwieg von %3 bis %4. In diesen %n Bildern folgt sie ihren Nachbarn.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take %1, result %2</source>
+        <translation>Aufnahme %1, Ergebnis %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frames at %3 per second, %4</source>
+        <translation>%1 von %2 Bildern, %3 je Sekunde, %4</translation>
+    </message>
+    <message>
+        <source>Height: %1</source>
+        <translation>Größe: %1</translation>
+    </message>
+    <message>
+        <source>Facing: %1</source>
+        <translation>Blick: %1</translation>
+    </message>
+    <message>
+        <source>Joints: %1 of %2</source>
+        <translation>Gelenke: %1 von %2</translation>
+    </message>
+    <message>
+        <source>Largest difference to the take: %1</source>
+        <translation>Größter Unterschied zur Aufnahme: %1</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ExportSettings</name>
+    <message>
+        <source>Comes with FBX export. Until then both read the BVH of the first preset.</source>
+        <translation>Kommt mit dem FBX-Export. Bis dahin lesen beide die BVH der ersten Vorgabe.</translation>
+    </message>
+    <message>
+        <source>MotionBuilder and Maya</source>
+        <translation>MotionBuilder und Maya</translation>
+    </message>
+    <message>
+        <source>BVH, centimetres, Y up</source>
+        <translation>BVH, Zentimeter, Y oben</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>BVH, metres, Y up</source>
+        <translation>BVH, Meter, Y oben</translation>
+    </message>
+    <message>
+        <source>Unity</source>
+        <translation>Unity</translation>
+    </message>
+    <message>
+        <source>Comes with FBX</source>
+        <translation>Kommt mit FBX</translation>
+    </message>
+    <message>
+        <source>Unreal</source>
+        <translation>Unreal</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>CSV of joint positions, metres</source>
+        <translation>CSV der Gelenkpositionen, Meter</translation>
+    </message>
+    <message>
+        <source>Numbers with angles</source>
+        <translation>Zahlen mit Winkeln</translation>
+    </message>
+    <message>
+        <source>CSV of positions and joint angles</source>
+        <translation>CSV von Positionen und Gelenkwinkeln</translation>
+    </message>
+    <message>
+        <source>CSV with angles, %1 frames</source>
+        <translation>CSV mit Winkeln, %1 Bilder</translation>
+    </message>
+    <message>
+        <source>CSV, metres, %1 frames</source>
+        <translation>CSV, Meter, %1 Bilder</translation>
+    </message>
+    <message>
+        <source>BVH, metres, %1 frames</source>
+        <translation>BVH, Meter, %1 Bilder</translation>
+    </message>
+    <message>
+        <source>BVH, centimetres, %1 frames</source>
+        <translation>BVH, Zentimeter, %1 Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::FullReport</name>
+    <message>
+        <source>Comparing all results</source>
+        <translation>Alle Ergebnisse werden verglichen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::HeatMap</name>
+    <message>
+        <source>Confidence per pair</source>
+        <translation>Konfidenz je Paar</translation>
+    </message>
+    <message>
+        <source>Confidence at the cursor</source>
+        <translation>Konfidenz am Zeiger</translation>
+    </message>
+    <message>
+        <source>Source %1 to board %2, %3: %4</source>
+        <translation>Quelle %1 zu Platine %2, %3: %4</translation>
+    </message>
+    <message>
+        <source>Board %1, %2, hears no source</source>
+        <translation>Platine %1, %2, hört keine Quelle</translation>
+    </message>
+    <message>
+        <source>Source %1 to board %2, %3: not heard</source>
+        <translation>Quelle %1 zu Platine %2, %3: nicht gehört</translation>
+    </message>
+    <message>
+        <source>now, at the cursor</source>
+        <translation>jetzt, am Zeiger</translation>
+    </message>
+    <message>
+        <source>mean between in and out</source>
+        <translation>Mittel zwischen Anfang und Ende</translation>
+    </message>
+    <message>
+        <source>S%1</source>
+        <comment>source number</comment>
+        <translation>Q%1</translation>
+    </message>
+    <message>
+        <source>Open a take to see how well each board heard each source</source>
+        <translation>Eine Aufnahme öffnen, um zu sehen, wie gut jede Platine jede Quelle hörte</translation>
+    </message>
+    <message>
+        <source>Reading ranges</source>
+        <translation>Entfernungen werden gelesen</translation>
+    </message>
+    <message>
+        <source>Choose a pair to see its curve and its ray</source>
+        <translation>Ein Paar wählen, um Kurve und Strahl zu sehen</translation>
+    </message>
+    <message>
+        <source>%1 ranges kept, %2 gated out</source>
+        <translation>%1 Entfernungen behalten, %2 ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>%1, residual %2</source>
+        <translation>%1, Restfehler %2</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::Job</name>
+    <message>
+        <source>Cancelled</source>
+        <translation>Abgebrochen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::Jobs</name>
+    <message>
+        <source>The studio made a mistake: %1</source>
+        <translation>Das Studio hat einen Fehler gemacht: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was changed. Report it together with the take</source>
+        <translation>Nichts wurde verändert. Zusammen mit der Aufnahme melden</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::JobsPanel</name>
+    <message>
+        <source>Jobs</source>
+        <translation>Aufträge</translation>
+    </message>
+    <message>
+        <source>Clear finished</source>
+        <translation>Beendete entfernen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Processing, imports and exports are listed here while they run, and until they are seen.</source>
+        <translation>Verarbeitung, Importe und Exporte stehen hier, solange sie laufen und bis sie gesehen sind.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::JointTable</name>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Tabelle kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::JointTableModel</name>
+    <message>
+        <source>%1 backed by ranges</source>
+        <translation>%1 durch Entfernungen gestützt</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>Entfernungen</translation>
+    </message>
+    <message>
+        <source>In the order of the body</source>
+        <translation>In der Reihenfolge des Körpers</translation>
+    </message>
+    <message>
+        <source>Mean angle between result and reference</source>
+        <translation>Mittlerer Winkel zwischen Ergebnis und Referenz</translation>
+    </message>
+    <message>
+        <source>Largest angle between result and reference</source>
+        <translation>Größter Winkel zwischen Ergebnis und Referenz</translation>
+    </message>
+    <message>
+        <source>Share of the time in which ranges backed the joint; in between it follows its gyroscope</source>
+        <translation>Anteil der Zeit, in dem Entfernungen das Gelenk stützten; dazwischen folgt es seinem Gyroskop</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::LaneStack</name>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Plus and minus zoom, Ctrl and the arrow keys pan, Ctrl+0 shows the whole take</source>
+        <translation>Plus und Minus vergrößern und verkleinern, Strg und Pfeiltasten verschieben, Strg+0 zeigt die ganze Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::LengthField</name>
+    <message>
+        <source>In proportion to the height again</source>
+        <translation>Wieder im Verhältnis zur Größe</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <comment>centimetres</comment>
+        <translation>cm</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MadeWithPanel</name>
+    <message>
+        <source>Recorded</source>
+        <translation>Aufgenommen</translation>
+    </message>
+    <message>
+        <source>Source offsets</source>
+        <translation>Quellenversatz</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Rest pose</source>
+        <translation>Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>Skeleton</source>
+        <translation>Skelett</translation>
+    </message>
+    <message>
+        <source>Suit</source>
+        <translation>Anzug</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>nominal values</source>
+        <translation>Nennwerte</translation>
+    </message>
+    <message>
+        <source>%1, from %2</source>
+        <translation>%1, von %2</translation>
+    </message>
+    <message>
+        <source>not marked</source>
+        <translation>nicht markiert</translation>
+    </message>
+    <message>
+        <source>%1 joints, %2</source>
+        <translation>%1 Gelenke, %2</translation>
+    </message>
+    <message>
+        <source>not in the take</source>
+        <translation>nicht in der Aufnahme</translation>
+    </message>
+    <message>
+        <source>%1 boards, %2 sources</source>
+        <translation>%1 Platinen, %2 Quellen</translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%1 kHz</translation>
+    </message>
+    <message>
+        <source>not kept</source>
+        <translation>nicht behalten</translation>
+    </message>
+    <message>
+        <source>Performer</source>
+        <translation type="unfinished">Darsteller</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MainWindow</name>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>%1 – %2 – Noctule</source>
+        <comment>page, session</comment>
+        <translation>%1 – %2 – Noctule</translation>
+    </message>
+    <message>
+        <source>Noctule</source>
+        <translation>Noctule</translation>
+    </message>
+    <message>
+        <source>%1 – Noctule</source>
+        <comment>page</comment>
+        <translation>%1 – Noctule</translation>
+    </message>
+    <message>
+        <source>Anywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>%1 can be rebuilt from its takes</source>
+        <translation>%1 lässt sich aus den Aufnahmen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Takes, performers and suits are in the take files; ratings, notes and order are not. The damaged session.json is kept beside the new one.</source>
+        <translation>Aufnahmen, Darsteller und Anzüge stehen in den Aufnahmedateien; Bewertungen, Notizen und Reihenfolge nicht. Die beschädigte session.json bleibt neben der neuen liegen.</translation>
+    </message>
+    <message>
+        <source>Rebuild session</source>
+        <translation>Sitzung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation>%1 ist nicht da</translation>
+    </message>
+    <message>
+        <source>It may have been moved, or its disk is not connected.</source>
+        <translation>Vielleicht wurde es verschoben, oder der Datenträger ist nicht angeschlossen.</translation>
+    </message>
+    <message>
+        <source>%1 holds no session</source>
+        <translation>%1 enthält keine Sitzung</translation>
+    </message>
+    <message>
+        <source>A session is a folder with a session.json in it. Choose that folder, or make a new session.</source>
+        <translation>Eine Sitzung ist ein Ordner mit einer session.json darin. Diesen Ordner wählen oder eine neue Sitzung anlegen.</translation>
+    </message>
+    <message>
+        <source>“%1” is open somewhere else as well</source>
+        <translation>„%1“ ist noch an anderer Stelle geöffnet</translation>
+    </message>
+    <message>
+        <source>Takes are safe. Of notes and ratings changed in both places the later ones win; close one of the two.</source>
+        <translation>Aufnahmen sind sicher. Von Notizen und Bewertungen, die an beiden Stellen geändert werden, gelten die späteren; am besten eine der beiden schließen.</translation>
+    </message>
+    <message>
+        <source>“%1” can be read but not written</source>
+        <translation>„%1“ lässt sich lesen, aber nicht schreiben</translation>
+    </message>
+    <message>
+        <source>Takes can be reviewed and exported to another place; ratings, notes and results cannot be kept. Copy the folder to where you may write.</source>
+        <translation>Aufnahmen lassen sich prüfen und an einen anderen Ort exportieren; Bewertungen, Notizen und Ergebnisse bleiben nicht erhalten. Den Ordner dorthin kopieren, wo Schreiben erlaubt ist.</translation>
+    </message>
+    <message>
+        <source>“%1” was not closed last time</source>
+        <translation>„%1“ wurde letztes Mal nicht geschlossen</translation>
+    </message>
+    <message numerus="yes">
+        <source>The studio ended unexpectedly. All %n take(s) were looked at again; changes were kept up to the last second.</source>
+        <translation>
+            <numerusform>Das Studio wurde unerwartet beendet. Die eine Aufnahme wurde neu geprüft; Änderungen sind bis zur letzten Sekunde erhalten.</numerusform>
+            <numerusform>Das Studio wurde unerwartet beendet. Alle %n Aufnahmen wurden neu geprüft; Änderungen sind bis zur letzten Sekunde erhalten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The recording of %1 was not ended</source>
+        <translation>Die Aufzeichnung von %1 wurde nicht beendet</translation>
+    </message>
+    <message>
+        <source>What came in until then is safe on disk. Recover checks it and makes a whole take of it; the recording itself is kept in the trash of the session.</source>
+        <translation>Was bis dahin ankam, liegt sicher auf der Platte. Wiederherstellen prüft es und macht eine ganze Aufnahme daraus; die Aufzeichnung selbst bleibt im Papierkorb der Sitzung.</translation>
+    </message>
+    <message>
+        <source>Recover %1</source>
+        <translation>%1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>%1 belongs to no session</source>
+        <translation>%1 gehört zu keiner Sitzung</translation>
+    </message>
+    <message>
+        <source>It can be seen, processed and exported as it is. Ratings, notes and performers are kept in a session.</source>
+        <translation>Ansehen, Verarbeiten und Exportieren gehen so. Bewertungen, Notizen und Darsteller werden in einer Sitzung festgehalten.</translation>
+    </message>
+    <message>
+        <source>Import into a session</source>
+        <translation>In eine Sitzung importieren</translation>
+    </message>
+    <message>
+        <source>Close Noctule</source>
+        <translation>Noctule schließen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n job(s) are still running</source>
+        <translation>
+            <numerusform>Ein Auftrag läuft noch</numerusform>
+            <numerusform>%n Aufträge laufen noch</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1
+
+Cancelled jobs leave their takes as they were.</source>
+        <comment>list of jobs</comment>
+        <translation>%1
+
+Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>Go on working</source>
+        <translation>Weiterarbeiten</translation>
+    </message>
+    <message>
+        <source>Cancel jobs and close</source>
+        <translation>Aufträge abbrechen und schließen</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>A tour of the five steps takes two minutes. It can be left at any time, and it is always under Help.</source>
+        <translation>Ein Rundgang durch die fünf Schritte dauert zwei Minuten. Er lässt sich jederzeit verlassen und steht immer unter Hilfe.</translation>
+    </message>
+    <message>
+        <source>Start the tour</source>
+        <translation>Rundgang beginnen</translation>
+    </message>
+    <message>
+        <source>New to Noctule?</source>
+        <translation>Neu bei Noctule?</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MapLegend</name>
+    <message>
+        <source>board: gyroscope, accelerometer and microphone</source>
+        <translation>Platine: Gyroskop, Beschleunigungssensor und Mikrofon</translation>
+    </message>
+    <message>
+        <source>source: sends a pulse every 64 ms</source>
+        <translation>Quelle: sendet alle 64 ms einen Puls</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::NewSessionDialog</name>
+    <message>
+        <source>New session</source>
+        <translation>Neue Sitzung</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Create session</source>
+        <translation>Sitzung anlegen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Choose the folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Takes, calibration and exports go in here. The folder can be copied and moved.</source>
+        <translation>Hier liegen Aufnahmen, Kalibrierung und Exporte. Der Ordner lässt sich kopieren und verschieben.</translation>
+    </message>
+    <message>
+        <source>Performer 1</source>
+        <translation>Darsteller 1</translation>
+    </message>
+    <message>
+        <source>Performer</source>
+        <translation>Darsteller</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <comment>unit of length after a number</comment>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Other measures follow from the height; they can be set later under Performer and suit.</source>
+        <translation>Andere Maße folgen aus der Größe; sie lassen sich später unter Darsteller und Anzug einstellen.</translation>
+    </message>
+    <message>
+        <source>Folder for the new session</source>
+        <translation>Ordner für die neue Sitzung</translation>
+    </message>
+    <message>
+        <source>The session needs a folder.</source>
+        <translation>Die Sitzung braucht einen Ordner.</translation>
+    </message>
+    <message>
+        <source>The folder needs its whole path, from the root on.</source>
+        <translation>Der Ordner braucht seinen ganzen Pfad, von der Wurzel an.</translation>
+    </message>
+    <message>
+        <source>%1 is a file. Choose another name for the folder.</source>
+        <translation>%1 ist eine Datei. Einen anderen Namen für den Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>%1 holds a session already. Open it, or choose another name.</source>
+        <translation>%1 enthält schon eine Sitzung. Diese öffnen oder einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>%1 holds files already. Choose a new or an empty folder.</source>
+        <translation>%1 enthält schon Dateien. Einen neuen oder leeren Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written. Choose another folder.</source>
+        <translation>%1 lässt sich nicht beschreiben. Einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>The session needs a name.</source>
+        <translation>Die Sitzung braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>The performer needs a name.</source>
+        <translation>Der Darsteller braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>The session could not be made. Choose another folder.</source>
+        <translation>Die Sitzung ließ sich nicht anlegen. Einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>Name the performer</source>
+        <translation>Darsteller benennen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::NewsDialog</name>
+    <message>
+        <source>What is new</source>
+        <translation>Was ist neu</translation>
+    </message>
+    <message>
+        <source>In this version</source>
+        <translation>In dieser Version</translation>
+    </message>
+    <message>
+        <source>The studio: sessions with performers and takes, the body in three dimensions, and plots of everything a take holds, all on one time.</source>
+        <translation>Das Studio: Sitzungen mit Darstellern und Aufnahmen, der Körper in drei Dimensionen und Diagramme von allem, was eine Aufnahme enthält, alles auf einer Zeit.</translation>
+    </message>
+    <message>
+        <source>Process a take again with other sensors or the estimator of the paper, and see two results side by side.</source>
+        <translation>Eine Aufnahme mit anderen Sensoren oder dem Schätzer der Veröffentlichung neu verarbeiten und zwei Ergebnisse nebeneinander sehen.</translation>
+    </message>
+    <message>
+        <source>Compare with a reference, read the report inside the window, and export BVH and CSV that are read back and checked.</source>
+        <translation>Mit einer Referenz vergleichen, den Bericht im Fenster lesen und BVH und CSV exportieren, die zurückgelesen und geprüft werden.</translation>
+    </message>
+    <message>
+        <source>A virtual suit, so that all of this can be tried without one.</source>
+        <translation>Ein virtueller Anzug, damit sich all das ohne Anzug ausprobieren lässt.</translation>
+    </message>
+    <message>
+        <source>Not yet</source>
+        <translation>Noch nicht</translation>
+    </message>
+    <message>
+        <source>The link to a driver box, calibration wizards and recording. Connect, Calibrate and Record say what they will do and what to do meanwhile.</source>
+        <translation>Die Verbindung zu einer Steuerbox, Assistenten zum Kalibrieren und das Aufnehmen. Verbinden, Kalibrieren und Aufnehmen sagen, was sie tun werden und was inzwischen geht.</translation>
+    </message>
+    <message>
+        <source>Export to FBX and glTF, video, and reading of optical markers.</source>
+        <translation>Export nach FBX und glTF, Video und das Lesen optischer Marker.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::NotesPanel</name>
+    <message>
+        <source>Notes of this take</source>
+        <translation>Notizen zu dieser Aufnahme</translation>
+    </message>
+    <message>
+        <source>What should be remembered of this take</source>
+        <translation>Was von dieser Aufnahme in Erinnerung bleiben soll</translation>
+    </message>
+    <message>
+        <source>Takes outside a session keep no notes.</source>
+        <translation>Aufnahmen außerhalb einer Sitzung behalten keine Notizen.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::Notices</name>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>notices that are not shown</comment>
+        <translation>
+            <numerusform>%n weitere</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::PairGrid</name>
+    <message>
+        <source>Confidence per pair</source>
+        <translation>Konfidenz je Paar</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::PerformerEditor</name>
+    <message>
+        <source>%1 %2</source>
+        <comment>name of a performer, number</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Performer %1</source>
+        <translation>Darsteller %1</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Height of %1</source>
+        <translation>Größe von %1</translation>
+    </message>
+    <message>
+        <source>Measure of %1</source>
+        <translation>Maß von %1</translation>
+    </message>
+    <message>
+        <source>Segment of %1</source>
+        <translation>Glied von %1</translation>
+    </message>
+    <message>
+        <source>Position of %1</source>
+        <translation>Lage von %1</translation>
+    </message>
+    <message>
+        <source>Rotation of %1</source>
+        <translation>Drehung von %1</translation>
+    </message>
+    <message>
+        <source>Direction of %1</source>
+        <translation>Richtung von %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 bewegen</translation>
+    </message>
+    <message>
+        <source>Mirror %1</source>
+        <translation>%1 spiegeln</translation>
+    </message>
+    <message>
+        <source>Put %1 back</source>
+        <translation>%1 zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::PerformerListPanel</name>
+    <message>
+        <source>Wears the suit from now on</source>
+        <translation>Trägt den Anzug von jetzt an</translation>
+    </message>
+    <message>
+        <source>Performers</source>
+        <translation>Darsteller</translation>
+    </message>
+    <message>
+        <source>Add a performer</source>
+        <translation>Darsteller hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate this performer</source>
+        <translation>Diesen Darsteller verdoppeln</translation>
+    </message>
+    <message>
+        <source>Rename this performer</source>
+        <translation>Diesen Darsteller umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove this performer</source>
+        <translation>Diesen Darsteller entfernen</translation>
+    </message>
+    <message>
+        <source>Wears the suit</source>
+        <translation>Trägt den Anzug</translation>
+    </message>
+    <message>
+        <source>A session has at least one performer.</source>
+        <translation>Eine Sitzung hat mindestens einen Darsteller.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::PerformerMeasuresPanel</name>
+    <message>
+        <source>Measure once more</source>
+        <translation>Noch einmal messen</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <comment>unit after a number</comment>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>What is left empty follows the height.</source>
+        <translation>Was leer bleibt, folgt der Größe.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is long for this height, where %3 is usual.</source>
+        <translation>%1: %2 ist lang für diese Größe, üblich sind %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is short for this height, where %3 is usual.</source>
+        <translation>%1: %2 ist kurz für diese Größe, üblich sind %3.</translation>
+    </message>
+    <message>
+        <source>Trunk and legs make a height of %1, not %2.</source>
+        <translation>Rumpf und Beine ergeben eine Größe von %1, nicht %2.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::PerformerPage</name>
+    <message>
+        <source>Performers belong to a session. Make one or open one first.</source>
+        <translation>Darsteller gehören zu einer Sitzung. Zuerst eine anlegen oder öffnen.</translation>
+    </message>
+    <message>
+        <source>Go to Start</source>
+        <translation>Zum Start</translation>
+    </message>
+    <message>
+        <source>Performers</source>
+        <translation>Darsteller</translation>
+    </message>
+    <message>
+        <source>Boards and sources</source>
+        <translation>Platinen und Quellen</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>drive the body</source>
+        <translation>treiben den Körper</translation>
+    </message>
+    <message>
+        <source>Mirror to the other side</source>
+        <translation>Auf die andere Seite spiegeln</translation>
+    </message>
+    <message>
+        <source>Back to the suit’s place</source>
+        <translation>Zurück an den Platz des Anzugs</translation>
+    </message>
+    <message>
+        <source>Performer and suit</source>
+        <translation>Darsteller und Anzug</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::PerformerPlacementPanel</name>
+    <message>
+        <source>Choose a board or a source in the list or on the body to move and turn it.</source>
+        <translation>Eine Platine oder Quelle in der Liste oder am Körper wählen, um sie zu bewegen und zu drehen.</translation>
+    </message>
+    <message>
+        <source>A board 5 mm and 3° away from where it is placed here costs about 2° in the joints around it.</source>
+        <translation>Eine Platine, die 5 mm und 3° anders sitzt als hier angegeben, kostet etwa 2° in den Gelenken ringsum.</translation>
+    </message>
+    <message>
+        <source>Boards and sources</source>
+        <translation>Platinen und Quellen</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Glied</translation>
+    </message>
+    <message>
+        <source>X, to the left</source>
+        <translation>X, nach links</translation>
+    </message>
+    <message>
+        <source>Y, up</source>
+        <translation>Y, nach oben</translation>
+    </message>
+    <message>
+        <source>Z, forward</source>
+        <translation>Z, nach vorn</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <comment>unit after a number</comment>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <comment>degrees after a number</comment>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Mirror to the other side</source>
+        <translation>Auf die andere Seite spiegeln</translation>
+    </message>
+    <message>
+        <source>Back to the suit’s place</source>
+        <translation>Zurück an den Platz des Anzugs</translation>
+    </message>
+    <message>
+        <source>It has no counterpart on the other side.</source>
+        <translation>Auf der anderen Seite gibt es kein Gegenstück.</translation>
+    </message>
+    <message>
+        <source>The suit that comes with Noctule has no such part.</source>
+        <translation>Der Anzug, der mit Noctule kommt, hat kein solches Teil.</translation>
+    </message>
+    <message>
+        <source>It is where the suit has it.</source>
+        <translation>Es sitzt, wo der Anzug es hat.</translation>
+    </message>
+    <message>
+        <source>Turned about X</source>
+        <translation>Gedreht um X</translation>
+    </message>
+    <message>
+        <source>Turned about Y</source>
+        <translation>Gedreht um Y</translation>
+    </message>
+    <message>
+        <source>Turned about Z</source>
+        <translation>Gedreht um Z</translation>
+    </message>
+    <message>
+        <source>Points to the left</source>
+        <translation>Zeigt nach links</translation>
+    </message>
+    <message>
+        <source>Points up</source>
+        <translation>Zeigt nach oben</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::PlotLane</name>
+    <message>
+        <source>%1 ±%2</source>
+        <comment>value and two standard deviations</comment>
+        <translation>%1 ±%2</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::PlotPanel</name>
+    <message>
+        <source>Open a take to see its curves.</source>
+        <translation>Eine Aufnahme öffnen, um ihre Kurven zu sehen.</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Konfidenz</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>Entfernungen</translation>
+    </message>
+    <message>
+        <source>Raw sound</source>
+        <translation>Rohton</translation>
+    </message>
+    <message>
+        <source>Inertial</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>Joint angles</source>
+        <translation>Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>Root</source>
+        <translation>Wurzel</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <comment>a plot</comment>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Kanal hinzufügen</translation>
+    </message>
+    <message>
+        <source>Picture of the plots</source>
+        <translation>Bild der Diagramme</translation>
+    </message>
+    <message>
+        <source>Copy as picture</source>
+        <translation>Als Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save as PNG…</source>
+        <translation>Als PNG sichern …</translation>
+    </message>
+    <message>
+        <source>Values of the plots</source>
+        <translation>Werte der Diagramme</translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV sichern …</translation>
+    </message>
+    <message>
+        <source>%1, lower 2 sigma</source>
+        <translation>%1, untere 2 Sigma</translation>
+    </message>
+    <message>
+        <source>%1, upper 2 sigma</source>
+        <translation>%1, obere 2 Sigma</translation>
+    </message>
+    <message>
+        <source>%1_plots</source>
+        <comment>file name</comment>
+        <translation>%1_diagramme</translation>
+    </message>
+    <message>
+        <source>The plots are on the clipboard</source>
+        <translation>Die Diagramme sind in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Save the plots as a picture</source>
+        <translation>Diagramme als Bild sichern</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>The values are on the clipboard</source>
+        <translation>Die Werte sind in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Save the values that are shown</source>
+        <translation>Gezeigte Werte sichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Every change acts at once and is kept.</source>
+        <translation>Jede Änderung wirkt sofort und bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Desktop</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <comment>size of text in percent</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Size of text</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source>Reduce motion</source>
+        <translation>Bewegung verringern</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>3D picture</source>
+        <translation>3D-Bild</translation>
+    </message>
+    <message>
+        <source>As in Blender: middle button</source>
+        <translation>Wie in Blender: mittlere Taste</translation>
+    </message>
+    <message>
+        <source>As in Maya: Alt and a button</source>
+        <translation>Wie in Maya: Alt und eine Taste</translation>
+    </message>
+    <message>
+        <source>Turn and move</source>
+        <translation>Drehen und bewegen</translation>
+    </message>
+    <message>
+        <source>Folders</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Choose the folder for new sessions</source>
+        <translation>Ordner für neue Sitzungen wählen</translation>
+    </message>
+    <message>
+        <source>New sessions go into</source>
+        <translation>Neue Sitzungen in</translation>
+    </message>
+    <message>
+        <source>Folder for new sessions</source>
+        <translation>Ordner für neue Sitzungen</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Sichern</translation>
+    </message>
+    <message>
+        <source>There is nothing to save by hand: every change of a session is on disk within a second, and a take is never changed, results are added to it. After a crash the start page says what is safe.</source>
+        <translation>Von Hand ist nichts zu sichern: jede Änderung einer Sitzung ist binnen einer Sekunde auf der Platte, und eine Aufnahme wird nie verändert, Ergebnisse kommen hinzu. Nach einem Absturz sagt die Startseite, was sicher ist.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ProblemCard</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ProgressLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::PutOnDialog</name>
+    <message>
+        <source>Put the suit on</source>
+        <translation>Anzug anlegen</translation>
+    </message>
+    <message>
+        <source>board %1</source>
+        <translation>Platine %1</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>number and title of a step</comment>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Tight clothes first</source>
+        <translation>Zuerst enge Kleidung</translation>
+    </message>
+    <message>
+        <source>Boards must not slide on cloth. A thin, close layer keeps them on the limb.</source>
+        <translation>Platinen dürfen auf Stoff nicht rutschen. Eine dünne, enge Schicht hält sie am Körper.</translation>
+    </message>
+    <message>
+        <source>Vest with the driver box</source>
+        <translation>Weste mit der Steuerbox</translation>
+    </message>
+    <message>
+        <source>The box sits on the back. Chest, ribs and belly carry seven sources; nothing may cover their front.</source>
+        <translation>Die Box sitzt am Rücken. Brust, Rippen und Bauch tragen sieben Quellen; nichts darf sie vorn verdecken.</translation>
+    </message>
+    <message>
+        <source>Hat</source>
+        <translation>Hut</translation>
+    </message>
+    <message>
+        <source>Its source looks down from the brim, so that the shoulders hear it. The board sits on the forehead.</source>
+        <translation>Seine Quelle schaut von der Krempe nach unten, damit die Schultern sie hören. Die Platine sitzt auf der Stirn.</translation>
+    </message>
+    <message>
+        <source>Boards from the trunk outwards</source>
+        <translation>Platinen vom Rumpf nach außen</translation>
+    </message>
+    <message>
+        <source>Pelvis, belly, chest, then shoulders, arms and hands, then thighs, shins and feet. The microphone faces away from the body.</source>
+        <translation>Becken, Bauch, Brust, dann Schultern, Arme und Hände, dann Oberschenkel, Schienbeine und Füße. Das Mikrofon zeigt vom Körper weg.</translation>
+    </message>
+    <message>
+        <source>Tight, not painful</source>
+        <translation>Fest, nicht schmerzhaft</translation>
+    </message>
+    <message>
+        <source>On muscle a loose strap is the largest error of all. Above the ankle and above the wrist hold best.</source>
+        <translation>Auf Muskeln ist ein loser Gurt der größte Fehler von allen. Über Knöchel und Handgelenk sitzt es am besten.</translation>
+    </message>
+    <message>
+        <source>Look once around</source>
+        <translation>Einmal ringsum schauen</translation>
+    </message>
+    <message>
+        <source>Cables lie flat and leave the joints free; numbers on boards and drawing agree.</source>
+        <translation>Kabel liegen flach und lassen die Gelenke frei; Nummern auf Platinen und Zeichnung stimmen überein.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RatingStars</name>
+    <message>
+        <source>Rating</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>Rating, keys 0 to 5</source>
+        <translation>Bewertung, Tasten 0 bis 5</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of 5 stars</source>
+        <translation>
+            <numerusform>%n von 5 Sternen</numerusform>
+            <numerusform>%n von 5 Sternen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecentSessionModel</name>
+    <message>
+        <source>No takes yet</source>
+        <translation>Noch keine Aufnahmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n take(s), %1</source>
+        <comment>number of takes, their time together</comment>
+        <translation>
+            <numerusform>%n Aufnahme, %1</numerusform>
+            <numerusform>%n Aufnahmen, %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged</source>
+        <comment>takes</comment>
+        <translation>
+            <numerusform>%n beschädigt</numerusform>
+            <numerusform>%n beschädigt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n interrupted</source>
+        <comment>takes</comment>
+        <translation>
+            <numerusform>%n unterbrochen</numerusform>
+            <numerusform>%n unterbrochen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not processed</source>
+        <comment>takes</comment>
+        <translation>
+            <numerusform>%n nicht verarbeitet</numerusform>
+            <numerusform>%n nicht verarbeitet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Processed</source>
+        <translation>Verarbeitet</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecentSessions</name>
+    <message>
+        <source>The folder is not there</source>
+        <translation>Der Ordner ist nicht da</translation>
+    </message>
+    <message>
+        <source>Looking at recent sessions</source>
+        <translation>Letzte Sitzungen werden angesehen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordPage</name>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Nothing to record from</source>
+        <translation>Nichts zum Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Recording from a suit arrives with the link to the driver box.</source>
+        <translation>Das Aufnehmen von einem Anzug kommt mit der Verbindung zur Steuerbox.</translation>
+    </message>
+    <message>
+        <source>The body live in three dimensions, with every ray between source and board.</source>
+        <translation>Der Körper live in drei Dimensionen, mit jedem Strahl zwischen Quelle und Platine.</translation>
+    </message>
+    <message>
+        <source>A clock and how much of the take is on disk, a countdown, markers and notes while it runs.</source>
+        <translation>Eine Uhr und wie viel der Aufnahme auf der Platte ist, ein Countdown, Marken und Notizen während des Laufs.</translation>
+    </message>
+    <message>
+        <source>Levels of each board, and a word when something slips or falls silent.</source>
+        <translation>Pegel jeder Platine und ein Wort, wenn etwas verrutscht oder verstummt.</translation>
+    </message>
+    <message>
+        <source>Import takes that were recorded elsewhere, or let the virtual suit make one.</source>
+        <translation>Anderswo gemachte Aufnahmen importieren oder den virtuellen Anzug eine machen lassen.</translation>
+    </message>
+    <message>
+        <source>0:00.0</source>
+        <comment>the clock of a take before it begins</comment>
+        <translation>0:00,0</translation>
+    </message>
+    <message>
+        <source>A take starts here once a suit is connected.</source>
+        <translation>Hier beginnt eine Aufnahme, sobald ein Anzug verbunden ist.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReferencePanel</name>
+    <message>
+        <source>Attach</source>
+        <translation>Anhängen</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>A BVH or CSV of another system, to compare with.</source>
+        <translation>Eine BVH oder CSV eines anderen Systems zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>Looking at the reference</source>
+        <translation>Die Referenz wird angesehen</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Open a take first.</source>
+        <translation>Zuerst eine Aufnahme öffnen.</translation>
+    </message>
+    <message>
+        <source>Stop comparing</source>
+        <translation>Vergleich beenden</translation>
+    </message>
+    <message>
+        <source>Truth of the simulation</source>
+        <translation>Wahrheit der Simulation</translation>
+    </message>
+    <message>
+        <source>Attached reference</source>
+        <translation>Angehängte Referenz</translation>
+    </message>
+    <message>
+        <source>in the take</source>
+        <translation>in der Aufnahme</translation>
+    </message>
+    <message>
+        <source>%1 of %2 joints matched</source>
+        <translation>%1 von %2 Gelenken zugeordnet</translation>
+    </message>
+    <message>
+        <source>aligned by %1, %2</source>
+        <translation>um %1 verschoben, %2</translation>
+    </message>
+    <message>
+        <source>Choose a recording of the same performance</source>
+        <translation>Aufzeichnung derselben Darbietung wählen</translation>
+    </message>
+    <message>
+        <source>Motions and positions (*.bvh *.csv)</source>
+        <translation>Bewegungen und Positionen (*.bvh *.csv)</translation>
+    </message>
+    <message>
+        <source>Attaching %1 to %2</source>
+        <translation>%1 wird an %2 angehängt</translation>
+    </message>
+    <message>
+        <source>Aligned by %1, %2 frames lie within the take.</source>
+        <translation>Um %1 verschoben; %2 Bilder liegen innerhalb der Aufnahme.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReportBrowser</name>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReportPanel</name>
+    <message>
+        <source>Process</source>
+        <translation>Verarbeiten</translation>
+    </message>
+    <message>
+        <source>Open full report</source>
+        <translation>Ganzen Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Foot slide</source>
+        <translation>Fußrutschen</translation>
+    </message>
+    <message>
+        <source>Drift of heading</source>
+        <translation>Drift der Richtung</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>of time backed
+by ranges</source>
+        <translation>der Zeit durch
+Entfernungen gestützt</translation>
+    </message>
+    <message>
+        <source>range residual,
+root mean square</source>
+        <translation>Restfehler der
+Entfernungen (RMS)</translation>
+    </message>
+    <message>
+        <source>Open a take first.</source>
+        <translation>Zuerst eine Aufnahme öffnen.</translation>
+    </message>
+    <message>
+        <source>Process the take first.</source>
+        <translation>Zuerst die Aufnahme verarbeiten.</translation>
+    </message>
+    <message>
+        <source>The report of the open take will be here.</source>
+        <translation>Hier wird der Bericht der offenen Aufnahme stehen.</translation>
+    </message>
+    <message>
+        <source>The take is recorded but not processed yet. Its verdict will be here.</source>
+        <translation>Die Aufnahme ist aufgezeichnet, aber noch nicht verarbeitet. Hier wird ihr Urteil stehen.</translation>
+    </message>
+    <message>
+        <source>Not judged</source>
+        <translation>Nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>Judging the take</source>
+        <translation>Die Aufnahme wird beurteilt</translation>
+    </message>
+    <message>
+        <source>Its sensors and results are being compared.</source>
+        <translation>Ihre Sensoren und Ergebnisse werden verglichen.</translation>
+    </message>
+    <message>
+        <source>mean joint error
+against the reference</source>
+        <translation>mittlerer Gelenkfehler
+gegen die Referenz</translation>
+    </message>
+    <message>
+        <source>mean joint error,
+no reference</source>
+        <translation>mittlerer Gelenkfehler,
+keine Referenz</translation>
+    </message>
+    <message>
+        <source>without signal,
+longest %1</source>
+        <translation>ohne Signal,
+am längsten %1</translation>
+    </message>
+    <message>
+        <source>without signal,
+no gaps</source>
+        <translation>ohne Signal,
+keine Lücken</translation>
+    </message>
+    <message>
+        <source>%1 per minute</source>
+        <translation>%1 je Minute</translation>
+    </message>
+    <message>
+        <source>unknown without reference</source>
+        <translation>ohne Referenz unbekannt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more in the full report</source>
+        <translation>
+            <numerusform>%n weitere im ganzen Bericht</numerusform>
+            <numerusform>%n weitere im ganzen Bericht</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 per step</source>
+        <translation>%1 je Schritt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n gefunden</numerusform>
+            <numerusform>%n gefunden</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReportView</name>
+    <message>
+        <source>Find in the report</source>
+        <translation>Im Bericht suchen</translation>
+    </message>
+    <message>
+        <source>Save as HTML</source>
+        <translation>Als HTML sichern</translation>
+    </message>
+    <message>
+        <source>Save as PDF</source>
+        <translation>Als PDF sichern</translation>
+    </message>
+    <message>
+        <source>Parts of the report</source>
+        <translation>Teile des Berichts</translation>
+    </message>
+    <message>
+        <source>Back to the take</source>
+        <translation>Zurück zur Aufnahme</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Größer</translation>
+    </message>
+    <message>
+        <source>Report of %1</source>
+        <translation>Bericht zu %1</translation>
+    </message>
+    <message>
+        <source>The report is being made.</source>
+        <translation>Der Bericht wird erstellt.</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht sichern</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Webseiten (*.html)</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gesichert</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF-Dokumente (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1 ließ sich nicht schreiben.</translation>
+    </message>
+    <message>
+        <source>Choose another folder or free some space.</source>
+        <translation>Einen anderen Ordner wählen oder Platz schaffen.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReprocessDialog</name>
+    <message>
+        <source>Made %1</source>
+        <translation>Gemacht %1</translation>
+    </message>
+    <message>
+        <source>Nominal values of the suit</source>
+        <translation>Nennwerte des Anzugs</translation>
+    </message>
+    <message>
+        <source>Reprocess %1</source>
+        <translation>%1 neu verarbeiten</translation>
+    </message>
+    <message>
+        <source>Adds a result to the take. The recording and earlier results stay as they are.</source>
+        <translation>Fügt der Aufnahme ein Ergebnis hinzu. Aufzeichnung und frühere Ergebnisse bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Reprocess</source>
+        <translation>Neu verarbeiten</translation>
+    </message>
+    <message>
+        <source>Gyroscopes</source>
+        <translation>Gyroskope</translation>
+    </message>
+    <message>
+        <source>How every limb turns: smooth and quick, but drifts by degrees a minute.</source>
+        <translation>Wie sich jedes Glied dreht: glatt und schnell, driftet aber um Grade je Minute.</translation>
+    </message>
+    <message>
+        <source>Accelerometers</source>
+        <translation>Beschleunigungssensoren</translation>
+    </message>
+    <message>
+        <source>Which way is down: holds the tilt of every limb.</source>
+        <translation>Wo unten ist: hält die Neigung jedes Glieds.</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Entfernungen</translation>
+    </message>
+    <message>
+        <source>Sound from source to board: holds heading and posture against drift.</source>
+        <translation>Schall von Quelle zu Platine: hält Richtung und Haltung gegen Drift.</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Found by the filter, as in a live recording.</source>
+        <translation>Vom Filter gefunden, wie beim Aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Given</source>
+        <translation>Gegeben</translation>
+    </message>
+    <message>
+        <source>Hips from the other system that is attached.</source>
+        <translation>Hüften aus dem anderen System, das angehängt ist.</translation>
+    </message>
+    <message>
+        <source>Root</source>
+        <translation>Wurzel</translation>
+    </message>
+    <message>
+        <source>Needs an external root: attach one under Reference first.</source>
+        <translation>Braucht eine Wurzel von außen: zuerst unter Referenz anhängen.</translation>
+    </message>
+    <message>
+        <source>Noctule</source>
+        <translation>Noctule</translation>
+    </message>
+    <message>
+        <source>Rotations without singularities, every range gated.</source>
+        <translation>Drehungen ohne Singularitäten, jede Entfernung geprüft.</translation>
+    </message>
+    <message>
+        <source>Filter of the paper</source>
+        <translation>Filter der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>Vlasic 2007 to the letter, as a baseline for comparison.</source>
+        <translation>Vlasic 2007 wörtlich, als Grundlage zum Vergleich.</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Process sigma</source>
+        <translation>Prozess-Sigma</translation>
+    </message>
+    <message>
+        <source> rad/s²</source>
+        <translation> rad/s²</translation>
+    </message>
+    <message>
+        <source>In force in the take</source>
+        <translation>In der Aufnahme gültig</translation>
+    </message>
+    <message>
+        <source>From a file</source>
+        <translation>Aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Becomes the one in force.</source>
+        <translation>Wird die gültige.</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Choose a calibration</source>
+        <translation>Kalibrierung wählen</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.json)</source>
+        <translation>Kalibrierungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Under this name batch commands and exports find the result.</source>
+        <translation>Unter diesem Namen finden Stapelbefehle und Exporte das Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Choose at least one kind of sensor.</source>
+        <translation>Mindestens eine Art von Sensor wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReviewActions</name>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Next frame</source>
+        <translation>Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>Previous frame</source>
+        <translation>Voriges Bild</translation>
+    </message>
+    <message>
+        <source>One second on</source>
+        <translation>Eine Sekunde vor</translation>
+    </message>
+    <message>
+        <source>One second back</source>
+        <translation>Eine Sekunde zurück</translation>
+    </message>
+    <message>
+        <source>Next marker</source>
+        <translation>Nächste Marke</translation>
+    </message>
+    <message>
+        <source>Previous marker</source>
+        <translation>Vorige Marke</translation>
+    </message>
+    <message>
+        <source>In here</source>
+        <translation>Anfang hier</translation>
+    </message>
+    <message>
+        <source>Out here</source>
+        <translation>Ende hier</translation>
+    </message>
+    <message>
+        <source>Go to in</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>Go to out</source>
+        <translation>Zum Ende</translation>
+    </message>
+    <message>
+        <source>In and out at the ends</source>
+        <translation>Anfang und Ende ganz außen</translation>
+    </message>
+    <message>
+        <source>Marker here</source>
+        <translation>Marke hier</translation>
+    </message>
+    <message>
+        <source>Reprocess</source>
+        <translation>Neu verarbeiten</translation>
+    </message>
+    <message>
+        <source>Attach reference</source>
+        <translation>Referenz anhängen</translation>
+    </message>
+    <message>
+        <source>Open full report</source>
+        <translation>Ganzen Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>Results side by side</source>
+        <translation>Ergebnisse nebeneinander</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReviewPage</name>
+    <message>
+        <source>A take will be seen here: its body, the confidence of its ranges and its curves.</source>
+        <translation>Hier wird eine Aufnahme zu sehen sein: ihr Körper, die Konfidenz ihrer Entfernungen und ihre Kurven.</translation>
+    </message>
+    <message>
+        <source>Try the virtual suit</source>
+        <translation>Virtuellen Anzug ausprobieren</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>No session</source>
+        <translation type="unfinished">Keine Sitzung</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReviewSidebar</name>
+    <message>
+        <source>Takes</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Session menu</source>
+        <translation>Menü der Sitzung</translation>
+    </message>
+    <message>
+        <source>Reprocess</source>
+        <translation>Neu verarbeiten</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Made with</source>
+        <translation>Gemacht mit</translation>
+    </message>
+    <message>
+        <source>Rename session</source>
+        <translation>Sitzung umbenennen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Import takes</source>
+        <translation>Aufnahmen importieren</translation>
+    </message>
+    <message>
+        <source>Takes (*.noctule)</source>
+        <translation>Aufnahmen (*.noctule)</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Performers</source>
+        <translation>Darsteller</translation>
+    </message>
+    <message>
+        <source>Results of %1</source>
+        <translation>Ergebnisse von %1</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Verarbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReviewWords</name>
+    <message>
+        <source>All sensors</source>
+        <translation>Alle Sensoren</translation>
+    </message>
+    <message>
+        <source>Without distances</source>
+        <translation>Ohne Entfernungen</translation>
+    </message>
+    <message>
+        <source>Without gyroscopes</source>
+        <translation>Ohne Gyroskope</translation>
+    </message>
+    <message>
+        <source>Without accelerometers</source>
+        <translation>Ohne Beschleunigungssensoren</translation>
+    </message>
+    <message>
+        <source>Accelerometers only</source>
+        <translation>Nur Beschleunigungssensoren</translation>
+    </message>
+    <message>
+        <source>Gyroscopes only</source>
+        <translation>Nur Gyroskope</translation>
+    </message>
+    <message>
+        <source>Distances only</source>
+        <translation>Nur Entfernungen</translation>
+    </message>
+    <message>
+        <source>No sensors</source>
+        <translation>Keine Sensoren</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>%1 is off by %2</source>
+        <translation>%1 liegt um %2 daneben</translation>
+    </message>
+    <message>
+        <source>Most of it after %1. Look whether the strap moved there; a pair of in and out around the good part keeps the take usable.</source>
+        <translation>Das meiste davon nach %1. Nachsehen, ob sich dort der Gurt verschoben hat; Anfang und Ende um den guten Teil halten die Aufnahme brauchbar.</translation>
+    </message>
+    <message>
+        <source>It is off throughout. Look where its boards sit on the performer page.</source>
+        <translation>Durchgehend. Auf der Darstellerseite nachsehen, wo die Platinen sitzen.</translation>
+    </message>
+    <message>
+        <source>%1 is less certain</source>
+        <translation>%1 ist weniger sicher</translation>
+    </message>
+    <message>
+        <source>Ranges backed it %1 of the time, least from %2 on. In between it follows its gyroscope, which drifts by 1 to 3° a minute.</source>
+        <translation>Entfernungen stützten es %1 der Zeit, am wenigsten ab %2. Dazwischen folgt es seinem Gyroskop, das um 1 bis 3° je Minute driftet.</translation>
+    </message>
+    <message>
+        <source>Ranges backed it %1 of the time. In between it follows its gyroscope, which drifts by 1 to 3° a minute.</source>
+        <translation>Entfernungen stützten es %1 der Zeit. Dazwischen folgt es seinem Gyroskop, das um 1 bis 3° je Minute driftet.</translation>
+    </message>
+    <message>
+        <source>Show this board</source>
+        <translation>Diese Platine zeigen</translation>
+    </message>
+    <message>
+        <source>%1 lost %2 of its frames</source>
+        <translation>%1 hat %2 ihrer Pakete verloren</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other boards lost some too. Their neighbours carry them meanwhile; check plugs and cables before the next take.</source>
+        <translation>
+            <numerusform>%n weitere Platine hat auch welche verloren. Die Nachbarn tragen sie inzwischen; vor der nächsten Aufnahme Stecker und Kabel prüfen.</numerusform>
+            <numerusform>%n weitere Platinen haben auch welche verloren. Die Nachbarn tragen sie inzwischen; vor der nächsten Aufnahme Stecker und Kabel prüfen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its neighbours carry it meanwhile. Check its plug and cable before the next take.</source>
+        <translation>Die Nachbarn tragen sie inzwischen. Vor der nächsten Aufnahme Stecker und Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>Filter of the paper</source>
+        <translation>Filter der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>smoothed</source>
+        <translation>geglättet</translation>
+    </message>
+    <message>
+        <source>root given</source>
+        <translation>Wurzel gegeben</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Good take</source>
+        <translation>Gute Aufnahme</translation>
+    </message>
+    <message>
+        <source>Usable take</source>
+        <translation>Brauchbare Aufnahme</translation>
+    </message>
+    <message>
+        <source>Not usable</source>
+        <translation>Nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>Better not to build on it as it is. Why, and what may help, stands below.</source>
+        <translation>So besser nicht darauf aufbauen. Warum, und was helfen kann, steht unten.</translation>
+    </message>
+    <message>
+        <source>Good enough to work with. What to look at first stands below.</source>
+        <translation>Gut genug zum Arbeiten. Worauf zuerst zu schauen ist, steht unten.</translation>
+    </message>
+    <message>
+        <source>It follows the reference from start to end.</source>
+        <translation>Sie folgt der Referenz von Anfang bis Ende.</translation>
+    </message>
+    <message>
+        <source>Every joint was backed by its sensors from start to end.</source>
+        <translation>Jedes Gelenk war von Anfang bis Ende durch seine Sensoren gestützt.</translation>
+    </message>
+    <message>
+        <source>The mean joint error is %1</source>
+        <translation>Der mittlere Gelenkfehler ist %1</translation>
+    </message>
+    <message>
+        <source>Good takes stay under %1 against their reference. Another choice of sensors or a newer calibration may bring it down: reprocess and compare.</source>
+        <translation>Gute Aufnahmen bleiben unter %1 gegen ihre Referenz. Eine andere Wahl der Sensoren oder eine neuere Kalibrierung kann ihn senken: neu verarbeiten und vergleichen.</translation>
+    </message>
+    <message>
+        <source>Ranges miss the pose by %1</source>
+        <translation>Entfernungen verfehlen die Haltung um %1</translation>
+    </message>
+    <message>
+        <source>A board or a source may sit elsewhere than the performer page says, or the source offsets are another box&apos;s. Check both, then reprocess.</source>
+        <translation>Eine Platine oder Quelle sitzt vielleicht anders, als die Darstellerseite sagt, oder der Quellenversatz gehört zu einer anderen Box. Beides prüfen, dann neu verarbeiten.</translation>
+    </message>
+    <message>
+        <source>No signal for %1 in one piece</source>
+        <translation>Kein Signal für %1 am Stück</translation>
+    </message>
+    <message>
+        <source>The pose is a guess there. The timeline hatches these gaps; keep them outside in and out.</source>
+        <translation>Dort ist die Haltung geraten. Die Zeitleiste schraffiert diese Lücken; sie gehören nicht zwischen Anfang und Ende.</translation>
+    </message>
+    <message>
+        <source>This result shows no pose</source>
+        <translation>Dieses Ergebnis zeigt keine Haltung</translation>
+    </message>
+    <message>
+        <source>The filter found nothing to start from. Reprocess with all sensors, or look whether the take holds sound at all.</source>
+        <translation>Der Filter fand nichts, womit er beginnen konnte. Mit allen Sensoren neu verarbeiten oder nachsehen, ob die Aufnahme überhaupt Ton enthält.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RunList</name>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>%1 mean, shown</source>
+        <translation>%1 Mittel, gezeigt</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>%1 mean, compared</source>
+        <translation>%1 Mittel, verglichen</translation>
+    </message>
+    <message>
+        <source>compared</source>
+        <translation>verglichen</translation>
+    </message>
+    <message>
+        <source>%1 mean, hidden</source>
+        <translation>%1 Mittel, verborgen</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RunRow</name>
+    <message>
+        <source>Result %1, %2</source>
+        <translation>Ergebnis %1, %2</translation>
+    </message>
+    <message>
+        <source>Result %1, %2, %3</source>
+        <translation>Ergebnis %1, %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SceneArea</name>
+    <message>
+        <source>Shown and compared result side by side</source>
+        <translation>Gezeigtes und verglichenes Ergebnis nebeneinander</translation>
+    </message>
+    <message>
+        <source>Choose a second result or the reference to compare with.</source>
+        <translation>Ein zweites Ergebnis oder die Referenz zum Vergleich wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SceneCanvas</name>
+    <message>
+        <source>This computer offers OpenGL %1.%2 only.</source>
+        <translation>Dieser Rechner bietet nur OpenGL %1.%2.</translation>
+    </message>
+    <message>
+        <source>This computer offers no OpenGL.</source>
+        <translation>Dieser Rechner bietet kein OpenGL.</translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.3. %1 Install the driver of the graphics card; plots, processing and export work without it.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.3. %1 Den Treiber der Grafikkarte installieren; Diagramme, Verarbeitung und Export arbeiten auch ohne.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SceneTools</name>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Skeleton</source>
+        <translation>Skelett</translation>
+    </message>
+    <message>
+        <source>Boards and sources</source>
+        <translation>Platinen und Quellen</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Strahlen</translation>
+    </message>
+    <message>
+        <source>Trails of hands and feet</source>
+        <translation>Spuren von Händen und Füßen</translation>
+    </message>
+    <message>
+        <source>Ground contacts</source>
+        <translation>Bodenkontakte</translation>
+    </message>
+    <message>
+        <source>Second motion as ghost</source>
+        <translation>Zweite Bewegung als Umriss</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>More layers</source>
+        <translation>Weitere Ebenen</translation>
+    </message>
+    <message>
+        <source>Follow the body</source>
+        <translation>Dem Körper folgen</translation>
+    </message>
+    <message>
+        <source>Save as picture</source>
+        <translation>Als Bild sichern</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>View from the front (1), the side (3) or above (7)</source>
+        <translation>Ansicht von vorn (1), von der Seite (3) oder von oben (7)</translation>
+    </message>
+    <message>
+        <source>Free view</source>
+        <translation>Freie Ansicht</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SceneView</name>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Save as picture</source>
+        <translation>Als Bild sichern</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Picture written: %1</source>
+        <translation>Bild geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>The picture could not be written to %1.</source>
+        <translation>Das Bild ließ sich nicht nach %1 schreiben.</translation>
+    </message>
+    <message>
+        <source>Free space on the disk or choose another folder.</source>
+        <translation>Platz auf der Platte schaffen oder einen anderen Ordner wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SessionList</name>
+    <message>
+        <source>Recent sessions</source>
+        <translation>Letzte Sitzungen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Show folder</source>
+        <translation>Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Take off this list</source>
+        <translation>Von der Liste nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SessionModel</name>
+    <message>
+        <source>Rate %1</source>
+        <translation>%1 bewerten</translation>
+    </message>
+    <message>
+        <source>Notes of %1</source>
+        <translation>Notizen zu %1</translation>
+    </message>
+    <message>
+        <source>In and out of %1</source>
+        <translation>Anfang und Ende von %1</translation>
+    </message>
+    <message>
+        <source>Rename the session</source>
+        <translation>Sitzung umbenennen</translation>
+    </message>
+    <message>
+        <source>Notes of the session</source>
+        <translation>Notizen zur Sitzung</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Choose %1</source>
+        <translation>%1 wählen</translation>
+    </message>
+    <message>
+        <source>Move %1 to the trash</source>
+        <translation>%1 in den Papierkorb legen</translation>
+    </message>
+    <message>
+        <source>The session could not be saved. Your takes are safe; the changes are kept here and saved with the next one</source>
+        <translation>Die Sitzung ließ sich nicht sichern. Die Aufnahmen sind sicher; die Änderungen bleiben hier und werden mit der nächsten gesichert</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>what failed and what is safe; why and what to do</comment>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>The session “%1” was not made</source>
+        <translation>Die Sitzung „%1“ wurde nicht angelegt</translation>
+    </message>
+    <message>
+        <source>Opening session %1</source>
+        <translation>Sitzung %1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Rebuilding session %1</source>
+        <translation>Sitzung %1 wird wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>The session was not opened</source>
+        <translation>Die Sitzung wurde nicht geöffnet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n take(s) copied into the session</source>
+        <translation>
+            <numerusform>%n Aufnahme in die Sitzung kopiert</numerusform>
+            <numerusform>%n Aufnahmen in die Sitzung kopiert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Importing %n take(s)</source>
+        <translation>
+            <numerusform>%n Aufnahme wird importiert</numerusform>
+            <numerusform>%n Aufnahmen werden importiert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Recovering %1</source>
+        <translation>%1 wird wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>%1 could not be recovered; its file stays as it is</source>
+        <translation>%1 ließ sich nicht wiederherstellen; die Datei bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>%1 is recovered</source>
+        <translation>%1 ist wiederhergestellt</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SessionSaver</name>
+    <message>
+        <source>Saving the session</source>
+        <translation>Die Sitzung wird gesichert</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ShortcutsDialog</name>
+    <message>
+        <source> or </source>
+        <comment>between two keys for the same</comment>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Find a key or a command</source>
+        <translation>Taste oder Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Plain keys act only while no text field has the keyboard.</source>
+        <translation>Einfache Tasten wirken nur, solange kein Textfeld die Tastatur hat.</translation>
+    </message>
+    <message>
+        <source>No key and no command is called that.</source>
+        <translation>Keine Taste und kein Befehl heißt so.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>On the 3D picture</source>
+        <translation>Auf dem 3D-Bild</translation>
+    </message>
+    <message>
+        <source>Front, side, top</source>
+        <translation>Vorn, Seite, oben</translation>
+    </message>
+    <message>
+        <source>Bring the body into the picture</source>
+        <translation>Körper ins Bild holen</translation>
+    </message>
+    <message>
+        <source>Follow the body</source>
+        <translation>Dem Körper folgen</translation>
+    </message>
+    <message>
+        <source>Rays, ghost</source>
+        <translation>Strahlen, Vergleichsfigur</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Umkreisen</translation>
+    </message>
+    <message>
+        <source>Middle button, or Alt and left button (preferences)</source>
+        <translation>Mittlere Taste, oder Alt und linke Taste (Einstellungen)</translation>
+    </message>
+    <message>
+        <source>Move sideways</source>
+        <translation>Seitlich bewegen</translation>
+    </message>
+    <message>
+        <source>Shift and middle button, or Alt and middle button</source>
+        <translation>Umschalt und mittlere Taste, oder Alt und mittlere Taste</translation>
+    </message>
+    <message>
+        <source>Nearer, further</source>
+        <translation>Näher, weiter</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SideDocks</name>
+    <message>
+        <source>Left panel</source>
+        <translation>Linkes Feld</translation>
+    </message>
+    <message>
+        <source>Right panel</source>
+        <translation>Rechtes Feld</translation>
+    </message>
+    <message>
+        <source>Let this panel float, or put it back</source>
+        <translation>Dieses Feld lösen oder wieder anheften</translation>
+    </message>
+    <message>
+        <source>Close this panel; it comes back through View</source>
+        <translation>Dieses Feld schließen; über Ansicht kommt es zurück</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SoundSource</name>
+    <message>
+        <source>Reading the sound of board %1</source>
+        <translation>Der Ton von Platine %1 wird gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::StartPage</name>
+    <message>
+        <source>Noctule</source>
+        <translation>Noctule</translation>
+    </message>
+    <message>
+        <source>Motion capture by sound and inertia</source>
+        <translation>Bewegungserfassung mit Schall und Trägheit</translation>
+    </message>
+    <message>
+        <source>New session</source>
+        <translation>Neue Sitzung</translation>
+    </message>
+    <message>
+        <source>A folder for takes, calibration and exports</source>
+        <translation>Ein Ordner für Aufnahmen, Kalibrierung, Exporte</translation>
+    </message>
+    <message>
+        <source>Open session</source>
+        <translation>Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Any folder with a session.json</source>
+        <translation>Jeder Ordner mit einer session.json</translation>
+    </message>
+    <message>
+        <source>Try it with the virtual suit</source>
+        <translation>Mit dem virtuellen Anzug probieren</translation>
+    </message>
+    <message>
+        <source>A simulated performer, nothing to plug in</source>
+        <translation>Ein simulierter Darsteller, nichts anzuschließen</translation>
+    </message>
+    <message>
+        <source>Suits found</source>
+        <translation>Gefundene Anzüge</translation>
+    </message>
+    <message>
+        <source>This version does not look for driver boxes yet. Until it does, the virtual suit and takes from elsewhere stand in for a suit.</source>
+        <translation>Diese Version sucht noch nicht nach Steuerboxen. Bis dahin stehen der virtuelle Anzug und Aufnahmen von anderswo für einen Anzug.</translation>
+    </message>
+    <message>
+        <source>What Connect will show</source>
+        <translation>Was Verbinden zeigen wird</translation>
+    </message>
+    <message>
+        <source>First time here</source>
+        <translation>Zum ersten Mal hier</translation>
+    </message>
+    <message>
+        <source>Tour of the five steps</source>
+        <translation>Rundgang durch die fünf Schritte</translation>
+    </message>
+    <message>
+        <source>2 minutes</source>
+        <translation>2 Minuten</translation>
+    </message>
+    <message>
+        <source>Put the suit on</source>
+        <translation>Anzug anlegen</translation>
+    </message>
+    <message>
+        <source>drawings, 5 minutes</source>
+        <translation>Zeichnungen, 5 Minuten</translation>
+    </message>
+    <message>
+        <source>What is new</source>
+        <translation>Was ist neu</translation>
+    </message>
+    <message>
+        <source>Recent sessions</source>
+        <translation>Letzte Sitzungen</translation>
+    </message>
+    <message>
+        <source>Find a session or take</source>
+        <translation>Sitzung oder Aufnahme suchen</translation>
+    </message>
+    <message>
+        <source>Sessions that you make or open are listed here, the newest first.</source>
+        <translation>Angelegte und geöffnete Sitzungen stehen hier, die neueste zuerst.</translation>
+    </message>
+    <message>
+        <source>No session and no take has “%1” in its name.</source>
+        <translation>Keine Sitzung und keine Aufnahme hat „%1“ im Namen.</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Review %1</source>
+        <translation>%1 prüfen</translation>
+    </message>
+    <message>
+        <source>The take %1 was recovered</source>
+        <translation>Die Aufnahme %1 wurde wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>The take %1 was not ended</source>
+        <translation>Die Aufnahme %1 wurde nicht beendet</translation>
+    </message>
+    <message>
+        <source>Recording in “%1” stopped unexpectedly. %2 are safe on disk; the other takes were not touched.</source>
+        <translation>Das Aufzeichnen in „%1“ brach unerwartet ab. %2 liegen sicher auf der Platte; die anderen Aufnahmen sind unberührt.</translation>
+    </message>
+    <message>
+        <source>“%1” was not closed</source>
+        <translation>„%1“ wurde nicht geschlossen</translation>
+    </message>
+    <message numerus="yes">
+        <source>The studio ended unexpectedly while this session was open. Its %n take(s) are safe; changes to notes and ratings were saved up to the last second.</source>
+        <translation>
+            <numerusform>Das Studio wurde unerwartet beendet, während diese Sitzung offen war. Ihre Aufnahme ist sicher; Änderungen an Notizen und Bewertungen sind bis zur letzten Sekunde gesichert.</numerusform>
+            <numerusform>Das Studio wurde unerwartet beendet, während diese Sitzung offen war. Ihre %n Aufnahmen sind sicher; Änderungen an Notizen und Bewertungen sind bis zur letzten Sekunde gesichert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::StatusLine</name>
+    <message>
+        <source>Jobs (Ctrl+J)</source>
+        <translation>Aufträge (Strg+J)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>%1, %2, complete</source>
+        <comment>a take&apos;s file and its size</comment>
+        <translation>%1, %2, vollständig</translation>
+    </message>
+    <message>
+        <source>%1, %2, recovered</source>
+        <comment>a take&apos;s file and its size</comment>
+        <translation>%1, %2, wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>%1, %2, not ended</source>
+        <comment>a take&apos;s file and its size</comment>
+        <translation>%1, %2, nicht beendet</translation>
+    </message>
+    <message>
+        <source>%1, all changes are kept</source>
+        <comment>name of the session</comment>
+        <translation>%1, alle Änderungen sind gesichert</translation>
+    </message>
+    <message>
+        <source>%1. Works offline, no account</source>
+        <comment>name and version of the program</comment>
+        <translation>%1. Arbeitet offline, ohne Konto</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n jobs running</source>
+        <translation>
+            <numerusform>%n Auftrag läuft</numerusform>
+            <numerusform>%n Aufträge laufen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n job(s) failed</source>
+        <translation>
+            <numerusform>%n Auftrag fehlgeschlagen</numerusform>
+            <numerusform>%n Aufträge fehlgeschlagen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n job(s) finished</source>
+        <translation>
+            <numerusform>%n Auftrag beendet</numerusform>
+            <numerusform>%n Aufträge beendet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No jobs running</source>
+        <translation>Keine Aufträge</translation>
+    </message>
+    <message>
+        <source>Cancel %1</source>
+        <translation>%1 abbrechen</translation>
+    </message>
+    <message>
+        <source>Room on %1</source>
+        <translation>Platz auf %1</translation>
+    </message>
+    <message>
+        <source>Storage %1 free, %2 h of recording</source>
+        <translation>Speicher %1 frei, %2 h Aufnahme</translation>
+    </message>
+    <message>
+        <source>Storage %1 free, %2 min of recording</source>
+        <translation>Speicher %1 frei, %2 min Aufnahme</translation>
+    </message>
+    <message>
+        <source>A suit of 18 boards records 5.4 MB a second.</source>
+        <translation>Ein Anzug mit 18 Platinen zeichnet 5,4 MB in der Sekunde auf.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::StepBar</name>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Needs attention</source>
+        <translation>Braucht Aufmerksamkeit</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::Studio</name>
+    <message>
+        <source>Waits for another take</source>
+        <translation>Wartet auf eine andere Aufnahme</translation>
+    </message>
+    <message>
+        <source>Virtual suit</source>
+        <translation>Virtueller Anzug</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <comment>name of takes</comment>
+        <translation>probe</translation>
+    </message>
+    <message>
+        <source>%1 is ready</source>
+        <translation>%1 ist bereit</translation>
+    </message>
+    <message>
+        <source>Processing %1</source>
+        <translation>%1 wird verarbeitet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 is ready: %n pose(s)</source>
+        <comment>name of the result, of the take</comment>
+        <translation>
+            <numerusform>%1 von %2 ist bereit: %n Haltung</numerusform>
+            <numerusform>%1 von %2 ist bereit: %n Haltungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <translation>Bild von %1</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SuitPartsModel</name>
+    <message>
+        <source>own place</source>
+        <translation>eigener Platz</translation>
+    </message>
+    <message>
+        <source>S%1</source>
+        <comment>short for source 1</comment>
+        <translation>Q%1</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Bewegt</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TakeDocument</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Loading the motion</source>
+        <translation>Die Bewegung wird geladen</translation>
+    </message>
+    <message>
+        <source>Looking for foot contacts</source>
+        <translation>Fußkontakte werden gesucht</translation>
+    </message>
+    <message>
+        <source>Loading the ranges</source>
+        <translation>Die Entfernungen werden geladen</translation>
+    </message>
+    <message>
+        <source>Loading the readings</source>
+        <translation>Die Messwerte werden geladen</translation>
+    </message>
+    <message>
+        <source>Judging the take</source>
+        <translation>Die Aufnahme wird beurteilt</translation>
+    </message>
+    <message>
+        <source>Drawing ranges</source>
+        <translation>Entfernungen werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>Drawing readings</source>
+        <translation>Messwerte werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>Drawing joint angles</source>
+        <translation>Gelenkwinkel werden gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TakeList</name>
+    <message>
+        <source>Takes</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation>%1 lässt sich nicht öffnen: %2</translation>
+    </message>
+    <message>
+        <source>The file stays where it is; nothing in it is changed.</source>
+        <translation>Die Datei bleibt, wo sie ist; nichts darin wird verändert.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Rating</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stars</source>
+        <translation>
+            <numerusform>%n Stern</numerusform>
+            <numerusform>%n Sterne</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Move to trash</source>
+        <translation>In den Papierkorb</translation>
+    </message>
+    <message>
+        <source>Takes appear here as they are recorded. Drop take files here to copy them into the session.</source>
+        <translation>Aufnahmen erscheinen hier, sobald sie gemacht sind. Aufnahmedateien hierher ziehen, um sie in die Sitzung zu kopieren.</translation>
+    </message>
+    <message>
+        <source>No session is open.</source>
+        <translation>Keine Sitzung ist offen.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TakeListModel</name>
+    <message numerus="yes">
+        <source>%1, %2, %3, %n stars</source>
+        <translation>
+            <numerusform>%1, %2, %3, %n Stern</numerusform>
+            <numerusform>%1, %2, %3, %n Sterne</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>beschädigt</translation>
+    </message>
+    <message>
+        <source>recovered and processed</source>
+        <translation>wiederhergestellt und verarbeitet</translation>
+    </message>
+    <message>
+        <source>recovered, not processed yet</source>
+        <translation>wiederhergestellt, noch nicht verarbeitet</translation>
+    </message>
+    <message>
+        <source>was not finished</source>
+        <translation>wurde nicht beendet</translation>
+    </message>
+    <message>
+        <source>processed</source>
+        <translation>verarbeitet</translation>
+    </message>
+    <message>
+        <source>not processed yet</source>
+        <translation>noch nicht verarbeitet</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Left and Right step a frame, with Shift a second; Home and End go to in and out</source>
+        <translation>Links und Rechts gehen ein Bild weiter, mit Umschalt eine Sekunde; Pos1 und Ende gehen zu Anfang und Ende</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>time of the cursor, length of the take</comment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Marker at %1</source>
+        <translation>Marke bei %1</translation>
+    </message>
+    <message>
+        <source>%1, at %2</source>
+        <translation>%1, bei %2</translation>
+    </message>
+    <message>
+        <source>Gap of %1: nothing arrived</source>
+        <translation>Lücke von %1: nichts kam an</translation>
+    </message>
+    <message>
+        <source>In, %1</source>
+        <translation>Anfang, %1</translation>
+    </message>
+    <message>
+        <source>Out, %1</source>
+        <translation>Ende, %1</translation>
+    </message>
+    <message>
+        <source>L foot</source>
+        <comment>left foot, short</comment>
+        <translation>L Fuß</translation>
+    </message>
+    <message>
+        <source>R foot</source>
+        <comment>right foot, short</comment>
+        <translation>R Fuß</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ToolButton</name>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>name of a button (its shortcut)</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TopBar</name>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Menus</source>
+        <translation>Menüs</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>No suit</source>
+        <translation>Kein Anzug</translation>
+    </message>
+    <message>
+        <source>No suit is connected. Opens Connect.</source>
+        <translation>Kein Anzug verbunden. Öffnet Verbinden.</translation>
+    </message>
+    <message>
+        <source>Opens Record (Ctrl+R)</source>
+        <translation>Öffnet Aufnehmen (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::Tour</name>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>The suit on the body: what every board hears and feels, and what to do when one is silent. Any step can be opened at any time.</source>
+        <translation>Der Anzug am Körper: was jede Platine hört und spürt und was hilft, wenn eine schweigt. Jeder Schritt lässt sich jederzeit öffnen.</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Four wizards find out how the suit measures and how it sits. They go on by themselves and say when something is not good enough.</source>
+        <translation>Vier Assistenten finden heraus, wie der Anzug misst und wie er sitzt. Sie gehen von selbst weiter und sagen, wenn etwas nicht gut genug ist.</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>One large button. A take is on disk while it runs; whatever happens, it is safe up to the last second.</source>
+        <translation>Ein großer Knopf. Eine Aufnahme ist schon während des Laufs auf der Platte; was auch geschieht, sie ist bis zur letzten Sekunde sicher.</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>The body moves, and every plot follows the same time. Process again with other sensors, compare with a reference, read the report.</source>
+        <translation>Der Körper bewegt sich, und jedes Diagramm folgt derselben Zeit. Mit anderen Sensoren neu verarbeiten, mit einer Referenz vergleichen, den Bericht lesen.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Choose what the animation is for. Every file is read back and compared with its take before it counts as written.</source>
+        <translation>Wählen, wofür die Animation ist. Jede Datei wird zurückgelesen und mit ihrer Aufnahme verglichen, bevor sie als geschrieben gilt.</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>Rundgang verlassen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>number of a card, how many there are</comment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TransportBar</name>
+    <message>
+        <source>Previous marker</source>
+        <translation>Vorige Marke</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Next marker</source>
+        <translation>Nächste Marke</translation>
+    </message>
+    <message>
+        <source>Loop between in and out</source>
+        <translation>Schleife zwischen Anfang und Ende</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Set in to the cursor (Ctrl+I)</source>
+        <translation>Anfang an den Zeiger setzen (Strg+I)</translation>
+    </message>
+    <message>
+        <source>Set out to the cursor (Ctrl+O)</source>
+        <translation>Ende an den Zeiger setzen (Strg+O)</translation>
+    </message>
+    <message>
+        <source>Length between in and out</source>
+        <translation>Länge zwischen Anfang und Ende</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Set a marker at the cursor (M)</source>
+        <translation>Marke an den Zeiger setzen (M)</translation>
+    </message>
+    <message>
+        <source>In %1</source>
+        <translation>Anfang %1</translation>
+    </message>
+    <message>
+        <source>Out %1</source>
+        <translation>Ende %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %2 frames</source>
+        <comment>length between in and out</comment>
+        <translation>
+            <numerusform>%1, %2 Bild</numerusform>
+            <numerusform>%1, %2 Bilder</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Open a take first</source>
+        <translation>Zuerst eine Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Setting a marker at %1</source>
+        <translation>Marke bei %1 wird gesetzt</translation>
+    </message>
+    <message>
+        <source>Marker set at %1</source>
+        <translation>Marke bei %1 gesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ValueCard</name>
+    <message>
+        <source>%1 %2</source>
+        <comment>value and what it is</comment>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::WindowActions</name>
+    <message>
+        <source>New session</source>
+        <translation>Neue Sitzung</translation>
+    </message>
+    <message>
+        <source>Open session</source>
+        <translation>Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Open take</source>
+        <translation>Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Import takes into this session</source>
+        <translation>Aufnahmen in diese Sitzung importieren</translation>
+    </message>
+    <message>
+        <source>Show session folder</source>
+        <translation>Ordner der Sitzung zeigen</translation>
+    </message>
+    <message>
+        <source>Close session</source>
+        <translation>Sitzung schließen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Aufträge</translation>
+    </message>
+    <message>
+        <source>Next panel</source>
+        <translation>Nächstes Feld</translation>
+    </message>
+    <message>
+        <source>Previous panel</source>
+        <translation>Voriges Feld</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Reset this layout</source>
+        <translation>Diese Anordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Record or stop</source>
+        <translation>Aufnehmen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Performer and suit</source>
+        <translation>Darsteller und Anzug</translation>
+    </message>
+    <message>
+        <source>Put the suit on</source>
+        <translation>Anzug anlegen</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Tour of the five steps</source>
+        <translation>Rundgang durch die fünf Schritte</translation>
+    </message>
+    <message>
+        <source>What is new</source>
+        <translation>Was ist neu</translation>
+    </message>
+    <message>
+        <source>About Noctule</source>
+        <translation>Über Noctule</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::WindowMenus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Suit</source>
+        <translation>An&amp;zug</translation>
+    </message>
+    <message>
+        <source>&amp;Take</source>
+        <translation>Auf&amp;nahme</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Recent sessions</source>
+        <translation>Letzte Sitzungen</translation>
+    </message>
+    <message>
+        <source>No session was open before</source>
+        <translation>Vorher war keine Sitzung offen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::words</name>
+    <message>
+        <source>Today, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yesterday</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>d MMMM</source>
+        <comment>day and month</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>d MMMM yyyy</source>
+        <comment>day, month and year</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

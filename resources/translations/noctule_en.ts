@@ -1,0 +1,288 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>JobWords</name>
+    <message numerus="yes">
+        <source>%n s left</source>
+        <comment>seconds</comment>
+        <translation>
+            <numerusform>%n s left</numerusform>
+            <numerusform>%n s left</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n min left</source>
+        <comment>minutes</comment>
+        <translation>
+            <numerusform>%n min left</numerusform>
+            <numerusform>%n min left</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ExportPage</name>
+    <message numerus="yes">
+        <source>Write %n files</source>
+        <translation>
+            <numerusform>Write %n file</numerusform>
+            <numerusform>Write %n files</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Exporting %n takes</source>
+        <translation>
+            <numerusform>Exporting %n take</numerusform>
+            <numerusform>Exporting %n takes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files written and checked.</source>
+        <translation>
+            <numerusform>%n file written and checked.</numerusform>
+            <numerusform>%n files written and checked.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ExportResultsPanel</name>
+    <message numerus="yes">
+        <source>%n files written and read back</source>
+        <translation>
+            <numerusform>%n file written and read back</numerusform>
+            <numerusform>%n files written and read back</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Each file was opened again and compared with its take. %n are not what they should be.</source>
+        <translation>
+            <numerusform>Each file was opened again and compared with its take. %n is not what it should be.</numerusform>
+            <numerusform>Each file was opened again and compared with its take. %n are not what they should be.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Each file was opened again and compared with its take. %n have something you should know.</source>
+        <translation>
+            <numerusform>Each file was opened again and compared with its take. %n has something you should know.</numerusform>
+            <numerusform>Each file was opened again and compared with its take. %n have something you should know.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ExportRun</name>
+    <message numerus="yes">
+        <source>All boards were silent from %1 to %2. The pose in those %n frames is a guess.</source>
+        <translation>
+            <numerusform>All boards were silent from %1 to %2. The pose in that %n frame is a guess.</numerusform>
+            <numerusform>All boards were silent from %1 to %2. The pose in those %n frames is a guess.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Board %1 (%2) was silent from %3 to %4. It follows its neighbours in those %n frames.</source>
+        <translation>
+            <numerusform>Board %1 (%2) was silent from %3 to %4. It follows its neighbours in that %n frame.</numerusform>
+            <numerusform>Board %1 (%2) was silent from %3 to %4. It follows its neighbours in those %n frames.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MainWindow</name>
+    <message numerus="yes">
+        <source>The studio ended unexpectedly. All %n take(s) were looked at again; changes were kept up to the last second.</source>
+        <translation>
+            <numerusform>The studio ended unexpectedly. Its take was looked at again; changes were kept up to the last second.</numerusform>
+            <numerusform>The studio ended unexpectedly. All %n takes were looked at again; changes were kept up to the last second.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n job(s) are still running</source>
+        <translation>
+            <numerusform>One job is still running</numerusform>
+            <numerusform>%n jobs are still running</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::Notices</name>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>notices that are not shown</comment>
+        <translation>
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RatingStars</name>
+    <message numerus="yes">
+        <source>%n of 5 stars</source>
+        <translation>
+            <numerusform>%n of 5 stars</numerusform>
+            <numerusform>%n of 5 stars</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecentSessionModel</name>
+    <message numerus="yes">
+        <source>%n take(s), %1</source>
+        <comment>number of takes, their time together</comment>
+        <translation>
+            <numerusform>%n take, %1</numerusform>
+            <numerusform>%n takes, %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n damaged</source>
+        <comment>takes</comment>
+        <translation>
+            <numerusform>%n damaged</numerusform>
+            <numerusform>%n damaged</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n interrupted</source>
+        <comment>takes</comment>
+        <translation>
+            <numerusform>%n interrupted</numerusform>
+            <numerusform>%n interrupted</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n not processed</source>
+        <comment>takes</comment>
+        <translation>
+            <numerusform>%n not processed</numerusform>
+            <numerusform>%n not processed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReportPanel</name>
+    <message numerus="yes">
+        <source>%n more in the full report</source>
+        <translation>
+            <numerusform>%n more in the full report</numerusform>
+            <numerusform>%n more in the full report</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n found</source>
+        <translation>
+            <numerusform>%n found</numerusform>
+            <numerusform>%n found</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReviewWords</name>
+    <message numerus="yes">
+        <source>%n other boards lost some too. Their neighbours carry them meanwhile; check plugs and cables before the next take.</source>
+        <translation>
+            <numerusform>%n other board lost some too. Its neighbours carry it meanwhile; check plugs and cables before the next take.</numerusform>
+            <numerusform>%n other boards lost some too. Their neighbours carry them meanwhile; check plugs and cables before the next take.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SessionModel</name>
+    <message numerus="yes">
+        <source>%n take(s) copied into the session</source>
+        <translation>
+            <numerusform>%n take copied into the session</numerusform>
+            <numerusform>%n takes copied into the session</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Importing %n take(s)</source>
+        <translation>
+            <numerusform>Importing %n take</numerusform>
+            <numerusform>Importing %n takes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::StartPage</name>
+    <message numerus="yes">
+        <source>The studio ended unexpectedly while this session was open. Its %n take(s) are safe; changes to notes and ratings were saved up to the last second.</source>
+        <translation>
+            <numerusform>The studio ended unexpectedly while this session was open. Its take is safe; changes to notes and ratings were saved up to the last second.</numerusform>
+            <numerusform>The studio ended unexpectedly while this session was open. Its %n takes are safe; changes to notes and ratings were saved up to the last second.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::StatusLine</name>
+    <message numerus="yes">
+        <source>%n jobs running</source>
+        <translation>
+            <numerusform>%n job running</numerusform>
+            <numerusform>%n jobs running</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n job(s) failed</source>
+        <translation>
+            <numerusform>%n job failed</numerusform>
+            <numerusform>%n jobs failed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n job(s) finished</source>
+        <translation>
+            <numerusform>%n job finished</numerusform>
+            <numerusform>%n jobs finished</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::Studio</name>
+    <message numerus="yes">
+        <source>%1 of %2 is ready: %n pose(s)</source>
+        <comment>name of the result, of the take</comment>
+        <translation>
+            <numerusform>%1 of %2 is ready: %n pose</numerusform>
+            <numerusform>%1 of %2 is ready: %n poses</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TakeList</name>
+    <message numerus="yes">
+        <source>%n stars</source>
+        <translation>
+            <numerusform>%n star</numerusform>
+            <numerusform>%n stars</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TakeListModel</name>
+    <message numerus="yes">
+        <source>%1, %2, %3, %n stars</source>
+        <translation>
+            <numerusform>%1, %2, %3, %n star</numerusform>
+            <numerusform>%1, %2, %3, %n stars</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TransportBar</name>
+    <message numerus="yes">
+        <source>%1, %2 frames</source>
+        <comment>length between in and out</comment>
+        <translation>
+            <numerusform>%1, %2 frame</numerusform>
+            <numerusform>%1, %2 frames</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

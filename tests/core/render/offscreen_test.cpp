@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/render/offscreen.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace noctule {
+namespace {
+
+constexpr Rgba kGrey{0.5F, 0.5F, 0.5F, 1};
+constexpr PictureSize kSize{320, 240};
+
+/// A cube of 1 m with one bone.
+std::shared_ptr<const SkinnedMesh> cube() {
+    auto mesh = std::make_shared<SkinnedMesh>();
+    mesh->bones = {{"Hips", Eigen::Matrix4f::Identity()}};
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float side : {-1.0F, 1.0F}) {
+            const Eigen::Vector3f n = side * Eigen::Vector3f::Unit(axis);
+            const Eigen::Vector3f u = Eigen::Vector3f::Unit((axis + 1) % 3), v = n.cross(u);
+            const auto first = static_cast<uint32_t>(mesh->vertices.size());
+            for (const auto& [a, b] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}})
+                mesh->vertices.push_back({0.5F * (n + a * u + b * v), n, {0, 0, 0, 0}, {1, 0, 0, 0}});
+            mesh->triangles.push_back({first, first + 1, first + 2});
+            mesh->triangles.push_back({first, first + 2, first + 3});
+        }
+    return mesh;
+}
+
+Camera frontCamera() {
+    Camera camera;
+    camera.target_m = Vector3d::Zero();
+    camera.azimuth_rad = camera.elevation_rad = 0;
+    camera.distance_m = 5;
+    return camera;
+}
+
+Scene emptyScene() {
+    Scene scene;
+    scene.background = {{0, 0, 0.2F, 1}, {0, 0, 0.2F, 1}};
+    return scene;
+}
+
+SceneBody bodyOf(std::shared_ptr<const SkinnedMesh> mesh, BodyStyle style) {
+    SceneBody body;
+    body.mesh = std::move(mesh);
+    body.skin = {Eigen::Matrix4f::Identity()};
+    body.color = style == BodyStyle::kSolid ? kGrey : Rgba{1, 0, 0, 1};
+    body.style = style;
+    body.outline_px = 2;
+    return body;
+}
+
+bool isBackground(const uint8_t* pixel) {
+    return pixel[0] <= 1 && pixel[1] <= 1 && std::abs(pixel[2] - 51) <= 1;
+}
+
+class OffscreenPicture : public testing::Test {
+protected:
+    void SetUp() override {
+        auto made = Offscreen::create();
+        if (!made)
+            GTEST_SKIP() << made.error().text();
+        offscreen_ = std::move(*made);
+    }
+    Picture render(const Scene& scene, int samples = 0, PictureSize size = kSize) {
+        auto picture = offscreen_->render(scene, frontCamera(), size, samples);
+        EXPECT_TRUE(picture) << picture.error().text();
+        return picture ? *picture : Picture{};
+    }
+
+    std::unique_ptr<Offscreen> offscreen_;
+};
+
+TEST_F(OffscreenPicture, ShowsTheBackgroundFromTopToBottom) {
+    Scene scene;
+    scene.background = {{1, 0, 0, 1}, {0, 0, 1, 1}};
+    const Picture picture = render(scene);
+    ASSERT_EQ(picture.rgba.size(), 4U * 320 * 240);
+    EXPECT_GT(picture.at(160, 2)[0], 240);
+    EXPECT_GT(picture.at(160, 237)[2], 240);
+    EXPECT_EQ(picture.at(160, 120)[3], 255);
+}
+
+TEST_F(OffscreenPicture, ShowsTheMeshWhereItIs) {
+    Scene scene = emptyScene();
+    scene.bodies = {bodyOf(cube(), BodyStyle::kSolid)};
+    for (const int samples : {0, 4}) {
+        const Picture picture = render(scene, samples);
+        EXPECT_FALSE(isBackground(picture.at(160, 120)));
+        EXPECT_TRUE(isBackground(picture.at(20, 20)));
+    }
+    scene.bodies[0].skin[0](0, 3) = 1.2F;  // to the right of the picture
+    const Picture moved = render(scene);
+    EXPECT_TRUE(isBackground(moved.at(140, 120)));
+    EXPECT_FALSE(isBackground(moved.at(260, 120)));
+}
+
+TEST_F(OffscreenPicture, ATranslucentBodyShowsItsNearestSurfaceOnly) {
+    Scene scene = emptyScene();
+    scene.bodies = {bodyOf(cube(), BodyStyle::kSolid)};
+    const Picture solid = render(scene);
+    scene.bodies[0].opacity = 0.5F;
+    const Picture translucent = render(scene);
+    const uint8_t* pixel = translucent.at(160, 120);
+    const double expected = 0.5 * solid.at(160, 120)[0];  // over a background without red
+    EXPECT_NEAR(pixel[0], expected, 2);
+}
+
+TEST_F(OffscreenPicture, AGhostHasAnOutlineAndNoSurface) {
+    Scene scene = emptyScene();
+    scene.bodies = {bodyOf(cube(), BodyStyle::kOutline)};
+    const Picture picture = render(scene);
+    EXPECT_TRUE(isBackground(picture.at(160, 120)));
+    int red = 0;
+    for (int x = 0; x < 320; ++x)
+        red += picture.at(x, 120)[0] > 200;
+    EXPECT_GE(red, 3);
+    EXPECT_LE(red, 8) << "two strokes of two pixels";
+    // and shines through a solid body in front of it
+    scene.bodies.push_back(bodyOf(cube(), BodyStyle::kSolid));
+    scene.bodies[1].skin[0](2, 3) = 1;
+    red = 0;
+    const Picture covered = render(scene);
+    for (int x = 0; x < 320; ++x)
+        red += covered.at(x, 120)[0] > 200 && covered.at(x, 120)[1] < 60;
+    EXPECT_GE(red, 3);
+}
+
+TEST_F(OffscreenPicture, ADashedRayHasGapsAndASolidOneHasNone) {
+    Scene scene = emptyScene();
+    scene.rays = {{{-1, 0, 0}, {1, 0, 0}, {1, 1, 1, 1}, 2, false}};
+    const auto gaps = [](const Picture& picture) {
+        int count = 0;
+        for (int x = 100; x < 220; ++x)
+            count += picture.at(x, 120)[0] < 40 && picture.at(x - 1, 120)[0] >= 40;
+        return count;
+    };
+    EXPECT_EQ(gaps(render(scene)), 0);
+    EXPECT_GT(render(scene).at(160, 120)[0], 200);
+    scene.rays[0].dashed = true;
+    EXPECT_GE(gaps(render(scene)), 12);
+}
+
+TEST_F(OffscreenPicture, RaysBehindABodyArePaler) {
+    Scene scene = emptyScene();
+    scene.rays = {{{-1, 0, -1}, {1, 0, -1}, {1, 0, 0, 1}, 3, false}};
+    const int alone = render(scene).at(160, 120)[0];
+    scene.bodies = {bodyOf(cube(), BodyStyle::kSolid)};
+    scene.bodies[0].color = {0, 0, 0, 1};
+    const int before =
+        render({scene.background, {}, {}, scene.bodies, {}, {}, {}, {}, {}, {}, {}, {}}).at(160, 120)[0];
+    const int behind = render(scene).at(160, 120)[0];
+    EXPECT_GT(behind, before + 20) << "it shines through";
+    EXPECT_LT(behind, alone - 60);
+}
+
+TEST_F(OffscreenPicture, BoardsSourcesAndRingsHaveTheirColours) {
+    Scene scene = emptyScene();
+    SceneBoard board;
+    board.fill = {0, 1, 0, 1};
+    board.edge = {1, 1, 1, 1};
+    board.min_px = 40;
+    scene.boards = {board};
+    Picture picture = render(scene);
+    EXPECT_EQ(picture.at(160, 120)[1], 255);
+    EXPECT_EQ(picture.at(160, 120)[0], 0);
+    EXPECT_EQ(picture.at(140, 120)[0], 255) << "white edge at the end of the longer side";
+    scene.boards.clear();
+    scene.rings = {{{0, 0, 0}, 30, 4, {1, 0, 0, 1}}};
+    picture = render(scene);
+    EXPECT_TRUE(isBackground(picture.at(160, 120)));
+    EXPECT_EQ(picture.at(190, 120)[0], 255);
+}
+
+TEST_F(OffscreenPicture, TheSameSceneGivesTheSamePicture) {
+    Scene scene = emptyScene();
+    scene.bodies = {bodyOf(cube(), BodyStyle::kSolid)};
+    scene.grid.emplace();
+    scene.rays = {{{-1, -1, 0}, {1, 1, 0}, {1, 1, 1, 0.5F}, 1.3F, true}};
+    const Picture first = render(scene, 4);
+    EXPECT_EQ(first.rgba, render(scene, 4).rgba);
+    auto other = Offscreen::create();
+    ASSERT_TRUE(other);
+    const auto again = (*other)->render(scene, frontCamera(), kSize, 4);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(first.rgba, again->rgba) << "from a second context";
+    EXPECT_EQ(first.rgba, render(scene, 4).rgba) << "after another context has drawn";
+}
+
+TEST_F(OffscreenPicture, FollowsASizeThatChanges) {
+    Scene scene = emptyScene();
+    scene.bodies = {bodyOf(cube(), BodyStyle::kSolid)};
+    for (const PictureSize size : {PictureSize{100, 50}, PictureSize{333, 201}, PictureSize{8, 8}}) {
+        const Picture picture = render(scene, 4, size);
+        EXPECT_EQ(picture.width_px, size.width_px);
+        EXPECT_EQ(picture.rgba.size(), 4U * static_cast<size_t>(size.width_px * size.height_px));
+        EXPECT_FALSE(isBackground(picture.at(size.width_px / 2, size.height_px / 2)));
+    }
+    const auto refused = offscreen_->render(scene, frontCamera(), {0, 10}, 0);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::kUsage);
+}
+
+TEST_F(OffscreenPicture, MeshesThatDoNotFitTheirSkinAreLeftOut) {
+    Scene scene = emptyScene();
+    scene.bodies = {bodyOf(cube(), BodyStyle::kSolid), SceneBody{}};
+    scene.bodies[0].skin.clear();
+    EXPECT_TRUE(isBackground(render(scene).at(160, 120)));
+}
+
+}  // namespace
+}  // namespace noctule

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/review/take_verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/suit/default_suit.h"
+
+namespace noctule {
+namespace {
+
+constexpr double kDuration_s = 20;
+
+/// A take without fault: every pair used every 64 ms with 3 mm of residual.
+class TakeVerdictTest : public testing::Test {
+protected:
+    void SetUp() override {
+        overview_.suit = defaultSuit();
+        overview_.actor = defaultActor();
+        overview_.duration_s = report_.take.duration_s = kDuration_s;
+        ReportRun run;
+        run.sensors = "AGD";
+        report_.runs = {run};
+        for (const Board& board : overview_.suit.boards)
+            report_.boards.push_back({board.id, board.segment, 2800, 0});
+        for (int source = 0; source < 8; ++source)
+            for (int board = 0; board < 18; ++board) {
+                ReportPair pair{source, board, {}};
+                for (int i = 0; i < 312; ++i)
+                    pair.pulses.push_back({static_cast<float>(i) * 0.064F, PulseFate::kUsed, 0.8F, 0.5F,
+                                           i % 2 == 0 ? 0.003F : -0.003F});
+                report_.pairs.push_back(std::move(pair));
+            }
+        for (const Joint& joint : overview_.actor->skeleton.joints())
+            if (joint.type != JointType::kFixed && joint.type != JointType::kFree)
+                report_.support.push_back({joint.name, 0.95, 0.05});
+    }
+
+    Comparison& compare(double mean_deg) {
+        Comparison comparison;
+        comparison.mean_deg = mean_deg;
+        for (const JointSupport& support : report_.support) {
+            JointComparison joint;
+            joint.name = support.joint;
+            joint.angle.mean_deg = mean_deg, joint.angle.max_deg = 2 * mean_deg;
+            comparison.joints.push_back(joint);
+        }
+        report_.runs[0].comparison = comparison;
+        return *report_.runs[0].comparison;
+    }
+
+    TakeVerdict verdict() const { return judgeTake(report_, overview_); }
+
+    ReportData report_;
+    TakeOverview overview_;
+};
+
+TEST_F(TakeVerdictTest, AFaultlessTakeIsGoodWithoutReference) {
+    const TakeVerdict verdict = this->verdict();
+    EXPECT_EQ(verdict.grade, TakeGrade::kGood);
+    EXPECT_TRUE(verdict.reasons.empty());
+    EXPECT_NEAR(verdict.backed_share, 0.95, 1e-9);
+    ASSERT_TRUE(verdict.residual_rms_m);
+    EXPECT_NEAR(*verdict.residual_rms_m, 0.003, 1e-6);
+    EXPECT_FALSE(verdict.mean_error_deg);
+    EXPECT_EQ(verdict.joints.size(), report_.support.size());
+    EXPECT_TRUE(verdict.worst_joint.empty());
+}
+
+TEST_F(TakeVerdictTest, TheErrorAgainstAReferenceDecides) {
+    compare(2);
+    EXPECT_EQ(verdict().grade, TakeGrade::kGood);
+    EXPECT_EQ(verdict().mean_error_deg, 2);
+    EXPECT_EQ(verdict().joints[3].worst_deg, 4);
+    compare(5);
+    EXPECT_EQ(verdict().grade, TakeGrade::kUsable);
+    EXPECT_EQ(verdict().reasons.front(), VerdictReason::kMeanError);
+    compare(20);
+    EXPECT_EQ(verdict().grade, TakeGrade::kNotUsable);
+    compare(NAN);
+    EXPECT_EQ(verdict().grade, TakeGrade::kNotUsable);
+}
+
+TEST_F(TakeVerdictTest, OneBadJointIsNamed) {
+    compare(2).joints[5].angle.mean_deg = 12;
+    const TakeVerdict verdict = this->verdict();
+    EXPECT_EQ(verdict.grade, TakeGrade::kUsable);
+    EXPECT_EQ(verdict.reasons, std::vector{VerdictReason::kJointError});
+    EXPECT_EQ(verdict.worst_joint, report_.support[5].joint);
+    EXPECT_EQ(verdict.joints[5].grade, TakeGrade::kUsable);
+    EXPECT_EQ(verdict.joints[4].grade, TakeGrade::kGood);
+}
+
+TEST_F(TakeVerdictTest, TellsFromWhenAJointWasLessCertain) {
+    const Skeleton& skeleton = overview_.actor->skeleton;
+    const int hand = skeleton.find("LeftHand");
+    for (ReportPair& pair : report_.pairs) {
+        const Board& board = overview_.suit.boards[static_cast<size_t>(pair.board)];
+        if (board.segment == "LeftHand")
+            for (PulseAtBoard& pulse : pair.pulses)
+                if (pulse.time_s > 12)
+                    pulse.fate = PulseFate::kMissing;
+    }
+    ASSERT_GE(hand, 0);
+    const TakeVerdict verdict = this->verdict();
+    EXPECT_EQ(verdict.grade, TakeGrade::kUsable);
+    EXPECT_EQ(verdict.reasons, std::vector{VerdictReason::kSupport});
+    EXPECT_EQ(verdict.worst_joint, "LeftHand");
+    ASSERT_TRUE(verdict.worst_from_s);
+    EXPECT_NEAR(*verdict.worst_from_s, 12.15, 0.2);
+    compare(1);  // what is known to be right does not suffer from it
+    EXPECT_EQ(this->verdict().grade, TakeGrade::kGood);
+}
+
+TEST_F(TakeVerdictTest, AJointThatNothingToldAboutLowersTheGrade) {
+    report_.support[2] = {report_.support[2].joint, 0, 0.9};
+    EXPECT_EQ(verdict().grade, TakeGrade::kUsable);
+    report_.support[2].inertia = 0.5;
+    EXPECT_EQ(verdict().grade, TakeGrade::kNotUsable);
+    EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kSupport});
+    report_.support[2].inertia = 1;  // a foot that no microphone heard
+    EXPECT_EQ(verdict().grade, TakeGrade::kGood);
+    EXPECT_EQ(verdict().joints[2].grade, TakeGrade::kUsable);
+}
+
+TEST_F(TakeVerdictTest, TooFewRangesOverallLowerTheGrade) {
+    for (JointSupport& support : report_.support)
+        support.ranges = 0.4, support.inertia = 0.6;
+    EXPECT_EQ(verdict().grade, TakeGrade::kUsable);
+    for (JointSupport& support : report_.support)
+        support.ranges = 0.1, support.inertia = 0.9;
+    EXPECT_EQ(verdict().grade, TakeGrade::kNotUsable);
+}
+
+TEST_F(TakeVerdictTest, WithoutDistancesATakeIsUsableAtBest) {
+    report_.runs[0].sensors = "AG";
+    for (JointSupport& support : report_.support)
+        support.ranges = 0, support.inertia = 1;
+    EXPECT_EQ(verdict().grade, TakeGrade::kUsable);
+    EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kSupport});
+}
+
+TEST_F(TakeVerdictTest, LossyBoardsAreListedWorstFirst) {
+    report_.boards[3].frames_lost = 280;
+    report_.boards[7].frames_lost = 1400;
+    report_.boards[8].frames_lost = 14;
+    const TakeVerdict verdict = this->verdict();
+    EXPECT_EQ(verdict.grade, TakeGrade::kUsable);
+    ASSERT_EQ(verdict.lossy_boards.size(), 2u);
+    EXPECT_EQ(verdict.lossy_boards[0].board, 7);
+    EXPECT_DOUBLE_EQ(verdict.lossy_boards[1].lost_share, 0.1);
+    for (ReportBoard& board : report_.boards)
+        board.frames_lost = 1000;
+    EXPECT_EQ(this->verdict().grade, TakeGrade::kNotUsable);
+}
+
+TEST_F(TakeVerdictTest, HolesAreMergedBeforeTheyAreMeasured) {
+    overview_.gaps_s = {{5, 5.2}, {5.1, 5.3}, {5.3, 5.4}, {19.95, 30}};
+    const TakeVerdict verdict = this->verdict();
+    EXPECT_NEAR(verdict.hole_s, 0.45, 1e-9);
+    EXPECT_NEAR(verdict.longest_hole_s, 0.4, 1e-9);
+    EXPECT_EQ(verdict.reasons, std::vector{VerdictReason::kHole});
+}
+
+TEST_F(TakeVerdictTest, LargeResidualsAreAReason) {
+    for (ReportPair& pair : report_.pairs)
+        for (PulseAtBoard& pulse : pair.pulses)
+            pulse.residual_m = 0.06F;
+    EXPECT_EQ(verdict().grade, TakeGrade::kNotUsable);
+    EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kResidual});
+}
+
+TEST_F(TakeVerdictTest, WithoutARunThereIsNothingToUse) {
+    report_.runs.clear();
+    EXPECT_EQ(verdict().grade, TakeGrade::kNotUsable);
+    EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kNoPoses});
+}
+
+}  // namespace
+}  // namespace noctule

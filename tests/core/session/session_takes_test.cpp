@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// Takes of a session: found, named, imported, moved to the trash and back, recovered.
+#include <fstream>
+
+#include "tests/core/session/session_folder.h"
+
+namespace noctule::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using SessionTakes = SessionFolder;
+
+TEST_F(SessionTakes, TakesThatSessionFileDoesNotKnowAppearInOrderOfCreation) {
+    newSession();
+    makeTake(takes() / "b_001.noctule", "2026-03-01T12:00:00Z");
+    makeTake(takes() / "a_001.noctule", "2026-03-01T13:00:00Z", "Ada");
+    addPoseRun(takes() / "a_001.noctule");
+    std::ofstream(takes() / ".hidden.noctule") << "x";
+    std::ofstream(takes() / "notes.txt") << "x";
+    const Session session = opened();
+    ASSERT_EQ(session.takes.size(), 2u);
+    EXPECT_EQ(session.takes[0].name, "b_001");
+    EXPECT_EQ(session.takes[0].duration_s, 2);
+    EXPECT_FALSE(session.takes[0].processed);
+    EXPECT_EQ(session.takes[1].file, "takes/a_001.noctule");
+    EXPECT_EQ(session.takes[1].performer, "Ada");
+    EXPECT_TRUE(session.takes[1].processed);
+}
+
+TEST_F(SessionTakes, MissingAndDamagedTakesAreListedWithTheirProblem) {
+    newSession();
+    makeTake(takes() / "gone_001.noctule");
+    Session session = opened();
+    session.takes[0].rating = 4;
+    ASSERT_TRUE(saveSession(session));
+    fs::remove(takes() / "gone_001.noctule");
+    std::ofstream(takes() / "bad_001.noctule") << "no database at all, but long enough to look at";
+    session = opened();
+    ASSERT_EQ(session.takes.size(), 2u);
+    const SessionTake& gone = session.takes[static_cast<size_t>(session.findTake("gone_001"))];
+    EXPECT_EQ(gone.state, TakeState::kDamaged);
+    EXPECT_EQ(gone.rating, 4);
+    EXPECT_NE(gone.problem.find("takes/gone_001.noctule is not there"), std::string::npos) << gone.problem;
+    const SessionTake& bad = session.takes[static_cast<size_t>(session.findTake("bad_001"))];
+    EXPECT_EQ(bad.state, TakeState::kDamaged);
+    EXPECT_EQ(bad.problem.find(home_.string()), std::string::npos) << bad.problem;
+    EXPECT_NE(bad.problem.find("takes/bad_001.noctule"), std::string::npos) << bad.problem;
+}
+
+TEST_F(SessionTakes, NextNameLooksAtFolderTrashAndList) {
+    Session session = newSession();
+    EXPECT_EQ(nextTakeName(session, "walk"), "walk_001");
+    makeTake(takes() / "walk_001.noctule");
+    EXPECT_EQ(nextTakeName(session, "walk"), "walk_002");
+    makeTake(folder() / "trash" / "walk_002.noctule");
+    EXPECT_EQ(nextTakeName(session, "walk"), "walk_003");
+    session.takes.emplace_back().name = "walk_003";
+    EXPECT_EQ(nextTakeName(session, "walk_001"), "walk_004");
+    EXPECT_EQ(nextTakeName(session, ""), "take_001");
+    EXPECT_EQ(nextTakeName(session, "../over/there"), "___over_there_001");
+    EXPECT_EQ(nextTakeName(session, "Grüße"), "Grüße_001");
+}
+
+TEST_F(SessionTakes, ImportCopiesAndNeverOverwrites) {
+    Session session = newSession();
+    const Path original = makeTake(home_ / "elsewhere" / "walk_001.noctule", kCreated, "Ada");
+    const auto first = importTake(session, original, {});
+    ASSERT_TRUE(first) << first.error().text();
+    EXPECT_EQ(first->name, "walk_001");
+    EXPECT_EQ(first->performer, "Ada");
+    EXPECT_TRUE(isThere(original));
+    const auto second = importTake(session, original, {});
+    ASSERT_TRUE(second);
+    EXPECT_EQ(second->name, "walk_002");
+    EXPECT_EQ(session.takes.size(), 2u);
+    EXPECT_EQ(text(original), text(takes() / "walk_001.noctule"));
+}
+
+TEST_F(SessionTakes, ImportBringsTheLogAlong) {
+    Session session = newSession();
+    const Path original = makeBrokenOff(home_ / "elsewhere" / "walk_001.noctule", 3);
+    const std::string log = text(original.string() + "-wal");
+    const auto take = importTake(session, original, {});
+    ASSERT_TRUE(take) << take.error().text();
+    EXPECT_EQ(take->duration_s, 3);
+    EXPECT_EQ(take->state, TakeState::kRecording);
+    EXPECT_FALSE(isThere((takes() / "walk_001.noctule-wal")));
+    EXPECT_EQ(text(original.string() + "-wal"), log);
+}
+
+TEST_F(SessionTakes, ImportOfSomethingElseLeavesNothing) {
+    Session session = newSession();
+    std::ofstream(home_ / "song.noctule") << "no take";
+    const auto song = importTake(session, home_ / "song.noctule", {});
+    ASSERT_FALSE(song);
+    EXPECT_NE(song.error().message.find("song.noctule"), std::string::npos);
+    EXPECT_FALSE(importTake(session, home_ / "nothing.noctule", {}));
+    EXPECT_TRUE(session.takes.empty());
+    EXPECT_TRUE(fs::is_empty(takes()));
+}
+
+TEST_F(SessionTakes, CancelledImportLeavesNothing) {
+    Session session = newSession();
+    const Path original = makeTake(home_ / "elsewhere" / "walk_001.noctule");
+    CancelFlag cancel;
+    cancel.cancel();
+    const auto take = importTake(session, original, {nullptr, &cancel});
+    ASSERT_FALSE(take);
+    EXPECT_EQ(take.error().kind, ErrorKind::kCancelled);
+    EXPECT_TRUE(fs::is_empty(takes()));
+}
+
+TEST_F(SessionTakes, TrashIsAWayBack) {
+    Session session = newSession();
+    makeTake(takes() / "walk_001.noctule", "2026-03-01T10:00:00Z");
+    makeTake(takes() / "walk_002.noctule", "2026-03-01T11:00:00Z");
+    session = opened();
+    session.takes[0].rating = 5;
+    const SessionTake first = session.takes[0];
+    ASSERT_TRUE(trashTake(session, "walk_001"));
+    EXPECT_EQ(session.findTake("walk_001"), -1);
+    EXPECT_FALSE(isThere(takes() / "walk_001.noctule"));
+    EXPECT_TRUE(isThere(folder() / "trash" / "walk_001.noctule"));
+    ASSERT_TRUE(restoreTake(session, first));
+    EXPECT_EQ(session.findTake("walk_001"), 0);
+    EXPECT_EQ(session.takes[0].rating, 5);
+    EXPECT_TRUE(isThere(takes() / "walk_001.noctule"));
+    EXPECT_FALSE(trashTake(session, "walk_009"));
+    EXPECT_FALSE(restoreTake(session, first));
+}
+
+TEST_F(SessionTakes, TrashKeepsAnOlderTakeOfTheSameName) {
+    Session session = newSession();
+    makeTake(takes() / "walk_001.noctule", "2026-03-01T10:00:00Z", "first");
+    session = opened();
+    ASSERT_TRUE(trashTake(session, "walk_001"));
+    makeTake(takes() / "walk_001.noctule", "2026-03-01T11:00:00Z", "second");
+    session = opened();
+    const SessionTake second = session.takes[0];
+    ASSERT_TRUE(trashTake(session, "walk_001"));
+    ASSERT_TRUE(restoreTake(session, second));
+    EXPECT_EQ(Take::open((takes() / "walk_001.noctule").string())->meta().at("performer"), "second");
+    EXPECT_EQ(Take::open((folder() / "trash" / "walk_001.1.noctule").string())->meta().at("performer"),
+              "first");
+}
+
+TEST_F(SessionTakes, TrashTakesTheLogAlong) {
+    newSession();
+    makeBrokenOff(takes() / "walk_001.noctule", 3);
+    Session session = opened();
+    const SessionTake take = session.takes.at(0);
+    EXPECT_EQ(take.duration_s, 3);
+    ASSERT_TRUE(trashTake(session, "walk_001"));
+    EXPECT_TRUE(fs::is_empty(takes()));
+    ASSERT_TRUE(restoreTake(session, take));
+    EXPECT_EQ(session.takes.at(0).duration_s, 3);
+}
+
+TEST_F(SessionTakes, EntryWithoutAFileCanBeRemovedAndComesBack) {
+    newSession();
+    makeTake(takes() / "walk_001.noctule");
+    Session session = opened();
+    fs::remove(takes() / "walk_001.noctule");
+    const SessionTake take = session.takes[0];
+    ASSERT_TRUE(trashTake(session, "walk_001"));
+    EXPECT_TRUE(session.takes.empty());
+    ASSERT_TRUE(restoreTake(session, take));
+    EXPECT_EQ(session.takes.at(0).state, TakeState::kDamaged);
+}
+
+TEST_F(SessionTakes, RecordingThatBrokeOffIsRecovered) {
+    newSession();
+    const Path path = makeBrokenOff(takes() / "walk_001.noctule", 3);
+    const std::string file = text(path), log = text(path.string() + "-wal");
+    Session session = opened();
+    session.takes[0].notes = "the fall";
+    EXPECT_EQ(session.takes[0].state, TakeState::kRecording);
+    EXPECT_NE(session.takes[0].problem.find("safe"), std::string::npos);
+    const Status recovered = recoverTake(session, "walk_001", {});
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    ASSERT_EQ(session.takes.size(), 1u);
+    EXPECT_EQ(session.takes[0].state, TakeState::kRecovered);
+    EXPECT_EQ(session.takes[0].duration_s, 3);
+    EXPECT_EQ(session.takes[0].notes, "the fall");
+    EXPECT_EQ(session.takes[0].problem, "");
+    const auto take = Take::open(path.string());
+    ASSERT_TRUE(take);
+    EXPECT_EQ(take->meta().at("state"), "recovered");
+    EXPECT_EQ(take->meta().at("sample_count"), "3000");
+    EXPECT_FALSE(isThere(path.string() + "-wal"));
+    EXPECT_EQ(text(folder() / "trash" / "walk_001.noctule"), file);
+    EXPECT_EQ(text(folder() / "trash" / "walk_001.noctule-wal"), log);
+    EXPECT_FALSE(recoverTake(session, "walk_001", {}));
+}
+
+TEST_F(SessionTakes, DamagedRecordingIsLeftAsItIs) {
+    newSession();
+    const Path path = makeBrokenOff(takes() / "walk_001.noctule", 20);
+    ASSERT_TRUE(Take::open(path.string(), Access::kReadWrite));  // SQLite brings the log into the file
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(static_cast<std::streamoff>(fs::file_size(path) / 2));
+    file << std::string(40000, '\x55');
+    file.close();
+    const std::string before = text(path);
+    Session session = opened();
+    ASSERT_EQ(session.takes.size(), 1u);
+    EXPECT_FALSE(recoverTake(session, "walk_001", {}));
+    EXPECT_EQ(text(path), before);
+    EXPECT_FALSE(isThere(folder() / "trash" / "walk_001.noctule"));
+}
+
+TEST_F(SessionTakes, RefreshSeesWhatProcessingAdded) {
+    newSession();
+    makeTake(takes() / "walk_001.noctule");
+    Session session = opened();
+    EXPECT_FALSE(session.takes[0].processed);
+    addPoseRun(takes() / "walk_001.noctule");
+    refreshTake(session, session.takes[0]);
+    EXPECT_TRUE(session.takes[0].processed);
+}
+
+TEST_F(SessionTakes, OnlyTakesOfTheFolderAreAdded) {
+    Session session = newSession();
+    EXPECT_EQ(addTake(session, makeTake(home_ / "other" / "walk_001.noctule")), -1);
+    EXPECT_EQ(addTake(session, takes() / "nothing.noctule"), -1);
+    EXPECT_EQ(addTake(session, makeTake(takes() / "walk_001.noctule")), 0);
+    EXPECT_EQ(addTake(session, takes() / "walk_001.noctule"), 0);
+    EXPECT_EQ(session.takes.size(), 1u);
+}
+
+}  // namespace
+}  // namespace noctule::test

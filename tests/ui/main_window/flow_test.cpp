@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way of a take through the studio: start page, virtual suit, Review, processing with gyroscopes only,
+// comparison, export; and the file is byte for byte the one that the export job of the command line writes.
+#include "core/job/atomic_file.h"
+#include "core/processing/export_take.h"
+#include "tests/ui/main_window/studio_fixture.h"
+#include "ui/views/choice_row.h"
+#include "ui/views/export_page.h"
+#include "ui/views/reprocess_dialog.h"
+#include "ui/views/review_page.h"
+#include "ui/widgets/button.h"
+
+namespace noctule::ui {
+namespace {
+
+using test::waitFor;
+
+class Flow : public test::StudioWindow {
+protected:
+    const TakeOverview& overview() { return *studio_->take().overview(); }
+
+    /// Fills in the dialog of "Reprocess" and hands its request on, as the page does after Enter.
+    void processWithGyroscopesOnly() {
+        ReprocessDialog dialog(*studio_, overview(), window_.get());
+        dialog.accelerometers->setChecked(false);
+        dialog.distances->setChecked(false);
+        dynamic_cast<ReviewPage&>(window_->page(Step::kReview)).process(dialog.request());
+    }
+};
+
+TEST_F(Flow, FromTheStartPageToAnExportedFile) {
+    openSampleTake();
+    ASSERT_TRUE(studio_->session().isOpen());
+    ASSERT_EQ(overview().runs.size(), 1U);
+    ASSERT_TRUE(waitFor([this] { return studio_->take().shownMotion() != nullptr; }));
+    EXPECT_GT(studio_->take().shownMotion()->frames.size(), 300U);
+
+    processWithGyroscopesOnly();
+    ASSERT_TRUE(waitFor([this] { return overview().runs.size() == 2; }));
+    EXPECT_EQ(overview().runs[0].settings.sensors, "AGD");
+    EXPECT_EQ(overview().runs[1].settings.sensors, "G");
+    EXPECT_TRUE(
+        waitFor([this] { return studio_->take().shownRun() == 1 && studio_->take().comparedRun() == 0; }));
+    ASSERT_TRUE(waitFor([this] { return studio_->take().comparedMotion() != nullptr; }));
+
+    QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
+    ASSERT_EQ(window_->step(), Step::kExport);
+    auto& page = dynamic_cast<ExportPage&>(window_->page(Step::kExport));
+    const auto plan = page.plan();
+    ASSERT_TRUE(plan) << plan.error().text();
+    ASSERT_EQ(plan->size(), 1U);
+    QTest::mouseClick(page.writeButton(), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return page.results().has_value(); }));
+    ASSERT_EQ(page.results()->written(), 1);
+    EXPECT_EQ(page.results()->faulty(), 0);
+
+    ExportRequest batch = plan->front().request;
+    const std::string in_studio = batch.bvh_path;
+    ASSERT_FALSE(in_studio.empty());
+    batch.bvh_path = folder_.filePath("batch.bvh").toStdString();
+    const auto exported = exportTake(batch, {});
+    ASSERT_TRUE(exported) << exported.error().text();
+    EXPECT_EQ(*readWholeFile(in_studio), *readWholeFile(batch.bvh_path));
+}
+
+TEST_F(Flow, TwoClicksFromTheStartToAMovingBody) {
+    openSampleTake();  // the first click
+    ASSERT_TRUE(waitFor([this] { return studio_->take().shownMotion() != nullptr; }));
+    const double before = studio_->time().time();
+    if (!studio_->time().isPlaying())
+        studio_->time().play();  // what the second click does
+    QTest::qWait(300);
+    EXPECT_GT(studio_->time().time(), before);
+}
+
+}  // namespace
+}  // namespace noctule::ui

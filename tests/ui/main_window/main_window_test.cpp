@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QDockWidget>
+#include <QMenuBar>
+#include <algorithm>
+#include <set>
+
+#include "tests/ui/main_window/studio_fixture.h"
+#include "ui/main_window/jobs_panel.h"
+#include "ui/main_window/side_docks.h"
+#include "ui/main_window/status_line.h"
+#include "ui/main_window/top_bar.h"
+#include "ui/style/theme.h"
+#include "ui/views/page.h"
+#include "ui/views/start_page.h"
+#include "ui/widgets/step_bar.h"
+
+namespace noctule::ui {
+namespace {
+
+using test::waitFor;
+
+class MainWindowTest : public test::StudioWindow {
+protected:
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QTest::keyClick(window_.get(), key, modifiers);
+        QCoreApplication::processEvents();
+    }
+};
+
+TEST_F(MainWindowTest, BeginsWithTheStartPageAndNothingOpen) {
+    EXPECT_EQ(window_->step(), Step::kStart);
+    EXPECT_FALSE(studio_->session().isOpen());
+    EXPECT_TRUE(window_->topBar().steps().isHidden());
+    EXPECT_EQ(window_->statusLine().jobsText(), "No jobs running");
+    EXPECT_TRUE(window_->sideDocks().left().isHidden());
+    EXPECT_TRUE(window_->sideDocks().right().isHidden());
+}
+
+TEST_F(MainWindowTest, StepsOpenByKeys) {
+    const std::vector<std::pair<Qt::Key, Step>> keys{
+        {Qt::Key_1, Step::kConnect}, {Qt::Key_2, Step::kCalibrate}, {Qt::Key_3, Step::kRecord},
+        {Qt::Key_4, Step::kReview},  {Qt::Key_5, Step::kExport},    {Qt::Key_0, Step::kStart}};
+    for (const auto& [key, step] : keys) {
+        press(key, Qt::ControlModifier);
+        EXPECT_EQ(window_->step(), step);
+        EXPECT_EQ(window_->topBar().steps().current(), TopBar::indexOf(step));
+    }
+    press(Qt::Key_R, Qt::ControlModifier);
+    EXPECT_EQ(window_->step(), Step::kRecord);
+    press(Qt::Key_E, Qt::ControlModifier);
+    EXPECT_EQ(window_->step(), Step::kExport);
+}
+
+TEST_F(MainWindowTest, StepsOpenByAClickOnTheirName) {
+    window_->goTo(Step::kConnect);
+    StepBar& steps = window_->topBar().steps();
+    QTest::mouseClick(&steps, Qt::LeftButton, {}, steps.stepRect(2).center());
+    EXPECT_EQ(window_->step(), Step::kRecord);
+}
+
+TEST_F(MainWindowTest, OpenGivesUpItsKeyInReview) {
+    QAction* open = window_->actions()[Command::kOpenSession];
+    EXPECT_TRUE(open->shortcuts().contains(QKeySequence("Ctrl+O")));
+    window_->goTo(Step::kReview);
+    EXPECT_FALSE(open->shortcuts().contains(QKeySequence("Ctrl+O")));
+    EXPECT_TRUE(open->shortcuts().contains(QKeySequence("Ctrl+Shift+O")));
+}
+
+TEST_F(MainWindowTest, NoKeyStandsForTwoCommandsAtOnce) {
+    for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview,
+                            Step::kExport, Step::kPerformer}) {
+        window_->goTo(step);
+        std::map<QString, QString> owners;
+        QList<QAction*> actions = window_->actions().all();
+        actions.append(window_->page(step).menuActions());
+        for (const QAction* action : actions)
+            for (const QKeySequence& key : action->shortcuts()) {
+                const auto [owner, is_new] = owners.emplace(key.toString(), action->text());
+                EXPECT_TRUE(is_new) << key.toString().toStdString() << " in step " << static_cast<int>(step)
+                                    << ": " << owner->second.toStdString() << " and "
+                                    << action->text().toStdString();
+            }
+    }
+}
+
+TEST_F(MainWindowTest, JobsPanelOpensAndClosesByKeys) {
+    press(Qt::Key_J, Qt::ControlModifier);
+    EXPECT_TRUE(window_->jobsPanel().isVisible());
+    QTest::keyClick(&window_->jobsPanel(), Qt::Key_Escape);
+    EXPECT_FALSE(window_->jobsPanel().isVisible());
+}
+
+TEST_F(MainWindowTest, FinishedJobsStayUntilTheyWereSeen) {
+    Job* job = studio_->jobs().start<int>(
+        "Counting", [](const JobContext&) -> Result<int> { return 3; },
+        [](Result<int> value) { return QString("Counted to %1").arg(*value); });
+    ASSERT_TRUE(waitFor([&] { return job->state() == Job::State::kDone; }));
+    EXPECT_EQ(window_->statusLine().jobsText(), "1 job(s) finished");
+    window_->jobsPanel().toggle();
+    EXPECT_EQ(window_->jobsPanel().rowCount(), 1);
+    EXPECT_FALSE(job->seen());
+    window_->jobsPanel().toggle();
+    EXPECT_TRUE(job->seen());
+    EXPECT_EQ(window_->statusLine().jobsText(), "No jobs running");
+}
+
+TEST_F(MainWindowTest, AFailedJobSaysSoInWords) {
+    Job* job = studio_->jobs().start<int>(
+        "Writing",
+        [](const JobContext&) -> Result<int> {
+            return Error{ErrorKind::kDisk, "The disk is full", "Free some"};
+        },
+        [](Result<int>) { return QString(); });
+    ASSERT_TRUE(waitFor([&] { return job->state() == Job::State::kFailed; }));
+    EXPECT_EQ(window_->statusLine().jobsText(), "1 job(s) failed");
+}
+
+TEST_F(MainWindowTest, F6WalksThePanels) {
+    window_->goTo(Step::kConnect);
+    const auto panelOfFocus = [this]() -> QWidget* {
+        for (QWidget* panel : {static_cast<QWidget*>(&window_->topBar()), window_->centralWidget(),
+                               static_cast<QWidget*>(&window_->sideDocks().right()),
+                               static_cast<QWidget*>(&window_->statusLine())})
+            if (panel->isAncestorOf(QApplication::focusWidget()))
+                return panel;
+        return nullptr;
+    };
+    std::vector<QWidget*> visited;
+    for (int i = 0; i < 4; ++i) {
+        press(Qt::Key_F6);
+        visited.push_back(panelOfFocus());
+    }
+    EXPECT_EQ(std::set<QWidget*>(visited.begin(), visited.end()).size(), 4U);
+    EXPECT_FALSE(std::count(visited.begin(), visited.end(), nullptr));
+    press(Qt::Key_F6, Qt::ShiftModifier);
+    EXPECT_EQ(panelOfFocus(), visited[2]);
+}
+
+TEST_F(MainWindowTest, LayoutsAreKeptPerStepAndSurviveARestart) {
+    window_->goTo(Step::kRecord);
+    window_->goTo(Step::kConnect);
+    window_->sideDocks().right().close();
+    window_->goTo(Step::kRecord);
+    EXPECT_TRUE(window_->sideDocks().right().isVisible());
+    window_->goTo(Step::kConnect);
+    EXPECT_FALSE(window_->sideDocks().right().isVisible());
+
+    restart();
+    window_->goTo(Step::kRecord);
+    EXPECT_TRUE(window_->sideDocks().right().isVisible());
+    window_->goTo(Step::kConnect);
+    EXPECT_FALSE(window_->sideDocks().right().isVisible());
+    window_->actions()[Command::kResetLayout]->trigger();
+    EXPECT_TRUE(window_->sideDocks().right().isVisible());
+}
+
+TEST_F(MainWindowTest, MenusFoldIntoOneButtonWhereThereIsNoRoom) {
+    window_->goTo(Step::kConnect);
+    window_->resize(1300, 800);
+    EXPECT_TRUE(waitFor([this] { return !window_->topBar().isFolded(); }, 2000));
+    window_->resize(1100, 800);
+    EXPECT_TRUE(waitFor([this] { return window_->topBar().isFolded(); }, 2000));
+}
+
+TEST_F(MainWindowTest, FitsTheSmallestScreen) {
+    for (const Step step :
+         {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview, Step::kExport}) {
+        window_->goTo(step);
+        window_->resize(1280, 800);
+        QCoreApplication::processEvents();
+        EXPECT_LE(window_->width(), 1280) << "step " << static_cast<int>(step);
+        EXPECT_LE(window_->height(), 800) << "step " << static_cast<int>(step);
+    }
+}
+
+TEST_F(MainWindowTest, AFailureIsToldOnceAboveThePage) {
+    emit studio_->failed("The take could not be processed", "Free some room");
+    emit studio_->failed("The take could not be processed", "Free some room");
+    EXPECT_EQ(window_->notices().titles(), QStringList{"The take could not be processed"});
+    EXPECT_TRUE(window_->notices().isVisible());
+}
+
+TEST_F(MainWindowTest, APathThatIsNotThereIsToldByName) {
+    window_->open("/nowhere/session");
+    ASSERT_EQ(window_->notices().count(), 1);
+    EXPECT_TRUE(window_->notices().titles().first().contains("/nowhere/session"));
+    window_->open(folder_.path());
+    EXPECT_TRUE(window_->notices().titles().first().contains("holds no session"));
+}
+
+}  // namespace
+}  // namespace noctule::ui

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of every page and dialog, for packaging/screenshots.sh: NOCTULE_SCREENSHOTS names the folder that
+// they go into, NOCTULE_SCREENSHOT_TAKE a take to show instead of the quick one. Without the folder nothing
+// is made.
+#include <QDir>
+#include <QFileInfo>
+
+#include "tests/ui/main_window/studio_fixture.h"
+#include "ui/main_window/about_dialog.h"
+#include "ui/main_window/jobs_panel.h"
+#include "ui/main_window/preferences_dialog.h"
+#include "ui/main_window/put_on_dialog.h"
+#include "ui/main_window/shortcuts_dialog.h"
+#include "ui/style/theme.h"
+#include "ui/views/new_session_dialog.h"
+
+namespace noctule::ui {
+namespace {
+
+class Screenshots : public test::StudioWindow {
+protected:
+    void SetUp() override {
+        folder_of_pictures_ = qEnvironmentVariable("NOCTULE_SCREENSHOTS");
+        if (folder_of_pictures_.isEmpty())
+            GTEST_SKIP() << "NOCTULE_SCREENSHOTS names no folder";
+        QDir().mkpath(folder_of_pictures_);
+        StudioWindow::SetUp();
+    }
+
+    void save(QWidget& widget, const QString& name) {
+        QTest::qWait(700);  // what loads in the background is there
+        EXPECT_TRUE(widget.grab().save(QDir(folder_of_pictures_).filePath(name + ".png")))
+            << name.toStdString();
+    }
+    void openTakeToShow() {
+        const QString take = qEnvironmentVariable("NOCTULE_SCREENSHOT_TAKE");
+        if (take.isEmpty())
+            return openSampleTake();
+        ASSERT_TRUE(studio_->session().create(QDir(home()).filePath("Stage tests"), "Stage tests"));
+        studio_->session().importTakes({take});
+        ASSERT_TRUE(
+            test::waitFor([this] { return studio_->take().isOpen() && studio_->take().shownRun() >= 0; }));
+        studio_->time().setTime(studio_->time().duration() * 0.4);
+    }
+    void picturesOfAllSteps(const QString& look) {
+        const std::pair<Step, const char*> steps[] = {
+            {Step::kStart, "start"},        {Step::kConnect, "connect"}, {Step::kCalibrate, "calibrate"},
+            {Step::kRecord, "record"},      {Step::kReview, "review"},   {Step::kExport, "export"},
+            {Step::kPerformer, "performer"}};
+        for (const auto& [step, name] : steps) {
+            window_->goTo(step);
+            save(*window_, QStringLiteral("%1-%2").arg(name, look));
+        }
+    }
+    template <class Dialog, class... Arguments>
+    void dialog(const QString& name, Arguments&&... arguments) {
+        Dialog shown(std::forward<Arguments>(arguments)..., window_.get());
+        shown.show();
+        save(shown, name);
+    }
+
+    QString folder_of_pictures_;
+};
+
+TEST_F(Screenshots, OfEveryPageInBothThemesAndSizes) {
+    openTakeToShow();
+    for (const QSize size : {QSize(1440, 900), QSize(1280, 800)})
+        for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
+            Theme::get().setScheme(scheme);
+            window_->resize(size);
+            picturesOfAllSteps(
+                QStringLiteral("%1-%2").arg(scheme == Scheme::kDark ? "dark" : "light").arg(size.width()));
+        }
+}
+
+TEST_F(Screenshots, AtLargeType) {
+    openTakeToShow();
+    Theme::get().setScale(1.5);
+    picturesOfAllSteps("dark-150");
+    Theme::get().setScale(1);
+}
+
+TEST_F(Screenshots, OfTheFirstStart) {
+    save(*window_, "first-start");
+    window_->showTour();
+    save(*window_, "tour");
+}
+
+TEST_F(Screenshots, OfDialogs) {
+    dialog<NewSessionDialog>("dialog-new-session", *studio_);
+    dialog<PreferencesDialog>("dialog-preferences", *studio_);
+    dialog<PutOnDialog>("dialog-put-on", *studio_);
+    dialog<AboutDialog>("dialog-about", "noctule 0.1.0");
+    dialog<ShortcutsDialog>("dialog-shortcuts", QList<ShortcutGroup>{{"Anywhere", window_->actions().all()}});
+    window_->jobsPanel().toggle();
+    save(*window_, "jobs");
+}
+
+}  // namespace
+}  // namespace noctule::ui

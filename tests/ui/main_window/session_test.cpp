@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sessions and takes as the window opens them, and what it says about crashes.
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QSysInfo>
+
+#include "tests/ui/main_window/studio_fixture.h"
+#include "ui/views/new_session_dialog.h"
+#include "ui/views/recent_sessions.h"
+#include "ui/views/session_list.h"
+#include "ui/views/session_marker.h"
+#include "ui/views/start_page.h"
+
+namespace noctule::ui {
+namespace {
+
+using test::waitFor;
+
+class SessionInWindow : public test::StudioWindow {
+protected:
+    QString makeSession(const QString& name) {
+        const QString folder = QDir(home()).filePath(name);
+        QDir().mkpath(home());
+        EXPECT_TRUE(studio_->session().create(folder, name));
+        return folder;
+    }
+    /// A marker as a process leaves it that was killed.
+    void leaveMarkerBehind(const QString& folder) {
+        QFile marker(QDir(folder).filePath("session.lock"));
+        ASSERT_TRUE(marker.open(QIODevice::WriteOnly));
+        marker.write(
+            QStringLiteral("%1\nnoctule\n%2\n").arg(999'999'999).arg(QSysInfo::machineHostName()).toUtf8());
+    }
+};
+
+TEST_F(SessionInWindow, ANewSessionIsAskedForWithNameFolderPerformerAndHeight) {
+    NewSessionDialog dialog(*studio_, window_.get());
+    EXPECT_FALSE(dialog.sessionName().isEmpty());
+    EXPECT_TRUE(dialog.folder().startsWith(home())) << dialog.folder().toStdString();
+    auto* name = dialog.findChild<QLineEdit*>();
+    name->clear();
+    QTest::keyClicks(name, "Kick study");
+    EXPECT_EQ(QFileInfo(dialog.folder()).fileName(), "Kick study");
+    dialog.accept();
+    ASSERT_TRUE(studio_->session().isOpen());
+    const Session& session = studio_->session().session();
+    EXPECT_EQ(session.name, "Kick study");
+    ASSERT_EQ(session.performers.size(), 1U);
+    EXPECT_EQ(session.performers[0].name, "Performer 1");
+    EXPECT_EQ(session.current_performer, "Performer 1");
+    EXPECT_DOUBLE_EQ(session.performers[0].measures.height_m, 1.75);
+    EXPECT_FALSE(studio_->session().undoStack().canUndo());
+}
+
+TEST_F(SessionInWindow, AFolderWithFilesIsRefusedInPlace) {
+    QDir().mkpath(QDir(home()).filePath("Full"));
+    QFile file(QDir(home()).filePath("Full/notes.txt"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    NewSessionDialog dialog(*studio_, window_.get());
+    auto* name = dialog.findChild<QLineEdit*>();
+    name->clear();
+    QTest::keyClicks(name, "Full");
+    dialog.accept();
+    EXPECT_FALSE(studio_->session().isOpen());
+    EXPECT_NE(dialog.result(), QDialog::Accepted);
+}
+
+TEST_F(SessionInWindow, AnEmptySessionOpensAtConnectAndIsRemembered) {
+    const QString folder = makeSession("Stage tests");
+    EXPECT_EQ(window_->step(), Step::kConnect);
+    EXPECT_TRUE(window_->windowTitle().contains("Stage tests"));
+    restart();
+    RecentSessions recent(studio_->settings(), studio_->jobs());
+    ASSERT_EQ(recent.all().size(), 1U);
+    EXPECT_EQ(recent.all()[0].folder, folder);
+    window_->open(folder);
+    EXPECT_TRUE(waitFor([this] { return studio_->session().isOpen(); }));
+}
+
+TEST_F(SessionInWindow, AClosedSessionLeavesNoMarkerAndACrashIsTold) {
+    const QString folder = makeSession("Stage tests");
+    EXPECT_TRUE(QFileInfo::exists(QDir(folder).filePath("session.lock")));
+    restart();
+    EXPECT_FALSE(QFileInfo::exists(QDir(folder).filePath("session.lock")));
+
+    leaveMarkerBehind(folder);
+    RecentSession left;
+    left.folder = folder;
+    EXPECT_TRUE(lookAt(left, {}).left_open);
+    window_->open(folder);
+    ASSERT_TRUE(waitFor([this] { return studio_->session().isOpen(); }));
+    ASSERT_EQ(window_->notices().count(), 1);
+    EXPECT_EQ(window_->notices().titles().first(), "“Stage tests” was not closed last time");
+    EXPECT_FALSE(SessionMarker::wasLeftBehind(folder));
+}
+
+TEST_F(SessionInWindow, ASecondWindowIsTold) {
+    const QString folder = makeSession("Stage tests");
+    SessionMarker other;
+    EXPECT_EQ(other.mark(folder), SessionMarker::Finding::kInUse);
+}
+
+TEST_F(SessionInWindow, MissingFoldersAreNamedAndCanBeTakenOffTheList) {
+    auto& page = dynamic_cast<StartPage&>(window_->page(Step::kStart));
+    RecentSessions recent(studio_->settings(), studio_->jobs());
+    recent.remember("/nowhere/gone");
+    SessionList list(recent);
+    recent.look();
+    ASSERT_TRUE(waitFor([&] { return recent.all()[0].known; }));
+    EXPECT_EQ(stateWords(recent.all()[0]).state, "The folder is not there");
+    list.setFilter("some other");
+    EXPECT_EQ(list.shownRows(), 0);
+    list.setFilter("gone");
+    EXPECT_EQ(list.shownRows(), 1);
+    list.setCurrentIndex(list.model()->index(0, 0));
+    QTest::keyClick(&list, Qt::Key_Delete);
+    EXPECT_EQ(list.shownRows(), 0);
+    EXPECT_EQ(page.sessionList().shownRows(), 0);
+}
+
+TEST_F(SessionInWindow, ATakeOutsideOfSessionsOpensInReviewAndOffersToBeImported) {
+    const QString path = folder_.filePath("walk_001.noctule");
+    ASSERT_TRUE(test::makeQuickTake(path.toStdString(), {}));
+    window_->open(path);
+    ASSERT_TRUE(waitFor([this] { return studio_->take().isOpen(); }));
+    EXPECT_EQ(window_->step(), Step::kReview);
+    EXPECT_EQ(window_->notices().titles(), QStringList{"walk_001 belongs to no session"});
+}
+
+TEST_F(SessionInWindow, ADamagedTakeIsToldInWords) {
+    const QString path = folder_.filePath("broken.noctule");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("this is no take");
+    file.close();
+    window_->open(path);
+    ASSERT_TRUE(waitFor([this] { return window_->notices().count() > 0; }));
+    EXPECT_TRUE(window_->notices().titles().first().contains("broken"))
+        << window_->notices().titles().first().toStdString();
+}
+
+}  // namespace
+}  // namespace noctule::ui

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/ui/main_window/studio_fixture.h"
+
+#include "core/formats/bvh.h"
+#include "core/simulation/simulate.h"
+#include "core/suit/default_suit.h"
+#include "ui/style/resources.h"
+#include "ui/style/theme.h"
+#include "ui/views/big_button.h"
+#include "ui/views/start_page.h"
+
+namespace noctule::ui::test {
+
+bool waitFor(const std::function<bool()>& done, int most_ms) {
+    QElapsedTimer clock;
+    clock.start();
+    while (!done() && clock.elapsed() < most_ms)
+        QTest::qWait(10);
+    return done();
+}
+
+Status makeQuickTake(const std::string& path, const JobContext& job) {
+    const QByteArray motion = resourceBytes("motions/sample.bvh");
+    const auto document = parseBvh(motion.toStdString(), "sample.bvh");
+    if (!document)
+        return document.error();
+    auto clip = toClip(*document);
+    if (!clip)
+        return clip.error();
+    simulation::StageRequest request;
+    request.suit = defaultSuit();
+    request.clip = std::move(*clip);
+    request.scenario = simulation::Scenario::nominal();
+    request.rest_seconds = 0.5;
+    request.duration_s = 3;
+    const auto stage = simulation::prepareStage(request);
+    if (!stage)
+        return stage.error();
+    simulation::TakeRequest take;
+    take.out_path = path;
+    take.level = simulation::Level::kReadings;
+    take.name = "sample";
+    take.created_utc = "2026-01-01T00:00:00Z";
+    take.software = "test";
+    const auto summary = simulation::writeTake(*stage, take, job);
+    return summary ? Status(Done{}) : Status(summary.error());
+}
+
+void StudioWindow::SetUp() {
+    Theme::install(*qApp);
+    Theme::get().setScheme(Scheme::kDark);
+    Theme::get().setScale(1);
+    QSettings().clear();
+    QSettings().setValue("folders/sessions", home());
+    start();
+}
+
+void StudioWindow::TearDown() {
+    window_.reset();
+    studio_.reset();
+}
+
+void StudioWindow::start() {
+    StudioParts parts;
+    parts.software = "noctule 0.1.0";
+    parts.utc_now = [] { return std::string("2026-01-01T00:00:00Z"); };
+    parts.make_sample_take = makeQuickTake;
+    studio_ = std::make_unique<Studio>(parts);
+    window_ = std::make_unique<MainWindow>(*studio_);
+    window_->show();
+    QApplication::setActiveWindow(window_.get());
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+}
+
+void StudioWindow::restart() {
+    window_->close();
+    window_.reset();
+    studio_.reset();
+    start();
+}
+
+void StudioWindow::openSampleTake() {
+    auto& start_page = dynamic_cast<StartPage&>(window_->page(Step::kStart));
+    QTest::mouseClick(start_page.tryButton(), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([this] { return studio_->take().isOpen() && studio_->take().shownRun() >= 0; }))
+        << "the take of the virtual suit did not open";
+    ASSERT_EQ(window_->step(), Step::kReview);
+}
+
+}  // namespace noctule::ui::test

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/export_page.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QLineEdit>
+
+#include "core/job/atomic_file.h"
+#include "tests/ui/views/reviewed_session.h"
+#include "ui/views/export_form.h"
+#include "ui/views/export_results_panel.h"
+#include "ui/widgets/button.h"
+
+namespace noctule::ui {
+namespace {
+
+class ExportPageTest : public test::ReviewedSession {
+protected:
+    void SetUp() override {
+        ReviewedSession::SetUp();
+        if (HasFatalFailure())
+            return;
+        openTake("swing_001");
+        page_ = std::make_unique<ExportPage>(*studio_);
+        page_->resize(1000, 700);
+        page_->show();
+        page_->enter();
+    }
+    void TearDown() override {
+        test::waitFor([this] { return jobsAreDone(); });
+        page_.reset();
+        ReviewedSession::TearDown();
+    }
+
+    void write() {
+        QTest::mouseClick(page_->writeButton(), Qt::LeftButton);
+        ASSERT_TRUE(test::waitFor([this] { return page_->results().has_value() && jobsAreDone(); }));
+    }
+    std::string exported(const char* name) const {
+        return (studio_->session().session().exportsFolder() / name).string();
+    }
+
+    std::unique_ptr<ExportPage> page_;
+};
+
+TEST_F(ExportPageTest, WritesTheFileThatTheBatchProgramWrites) {
+    page_->choosePreset("motionbuilder");
+    EXPECT_EQ(page_->form().takes(), QStringList{"swing_001"}) << "the open take is ticked";
+    write();
+    const ExportResults& results = *page_->results();
+    ASSERT_EQ(results.outcomes.size(), 1U);
+    ASSERT_FALSE(results.outcomes[0].error) << results.outcomes[0].error->text();
+    EXPECT_TRUE(results.outcomes[0].check.ok()) << results.outcomes[0].check.faults[0];
+    EXPECT_EQ(results.outcomes[0].path, exported("swing_001_120.bvh"));
+
+    ExportRequest batch;  // of `noctule --batch export swing_001.noctule --bvh F`
+    batch.take_path = takePath("swing_001").toStdString();
+    batch.bvh_path = outsideFile("batch.bvh").toStdString();
+    ASSERT_TRUE(exportTake(batch, {}));
+    const auto ours = readWholeFile(exported("swing_001_120.bvh")), theirs = readWholeFile(batch.bvh_path);
+    ASSERT_TRUE(ours && theirs);
+    EXPECT_GT(ours->size(), 10000U);
+    EXPECT_TRUE(*ours == *theirs) << "byte for byte";
+    EXPECT_EQ(page_->resultsPanel().cardCount(), 1);
+}
+
+TEST_F(ExportPageTest, NothingIsOverwritten) {
+    write();
+    page_->write();
+    ASSERT_TRUE(test::waitFor(
+        [this] { return QFile::exists(QString::fromStdString(exported("swing_001_120_2.bvh"))); }));
+    EXPECT_TRUE(QFile::exists(QString::fromStdString(exported("swing_001_120.bvh"))));
+}
+
+TEST_F(ExportPageTest, InToOutOfTheTakeIsExported) {
+    studio_->session().setTakeRange(0, 1, 2);
+    page_->form().frames->setCurrentIndex(page_->form().frames->findData(60.0));
+    write();
+    EXPECT_EQ(page_->results()->outcomes[0].check.frames, 61U);
+    EXPECT_TRUE(page_->results()->outcomes[0].check.ok());
+}
+
+TEST_F(ExportPageTest, SaysWhatIsInTheWay) {
+    page_->form().name_pattern->setText("{what}");
+    EXPECT_FALSE(page_->plan());
+    EXPECT_NE(page_->plan().error().text().find("{what}"), std::string::npos);
+    EXPECT_TRUE(page_->writeButton()->toolTip().contains("{what}"));
+    page_->form().name_pattern->setText("{take}");
+    EXPECT_TRUE(page_->plan());
+    page_->form().setTakes({});
+    EXPECT_FALSE(page_->plan());
+}
+
+TEST_F(ExportPageTest, TablesWithAnglesAreChecked) {
+    page_->choosePreset("angles");
+    write();
+    const ExportCheck& check = page_->results()->outcomes[0].check;
+    EXPECT_TRUE(check.ok()) << check.faults[0];
+    EXPECT_TRUE(check.has_angles);
+    EXPECT_TRUE(checkAsText(*page_->results()).contains("Largest difference"));
+}
+
+TEST_F(ExportPageTest, OneFrameLeavesNoFile) {
+    page_->tryOneFrame();
+    ASSERT_TRUE(test::waitFor([this] { return page_->resultsPanel().cardCount() == 1 && jobsAreDone(); }));
+    EXPECT_FALSE(page_->results()) << "a trial is no export";
+    EXPECT_FALSE(QFile::exists(QString::fromStdString(exported("swing_001_120.bvh"))));
+}
+
+TEST(ExportPresetsTest, RememberSettingsPerPreset) {
+    QSettings().clear();
+    QSettings store;
+    {
+        ExportPresets presets(store);
+        ExportSettings settings = presets.all()[0].settings;
+        settings.frames_per_second = 30;
+        presets.remember(presets.all()[0].key, settings);
+        settings.metres_per_unit = 1;
+        const QString own = presets.addOwn("Mine", settings);
+        presets.choose(own);
+    }
+    ExportPresets presets(store);
+    EXPECT_EQ(presets.all()[0].settings.frames_per_second, 30);
+    EXPECT_EQ(presets.all()[1].settings.frames_per_second, 120) << "each has its own";
+    ASSERT_TRUE(presets.all().back().is_own);
+    EXPECT_EQ(presets.lastChosen(), presets.all().back().key);
+    EXPECT_EQ(presets.all().back().name, "Mine");
+    presets.removeOwn(presets.lastChosen());
+    EXPECT_FALSE(presets.all().back().is_own);
+    EXPECT_EQ(presets.lastChosen(), presets.all().front().key);
+}
+
+}  // namespace
+}  // namespace noctule::ui

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/review_page.h"
+
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+
+#include "tests/ui/views/reviewed_session.h"
+#include "ui/views/choice_row.h"
+#include "ui/views/joint_table.h"
+#include "ui/views/notes_panel.h"
+#include "ui/views/report_panel.h"
+#include "ui/views/report_view.h"
+#include "ui/views/reprocess_dialog.h"
+#include "ui/views/review_center.h"
+#include "ui/views/review_sidebar.h"
+#include "ui/views/run_list.h"
+#include "ui/views/run_row.h"
+#include "ui/views/scene_area.h"
+#include "ui/views/take_list.h"
+#include "ui/widgets/button.h"
+
+namespace noctule::ui {
+namespace {
+
+class ReviewPageTest : public test::ReviewedSession {
+protected:
+    void SetUp() override {
+        ReviewedSession::SetUp();
+        if (HasFatalFailure())
+            return;
+        window_ = std::make_unique<QWidget>();
+        page_ = new ReviewPage(*studio_);
+        auto* row = new QHBoxLayout(window_.get());
+        for (QWidget* part : {page_->leftDock(), static_cast<QWidget*>(page_), page_->rightDock()}) {
+            row->addWidget(part);
+            part->show();
+        }
+        window_->resize(1440, 860);
+        window_->show();
+        page_->enter();
+        openTake("swing_001");
+    }
+    void TearDown() override {
+        test::waitFor([this] { return jobsAreDone(); });
+        window_.reset();
+        ReviewedSession::TearDown();
+    }
+
+    const SessionTake& take() const { return studio_->session().session().takes[0]; }
+    bool says(const QString& words) const {
+        for (const QLabel* label : page_->reportPanel().findChildren<QLabel*>())
+            if (label->text().contains(words))
+                return true;
+        return false;
+    }
+
+    std::unique_ptr<QWidget> window_;
+    ReviewPage* page_ = nullptr;
+};
+
+TEST_F(ReviewPageTest, JudgesTheTake) {
+    ASSERT_EQ(page_->sidebar().runs().count(), 1);
+    EXPECT_TRUE(page_->sidebar().runs().row(0)->isChecked());
+    EXPECT_EQ(page_->sidebar().runs().row(0)->letter(), "A");
+    EXPECT_TRUE(page_->sidebar().runs().row(0)->detail().endsWith("shown"));
+    const auto verdict = studio_->take().verdict();
+    ASSERT_TRUE(verdict->mean_error_deg);
+    EXPECT_TRUE(says(QString::number(*verdict->mean_error_deg, 'f', 1) + QChar(0xB0)));
+    EXPECT_EQ(page_->reportPanel().joints().model()->rowCount(), static_cast<int>(verdict->joints.size()));
+}
+
+TEST_F(ReviewPageTest, ReprocessedResultIsShownAndComparedWithTheEarlierOne) {
+    ReprocessDialog dialog(*studio_, *studio_->take().overview());
+    EXPECT_TRUE(dialog.root_given->isChecked()) << "as the last result was made";
+    dialog.accelerometers->setChecked(false);
+    dialog.distances->setChecked(false);
+    EXPECT_EQ(dialog.request().tracker.sensors.gyroscopes, true);
+    page_->process(dialog.request());
+    ASSERT_TRUE(test::waitFor([this] { return page_->sidebar().runs().count() == 2; }));
+    const TakeDocument& take = studio_->take();
+    EXPECT_EQ(take.shownRun(), 1);
+    EXPECT_EQ(take.overview()->runs[1].settings.sensors, "G");
+    EXPECT_EQ(take.comparedRun(), 0);
+    EXPECT_EQ(page_->sidebar().runs().row(1)->text(), "Gyroscopes only, root given");
+    EXPECT_EQ(page_->sidebar().runs().row(0)->letter(), "B");
+    ASSERT_TRUE(test::waitFor([this] { return page_->sidebar().runs().row(0)->detail().contains("mean"); }))
+        << "all results are compared in the background";
+
+    page_->center().scenes().setSideBySide(true);
+    EXPECT_TRUE(page_->center().scenes().isSideBySide());
+    QTest::mouseClick(page_->sidebar().runs().row(0), Qt::LeftButton);
+    EXPECT_EQ(take.comparedRun(), -1);
+    EXPECT_FALSE(page_->center().scenes().isSideBySide()) << "nothing is left beside it";
+    QTest::mouseClick(page_->sidebar().runs().row(1), Qt::LeftButton);
+    EXPECT_EQ(take.shownRun(), 1) << "one is always shown";
+}
+
+TEST_F(ReviewPageTest, AProcessingNeedsSensors) {
+    ReprocessDialog dialog(*studio_, *studio_->take().overview());
+    for (ChoiceRow* sensor : {dialog.accelerometers, dialog.gyroscopes, dialog.distances})
+        sensor->setChecked(false);
+    EXPECT_TRUE(dialog.actionButton()->toolTip().contains("at least one"));
+    dialog.distances->setChecked(true);
+    dialog.paper->setChecked(true);
+    EXPECT_EQ(dialog.name->placeholderText(), "D paper");
+    EXPECT_EQ(dialog.request().tracker.estimator, EstimatorKind::kPaper);
+}
+
+TEST_F(ReviewPageTest, ChoosingAJointChoosesItEverywhere) {
+    JointTable& table = page_->reportPanel().joints();
+    table.selectRow(2);
+    table.setCurrentIndex(table.model()->index(2, 0));
+    EXPECT_FALSE(studio_->selection().joint().isEmpty());
+    studio_->selection().setJoint("LeftLeg");
+    EXPECT_EQ(table.currentIndex().sibling(table.currentIndex().row(), 0).data().toString(), "Left knee");
+    table.copy();
+    EXPECT_TRUE(QGuiApplication::clipboard()->text().contains("Left knee\t"));
+}
+
+TEST_F(ReviewPageTest, InAndOutAreKeptPerTakeAndComeBackWithUndo) {
+    studio_->time().setRange(1, 2);
+    ASSERT_TRUE(test::waitFor([this] { return take().out_s > 0; }));
+    EXPECT_NEAR(take().in_s, 1, 1e-9);
+    EXPECT_NEAR(take().out_s, 2, 1e-9);
+    studio_->session().undoStack().undo();
+    EXPECT_EQ(take().out_s, 0);
+    EXPECT_NEAR(studio_->time().out(), studio_->time().duration(), 1e-9);
+}
+
+TEST_F(ReviewPageTest, StarsAndNotesGoIntoTheSession) {
+    TakeList& takes = page_->sidebar().takes();
+    takes.setCurrentIndex(takes.model()->index(0, 0));
+    QTest::keyClick(&takes, Qt::Key_4);
+    EXPECT_EQ(take().rating, 4);
+    QPlainTextEdit& editor = page_->sidebar().notes().editor();
+    editor.setPlainText("strap was loose");
+    ASSERT_TRUE(test::waitFor([this] { return !take().notes.empty(); }));
+    EXPECT_EQ(take().notes, "strap was loose");
+    studio_->session().undoStack().undo();
+    EXPECT_EQ(editor.toPlainText(), "");
+}
+
+TEST_F(ReviewPageTest, KeysReachThePageFromItsDocks) {
+    const double before_s = studio_->time().time();
+    QTest::keyClick(&page_->sidebar().takes(), Qt::Key_Right);
+    EXPECT_GT(studio_->time().time(), before_s);
+    QTest::keyClick(&page_->reportPanel().joints(), Qt::Key_Right, Qt::ShiftModifier);
+    EXPECT_GT(studio_->time().time(), before_s + 0.9);
+}
+
+TEST_F(ReviewPageTest, FullReportOpensInsideTheWindow) {
+    page_->openFullReport();
+    EXPECT_TRUE(page_->showsFullReport());
+    ReportBrowser& report = page_->reportView().page();
+    ASSERT_TRUE(test::waitFor([&] { return report.toPlainText().contains("Sensors and runs"); }));
+    EXPECT_GT(report.figureCount(), 10U);
+    EXPECT_TRUE(report.savePdf(outsideFile("report.pdf")));
+    QTest::keyClick(&page_->reportView(), Qt::Key_Escape);
+    EXPECT_FALSE(page_->showsFullReport());
+}
+
+}  // namespace
+}  // namespace noctule::ui

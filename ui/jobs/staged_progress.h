@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// One stage of a longer work: its 0..1 becomes a part of the whole, so that the whole never falls.
+#pragma once
+
+#include <string>
+
+#include "core/job/job.h"
+
+namespace noctule::ui {
+
+class StagedProgress : ProgressSink {
+public:
+    StagedProgress(const JobContext& whole, double from, double to) : whole_(whole), from_(from), to_(to) {}
+
+    JobContext job() { return {this, whole_.cancel}; }
+
+private:
+    void progress(double fraction, const std::string& stage) override {
+        whole_.progress(from_ + (to_ - from_) * fraction, stage);
+    }
+
+    JobContext whole_;
+    double from_, to_;
+};
+
+}  // namespace noctule::ui

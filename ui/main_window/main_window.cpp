@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/main_window.h"
+
+#include <QStackedWidget>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "ui/main_window/jobs_panel.h"
+#include "ui/main_window/pages.h"
+#include "ui/main_window/panel_walk.h"
+#include "ui/main_window/side_docks.h"
+#include "ui/main_window/status_line.h"
+#include "ui/main_window/top_bar.h"
+#include "ui/main_window/window_menus.h"
+#include "ui/style/theme.h"
+#include "ui/views/page.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr const char* kGeometry = "window/geometry";
+constexpr const char* kMaximised = "window/maximised";
+
+const std::map<Step, Command>& commandOfStep() {
+    static const std::map<Step, Command> commands{
+        {Step::kStart, Command::kStepStart},         {Step::kConnect, Command::kStepConnect},
+        {Step::kCalibrate, Command::kStepCalibrate}, {Step::kRecord, Command::kStepRecord},
+        {Step::kReview, Command::kStepReview},       {Step::kExport, Command::kStepExport}};
+    return commands;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(Studio& studio, QWidget* parent)
+    : QMainWindow(parent),
+      studio_(studio),
+      recent_(studio.settings(), studio.jobs()),
+      actions_(new WindowActions(*this)) {
+    setObjectName("main_window");
+    setAcceptDrops(true);
+    setAnimated(Theme::get().motion_ms(1) > 0);
+    setDockOptions(AllowNestedDocks | (isAnimated() ? AnimatedDocks : DockOptions{}));
+    buildParts();
+    connectActions();
+    connectSteps();
+    connectStudio();
+    restoreGeometryKept();
+    if (studio_.session().isOpen())
+        onSessionOpened();
+    goTo(Step::kStart);
+}
+
+MainWindow::~MainWindow() {
+    docks_->keep();
+    for (const auto& [step, page] : pages_)
+        docks_->release(*page);
+}
+
+void MainWindow::buildParts() {
+    actions_->adopt(Command::kUndo, studio_.session().undoStack().createUndoAction(this, tr("Undo")));
+    actions_->adopt(Command::kRedo, studio_.session().undoStack().createRedoAction(this, tr("Redo")));
+    (*actions_)[Command::kUndo]->setShortcut(QKeySequence("Ctrl+Z"));
+    (*actions_)[Command::kRedo]->setShortcut(QKeySequence("Ctrl+Shift+Z"));
+
+    top_bar_ = new TopBar;
+    menus_ = new WindowMenus(*actions_, recent_, top_bar_->menuBar());
+    top_bar_->fold(menus_->all());
+    setMenuWidget(top_bar_);
+
+    auto* centre = new QWidget;
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    notices_ = new Notices;
+    stack_ = new QStackedWidget;
+    column->addWidget(notices_);
+    column->addWidget(stack_, 1);
+    setCentralWidget(centre);
+
+    docks_ = new SideDocks(*this, studio_.settings());
+    menus_->addPanels({&docks_->left(), &docks_->right()});
+
+    status_ = new StatusLine(studio_);
+    addBottomLine();
+    jobs_panel_ = new JobsPanel(studio_.jobs(), this);
+}
+
+/// As a tool bar and not as QStatusBar, which adds margins that cannot be taken off.
+void MainWindow::addBottomLine() {
+    auto* bar = new QToolBar(tr("Status"));
+    bar->setObjectName("status");
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    bar->toggleViewAction()->setVisible(false);
+    bar->layout()->setContentsMargins(0, 0, 0, 0);
+    bar->addWidget(status_);
+    addToolBar(Qt::BottomToolBarArea, bar);
+}
+
+Page& MainWindow::page(Step step) {
+    Page*& page = pages_[step];
+    if (!page) {
+        page = makePage(step);
+        stack_->addWidget(page);
+    }
+    return *page;
+}
+
+void MainWindow::goTo(Step step) {
+    if (const auto before = pages_.find(step_); before != pages_.end() && step != step_)
+        before->second->leave();
+    Page& next = page(step);
+    // Docks, then the page: the page gets its final size at once.
+    docks_->show(step, next);
+    step_ = step;
+    stack_->setCurrentWidget(&next);
+    top_bar_->showStep(step);
+    const auto& commands = commandOfStep();
+    for (const auto& [other, command] : commands)
+        (*actions_)[command]->setChecked(other == step);
+    actions_->setOpenKeyFree(step == Step::kReview);
+    showPageActions();
+    refreshTitle();
+    next.enter();
+}
+
+void MainWindow::showPageActions() {
+    for (const auto& [step, page] : pages_)
+        for (QAction* action : page->menuActions()) {
+            const bool shown = step == step_;
+            // The page knows whether its action can be done; the window only takes it off the keyboard
+            // meanwhile.
+            if (shown)
+                addAction(action);
+            else
+                removeAction(action);
+        }
+    menus_->showPageActions(step_, pages_.at(step_)->menuActions());
+}
+
+void MainWindow::refreshTitle() {
+    const SessionModel& session = studio_.session();
+    const QString page = pages_.at(step_)->title();
+    if (session.isOpen())
+        setWindowTitle(tr("%1 – %2 – Noctule", "page, session")
+                           .arg(page, QString::fromStdString(session.session().name)));
+    else
+        setWindowTitle(step_ == Step::kStart ? tr("Noctule") : tr("%1 – Noctule", "page").arg(page));
+}
+
+void MainWindow::restoreGeometryKept() {
+    followScale();
+    resize(1440, 900);
+    restoreGeometry(studio_.settings().value(kGeometry).toByteArray());
+    if (studio_.settings().value(kMaximised, false).toBool())
+        setWindowState(windowState() | Qt::WindowMaximized);
+}
+
+/// Larger type needs a larger window, but never more than the smallest screen has.
+void MainWindow::followScale() {
+    const Theme& theme = Theme::get();
+    setMinimumSize(std::min(theme.px(960), 1280), std::min(theme.px(640), 760));
+}
+
+void MainWindow::focusNextPanel(bool forward) {
+    QList<QWidget*> panels{top_bar_, &docks_->left(), centralWidget(), &docks_->right(), status_};
+    walkPanels(panels, forward);
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one window: top bar with menus and steps, docks left and right, the page in the centre, the status
+// line. It keeps one page per step, made when it is first shown, and carries commands between menus, pages
+// and the session.
+#pragma once
+
+#include <QMainWindow>
+#include <map>
+
+#include "ui/main_window/notices.h"
+#include "ui/main_window/window_actions.h"
+#include "ui/models/studio.h"
+#include "ui/views/recent_sessions.h"
+#include "ui/views/session_marker.h"
+
+class QStackedWidget;
+
+namespace noctule::ui {
+
+class JobsPanel;
+class Page;
+class SideDocks;
+class StatusLine;
+class TopBar;
+class WindowMenus;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    explicit MainWindow(Studio& studio, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    Step step() const { return step_; }
+    /// Made when it is not there yet.
+    Page& page(Step step);
+    WindowActions& actions() { return *actions_; }
+    TopBar& topBar() { return *top_bar_; }
+    StatusLine& statusLine() { return *status_; }
+    JobsPanel& jobsPanel() { return *jobs_panel_; }
+    Notices& notices() { return *notices_; }
+    SideDocks& sideDocks() { return *docks_; }
+
+public slots:
+    void goTo(noctule::ui::Step step);
+    /// A session's folder, its session.json, or a take. A take of a session opens with its session.
+    void open(const QString& path);
+    void showPreferences();
+    void showShortcuts();
+    void showTour();
+    /// Once, on the first start of the program.
+    void offerTour();
+    void focusNextPanel(bool forward = true);
+
+signals:
+    /// Everything must be made anew in the other language.
+    void languageChanged();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void buildParts();
+    void addBottomLine();
+    void connectActions();
+    void connectSteps();
+    void connectStudio();
+    Page* makePage(Step step);
+    void followScale();
+    void showPageActions();
+    void refreshTitle();
+    void restoreGeometryKept();
+    void openTake(const QString& path);
+    void onSessionOpened();
+    void onTakeOpened();
+    void tellMarker(SessionMarker::Finding finding);
+    void tellInterrupted();
+    void onFailure(const QString& what, const QString& remedy);
+    void onSessionFailure(const QString& message);
+    bool mayClose();
+
+    Studio& studio_;
+    RecentSessions recent_;
+    SessionMarker marker_;
+    Step step_ = Step::kStart;
+    std::map<Step, Page*> pages_;
+    WindowActions* actions_;
+    WindowMenus* menus_;
+    TopBar* top_bar_;
+    SideDocks* docks_;
+    Notices* notices_;
+    QStackedWidget* stack_;
+    StatusLine* status_;
+    JobsPanel* jobs_panel_;
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Commands of menus, keys and pages, and what they do.
+#include <QDesktopServices>
+#include <QUrl>
+
+#include "ui/main_window/about_dialog.h"
+#include "ui/main_window/jobs_panel.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/news_dialog.h"
+#include "ui/main_window/pages.h"
+#include "ui/main_window/preferences_dialog.h"
+#include "ui/main_window/put_on_dialog.h"
+#include "ui/main_window/shortcuts_dialog.h"
+#include "ui/main_window/side_docks.h"
+#include "ui/main_window/status_line.h"
+#include "ui/main_window/top_bar.h"
+#include "ui/main_window/tour.h"
+#include "ui/main_window/window_menus.h"
+#include "ui/style/theme.h"
+#include "ui/views/coming_page.h"
+#include "ui/views/session_commands.h"
+#include "ui/views/start_page.h"
+
+namespace noctule::ui {
+void MainWindow::connectActions() {
+    const auto on = [this](Command command, auto&& act) {
+        connect((*actions_)[command], &QAction::triggered, this, std::forward<decltype(act)>(act));
+    };
+    on(Command::kNewSession, [this] { SessionCommands::askForNew(this, studio_); });
+    on(Command::kOpenSession, [this] { SessionCommands::askToOpen(this, studio_); });
+    on(Command::kOpenTake, [this] {
+        const QStringList takes = SessionCommands::askForTakes(this, studio_);
+        if (!takes.isEmpty())
+            open(takes.first());
+    });
+    on(Command::kImportTakes, [this] { SessionCommands::askForImport(this, studio_); });
+    on(Command::kShowFolder, [this] {
+        const auto folder = studio_.session().session().folder.string();
+        QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(folder)));
+    });
+    on(Command::kCloseSession, [this] { studio_.session().close(); });
+    on(Command::kExport, [this] { goTo(Step::kExport); });
+    on(Command::kQuit, [this] { close(); });
+    on(Command::kPreferences, [this] { showPreferences(); });
+    on(Command::kRecord, [this] { goTo(Step::kRecord); });
+    on(Command::kPerformer, [this] { goTo(Step::kPerformer); });
+    on(Command::kPutSuitOn, [this] { PutOnDialog(studio_, this).exec(); });
+    on(Command::kJobs, [this] { jobs_panel_->toggle(); });
+    on(Command::kNextPanel, [this] { focusNextPanel(true); });
+    on(Command::kPreviousPanel, [this] { focusNextPanel(false); });
+    on(Command::kFullScreen,
+       [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
+    on(Command::kResetLayout, [this] { docks_->reset(); });
+    on(Command::kShortcuts, [this] { showShortcuts(); });
+    on(Command::kTour, [this] { showTour(); });
+    on(Command::kNews, [this] { NewsDialog(this).exec(); });
+    on(Command::kAbout, [this] { AboutDialog(studio_.parts().software, this).exec(); });
+}
+
+void MainWindow::connectSteps() {
+    const auto to = [this](Command command, Step step) {
+        connect((*actions_)[command], &QAction::triggered, this, [this, step] { goTo(step); });
+    };
+    to(Command::kStepStart, Step::kStart);
+    to(Command::kStepConnect, Step::kConnect);
+    to(Command::kStepCalibrate, Step::kCalibrate);
+    to(Command::kStepRecord, Step::kRecord);
+    to(Command::kStepReview, Step::kReview);
+    to(Command::kStepExport, Step::kExport);
+    connect(&studio_, &Studio::stepRequested, this, &MainWindow::goTo);
+    connect(top_bar_, &TopBar::stepRequested, this, &MainWindow::goTo);
+    connect(top_bar_, &TopBar::recordRequested, this, [this] { goTo(Step::kRecord); });
+    connect(top_bar_, &TopBar::preferencesRequested, this, &MainWindow::showPreferences);
+    connect(status_, &StatusLine::jobsRequested, jobs_panel_, &JobsPanel::toggle);
+    connect(status_, &StatusLine::shortcutsRequested, this, &MainWindow::showShortcuts);
+    connect(menus_, &WindowMenus::recentRequested, this, &MainWindow::open);
+    connect(&Theme::get(), &Theme::changed, this, &MainWindow::followScale);
+}
+
+Page* MainWindow::makePage(Step step) {
+    Page* page = makePageFor(step, studio_, recent_);
+    if (auto* start = qobject_cast<StartPage*>(page)) {
+        connect(start, &StartPage::newSessionRequested, (*actions_)[Command::kNewSession], &QAction::trigger);
+        connect(start, &StartPage::openSessionRequested, (*actions_)[Command::kOpenSession],
+                &QAction::trigger);
+        connect(start, &StartPage::openRequested, this, &MainWindow::open);
+        connect(start, &StartPage::tourRequested, this, &MainWindow::showTour);
+        connect(start, &StartPage::putSuitOnRequested, (*actions_)[Command::kPutSuitOn], &QAction::trigger);
+        connect(start, &StartPage::newsRequested, (*actions_)[Command::kNews], &QAction::trigger);
+    }
+    if (auto* coming = qobject_cast<ComingPage*>(page))
+        connect(coming, &ComingPage::putSuitOnRequested, (*actions_)[Command::kPutSuitOn], &QAction::trigger);
+    return page;
+}
+
+void MainWindow::showPreferences() {
+    bool language_changed = false;
+    {
+        PreferencesDialog dialog(studio_, this);
+        connect(&dialog, &PreferencesDialog::languageChanged, this, [&] { language_changed = true; });
+        dialog.exec();
+    }
+    if (language_changed)
+        emit languageChanged();  // this window may be gone afterwards
+}
+
+void MainWindow::offerTour() {
+    if (Tour::isDue(studio_.settings()))
+        notices_->add(
+            {Tone::kOk,
+             tr("New to Noctule?"),
+             tr("A tour of the five steps takes two minutes. It can be left at any time, and it is always "
+                "under Help."),
+             tr("Start the tour"),
+             [this] { showTour(); },
+             {}});
+}
+
+void MainWindow::showShortcuts() {
+    QList<ShortcutGroup> groups{{tr("Anywhere"), actions_->all()}};
+    for (const auto& [step, page] : pages_)
+        if (!page->menuActions().isEmpty())
+            groups.append({page->title(), page->menuActions()});
+    ShortcutsDialog(groups, this).exec();
+}
+
+void MainWindow::showTour() {
+    auto* tour = new Tour(*this, *top_bar_);
+    tour->start();
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is open: sessions and takes from the command line, the start page and the desktop; what is told when
+// they cannot be read; and what is asked before the window closes.
+#include <QCloseEvent>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/side_docks.h"
+#include "ui/main_window/status_line.h"
+#include "ui/main_window/top_bar.h"
+#include "ui/views/session_commands.h"
+#include "ui/widgets/step_bar.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr const char* kLooseTake = "loose take";
+constexpr const char* kMarkerTopic = "session marker";
+constexpr const char* kInterrupted = "interrupted take";
+
+bool isTake(const QString& path) {
+    return path.endsWith(".noctule", Qt::CaseInsensitive);
+}
+
+QStringList localPaths(const QMimeData& data) {
+    QStringList paths;
+    for (const QUrl& url : data.urls())
+        if (url.isLocalFile() && (isTake(url.toLocalFile()) || SessionCommands::isSession(url.toLocalFile())))
+            paths.append(url.toLocalFile());
+    return paths;
+}
+
+}  // namespace
+
+void MainWindow::connectStudio() {
+    connect(&studio_.session(), &SessionModel::opened, this, &MainWindow::onSessionOpened);
+    connect(&studio_.session(), &SessionModel::changed, this, &MainWindow::refreshTitle);
+    connect(&studio_.session(), &SessionModel::takeAdded, this, [this] { goTo(Step::kReview); });
+    connect(&studio_.session(), &SessionModel::failed, this, &MainWindow::onSessionFailure);
+    connect(&studio_.session(), &SessionModel::currentTakeChanged, this, &MainWindow::tellInterrupted);
+    connect(&studio_.session(), &SessionModel::damaged, this, [this](const QString& folder) {
+        notices_->add(
+            {Tone::kWarn,
+             tr("%1 can be rebuilt from its takes").arg(QDir(folder).dirName()),
+             tr("Takes, performers and suits are in the take files; ratings, notes and order are not. The "
+                "damaged session.json is kept beside the new one."),
+             tr("Rebuild session"),
+             [this, folder] { studio_.session().rebuild(folder); },
+             {}});
+    });
+    connect(&studio_.take(), &TakeDocument::opened, this, &MainWindow::onTakeOpened);
+    connect(&studio_.take(), &TakeDocument::failed, this, &MainWindow::onSessionFailure);
+    connect(&studio_, &Studio::failed, this, &MainWindow::onFailure);
+    for (const Command command : {Command::kShowFolder, Command::kCloseSession})
+        (*actions_)[command]->setEnabled(studio_.session().isOpen());
+}
+
+void MainWindow::open(const QString& path) {
+    const QFileInfo file(path);
+    if (!file.exists()) {
+        onFailure(tr("%1 is not there").arg(QDir::toNativeSeparators(path)),
+                  tr("It may have been moved, or its disk is not connected."));
+    } else if (file.isDir()) {
+        if (SessionCommands::isSession(path))
+            studio_.session().open(path);
+        else
+            onFailure(tr("%1 holds no session").arg(file.fileName()),
+                      tr("A session is a folder with a session.json in it. Choose that folder, or make a new "
+                         "session."));
+    } else if (file.fileName() == "session.json") {
+        studio_.session().open(file.path());
+    } else {
+        openTake(file.absoluteFilePath());
+    }
+}
+
+void MainWindow::openTake(const QString& path) {
+    const QString folder = SessionCommands::sessionOfTake(path);
+    if (folder.isEmpty()) {
+        studio_.session().setCurrentTake(-1);
+        studio_.take().open(path);
+        goTo(Step::kReview);
+        return;
+    }
+    studio_.session().open(folder, QFileInfo(path).completeBaseName());
+}
+
+void MainWindow::onSessionOpened() {
+    SessionModel& session = studio_.session();
+    const bool open = session.isOpen();
+    for (const Command command : {Command::kShowFolder, Command::kCloseSession})
+        (*actions_)[command]->setEnabled(open);
+    notices_->remove(kMarkerTopic);
+    if (!open) {
+        marker_.release();
+        goTo(Step::kStart);
+        return;
+    }
+    const QString folder = QString::fromStdString(session.session().folder.string());
+    tellMarker(marker_.mark(folder));
+    recent_.remember(folder);
+    goTo(session.session().takes.empty() ? Step::kConnect : Step::kReview);
+}
+
+/// What the marker in the folder says about how the session was left, and whether someone else has it open.
+void MainWindow::tellMarker(SessionMarker::Finding finding) {
+    const Session& session = studio_.session().session();
+    const QString name = QString::fromStdString(session.name);
+    Notice notice{Tone::kWarn, {}, {}, {}, {}, kMarkerTopic};
+    if (finding == SessionMarker::Finding::kInUse) {
+        notice.title = tr("“%1” is open somewhere else as well").arg(name);
+        notice.text =
+            tr("Takes are safe. Of notes and ratings changed in both places the later ones win; close one of "
+               "the two.");
+    } else if (finding == SessionMarker::Finding::kNoMarker) {
+        notice.title = tr("“%1” can be read but not written").arg(name);
+        notice.text =
+            tr("Takes can be reviewed and exported to another place; ratings, notes and results cannot be "
+               "kept. Copy the folder to where you may write.");
+    } else if (finding == SessionMarker::Finding::kLeftBehind) {
+        notice.tone = Tone::kOk;
+        notice.title = tr("“%1” was not closed last time").arg(name);
+        notice.text =
+            tr("The studio ended unexpectedly. All %n take(s) were looked at again; changes were kept up to "
+               "the last second.",
+               nullptr, static_cast<int>(session.takes.size()));
+    }
+    if (!notice.title.isEmpty())
+        notices_->add(notice);
+}
+
+/// A recording that broke off can be finished where it is seen.
+void MainWindow::tellInterrupted() {
+    notices_->remove(kInterrupted);
+    SessionModel& session = studio_.session();
+    const int index = session.isOpen() ? session.currentTake() : -1;
+    if (index < 0)
+        return;
+    const SessionTake& take = session.session().takes[static_cast<size_t>(index)];
+    const QString name = QString::fromStdString(take.name);
+    if (take.state == TakeState::kRecording)
+        notices_->add({Tone::kWarn, tr("The recording of %1 was not ended").arg(name),
+                       tr("What came in until then is safe on disk. Recover checks it and makes a whole take "
+                          "of it; the "
+                          "recording itself is kept in the trash of the session."),
+                       tr("Recover %1").arg(name), [this, index] { studio_.session().recover(index); },
+                       kInterrupted});
+}
+
+void MainWindow::onTakeOpened() {
+    TakeDocument& take = studio_.take();
+    const bool open = take.isOpen();
+    top_bar_->steps().setState(TopBar::indexOf(Step::kRecord),
+                               open ? StepBar::State::kDone : StepBar::State::kOpen);
+    notices_->remove(kLooseTake);
+    if (!open || (studio_.session().isOpen() && studio_.session().currentTake() >= 0))
+        return;
+    notices_->add(
+        {Tone::kOk, tr("%1 belongs to no session").arg(QFileInfo(take.path()).completeBaseName()),
+         tr("It can be seen, processed and exported as it is. Ratings, notes and performers are kept in a "
+            "session."),
+         tr("Import into a session"),
+         [this, path = take.path()] { SessionCommands::import(this, studio_, {path}); }, kLooseTake});
+}
+
+void MainWindow::onFailure(const QString& what, const QString& remedy) {
+    notices_->add({Tone::kError, what, remedy, {}, {}, {}});
+}
+
+/// The model words the whole: what happened, what is safe, what to do; its first sentence becomes the title.
+void MainWindow::onSessionFailure(const QString& message) {
+    const int end = message.indexOf(". ");
+    if (end < 0)
+        onFailure(message, {});
+    else
+        onFailure(message.left(end), message.mid(end + 2));
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!localPaths(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QStringList paths = localPaths(*event->mimeData());
+    event->acceptProposedAction();
+    if (paths.isEmpty())
+        return;
+    const bool all_takes = std::all_of(paths.begin(), paths.end(), isTake);
+    if (all_takes && studio_.session().isOpen())
+        studio_.session().importTakes(paths);
+    else if (all_takes && paths.size() > 1)
+        SessionCommands::import(this, studio_, paths);
+    else
+        open(paths.first());
+}
+
+bool MainWindow::mayClose() {
+    QStringList running;
+    for (const Job* job : studio_.jobs().all())
+        if (job->state() == Job::State::kRunning)
+            running.append(job->title());
+    if (running.isEmpty())
+        return true;
+    QMessageBox box(this);
+    box.setWindowTitle(tr("Close Noctule"));
+    box.setText(tr("%n job(s) are still running", nullptr, running.size()));
+    box.setInformativeText(
+        tr("%1\n\nCancelled jobs leave their takes as they were.", "list of jobs").arg(running.join('\n')));
+    QPushButton* keep = box.addButton(tr("Go on working"), QMessageBox::RejectRole);
+    QPushButton* cancel = box.addButton(tr("Cancel jobs and close"), QMessageBox::AcceptRole);
+    box.setDefaultButton(keep);
+    box.setEscapeButton(keep);
+    box.exec();
+    return box.clickedButton() == cancel;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!mayClose()) {
+        event->ignore();
+        return;
+    }
+    for (Job* job : studio_.jobs().all())
+        job->cancel();
+    studio_.session().saveNow();
+    docks_->keep();
+    studio_.settings().setValue("window/geometry", saveGeometry());
+    studio_.settings().setValue("window/maximised", isMaximized());
+    marker_.release();
+    event->accept();
+}
+
+}  // namespace noctule::ui

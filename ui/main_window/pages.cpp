@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/pages.h"
+
+#include <stdexcept>
+
+#include "ui/views/calibrate_page.h"
+#include "ui/views/connect_page.h"
+#include "ui/views/export_page.h"
+#include "ui/views/performer_page.h"
+#include "ui/views/record_page.h"
+#include "ui/views/review_page.h"
+#include "ui/views/start_page.h"
+
+namespace noctule::ui {
+
+Page* makePageFor(Step step, Studio& studio, RecentSessions& recent) {
+    switch (step) {
+        case Step::kStart:
+            return new StartPage(studio, recent);
+        case Step::kConnect:
+            return new ConnectPage(studio);
+        case Step::kCalibrate:
+            return new CalibratePage(studio);
+        case Step::kRecord:
+            return new RecordPage(studio);
+        case Step::kReview:
+            return new ReviewPage(studio);
+        case Step::kExport:
+            return new ExportPage(studio);
+        case Step::kPerformer:
+            return new PerformerPage(studio);
+    }
+    throw std::logic_error("every step has a page");
+}
+
+}  // namespace noctule::ui

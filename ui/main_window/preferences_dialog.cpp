@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/preferences_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+
+#include "ui/main_window/language.h"
+#include "ui/main_window/look.h"
+#include "ui/style/theme.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/elided_label.h"
+#include "ui/widgets/form_rows.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/scroll_area.h"
+#include "ui/widgets/section_header.h"
+#include "ui/widgets/tool_button.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr int kLabels = 140;
+constexpr std::array kTextSizes{75, 90, 100, 110, 125, 150};
+
+FormRows* addSection(QVBoxLayout& column, const QString& title) {
+    column.addWidget(new SectionHeader(title));
+    auto* rows = new FormRows(kLabels);
+    column.addWidget(rows);
+    return rows;
+}
+
+}  // namespace
+
+PreferencesDialog::PreferencesDialog(Studio& studio, QWidget* parent) : QDialog(parent), studio_(studio) {
+    setWindowTitle(tr("Preferences"));
+    auto* outer = makeColumn(this, {24, 20, 24, 20}, 12);
+    outer->addWidget(new Label(tr("Preferences"), TextRole::kPage, Ink::kValue, true));
+    auto* content = new QWidget;
+    auto* column = makeColumn(content, {0, 0, 8, 0}, 12);
+    addLook(*column);
+    addLanguage(*column);
+    addView3d(*column);
+    addFolders(*column);
+    addSaving(*column);
+    column->addStretch();
+    outer->addWidget(new ScrollArea(content), 1);
+    auto* row = addRow(outer);
+    row->addWidget(new Label(tr("Every change acts at once and is kept."), TextRole::kSecondary, Ink::kHint),
+                   1);
+    Button* close = makeButton(ButtonKind::kOutlined, tr("Close"), {}, QKeySequence("Esc"));
+    row->addWidget(close);
+    connect(close, &QPushButton::clicked, this, &QDialog::accept);
+    resize(Theme::get().px(560), Theme::get().px(640));
+}
+
+void PreferencesDialog::addLook(QVBoxLayout& column) {
+    FormRows* rows = addSection(column, tr("Look"));
+    scheme_ = new QComboBox;
+    scheme_->addItems({tr("Dark"), tr("Light"), tr("As the desktop")});  // in the order of Scheme
+    scheme_->setCurrentIndex(static_cast<int>(Theme::get().scheme()));
+    rows->addRow(tr("Colours"), scheme_);
+
+    text_size_ = new QComboBox;
+    for (const int percent : kTextSizes)
+        text_size_->addItem(tr("%1 %", "size of text in percent").arg(percent), percent);
+    text_size_->setCurrentIndex(text_size_->findData(qRound(Theme::get().scale() * 100)));
+    rows->addRow(tr("Size of text"), text_size_);
+
+    auto* motion = new QCheckBox(tr("Reduce motion"));
+    motion->setChecked(Theme::get().reduceMotion());
+    rows->addControl(motion);
+
+    connect(scheme_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+        Theme::get().setScheme(static_cast<Scheme>(index));
+        keepLook(studio_.settings());
+    });
+    connect(text_size_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+        Theme::get().setScale(text_size_->currentData().toInt() / 100.0);
+        keepLook(studio_.settings());
+    });
+    connect(motion, &QCheckBox::toggled, this, [this](bool reduce) {
+        Theme::get().setReduceMotion(reduce);
+        keepLook(studio_.settings());
+    });
+}
+
+void PreferencesDialog::addLanguage(QVBoxLayout& column) {
+    FormRows* rows = addSection(column, tr("Language"));
+    language_ = new QComboBox;
+    language_->addItem(tr("As the desktop"), QString());
+    language_->addItem(QStringLiteral("English"), "en");
+    language_->addItem(QStringLiteral("Deutsch"), "de");
+    language_->setCurrentIndex(std::max(0, language_->findData(chosenLanguage(studio_.settings()))));
+    rows->addRow(tr("Language"), language_);
+    connect(language_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+        if (language_->currentData().toString() == chosenLanguage(studio_.settings()))
+            return;
+        chooseLanguage(studio_.settings(), language_->currentData().toString());
+        accept();
+        emit languageChanged();
+    });
+}
+
+void PreferencesDialog::addView3d(QVBoxLayout& column) {
+    FormRows* rows = addSection(column, tr("3D picture"));
+    auto* navigation = new QComboBox;
+    navigation->addItem(tr("As in Blender: middle button"), "blender");
+    navigation->addItem(tr("As in Maya: Alt and a button"), "maya");
+    navigation->setCurrentIndex(
+        std::max(0, navigation->findData(studio_.settings().value("scene/navigation"))));
+    rows->addRow(tr("Turn and move"), navigation);
+    connect(navigation, QOverload<int>::of(&QComboBox::activated), this, [this, navigation] {
+        studio_.settings().setValue("scene/navigation", navigation->currentData());
+    });
+}
+
+void PreferencesDialog::addFolders(QVBoxLayout& column) {
+    FormRows* rows = addSection(column, tr("Folders"));
+    auto* line = new QWidget;
+    auto* row = makeRow(line, {}, 8);
+    folder_ = new ElidedLabel(QDir::toNativeSeparators(studio_.sessionsFolder()));
+    folder_->setElideMode(Qt::ElideMiddle);
+    auto* choose = new ToolButton("folder", tr("Choose the folder for new sessions"));
+    row->addWidget(folder_, 1);
+    row->addWidget(choose);
+    line->setFocusProxy(choose);
+    rows->addRow(tr("New sessions go into"), line);
+    connect(choose, &QToolButton::clicked, this, &PreferencesDialog::chooseSessionsFolder);
+}
+
+void PreferencesDialog::chooseSessionsFolder() {
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, tr("Folder for new sessions"), studio_.sessionsFolder());
+    if (folder.isEmpty())
+        return;
+    studio_.settings().setValue("folders/sessions", folder);
+    folder_->setText(QDir::toNativeSeparators(folder));
+}
+
+void PreferencesDialog::addSaving(QVBoxLayout& column) {
+    column.addWidget(new SectionHeader(tr("Saving")));
+    column.addWidget(
+        (new Label(tr("There is nothing to save by hand: every change of a session is on disk within a "
+                      "second, and a take is never changed, results are added to it. After a crash the "
+                      "start page says what is safe."),
+                   TextRole::kBody, Ink::kLabel))
+            ->wrapped());
+}
+
+}  // namespace noctule::ui

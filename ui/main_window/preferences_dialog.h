@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Preferences: every choice acts at once and is kept; there is nothing to confirm.
+#pragma once
+
+#include <QDialog>
+
+#include "ui/models/studio.h"
+
+class QComboBox;
+class QVBoxLayout;
+
+namespace noctule::ui {
+
+class ElidedLabel;
+
+class PreferencesDialog : public QDialog {
+    Q_OBJECT
+public:
+    explicit PreferencesDialog(Studio& studio, QWidget* parent = nullptr);
+
+    QComboBox& scheme() { return *scheme_; }
+    QComboBox& textSize() { return *text_size_; }
+    QComboBox& language() { return *language_; }
+
+signals:
+    /// The window must be made anew; the dialog closes with it.
+    void languageChanged();
+
+private:
+    void addLook(QVBoxLayout& column);
+    void addLanguage(QVBoxLayout& column);
+    void addView3d(QVBoxLayout& column);
+    void addFolders(QVBoxLayout& column);
+    void addSaving(QVBoxLayout& column);
+    void chooseSessionsFolder();
+
+    Studio& studio_;
+    QComboBox *scheme_, *text_size_, *language_;
+    ElidedLabel* folder_;
+};
+
+}  // namespace noctule::ui

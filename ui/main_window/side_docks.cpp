@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/side_docks.h"
+
+#include <QAction>
+#include <QStackedWidget>
+
+#include "ui/style/theme.h"
+#include "ui/views/page.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/dock_title.h"
+#include "ui/widgets/tool_button.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr int kLayoutVersion = 1;
+constexpr int kLeftWidth = 248, kLeftNarrow = 216, kLeftWidest = 360;
+constexpr int kRightWidth = 295, kRightNarrow = 264, kRightWidest = 400;
+constexpr int kNarrowWindow = 1400;
+
+QString nameOf(Step step) {
+    static const std::map<Step, QString> names{{Step::kStart, "start"},         {Step::kConnect, "connect"},
+                                               {Step::kCalibrate, "calibrate"}, {Step::kRecord, "record"},
+                                               {Step::kReview, "review"},       {Step::kExport, "export"},
+                                               {Step::kPerformer, "performer"}};
+    return names.at(step);
+}
+
+}  // namespace
+
+SideDocks::SideDocks(QMainWindow& window, QSettings& settings)
+    : QObject(&window),
+      window_(window),
+      settings_(settings),
+      left_(makeSide(Qt::LeftDockWidgetArea, "left", tr("Left panel"))),
+      right_(makeSide(Qt::RightDockWidgetArea, "right", tr("Right panel"))) {}
+
+SideDocks::Side SideDocks::makeSide(Qt::DockWidgetArea area, const QString& name, const QString& words) {
+    Side side{};
+    const bool left = area == Qt::LeftDockWidgetArea;
+    side.dock = new QDockWidget(words, &window_);
+    side.dock->setObjectName(name);
+    side.dock->setAccessibleName(words);
+    side.dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+    side.stack = new QStackedWidget;
+    keepMinimumWidth(*side.stack, left ? kLeftNarrow : kRightNarrow);
+    keepMaximumWidth(*side.stack, left ? kLeftWidest : kRightWidest);
+    side.dock->setWidget(side.stack);
+    side.title = new DockTitle(words);
+    auto* lift = new ToolButton("float", tr("Let this panel float, or put it back"));
+    auto* hide = new ToolButton("close", tr("Close this panel; it comes back through View"));
+    side.title->addAction(lift);
+    side.title->addAction(hide);
+    side.dock->setTitleBarWidget(side.title);
+    connect(lift, &QToolButton::clicked, side.dock,
+            [dock = side.dock] { dock->setFloating(!dock->isFloating()); });
+    connect(hide, &QToolButton::clicked, side.dock, &QDockWidget::close);
+    side.action = side.dock->toggleViewAction();
+    side.action->setText(words);
+    window_.addDockWidget(area, side.dock);
+    side.dock->hide();
+    return side;
+}
+
+QString SideDocks::key() const {
+    return QStringLiteral("layout/%1").arg(nameOf(step_));
+}
+
+void SideDocks::keep() {
+    if (page_)
+        settings_.setValue(key(), window_.saveState(kLayoutVersion));
+}
+
+void SideDocks::show(Step step, Page& page) {
+    keep();
+    if (page_)
+        disconnect(page_, &Page::dockTitlesChanged, this, nullptr);
+    step_ = step;
+    page_ = &page;
+    const auto fill_both = [this] {
+        fill(left_, page_->leftDock(), page_->leftDockTitle());
+        fill(right_, page_->rightDock(), page_->rightDockTitle());
+    };
+    connect(page_, &Page::dockTitlesChanged, this, fill_both);
+    fill_both();
+    restore();
+}
+
+void SideDocks::fill(const Side& side, QWidget* content, const QString& title) {
+    side.action->setEnabled(content != nullptr);
+    if (!content) {
+        side.dock->hide();
+        return;
+    }
+    if (side.stack->indexOf(content) < 0)
+        side.stack->addWidget(content);
+    side.stack->setCurrentWidget(content);
+    content->show();
+    side.title->setTitle(title);
+    side.dock->setWindowTitle(title);
+}
+
+void SideDocks::restore() {
+    const QByteArray state = settings_.value(key()).toByteArray();
+    if (state.isEmpty() || !window_.restoreState(state, kLayoutVersion)) {
+        reset();
+        return;
+    }
+    // A layout cannot open what the page does not have.
+    left_.dock->setVisible(!left_.dock->isHidden() && page_->leftDock());
+    right_.dock->setVisible(!right_.dock->isHidden() && page_->rightDock());
+}
+
+void SideDocks::reset() {
+    settings_.remove(key());
+    const Theme& theme = Theme::get();
+    const bool narrow = window_.width() < theme.px(kNarrowWindow);
+    const auto place = [&](const Side& side, Qt::DockWidgetArea area, bool used, int width) {
+        side.dock->setFloating(false);
+        window_.addDockWidget(area, side.dock);
+        side.dock->setVisible(used);
+        if (used)
+            window_.resizeDocks({side.dock}, {theme.px(width)}, Qt::Horizontal);
+    };
+    place(left_, Qt::LeftDockWidgetArea, page_->leftDock() != nullptr, narrow ? kLeftNarrow : kLeftWidth);
+    place(right_, Qt::RightDockWidgetArea, page_->rightDock() != nullptr,
+          narrow ? kRightNarrow : kRightWidth);
+}
+
+void SideDocks::release(Page& page) {
+    for (QWidget* content : {page.leftDock(), page.rightDock()})
+        if (content)
+            content->setParent(&page);
+    if (page_ == &page)
+        page_ = nullptr;
+}
+
+}  // namespace noctule::ui

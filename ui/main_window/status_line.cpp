@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/status_line.h"
+
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QPointer>
+
+#include "ui/style/theme.h"
+#include "ui/style/words.h"
+#include "ui/views/job_words.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/elided_label.h"
+#include "ui/widgets/label.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr int kHeight = 26, kSaid_ms = 8000, kStorage_ms = 30'000;
+
+Job* newestRunning(const Jobs& jobs) {
+    Job* newest = nullptr;
+    for (Job* job : jobs.all())
+        if (job->state() == Job::State::kRunning)
+            newest = job;
+    return newest;
+}
+
+}  // namespace
+
+StatusLine::StatusLine(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+    auto* row = makeRow(this, {12, 0, 8, 0}, 12);
+    safe_ = new QLabel;
+    open_ = new ElidedLabel({}, TextRole::kSecondary, Ink::kLabel);
+    storage_ = new Label({}, TextRole::kSecondary, Ink::kLabel);
+    jobs_ = makeButton(ButtonKind::kText, {});
+    jobs_->setToolTip(tr("Jobs (Ctrl+J)"));
+    cancel_ = makeButton(ButtonKind::kText, tr("Cancel"));
+    shortcuts_ = makeButton(ButtonKind::kText, tr("Shortcuts"), {}, QKeySequence("F1"));
+    for (Button* button : {jobs_, cancel_, shortcuts_})
+        keepSize(*button, 0, kHeight - 2);
+    row->addWidget(safe_);
+    row->addWidget(open_, 1);
+    row->addWidget(storage_);
+    row->addWidget(jobs_);
+    row->addWidget(cancel_);
+    row->addWidget(shortcuts_);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+
+    connect(jobs_, &QPushButton::clicked, this, &StatusLine::jobsRequested);
+    connect(shortcuts_, &QPushButton::clicked, this, &StatusLine::shortcutsRequested);
+    connect(cancel_, &QPushButton::clicked, this, [this] {
+        if (Job* job = newestRunning(studio_.jobs()))
+            job->cancel();
+    });
+    connect(&studio_.jobs(), &Jobs::changed, this, &StatusLine::showJobs);
+    connect(&studio_.session(), &SessionModel::opened, this, &StatusLine::showOpen);
+    connect(&studio_.session(), &SessionModel::opened, this, &StatusLine::lookAtStorage);
+    connect(&studio_.session(), &SessionModel::changed, this, &StatusLine::showOpen);
+    connect(&studio_.take(), &TakeDocument::opened, this, &StatusLine::showOpen);
+    connect(&studio_, &Studio::said, this, &StatusLine::say);
+    connect(&Theme::get(), &Theme::changed, this, &StatusLine::showOpen);
+    said_timer_.setSingleShot(true);
+    connect(&said_timer_, &QTimer::timeout, this, [this] {
+        said_.clear();
+        showOpen();
+    });
+    connect(&storage_timer_, &QTimer::timeout, this, &StatusLine::lookAtStorage);
+    storage_timer_.start(kStorage_ms);
+    showOpen();
+    showJobs();
+    QTimer::singleShot(0, this, &StatusLine::lookAtStorage);
+}
+
+QSize StatusLine::sizeHint() const {
+    return {Theme::get().px(600), Theme::get().px(kHeight)};
+}
+
+QSize StatusLine::minimumSizeHint() const {
+    return {0, Theme::get().px(kHeight)};
+}
+
+QString StatusLine::openText() const {
+    return open_->text();
+}
+
+QString StatusLine::jobsText() const {
+    return jobs_->text();
+}
+
+QString StatusLine::storageText() const {
+    return storage_->text();
+}
+
+void StatusLine::say(const QString& sentence) {
+    said_ = sentence;
+    said_timer_.start(kSaid_ms);
+    showOpen();
+}
+
+QString StatusLine::sessionWords() const {
+    const SessionModel& session = studio_.session();
+    if (studio_.take().isOpen()) {
+        const TakeOverview& take = *studio_.take().overview();
+        const QString file = QFileInfo(studio_.take().path()).fileName(), size = bytesText(take.bytes);
+        if (take.state == "complete")
+            return tr("%1, %2, complete", "a take's file and its size").arg(file, size);
+        if (take.state == "recovered")
+            return tr("%1, %2, recovered", "a take's file and its size").arg(file, size);
+        return tr("%1, %2, not ended", "a take's file and its size").arg(file, size);
+    }
+    if (session.isOpen())
+        return tr("%1, all changes are kept", "name of the session")
+            .arg(QString::fromStdString(session.session().name));
+    return tr("%1. Works offline, no account", "name and version of the program")
+        .arg(QString::fromStdString(studio_.parts().software));
+}
+
+void StatusLine::showOpen() {
+    const Theme& theme = Theme::get();
+    const bool something_open = studio_.session().isOpen() || studio_.take().isOpen();
+    safe_->setVisible(something_open && said_.isEmpty());
+    safe_->setPixmap(theme.pixmap("safe", theme.px(14), theme.tokens().ok));
+    open_->setText(said_.isEmpty() ? sessionWords() : said_);
+}
+
+void StatusLine::showJobs() {
+    const int running = studio_.jobs().running();
+    Job* newest = newestRunning(studio_.jobs());
+    int unseen = 0, failed = 0;
+    for (const Job* job : studio_.jobs().all()) {
+        unseen += job->state() != Job::State::kRunning && !job->seen();
+        failed += job->state() == Job::State::kFailed && !job->seen();
+    }
+    if (running > 1)
+        jobs_->setText(tr("%n jobs running", nullptr, running));
+    else if (newest)
+        jobs_->setText(JobWords::progress(*newest));
+    else if (failed > 0)
+        jobs_->setText(tr("%n job(s) failed", nullptr, failed));
+    else if (unseen > 0)
+        jobs_->setText(tr("%n job(s) finished", nullptr, unseen));
+    else
+        jobs_->setText(tr("No jobs running"));
+    jobs_->setIconName(failed > 0 ? "error" : "");
+    cancel_->setVisible(running == 1);
+    cancel_->setAccessibleName(newest ? tr("Cancel %1").arg(newest->title()) : tr("Cancel"));
+}
+
+void StatusLine::lookAtStorage() {
+    const SessionModel& session = studio_.session();
+    const QString folder = session.isOpen() ? QString::fromStdString(session.session().folder.string())
+                                            : studio_.sessionsFolder();
+    studio_.jobs().start<Storage>(
+        tr("Room on %1").arg(folder),
+        [folder](const JobContext&) -> Result<Storage> { return storageAt(folder); },
+        [self = QPointer(this)](Result<Storage> storage) -> QString {
+            if (self && storage)
+                self->showStorage(*storage);
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+void StatusLine::showStorage(const Storage& storage) {
+    if (storage.free_bytes < 0)
+        return storage_->setText({});
+    const double hours = storage.recordingHours();
+    storage_->setText(hours >= 2 ? tr("Storage %1 free, %2 h of recording")
+                                       .arg(bytesText(storage.free_bytes), numberText(hours, 0))
+                                 : tr("Storage %1 free, %2 min of recording")
+                                       .arg(bytesText(storage.free_bytes), numberText(hours * 60, 0)));
+    storage_->setInk(hours >= 1 ? Ink::kLabel : hours >= 0.1 ? Ink::kWarn : Ink::kError);
+    storage_->setToolTip(tr("A suit of 18 boards records 5.4 MB a second."));
+}
+
+void StatusLine::paintEvent(QPaintEvent*) {
+    const Tokens& tokens = Theme::get().tokens();
+    QPainter painter(this);
+    painter.fillRect(rect(), tokens.panel);
+    painter.fillRect(QRect(0, 0, width(), 1), tokens.line);
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bottom line of the window, 26 px: what is open and how safe it is, room for recordings, jobs, and the
+// way to the shortcuts. A sentence that a page says stands there for some seconds.
+#pragma once
+
+#include <QLabel>
+#include <QTimer>
+#include <QWidget>
+
+#include "ui/main_window/storage.h"
+#include "ui/models/studio.h"
+
+namespace noctule::ui {
+
+class Button;
+class ElidedLabel;
+class Label;
+
+class StatusLine : public QWidget {
+    Q_OBJECT
+public:
+    explicit StatusLine(Studio& studio, QWidget* parent = nullptr);
+
+    QString openText() const;
+    QString jobsText() const;
+    QString storageText() const;
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+signals:
+    void jobsRequested();
+    void shortcutsRequested();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void say(const QString& sentence);
+    void showOpen();
+    void showJobs();
+    void showStorage(const Storage& storage);
+    void lookAtStorage();
+    QString sessionWords() const;
+
+    Studio& studio_;
+    QLabel* safe_;
+    ElidedLabel* open_;
+    Label* storage_;
+    Button *jobs_, *cancel_, *shortcuts_;
+    QTimer said_timer_, storage_timer_;
+    QString said_;
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/top_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPainter>
+#include <algorithm>
+#include <array>
+
+#include "ui/style/theme.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/step_bar.h"
+#include "ui/widgets/tool_button.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr int kHeight = 52, kFoldBelow = 1180;
+constexpr std::array kSteps{Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview, Step::kExport};
+
+}  // namespace
+
+int TopBar::indexOf(Step step) {
+    const auto found = std::find(kSteps.begin(), kSteps.end(), step);
+    return found == kSteps.end() ? -1 : static_cast<int>(found - kSteps.begin());
+}
+
+Step TopBar::stepAt(int index) {
+    return kSteps.at(static_cast<size_t>(index));
+}
+
+TopBar::TopBar(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    steps_ = new StepBar({tr("Connect"), tr("Calibrate"), tr("Record"), tr("Review"), tr("Export")});
+    left_ = makeLeft();
+    right_ = makeRight();
+    auto* row = makeRow(this, {12, 0, 12, 0}, 8);
+    row->addWidget(left_, 1);
+    row->addWidget(steps_);
+    row->addWidget(right_, 1);
+    connect(steps_, &StepBar::stepClicked, this, [this](int index) { emit stepRequested(stepAt(index)); });
+    connect(&Theme::get(), &Theme::changed, this, [this] {
+        updateGeometry();
+        foldWhereNarrow();
+    });
+}
+
+QWidget* TopBar::makeLeft() {
+    auto* left = new QWidget;
+    auto* row = makeRow(left, {}, 8);
+    auto* mark = new QLabel;
+    const auto draw = [mark] {
+        mark->setPixmap(Theme::get().pixmap("bat", Theme::get().px(24), Theme::get().tokens().acc));
+    };
+    draw();
+    connect(&Theme::get(), &Theme::changed, mark, draw);
+    menus_ = new QMenuBar;
+    menus_->setNativeMenuBar(false);
+    menus_->setAccessibleName(tr("Menus"));
+    menus_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    folded_ = new ToolButton("menu", tr("Menu"));
+    folded_->setPopupMode(QToolButton::InstantPopup);
+    folded_->hide();
+    row->addWidget(mark);
+    row->addWidget(menus_, 1);
+    row->addWidget(folded_);
+    row->addStretch();
+    return left;
+}
+
+QWidget* TopBar::makeRight() {
+    auto* right = new QWidget;
+    auto* row = makeRow(right, {}, 8);
+    suit_ = new Chip(Tone::kNeutral, tr("No suit"), "board");
+    suit_->setToolTip(tr("No suit is connected. Opens Connect."));
+    record_ = makeButton(ButtonKind::kRecord, tr("Record"), "record", QKeySequence("Ctrl+R"));
+    record_->setToolTip(tr("Opens Record (Ctrl+R)"));
+    preferences_ = new ToolButton("gear", tr("Preferences"), QKeySequence("Ctrl+,"));
+    row->addStretch();
+    row->addWidget(suit_);
+    row->addWidget(record_);
+    row->addWidget(preferences_);
+    connect(suit_, &QAbstractButton::clicked, this, [this] { emit stepRequested(Step::kConnect); });
+    connect(record_, &QPushButton::clicked, this, &TopBar::recordRequested);
+    connect(preferences_, &QToolButton::clicked, this, &TopBar::preferencesRequested);
+    return right;
+}
+
+void TopBar::fold(const QList<QMenu*>& menus) {
+    auto* all = new QMenu(folded_);
+    for (QMenu* menu : menus)
+        all->addMenu(menu);
+    folded_->setMenu(all);
+    foldWhereNarrow();
+}
+
+bool TopBar::isFolded() const {
+    return menus_->isHidden();
+}
+
+void TopBar::showStep(Step step) {
+    const bool start = step == Step::kStart;
+    steps_->setCurrent(indexOf(step));
+    steps_->setVisible(!start);
+    suit_->setVisible(!start);
+    record_->setVisible(!start && step != Step::kRecord);
+    preferences_->setVisible(start);
+    foldWhereNarrow();
+}
+
+void TopBar::foldWhereNarrow() {
+    const bool fold = width() < Theme::get().px(kFoldBelow) && !steps_->isHidden();
+    menus_->setVisible(!fold);
+    folded_->setVisible(fold);
+}
+
+QSize TopBar::sizeHint() const {
+    return {Theme::get().px(kFoldBelow), Theme::get().px(kHeight)};
+}
+
+QSize TopBar::minimumSizeHint() const {
+    const int sides =
+        2 * std::max(folded_->sizeHint().width() + Theme::get().px(60), right_->minimumSizeHint().width());
+    return {steps_->isHidden() ? sides : sides + steps_->minimumSizeHint().width(), Theme::get().px(kHeight)};
+}
+
+void TopBar::paintEvent(QPaintEvent*) {
+    const Tokens& tokens = Theme::get().tokens();
+    QPainter painter(this);
+    painter.fillRect(rect(), tokens.panel);
+    painter.fillRect(QRect(0, height() - 1, width(), 1), tokens.line);
+}
+
+void TopBar::resizeEvent(QResizeEvent*) {
+    foldWhereNarrow();
+}
+
+}  // namespace noctule::ui

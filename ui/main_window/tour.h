@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Five short cards, one under each step of the top bar. It can be left at any time and never comes by itself
+// twice.
+#pragma once
+
+#include <QFrame>
+#include <QSettings>
+
+namespace noctule::ui {
+
+class Button;
+class Label;
+class MainWindow;
+class TopBar;
+
+class Tour : public QFrame {
+    Q_OBJECT
+public:
+    Tour(MainWindow& window, TopBar& bar);
+
+    void start();
+    int card() const { return card_; }
+
+    /// True once, on the very first start of the program.
+    static bool isDue(QSettings& settings);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void show(int card);
+    void place();
+    void end();
+
+    MainWindow& window_;
+    TopBar& bar_;
+    int card_ = 0;
+    int pointer_x_ = 0;
+    Label *count_, *title_, *text_;
+    Button *back_, *next_, *skip_;
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/window_actions.h"
+
+#include "ui/style/theme.h"
+
+namespace noctule::ui {
+
+WindowActions::WindowActions(QWidget& window) : QObject(&window), window_(window) {
+    addFileActions();
+    addStepActions();
+    addViewActions();
+    addSuitAndHelpActions();
+    refreshIcons();
+    connect(&Theme::get(), &Theme::changed, this, &WindowActions::refreshIcons);
+}
+
+void WindowActions::addFileActions() {
+    add(Command::kNewSession, tr("New session"), {QKeySequence("Ctrl+N")}, "new");
+    add(Command::kOpenSession, tr("Open session"), {}, "open");
+    add(Command::kOpenTake, tr("Open take"), {}, "");
+    add(Command::kImportTakes, tr("Import takes into this session"), {}, "");
+    add(Command::kShowFolder, tr("Show session folder"), {}, "folder");
+    add(Command::kCloseSession, tr("Close session"), {}, "");
+    add(Command::kExport, tr("Export"), {QKeySequence("Ctrl+E")}, "export");
+    add(Command::kQuit, tr("Quit"), {QKeySequence("Ctrl+Q")}, "")->setMenuRole(QAction::QuitRole);
+    add(Command::kPreferences, tr("Preferences"), {QKeySequence("Ctrl+,")}, "gear")
+        ->setMenuRole(QAction::PreferencesRole);
+    setOpenKeyFree(false);
+}
+
+void WindowActions::addStepActions() {
+    add(Command::kStepStart, tr("Start page"), {QKeySequence("Ctrl+0")}, "");
+    add(Command::kStepConnect, tr("Connect"), {QKeySequence("Ctrl+1")}, "");
+    add(Command::kStepCalibrate, tr("Calibrate"), {QKeySequence("Ctrl+2")}, "");
+    add(Command::kStepRecord, tr("Record"), {QKeySequence("Ctrl+3")}, "");
+    add(Command::kStepReview, tr("Review"), {QKeySequence("Ctrl+4")}, "");
+    add(Command::kStepExport, tr("Export"), {QKeySequence("Ctrl+5")}, "");
+    for (const Command step : {Command::kStepStart, Command::kStepConnect, Command::kStepCalibrate,
+                               Command::kStepRecord, Command::kStepReview, Command::kStepExport})
+        actions_.at(step)->setCheckable(true);
+}
+
+void WindowActions::addViewActions() {
+    add(Command::kJobs, tr("Jobs"), {QKeySequence("Ctrl+J")}, "");
+    add(Command::kNextPanel, tr("Next panel"), {QKeySequence("F6")}, "");
+    add(Command::kPreviousPanel, tr("Previous panel"), {QKeySequence("Shift+F6")}, "");
+    add(Command::kFullScreen, tr("Full screen"), {QKeySequence("F11")}, "")->setCheckable(true);
+    add(Command::kResetLayout, tr("Reset this layout"), {}, "");
+}
+
+void WindowActions::addSuitAndHelpActions() {
+    add(Command::kRecord, tr("Record or stop"), {QKeySequence("Ctrl+R")}, "");
+    add(Command::kPerformer, tr("Performer and suit"), {}, "mesh");
+    add(Command::kPutSuitOn, tr("Put the suit on"), {}, "note");
+    add(Command::kShortcuts, tr("Shortcuts"), {QKeySequence("F1")}, "");
+    add(Command::kTour, tr("Tour of the five steps"), {}, "info");
+    add(Command::kNews, tr("What is new"), {}, "recover");
+    add(Command::kAbout, tr("About Noctule"), {}, "")->setMenuRole(QAction::AboutRole);
+}
+
+QAction* WindowActions::add(Command command, const QString& text, const QList<QKeySequence>& keys,
+                            const char* icon) {
+    auto* action = new QAction(text, &window_);
+    action->setShortcuts(keys);
+    if (*icon)
+        icons_[action] = icon;
+    adopt(command, action);
+    return action;
+}
+
+void WindowActions::adopt(Command command, QAction* action) {
+    actions_[command] = action;
+    window_.addAction(action);
+}
+
+void WindowActions::setOpenKeyFree(bool free) {
+    QList<QKeySequence> keys{QKeySequence("Ctrl+Shift+O")};
+    if (!free)
+        keys.prepend(QKeySequence("Ctrl+O"));
+    actions_.at(Command::kOpenSession)->setShortcuts(keys);
+}
+
+QList<QAction*> WindowActions::all() const {
+    QList<QAction*> actions;
+    for (const auto& [command, action] : actions_)
+        actions.append(action);
+    return actions;
+}
+
+void WindowActions::refreshIcons() {
+    for (const auto& [action, name] : icons_)
+        action->setIcon(Theme::get().icon(name));
+}
+
+}  // namespace noctule::ui

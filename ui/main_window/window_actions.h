@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every command of the main window as one QAction: menus, top bar, keys and the list of shortcuts are made
+// from here. Pages bring actions of their own (ui/views/page.h).
+#pragma once
+
+#include <QAction>
+#include <QWidget>
+#include <map>
+
+namespace noctule::ui {
+
+enum class Command {
+    kNewSession,
+    kOpenSession,
+    kOpenTake,
+    kImportTakes,
+    kShowFolder,
+    kCloseSession,
+    kExport,
+    kQuit,
+    kUndo,
+    kRedo,
+    kPreferences,
+    kStepStart,
+    kStepConnect,
+    kStepCalibrate,
+    kStepRecord,
+    kStepReview,
+    kStepExport,
+    kJobs,
+    kNextPanel,
+    kPreviousPanel,
+    kFullScreen,
+    kResetLayout,
+    kRecord,
+    kPerformer,
+    kPutSuitOn,
+    kShortcuts,
+    kTour,
+    kNews,
+    kAbout,
+};
+
+class WindowActions : public QObject {
+    Q_OBJECT
+public:
+    /// The actions belong to the window, so that their keys work also while the menus are folded away.
+    explicit WindowActions(QWidget& window);
+
+    QAction* operator[](Command command) const { return actions_.at(command); }
+    /// Undo and redo come from the undo stack, which words them.
+    void adopt(Command command, QAction* action);
+    /// In Review, Ctrl+O is the out point.
+    void setOpenKeyFree(bool free);
+    /// In the order of Command, for the list of shortcuts.
+    QList<QAction*> all() const;
+
+private:
+    QAction* add(Command command, const QString& text, const QList<QKeySequence>& keys, const char* icon);
+    void addFileActions();
+    void addStepActions();
+    void addViewActions();
+    void addSuitAndHelpActions();
+    void refreshIcons();
+
+    QWidget& window_;
+    std::map<Command, QAction*> actions_;
+    std::map<QAction*, QString> icons_;
+};
+
+}  // namespace noctule::ui

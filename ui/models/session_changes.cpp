@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the operator changes in a session, each with its way back. Takes are remembered by name and performers
+// by place: what lies between a step and its undo has been undone before.
+#include <algorithm>
+
+#include "ui/models/session_command.h"
+#include "ui/models/session_model.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr int kBestRating = 5;
+
+/// Sets a member of a take to `value`.
+template <class T>
+std::function<Status(Session&)> setOf(const std::string& take, T SessionTake::*member, T value) {
+    return [take, member, value = std::move(value)](Session& session) -> Status {
+        const int index = session.findTake(take);
+        if (index >= 0)
+            session.takes[static_cast<size_t>(index)].*member = value;
+        return Done{};
+    };
+}
+
+template <class T>
+std::function<Status(Session&)> setOf(T Session::*member, T value) {
+    return [member, value = std::move(value)](Session& session) -> Status {
+        session.*member = value;
+        return Done{};
+    };
+}
+
+std::function<Status(Session&)> setRange(const std::string& take, double in_s, double out_s) {
+    return [take, in_s, out_s](Session& session) -> Status {
+        const int index = session.findTake(take);
+        if (index >= 0) {
+            session.takes[static_cast<size_t>(index)].in_s = in_s;
+            session.takes[static_cast<size_t>(index)].out_s = out_s;
+        }
+        return Done{};
+    };
+}
+
+/// Also wherever the name stands.
+std::function<Status(Session&)> setPerformer(size_t index, const Performer& performer) {
+    return [index, performer](Session& session) -> Status {
+        Performer& changed = session.performers.at(index);
+        if (changed.name != performer.name) {
+            for (SessionTake& take : session.takes)
+                if (take.performer == changed.name)
+                    take.performer = performer.name;
+            if (session.current_performer == changed.name)
+                session.current_performer = performer.name;
+        }
+        changed = performer;
+        return Done{};
+    };
+}
+
+std::function<Status(Session&)> insertPerformer(size_t index, const Performer& performer) {
+    return [index, performer](Session& session) -> Status {
+        session.performers.insert(session.performers.begin() + static_cast<ptrdiff_t>(index), performer);
+        return Done{};
+    };
+}
+
+std::function<Status(Session&)> erasePerformer(size_t index) {
+    return [index](Session& session) -> Status {
+        session.performers.erase(session.performers.begin() + static_cast<ptrdiff_t>(index));
+        return Done{};
+    };
+}
+
+bool isIndex(int index, size_t size) {
+    return index >= 0 && index < static_cast<int>(size);
+}
+
+}  // namespace
+
+void SessionModel::push(const QString& what, Step redo, Step undo, const QString& merge_key) {
+    undo_.push(new SessionCommand(*this, what, std::move(redo), std::move(undo), merge_key));
+}
+
+bool SessionModel::apply(const Step& step) {
+    const Status done = step(*session_);
+    if (done)
+        noteChange();
+    else
+        emit failed(QString::fromStdString(done.error().text()));
+    return done.ok();
+}
+
+void SessionModel::rate(int take, int rating) {
+    if (!session_ || !isIndex(take, session_->takes.size()))
+        return;
+    const SessionTake& rated = session_->takes[static_cast<size_t>(take)];
+    rating = std::clamp(rating, 0, kBestRating);
+    if (rating != rated.rating)
+        push(tr("Rate %1").arg(QString::fromStdString(rated.name)),
+             setOf(rated.name, &SessionTake::rating, rating),
+             setOf(rated.name, &SessionTake::rating, rated.rating));
+}
+
+void SessionModel::setTakeNotes(int take, const QString& notes) {
+    if (!session_ || !isIndex(take, session_->takes.size()))
+        return;
+    const SessionTake& noted = session_->takes[static_cast<size_t>(take)];
+    if (notes.toStdString() != noted.notes)
+        push(tr("Notes of %1").arg(QString::fromStdString(noted.name)),
+             setOf(noted.name, &SessionTake::notes, notes.toStdString()),
+             setOf(noted.name, &SessionTake::notes, noted.notes),
+             QString("notes/%1").arg(QString::fromStdString(noted.name)));
+}
+
+void SessionModel::setTakeRange(int take, double in_s, double out_s) {
+    if (!session_ || !isIndex(take, session_->takes.size()))
+        return;
+    const SessionTake& cut = session_->takes[static_cast<size_t>(take)];
+    if (in_s != cut.in_s || out_s != cut.out_s)
+        push(tr("In and out of %1").arg(QString::fromStdString(cut.name)), setRange(cut.name, in_s, out_s),
+             setRange(cut.name, cut.in_s, cut.out_s),
+             QString("range/%1").arg(QString::fromStdString(cut.name)));
+}
+
+void SessionModel::renameSession(const QString& name) {
+    if (session_ && name.toStdString() != session_->name)
+        push(tr("Rename the session"), setOf(&Session::name, name.toStdString()),
+             setOf(&Session::name, session_->name));
+}
+
+void SessionModel::setNotes(const QString& notes) {
+    if (session_ && notes.toStdString() != session_->notes)
+        push(tr("Notes of the session"), setOf(&Session::notes, notes.toStdString()),
+             setOf(&Session::notes, session_->notes), "session-notes");
+}
+
+void SessionModel::addPerformer(const Performer& performer) {
+    if (!session_)
+        return;
+    const size_t index = session_->performers.size();
+    push(tr("Add %1").arg(QString::fromStdString(performer.name)), insertPerformer(index, performer),
+         erasePerformer(index));
+}
+
+void SessionModel::changePerformer(int index, const Performer& performer, const QString& what,
+                                   const QString& merge_key) {
+    if (!session_ || !isIndex(index, session_->performers.size()))
+        return;
+    const auto at = static_cast<size_t>(index);
+    push(what, setPerformer(at, performer), setPerformer(at, session_->performers[at]), merge_key);
+}
+
+void SessionModel::removePerformer(int index) {
+    if (!session_ || !isIndex(index, session_->performers.size()) || session_->performers.size() == 1)
+        return;
+    const auto at = static_cast<size_t>(index);
+    const Performer removed = session_->performers[at];
+    const std::string current = session_->current_performer;
+    const auto redo = [erase = erasePerformer(at), removed](Session& session) -> Status {
+        Status erased = erase(session);
+        if (session.current_performer == removed.name)
+            session.current_performer = session.performers.front().name;
+        return erased;
+    };
+    const auto undo = [insert = insertPerformer(at, removed), current](Session& session) -> Status {
+        session.current_performer = current;
+        return insert(session);
+    };
+    push(tr("Remove %1").arg(QString::fromStdString(removed.name)), redo, undo);
+}
+
+void SessionModel::setCurrentPerformer(const QString& name) {
+    if (session_ && name.toStdString() != session_->current_performer)
+        push(tr("Choose %1").arg(name), setOf(&Session::current_performer, name.toStdString()),
+             setOf(&Session::current_performer, session_->current_performer));
+}
+
+void SessionModel::trashTake(int take) {
+    if (!session_ || !isIndex(take, session_->takes.size()))
+        return;
+    const SessionTake trashed = session_->takes[static_cast<size_t>(take)];
+    push(
+        tr("Move %1 to the trash").arg(QString::fromStdString(trashed.name)),
+        [name = trashed.name](Session& session) { return noctule::trashTake(session, name); },
+        [trashed](Session& session) { return restoreTake(session, trashed); });
+}
+
+}  // namespace noctule::ui

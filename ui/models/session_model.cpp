@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// Opening, closing and files; what the operator changes is in session_changes.cpp.
+#include "ui/models/session_model.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QSettings>
+
+#include "ui/models/session_command.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr const char* kCurrentTakes = "current_takes";
+
+QString inWords(const Error& error) {
+    return QString::fromStdString(error.text());
+}
+
+std::string nowUtc() {
+    return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+}
+
+std::filesystem::path pathOf(const QString& text) {
+    return QDir::cleanPath(text).toStdString();
+}
+
+/// Folders are keys of their own in the settings: slashes would make groups of them.
+QString keyOf(const Session& session) {
+    return QString("%1/%2").arg(
+        kCurrentTakes,
+        QString::fromLatin1(QByteArray::fromStdString(session.folder.string()).toPercentEncoding()));
+}
+
+}  // namespace
+
+SessionModel::SessionModel(Jobs& jobs, QObject* parent) : QObject(parent), jobs_(jobs), saver_(jobs) {
+    connect(&saver_, &SessionSaver::failed, this, [this](const Error& error) {
+        tell(tr("The session could not be saved. Your takes are safe; the changes are kept here and saved "
+                "with the next one"),
+             error);
+    });
+}
+
+SessionModel::~SessionModel() {
+    leave();
+}
+
+void SessionModel::tell(const QString& what_failed, const Error& error) {
+    if (error.kind != ErrorKind::kCancelled)
+        emit failed(tr("%1. %2", "what failed and what is safe; why and what to do")
+                        .arg(what_failed, inWords(error)));
+}
+
+bool SessionModel::create(const QString& folder, const QString& name) {
+    auto made = createSession(pathOf(folder), name.toStdString(), nowUtc());
+    if (!made) {
+        tell(tr("The session “%1” was not made").arg(name), made.error());
+        return false;
+    }
+    adopt(std::move(*made), {});
+    return true;
+}
+
+void SessionModel::open(const QString& folder, const QString& take) {
+    saveNow();  // it may be the same one
+    openWith(tr("Opening session %1").arg(QDir(folder).dirName()), folder, take,
+             [folder = pathOf(folder)](const JobContext& job) { return openSession(folder, job); });
+}
+
+void SessionModel::rebuild(const QString& folder) {
+    openWith(
+        tr("Rebuilding session %1").arg(QDir(folder).dirName()), folder, {},
+        [folder = pathOf(folder)](const JobContext& job) { return rebuildSession(folder, nowUtc(), job); });
+}
+
+void SessionModel::openWith(const QString& title, const QString& folder, const QString& take,
+                            std::function<Result<Session>(const JobContext&)> work) {
+    if (opening_)
+        opening_->cancel();
+    struct Found {
+        std::optional<Session> session;
+        Error error;
+        bool can_rebuild = false;
+    };
+    opening_ = jobs_.start<Found>(
+        title,
+        [work = std::move(work), path = pathOf(folder)](const JobContext& job) -> Result<Found> {
+            auto session = work(job);
+            if (session)
+                return Found{std::move(*session), {}, false};
+            if (session.error().kind == ErrorKind::kCancelled)
+                return session.error();
+            return Found{{}, session.error(), canRebuildSession(path)};
+        },
+        [model = QPointer(this), folder, take](Result<Found> found) -> QString {
+            if (!model)
+                return {};
+            if (!found) {
+                model->tell(tr("The session was not opened"), found.error());
+            } else if (found->session) {
+                model->adopt(std::move(*found->session), take);
+            } else {
+                emit model->failed(inWords(found->error));
+                if (found->can_rebuild)
+                    emit model->damaged(folder);
+                return inWords(found->error);
+            }
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+void SessionModel::adopt(Session session, const QString& take) {
+    leave();
+    session_ = std::move(session);
+    const QString wanted = take.isEmpty() ? QSettings().value(keyOf(*session_)).toString() : take;
+    const int known = session_->findTake(wanted.toStdString());
+    current_ = known >= 0 ? known : static_cast<int>(session_->takes.size()) - 1;
+    current_name_ = current_ < 0 ? "" : session_->takes[static_cast<size_t>(current_)].name;
+    announce();
+}
+
+void SessionModel::leave() {
+    if (!session_)
+        return;
+    saveNow();
+    saver_.forget();
+    QSettings().setValue(keyOf(*session_), QString::fromStdString(current_name_));
+    undo_.clear();
+    session_.reset();
+    current_ = -1;
+    current_name_.clear();
+}
+
+void SessionModel::announce() {
+    emit opened();
+    emit changed();
+    emit currentTakeChanged(current_);
+}
+
+void SessionModel::close() {
+    if (opening_)
+        opening_->cancel();
+    if (!session_)
+        return;
+    leave();
+    announce();
+}
+
+void SessionModel::setCurrentTake(int index) {
+    if (!session_ || index < -1 || index >= static_cast<int>(session_->takes.size()) || index == current_)
+        return;
+    current_ = index;
+    current_name_ = index < 0 ? "" : session_->takes[static_cast<size_t>(index)].name;
+    emit currentTakeChanged(current_);
+}
+
+void SessionModel::followCurrentTake() {
+    if (current_ < 0)
+        return;
+    const int now = session_->findTake(current_name_);
+    if (now == current_)
+        return;
+    // When it has gone, its neighbour is the current one.
+    current_ = now >= 0 ? now : std::min(current_, static_cast<int>(session_->takes.size()) - 1);
+    current_name_ = current_ < 0 ? "" : session_->takes[static_cast<size_t>(current_)].name;
+    emit currentTakeChanged(current_);
+}
+
+void SessionModel::noteChange() {
+    saver_.schedule(*session_);
+    emit changed();
+    followCurrentTake();
+}
+
+void SessionModel::saveNow() {
+    if (session_)
+        saver_.flush();
+}
+
+void SessionModel::refresh(const QString& take_path) {
+    if (!session_ || addTake(*session_, take_path.toStdString()) < 0)
+        return;
+    noteChange();
+}
+
+void SessionModel::importTakes(const QStringList& paths) {
+    if (!session_ || paths.isEmpty())
+        return;
+    struct Imported {
+        std::vector<std::filesystem::path> files;
+        QStringList problems;
+    };
+    const auto work = [paths, copy = *session_](const JobContext& job) mutable -> Result<Imported> {
+        Imported imported;
+        for (const QString& path : paths) {
+            const auto take = importTake(copy, path.toStdString(), job);
+            if (take)
+                imported.files.push_back(copy.pathOf(*take));
+            else if (take.error().kind == ErrorKind::kCancelled)
+                break;  // what has been copied stays
+            else
+                imported.problems.append(inWords(take.error()));
+        }
+        if (imported.files.empty() && job.cancelled())
+            return JobContext::cancelledError();
+        return imported;
+    };
+    const auto done = [model = QPointer(this),
+                       folder = session_->folder](Result<Imported> imported) -> QString {
+        const bool same = model && model->session_ && model->session_->folder == folder;
+        if (!imported || !same)
+            return {};
+        for (const auto& file : imported->files) {
+            model->refresh(QString::fromStdString(file.string()));
+            model->setCurrentTake(model->session_->findTake(file.stem().string()));
+            emit model->takeAdded(QString::fromStdString(file.stem().string()));
+        }
+        for (const QString& problem : imported->problems)
+            emit model->failed(problem);
+        return imported->problems.isEmpty() ? tr("%n take(s) copied into the session", nullptr,
+                                                 static_cast<int>(imported->files.size()))
+                                            : imported->problems.join('\n');
+    };
+    jobs_.start<Imported>(tr("Importing %n take(s)", nullptr, static_cast<int>(paths.size())),
+                          std::function<Result<Imported>(const JobContext&)>(work), done);
+}
+
+void SessionModel::recover(int take) {
+    if (!session_ || take < 0 || take >= static_cast<int>(session_->takes.size()))
+        return;
+    const std::string name = session_->takes[static_cast<size_t>(take)].name;
+    const QString title = tr("Recovering %1").arg(QString::fromStdString(name));
+    jobs_.start<Session>(
+        title,
+        [copy = *session_, name](const JobContext& job) mutable -> Result<Session> {
+            if (const Status recovered = recoverTake(copy, name, job); !recovered)
+                return recovered.error();
+            return copy;
+        },
+        [model = QPointer(this), name](Result<Session> copy) -> QString {
+            if (!model || !model->session_)
+                return {};
+            if (!copy) {
+                model->tell(tr("%1 could not be recovered; its file stays as it is")
+                                .arg(QString::fromStdString(name)),
+                            copy.error());
+                return {};
+            }
+            if (copy->folder != model->session_->folder)
+                return {};
+            for (const SessionTake& known : copy->takes)
+                model->refresh(QString::fromStdString(copy->pathOf(known).string()));
+            return tr("%1 is recovered").arg(QString::fromStdString(name));
+        });
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/studio.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QTemporaryFile>
+#include <chrono>
+
+#include "core/mesh/glb_reader.h"
+#include "ui/models/virtual_session.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr const char* kBody = ":/noctule/bodies/mannequin.glb";
+
+QString words(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+/// assimp reads files of the disk only; the body is part of the program.
+std::shared_ptr<const SkinnedMesh> readBody() {
+    QFile resource(kBody);
+    QTemporaryFile file(QDir::temp().filePath("noctule-XXXXXX.glb"));
+    if (!resource.open(QIODevice::ReadOnly) || !file.open())
+        return nullptr;
+    const QByteArray bytes = resource.readAll();
+    if (file.write(bytes) != bytes.size() || !file.flush())
+        return nullptr;
+    auto mesh = readSkinnedMesh(file.fileName().toStdString());
+    return mesh ? std::make_shared<const SkinnedMesh>(std::move(*mesh)) : nullptr;
+}
+
+/// Waits for its turn and still hears Cancel; false: cancelled.
+bool waitForTurn(std::unique_lock<std::timed_mutex>& turn, const JobContext& job) {
+    constexpr std::chrono::milliseconds kLook(50);
+    while (!turn.try_lock_for(kLook)) {
+        if (job.cancelled())
+            return false;
+        job.progress(0, Studio::tr("Waits for another take").toStdString());
+    }
+    return true;
+}
+
+}  // namespace
+
+Studio::Studio(StudioParts parts, QObject* parent)
+    : QObject(parent),
+      parts_(std::move(parts)),
+      session_(jobs_),
+      take_(jobs_, time_),
+      processing_(std::make_shared<std::timed_mutex>()) {
+    connect(&session_, &SessionModel::currentTakeChanged, this, &Studio::openTakeUnderReview);
+}
+
+std::shared_ptr<const SkinnedMesh> Studio::body() {
+    if (!std::exchange(body_looked_for_, true))
+        body_ = readBody();
+    return body_;
+}
+
+QString Studio::sessionsFolder() const {
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return settings_.value("folders/sessions", QDir(documents).filePath("Noctule")).toString();
+}
+
+/// The take chosen in the session is the one under review; a damaged one is listed only.
+void Studio::openTakeUnderReview(int index) {
+    const SessionTake* chosen = index < 0 ? nullptr : &session_.session().takes[static_cast<size_t>(index)];
+    if (!chosen || chosen->state == TakeState::kDamaged) {
+        take_.close();
+        return;
+    }
+    const QString path = words(session_.session().pathOf(*chosen).string());
+    if (take_.path() != path)
+        take_.open(path);
+}
+
+Job* Studio::tryVirtualSuit() {
+    if (virtual_suit_ && virtual_suit_->state() == Job::State::kRunning)
+        return virtual_suit_;
+    VirtualSessionRequest request;
+    request.sessions_folder = sessionsFolder().toStdString();
+    request.session_name = tr("Virtual suit").toStdString();
+    request.take_base = tr("sample", "name of takes").toStdString();
+    request.software = parts_.software;
+    request.created_utc = parts_.utc_now();
+    request.make_take = parts_.make_sample_take;
+    virtual_suit_ = jobs_.start<VirtualSession>(
+        tr("Virtual suit"), [request](const JobContext& job) { return makeVirtualSession(request, job); },
+        [this](Result<VirtualSession> made) -> QString {
+            if (!made) {
+                if (made.error().kind != ErrorKind::kCancelled)
+                    emit failed(words(made.error().message), words(made.error().remedy));
+                return {};
+            }
+            session_.open(words(made->folder.string()), words(made->take));
+            goTo(Step::kReview);
+            return tr("%1 is ready").arg(words(made->take));
+        });
+    return virtual_suit_;
+}
+
+Job* Studio::process(ProcessRequest request) {
+    request.software = parts_.software;
+    request.created_utc = parts_.utc_now();
+    const QString path = words(request.take_path);
+    const QString take = QFileInfo(path).completeBaseName();
+    return jobs_.start<ProcessSummary>(
+        tr("Processing %1").arg(take),
+        [request = std::move(request), turns = processing_](const JobContext& job) -> Result<ProcessSummary> {
+            std::unique_lock turn(*turns, std::defer_lock);
+            if (!waitForTurn(turn, job))
+                return JobContext::cancelledError();
+            return processTake(request, job);
+        },
+        [this, path, take](Result<ProcessSummary> summary) -> QString {
+            if (!summary) {
+                if (summary.error().kind != ErrorKind::kCancelled)
+                    emit failed(words(summary.error().message), words(summary.error().remedy));
+                return {};
+            }
+            session_.refresh(path);
+            if (take_.path() == path)
+                take_.reload(true);
+            QString result = tr("%1 of %2 is ready: %n pose(s)", "name of the result, of the take",
+                                static_cast<int>(summary->poses))
+                                 .arg(words(summary->run_name), take);
+            emit said(result);
+            return result;
+        });
+}
+
+}  // namespace noctule::ui

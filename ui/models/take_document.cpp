@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Opening a take and choosing runs; its parts are in take_document_parts.cpp.
+#include "ui/models/take_document.h"
+
+#include <algorithm>
+
+#include "ui/models/take_document_loading.h"
+
+namespace noctule::ui {
+namespace {
+
+/// Whether a run of an earlier overview is still the same one: numbers may be given anew.
+bool isSame(const DerivedRun& a, const DerivedRun& b) {
+    return a.run == b.run && a.name == b.name && a.created_utc == b.created_utc &&
+           a.settings_json == b.settings_json;
+}
+
+int indexOf(const TakeOverview& overview, const DerivedRun& run) {
+    const auto found = std::find_if(overview.runs.begin(), overview.runs.end(),
+                                    [&](const ReviewRun& other) { return isSame(other.run, run); });
+    return found == overview.runs.end() ? -1 : static_cast<int>(found - overview.runs.begin());
+}
+
+}  // namespace
+
+TakeDocument::TakeDocument(Jobs& jobs, TimeCursor& time, QObject* parent)
+    : QObject(parent), jobs_(jobs), time_(time) {}
+
+TakeDocument::~TakeDocument() {
+    forget();
+}
+
+template <class Visit>
+void TakeDocument::forEachKind(Visit visit) {
+    visit(motions_), visit(contacts_), visit(ranges_), visit(readings_), visit(reports_);
+    visit(range_curves_), visit(reading_curves_), visit(motion_curves_);
+}
+
+void TakeDocument::open(const QString& path) {
+    close();
+    path_ = path;
+    loadOverview(path, true);
+}
+
+void TakeDocument::close() {
+    const bool was_open = isOpen();
+    forget();
+    path_.clear();
+    if (was_open) {
+        time_.setExtent(0, time_.frameStep());
+        emit opened();
+        emit runsChanged();
+    }
+}
+
+void TakeDocument::reload(bool show_newest) {
+    if (!path_.isEmpty())
+        loadOverview(path_, show_newest);
+}
+
+void TakeDocument::loadOverview(const QString& path, bool show_newest) {
+    if (overview_job_)
+        overview_job_->cancel();
+    const uint64_t ticket = overview_ticket_ = ++ticket_;
+    overview_job_ = jobs_.start<TakeOverview>(
+        tr("Opening %1").arg(path.section('/', -1)),
+        [path = path.toStdString()](const JobContext& job) { return overviewTake(path, job); },
+        [document = QPointer(this), ticket, show_newest](Result<TakeOverview> overview) -> QString {
+            if (!document || document->overview_ticket_ != ticket)
+                return {};
+            if (overview)
+                document->accept(std::move(*overview), show_newest);
+            else
+                document->refuse(overview.error());
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+void TakeDocument::accept(TakeOverview overview, bool show_newest) {
+    const auto earlier = std::exchange(overview_, std::make_shared<const TakeOverview>(std::move(overview)));
+    problem_.clear();
+    const auto newest = static_cast<int>(overview_->runs.size()) - 1;
+    const auto same = [&](int index) {
+        return index >= 0 ? indexOf(*overview_, earlier->runs[static_cast<size_t>(index)].run) : index;
+    };
+    if (!earlier) {
+        shown_ = newest, compared_ = -1;
+        time_.setExtent(overview_->duration_s, time_.frameStep());
+    } else {
+        shown_ = same(shown_), compared_ = same(compared_);
+        if (show_newest || shown_ < 0)
+            shown_ = newest;
+        if (compared_ == shown_ || (compared_ == kReference && !overview_->has_reference))
+            compared_ = -1;
+        forgetOutdated(*earlier);
+        if (overview_->duration_s != earlier->duration_s)
+            time_.setExtent(overview_->duration_s, time_.frameStep());
+    }
+    forgetUnshown();
+    emit opened();
+    emit runsChanged();
+}
+
+void TakeDocument::refuse(const Error& error) {
+    if (error.kind == ErrorKind::kCancelled)
+        return;
+    if (!isOpen())
+        path_.clear();
+    emit failed(QString::fromStdString(error.text()));
+}
+
+void TakeDocument::setShownRun(int index) {
+    if (!isOpen() || index == shown_ || index < -1 || index >= static_cast<int>(overview_->runs.size()))
+        return;
+    shown_ = index;
+    if (compared_ == shown_)
+        compared_ = -1;
+    forgetUnshown();
+    showFrames();
+    emit runsChanged();
+}
+
+void TakeDocument::setComparedRun(int index) {
+    const bool exists =
+        isOpen() && (index == kReference ? overview_->has_reference
+                                         : index >= -1 && index != shown_ &&
+                                               index < static_cast<int>(overview_->runs.size()));
+    if ((!exists && index != -1) || index == compared_)
+        return;
+    compared_ = index;
+    forgetUnshown();
+    emit runsChanged();
+}
+
+bool TakeDocument::isLoading() const {
+    bool loading = overview_job_ && overview_job_->state() == Job::State::kRunning;
+    const auto look = [&](const auto& parts) {
+        for (const auto& [key, part] : parts)
+            loading = loading || !part.ended;
+    };
+    const_cast<TakeDocument*>(this)->forEachKind(look);
+    return loading;
+}
+
+void TakeDocument::forget() {
+    if (overview_job_)
+        overview_job_->cancel();
+    overview_ticket_ = 0;
+    forEachKind([](auto& parts) { drop(parts, [](const auto&) { return true; }); });
+    overview_ = nullptr;
+    problem_.clear();
+    shown_ = compared_ = -1;
+}
+
+void TakeDocument::forgetUnshown() {
+    const auto shown_run = runNumber(shown_), compared_run = runNumber(compared_);
+    const ReviewRun* run = shown();
+    const auto range_run = run ? run->settings.range_run : std::nullopt;
+    const auto inertial_run = run ? run->settings.inertial_run : std::nullopt;
+    const auto unwatched = [&](int64_t key) {
+        return key != shown_run && key != compared_run && key != kReference;
+    };
+    drop(motions_, unwatched);
+    drop(motion_curves_, [&](const MotionCurveKey& key) { return unwatched(key.run); });
+    drop(contacts_, [&](int64_t key) { return key != shown_run; });
+    drop(reports_, [&](int64_t key) { return key != shown_run; });
+    drop(ranges_, [&](int64_t key) { return key != range_run; });
+    drop(range_curves_, [&](const RangeCurveKey& key) { return key.run != range_run; });
+    drop(readings_, [&](int64_t key) { return key != inertial_run; });
+    drop(reading_curves_, [&](const ReadingCurveKey& key) { return key.run != inertial_run; });
+}
+
+void TakeDocument::forgetOutdated(const TakeOverview& earlier) {
+    // The reference may be another one, and the report depends on it.
+    const auto gone = [&](int64_t number) {
+        const auto was = std::find_if(earlier.runs.begin(), earlier.runs.end(),
+                                      [&](const ReviewRun& run) { return run.run.run == number; });
+        return was == earlier.runs.end() || indexOf(*overview_, was->run) < 0;
+    };
+    drop(motions_, gone);
+    drop(motion_curves_, [&](const MotionCurveKey& key) { return gone(key.run); });
+    drop(contacts_, gone);
+    drop(reports_, [](int64_t) { return true; });
+    forEachKind([](auto& parts) {
+        std::erase_if(parts, [](const auto& entry) { return entry.second.ended && !entry.second.value; });
+    });
+}
+
+std::optional<int64_t> TakeDocument::runNumber(int index) const {
+    if (index == kReference)
+        return kReference;
+    if (!isOpen() || index < 0)
+        return std::nullopt;
+    return overview_->runs[static_cast<size_t>(index)].run.run;
+}
+
+const ReviewRun* TakeDocument::shown() const {
+    return isOpen() && shown_ >= 0 ? &overview_->runs[static_cast<size_t>(shown_)] : nullptr;
+}
+
+}  // namespace noctule::ui

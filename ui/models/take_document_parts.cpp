@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be asked of a TakeDocument, part by part.
+#include "core/processing/evaluate_take.h"
+#include "ui/models/take_document_loading.h"
+
+namespace noctule::ui {
+namespace {
+
+/// Shares the life of the whole.
+template <class Whole, class T>
+std::shared_ptr<const T> partOf(const std::shared_ptr<const Whole>& whole, T Whole::*member) {
+    return whole ? std::shared_ptr<const T>(whole, &(whole.get()->*member)) : nullptr;
+}
+
+}  // namespace
+
+std::optional<int64_t> TakeDocument::runOf(Whose whose) const {
+    if (whose == Whose::kReference)
+        return isOpen() && overview_->has_reference ? std::optional<int64_t>(kReference) : std::nullopt;
+    return runNumber(whose == Whose::kShown ? shown_ : compared_);
+}
+
+std::shared_ptr<const TimedMotion> TakeDocument::motion(std::optional<int64_t> run) {
+    if (!run)
+        return nullptr;
+    const auto number = *run == kReference ? std::nullopt : run;
+    return ask<int64_t, TimedMotion>(
+        motions_, *run, tr("Loading the motion"), &TakeDocument::motionLoaded,
+        [path = path_.toStdString(), number](const JobContext& job) { return loadPoses(path, number, job); });
+}
+
+std::shared_ptr<const TimedMotion> TakeDocument::shownMotion() {
+    return motion(runOf(Whose::kShown));
+}
+
+std::shared_ptr<const TimedMotion> TakeDocument::comparedMotion() {
+    return motion(runOf(Whose::kCompared));
+}
+
+std::shared_ptr<const TimedMotion> TakeDocument::reference() {
+    return motion(runOf(Whose::kReference));
+}
+
+void TakeDocument::motionLoaded() {
+    showFrames();
+    emit motionChanged();
+    emit curvesChanged();
+}
+
+void TakeDocument::rangesLoaded() {
+    emit rangesChanged();
+    emit curvesChanged();
+}
+
+void TakeDocument::readingsLoaded() {
+    emit readingsChanged();
+    emit curvesChanged();
+}
+
+void TakeDocument::showFrames() {
+    const auto run = runNumber(shown_);
+    const auto found = run ? motions_.find(*run) : motions_.end();
+    if (found == motions_.end() || !found->second.value || found->second.value->frames.empty())
+        return;
+    const TimedMotion& motion = *found->second.value;
+    time_.setFrames(static_cast<double>(motion.frames.front().time_ns) * 1e-9,
+                    static_cast<double>(usualStep_ns(motion)) * 1e-9);
+}
+
+std::shared_ptr<const std::vector<FootContacts>> TakeDocument::contacts() {
+    const auto run = runOf(Whose::kShown);
+    const auto shown_motion = motion(run);
+    if (!shown_motion)
+        return nullptr;
+    return ask<int64_t, std::vector<FootContacts>>(
+        contacts_, *run, tr("Looking for foot contacts"), &TakeDocument::motionChanged,
+        [shown_motion](const JobContext&) { return findFootContacts(*shown_motion); });
+}
+
+std::shared_ptr<const TakeDocument::Ranges> TakeDocument::rangesWithSummaries() {
+    const ReviewRun* run = shown();
+    if (!run || !run->settings.range_run)
+        return nullptr;
+    return ask<int64_t, Ranges>(ranges_, *run->settings.range_run, tr("Loading the ranges"),
+                                &TakeDocument::rangesLoaded,
+                                [path = path_.toStdString(),
+                                 number = *run->settings.range_run](const JobContext& job) -> Result<Ranges> {
+                                    auto table = loadRanges(path, number, job);
+                                    if (!table)
+                                        return table.error();
+                                    PairSummaries summaries(*table);
+                                    return Ranges{std::move(*table), std::move(summaries)};
+                                });
+}
+
+std::shared_ptr<const RangeTable> TakeDocument::ranges() {
+    return partOf(rangesWithSummaries(), &Ranges::table);
+}
+
+std::shared_ptr<const PairSummaries> TakeDocument::pairSummaries() {
+    return partOf(rangesWithSummaries(), &Ranges::summaries);
+}
+
+std::shared_ptr<const ReadingTable> TakeDocument::readings() {
+    const ReviewRun* run = shown();
+    if (!run || !run->settings.inertial_run)
+        return nullptr;
+    return ask<int64_t, ReadingTable>(
+        readings_, *run->settings.inertial_run, tr("Loading the readings"), &TakeDocument::readingsLoaded,
+        [path = path_.toStdString(), number = *run->settings.inertial_run](const JobContext& job) {
+            return loadReadings(path, number, job);
+        });
+}
+
+std::shared_ptr<const TakeDocument::Judged> TakeDocument::judged() {
+    const ReviewRun* run = shown();
+    if (!run)
+        return nullptr;
+    EvaluateRequest request;
+    request.take_path = path_.toStdString();
+    request.run_number = run->run.run;
+    return ask<int64_t, Judged>(reports_, run->run.run, tr("Judging the take"), &TakeDocument::reportChanged,
+                                [request, overview = overview_](const JobContext& job) -> Result<Judged> {
+                                    auto report = evaluateTake(request, job);
+                                    if (!report)
+                                        return report.error();
+                                    TakeVerdict verdict = judgeTake(*report, *overview);
+                                    return Judged{std::move(*report), std::move(verdict)};
+                                });
+}
+
+std::shared_ptr<const ReportData> TakeDocument::report() {
+    return partOf(judged(), &Judged::report);
+}
+
+std::shared_ptr<const TakeVerdict> TakeDocument::verdict() {
+    return partOf(judged(), &Judged::verdict);
+}
+
+std::shared_ptr<const SeriesPyramid> TakeDocument::rangeCurve(int source, int board, RangeQuantity quantity) {
+    const auto table = ranges();
+    if (!table || source < 0 || source >= table->source_count || board < 0 || board >= table->board_count)
+        return nullptr;
+    const RangeCurveKey key{*shown()->settings.range_run, source, board, quantity};
+    auto curve = ask<RangeCurveKey, SeriesPyramid>(
+        range_curves_, key, tr("Drawing ranges"), &TakeDocument::curvesChanged,
+        [table, source, board, quantity](const JobContext&) {
+            return SeriesPyramid(rangeSeries(*table, source, board, quantity));
+        });
+    keepNewest(range_curves_);
+    return curve;
+}
+
+std::shared_ptr<const SeriesPyramid> TakeDocument::readingCurve(int board, int axis) {
+    const auto table = readings();
+    if (!table || board < 0 || board >= static_cast<int>(table->boards.size()) || axis < 0 || axis > 5)
+        return nullptr;
+    const ReadingCurveKey key{*shown()->settings.inertial_run, board, axis};
+    auto curve = ask<ReadingCurveKey, SeriesPyramid>(
+        reading_curves_, key, tr("Drawing readings"), &TakeDocument::curvesChanged,
+        [table, board, axis](const JobContext&) {
+            return SeriesPyramid(readingSeries(*table, board, axis));
+        });
+    keepNewest(reading_curves_);
+    return curve;
+}
+
+std::shared_ptr<const MotionCurve> TakeDocument::motionCurve(const CurveChoice& choice, Whose whose) {
+    const auto run = runOf(whose);
+    const auto base = motion(run);
+    if (!base)
+        return nullptr;
+    auto curve = ask<MotionCurveKey, MotionCurve>(motion_curves_, {*run, choice}, tr("Drawing joint angles"),
+                                                  &TakeDocument::curvesChanged,
+                                                  [base, choice](const JobContext&) -> Result<MotionCurve> {
+                                                      return noctule::motionCurve(*base, choice);
+                                                  });
+    keepNewest(motion_curves_);
+    return curve;
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/plots/lane_stack.h"
+
+#include <QGestureEvent>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPinchGesture>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plots/plot_panel.h"
+#include "ui/plots/time_keys.h"
+#include "ui/style/theme.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr double kWheelZoom = 1.25;  ///< per notch of 120
+constexpr double kPanShare = 0.1;    ///< of the window per key press or notch
+constexpr double kDot = 3.5;         // pixels at 100 percent
+
+}  // namespace
+
+/// The time cursor with its dots on the curves, and the take's markers, above all lanes.
+class LaneStack::Overlay : public QWidget {
+public:
+    Overlay(LaneStack& stack, Studio& studio, TimeWindow& window)
+        : QWidget(&stack), stack_(stack), studio_(studio), window_(window) {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        setAttribute(Qt::WA_NoSystemBackground);
+    }
+
+    void follow() {
+        const int old_x = painted_x_;
+        const int reach = Theme::get().px(kDot) + 2;
+        painted_x_ = qRound(xOf(studio_.time().time()));
+        update(old_x - reach, 0, 2 * reach + 1, height());
+        update(painted_x_ - reach, 0, 2 * reach + 1, height());
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        if (const auto overview = studio_.take().overview())
+            paintMarkers(painter, *overview);
+        paintCursor(painter);
+    }
+
+private:
+    double xOf(double t_s) const {
+        const auto [left, right] = stack_.timeExtent();
+        return left + window_.xOf(t_s, right - left);
+    }
+
+    bool shows(double t_s) const { return t_s >= window_.from() && t_s <= window_.to(); }
+
+    void paintMarkers(QPainter& painter, const TakeOverview& overview) const {
+        const Tokens& tokens = Theme::get().tokens();
+        for (const ReviewMarker& marker : overview.markers) {
+            if (!shows(marker.t_s))
+                continue;
+            QColor color = marker.kind == "user" ? tokens.acc : tokens.warn;
+            color.setAlphaF(0.7);
+            QPen pen(color, 1);
+            pen.setDashPattern({2, 3});
+            painter.setPen(pen);
+            const int x = qRound(xOf(marker.t_s));
+            painter.drawLine(x, 0, x, height());
+        }
+    }
+
+    void paintCursor(QPainter& painter) {
+        const double t_s = studio_.time().time();
+        painted_x_ = qRound(xOf(t_s));
+        if (!shows(t_s) || !studio_.take().isOpen())
+            return;
+        const Tokens& tokens = Theme::get().tokens();
+        painter.fillRect(QRect(painted_x_, 0, Theme::get().px(1), height()), tokens.t1);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const double radius = Theme::get().px(kDot);
+        for (const PlotLane* lane : stack_.lanes())
+            for (const PlotLane::Dot& dot : lane->dotsAt(t_s)) {
+                painter.setPen(QPen(tokens.panel, 1));
+                painter.setBrush(dot.color);
+                painter.drawEllipse(QPointF(painted_x_ + 0.5, lane->y() + dot.position.y()), radius, radius);
+            }
+    }
+
+    LaneStack& stack_;
+    Studio& studio_;
+    TimeWindow& window_;
+    int painted_x_ = 0;
+};
+
+LaneStack::LaneStack(Studio& studio, TimeWindow& window, QWidget* parent)
+    : QWidget(parent),
+      studio_(studio),
+      window_(window),
+      overlay_(new Overlay(*this, studio, window)),
+      redraw_([this] { redraw(); }),
+      move_cursor_([this] { moveCursor(); }) {
+    setFocusPolicy(Qt::StrongFocus);
+    grabGesture(Qt::PinchGesture);
+    setAccessibleName(tr("Plots"));
+    setAccessibleDescription(
+        tr("Plus and minus zoom, Ctrl and the arrow keys pan, Ctrl+0 shows the whole take"));
+    connect(&window, &TimeWindow::changed, this, [this] { redraw_.ask(); });
+    connect(&studio.time(), &TimeCursor::rangeChanged, this, [this] { redraw_.ask(); });
+    connect(&studio.time(), &TimeCursor::timeChanged, this, [this] { move_cursor_.ask(); });
+    connect(&studio.take(), &TakeDocument::opened, overlay_, qOverload<>(&QWidget::update));
+    connect(&Theme::get(), &Theme::changed, this, [this] {
+        updateGeometry();
+        place();
+    });
+}
+
+void LaneStack::setLanes(std::vector<LaneContent> lanes) {
+    while (lanes_.size() > lanes.size()) {
+        delete lanes_.back();
+        lanes_.pop_back();
+    }
+    while (lanes_.size() < lanes.size()) {
+        lanes_.push_back(new PlotLane(this));
+        lanes_.back()->show();
+    }
+    for (size_t i = 0; i < lanes.size(); ++i)
+        lanes_[i]->setContent(std::move(lanes[i]));
+    overlay_->raise();
+    updateGeometry();
+    place();
+    redraw();
+}
+
+void LaneStack::setScrollBarWidth(int width_px) {
+    scroll_bar_px_ = width_px;
+    place();
+}
+
+std::pair<int, int> LaneStack::timeExtent() const {
+    const Theme& theme = Theme::get();
+    const int left = theme.px(PlotPanel::kLeftExtent);
+    const int right = width() - std::max(0, theme.px(PlotPanel::kRightExtent) - scroll_bar_px_);
+    return {left, std::max(left + 1, right)};
+}
+
+QSize LaneStack::minimumSizeHint() const {
+    const Theme& theme = Theme::get();
+    const int count = static_cast<int>(lanes_.size());
+    return {theme.px(PlotPanel::kLeftExtent + 160), count * theme.px(PlotLane::kLeastHeight)};
+}
+
+void LaneStack::place() {
+    const int count = static_cast<int>(lanes_.size());
+    for (int i = 0; i < count; ++i) {
+        PlotLane& lane = *lanes_[static_cast<size_t>(i)];
+        lane.setRightExtent(width() - timeExtent().second);
+        const int top = height() * i / count, bottom = height() * (i + 1) / count;
+        lane.setGeometry(0, top, width(), bottom - top);
+    }
+    overlay_->setGeometry(rect());
+    overlay_->update();
+}
+
+void LaneStack::resizeEvent(QResizeEvent*) {
+    place();
+}
+
+void LaneStack::redraw() {
+    const LaneEmphasis emphasis{studio_.time().in(), studio_.time().out()};
+    for (PlotLane* lane : lanes_) {
+        lane->draw(window_.from(), window_.to(), emphasis);
+        lane->setCursor(studio_.time().time());
+    }
+    overlay_->update();
+}
+
+void LaneStack::moveCursor() {
+    for (PlotLane* lane : lanes_)
+        lane->setCursor(studio_.time().time());
+    overlay_->follow();
+}
+
+double LaneStack::timeAt(double x_px) const {
+    const auto [left, right] = timeExtent();
+    return window_.timeAt(x_px - left, right - left);
+}
+
+double LaneStack::zoomCentre() const {
+    const double t_s = studio_.time().time();
+    return t_s >= window_.from() && t_s <= window_.to() ? t_s : (window_.from() + window_.to()) / 2;
+}
+
+void LaneStack::mousePressEvent(QMouseEvent* event) {
+    const bool pans = event->button() == Qt::MiddleButton ||
+                      (event->button() == Qt::LeftButton && (event->modifiers() & Qt::ShiftModifier));
+    drag_x_px_ = event->localPos().x();
+    if (pans) {
+        drag_ = Drag::kPan;
+        setCursor(Qt::ClosedHandCursor);
+    } else if (event->button() == Qt::LeftButton) {
+        drag_ = Drag::kTime;
+        studio_.time().setTime(timeAt(drag_x_px_));
+    }
+}
+
+void LaneStack::mouseMoveEvent(QMouseEvent* event) {
+    const double x = event->localPos().x();
+    if (drag_ == Drag::kTime)
+        studio_.time().setTime(timeAt(x));
+    if (drag_ == Drag::kPan) {
+        window_.pan(timeAt(drag_x_px_) - timeAt(x));
+        drag_x_px_ = x;
+    }
+}
+
+void LaneStack::mouseReleaseEvent(QMouseEvent*) {
+    drag_ = Drag::kNone;
+    unsetCursor();
+}
+
+void LaneStack::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton)
+        window_.showAll();
+}
+
+void LaneStack::wheelEvent(QWheelEvent* event) {
+    const QPoint turn = event->angleDelta();
+    const auto [left, right] = timeExtent();
+    if (event->position().x() < left) {  // over the titles: scrolls the lanes
+        event->ignore();
+        return;
+    }
+    const double notches_x = turn.x() / 120.0, notches_y = turn.y() / 120.0;
+    if (event->modifiers() & Qt::ShiftModifier)
+        window_.pan(-notches_y * kPanShare * window_.span());
+    else if (std::abs(notches_x) > std::abs(notches_y))
+        window_.pan(-notches_x * kPanShare * window_.span());
+    else
+        window_.zoom(std::pow(kWheelZoom, notches_y), timeAt(event->position().x()));
+    event->accept();
+}
+
+void LaneStack::keyPressEvent(QKeyEvent* event) {
+    if (stepTime(studio_.time(), *event)) {
+        window_.reveal(studio_.time().time());
+        return;
+    }
+    const bool control = event->modifiers() & Qt::ControlModifier;
+    if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal)
+        window_.zoom(kWheelZoom, zoomCentre());
+    else if (event->key() == Qt::Key_Minus)
+        window_.zoom(1 / kWheelZoom, zoomCentre());
+    else if (control && event->key() == Qt::Key_0)
+        window_.showAll();
+    else if (control && event->key() == Qt::Key_Left)
+        window_.pan(-kPanShare * window_.span());
+    else if (control && event->key() == Qt::Key_Right)
+        window_.pan(kPanShare * window_.span());
+    else
+        QWidget::keyPressEvent(event);
+}
+
+bool LaneStack::event(QEvent* event) {
+    if (event->type() == QEvent::Gesture) {
+        auto* gesture = static_cast<QGestureEvent*>(event);
+        if (auto* pinch = static_cast<QPinchGesture*>(gesture->gesture(Qt::PinchGesture))) {
+            const QPointF centre = mapFromGlobal(pinch->centerPoint().toPoint());
+            window_.zoom(pinch->scaleFactor(), timeAt(centre.x()));
+            gesture->accept(pinch);
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/plots/lanes.h"
+
+#include <QCoreApplication>
+#include <array>
+#include <iterator>
+
+namespace noctule::ui {
+
+LanePen penOfIndex(size_t index) {
+    constexpr std::array kPens{LanePen::kFirst, LanePen::kSecond, LanePen::kThird, LanePen::kFourth};
+    return kPens[index % kPens.size()];
+}
+
+QString missingWords(TakeDocument& take, const QString& otherwise) {
+    if (take.isLoading())
+        return QCoreApplication::translate("Lanes", "Reading the take");
+    if (take.shownRun() < 0)
+        return QCoreApplication::translate("Lanes", "Process the take to see its curves");
+    return take.problem().isEmpty() ? otherwise : take.problem();
+}
+
+std::vector<LaneContent> allLanes(const LaneSources& sources) {
+    using Make = std::vector<LaneContent> (*)(const LaneSources&);
+    constexpr std::array<Make, kPlotTabs> kMakes{confidenceLanes, rangeLanes, soundLanes,
+                                                 inertialLanes,   angleLanes, rootLanes};
+    std::vector<LaneContent> lanes;
+    for (int tab = 0; tab < kPlotTabs; ++tab)
+        if (sources.channels.isOn(static_cast<PlotTab>(tab))) {
+            std::vector<LaneContent> more = kMakes[static_cast<size_t>(tab)](sources);
+            std::move(more.begin(), more.end(), std::back_inserter(lanes));
+        }
+    return lanes;
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Joint angles and the root, of the shown run with what it thinks of its own error, of the compared run and
+// of the reference.
+#include <QCoreApplication>
+#include <array>
+
+#include "ui/plots/curve_names.h"
+#include "ui/plots/lanes.h"
+
+namespace noctule::ui {
+namespace {
+
+using Whose = TakeDocument::Whose;
+
+QString words(const char* text) {
+    return QCoreApplication::translate("Lanes", text);
+}
+
+/// Poses come at 120 frames a second; a slow reference at 24.
+constexpr double kHold_s = 0.1;
+
+std::shared_ptr<const SeriesPyramid> partOf(const std::shared_ptr<const MotionCurve>& curve,
+                                            SeriesPyramid MotionCurve::*member) {
+    if (!curve || (curve.get()->*member).empty())
+        return nullptr;
+    return {curve, &(curve.get()->*member)};
+}
+
+struct Wearer {
+    Whose whose;
+    QString legend, readout;
+    LanePen pen;
+};
+
+/// Result A first; B and the reference where there are some.
+std::vector<Wearer> wearersOf(const TakeDocument& take) {
+    std::vector<Wearer> wearers{{Whose::kShown, words(QT_TRANSLATE_NOOP("Lanes", "result A")),
+                                 QStringLiteral("%1"), LanePen::kFirst}};
+    if (take.comparedRun() >= 0)
+        wearers.push_back({Whose::kCompared, words(QT_TRANSLATE_NOOP("Lanes", "result B")),
+                           words(QT_TRANSLATE_NOOP("Lanes", "B %1")), LanePen::kSecond});
+    if (take.overview()->has_reference)
+        wearers.push_back({Whose::kReference, words(QT_TRANSLATE_NOOP("Lanes", "reference")),
+                           words(QT_TRANSLATE_NOOP("Lanes", "ref %1")), LanePen::kReference});
+    return wearers;
+}
+
+/// One curve of everybody who has it.
+void appendCurves(LaneContent& lane, TakeDocument& take, const CurveChoice& choice) {
+    for (const Wearer& wearer : wearersOf(take)) {
+        const auto motion_curve = take.motionCurve(choice, wearer.whose);
+        LaneCurve curve;
+        curve.value = partOf(motion_curve, &MotionCurve::value);
+        if (!curve.value)
+            continue;
+        if (wearer.whose == Whose::kShown) {
+            curve.low = partOf(motion_curve, &MotionCurve::low);
+            curve.high = partOf(motion_curve, &MotionCurve::high);
+        }
+        const bool metres = motion_curve->unit == CurveUnit::kMetres;
+        lane.unit = metres ? LaneUnit{1, QStringLiteral("\u00A0m"), 3, false}
+                           : LaneUnit{1, QStringLiteral("°"), 1, true};
+        lane.least_span = metres ? 0.02 : 1;
+        curve.legend = curve.low ? words(QT_TRANSLATE_NOOP("Lanes", "%1 with 2 sigma")).arg(wearer.legend)
+                                 : wearer.legend;
+        curve.column = words(metres ? QT_TRANSLATE_NOOP("Lanes", "%1 (m), %2")
+                                    : QT_TRANSLATE_NOOP("Lanes", "%1 (deg), %2"))
+                           .arg(curveName(choice), wearer.legend);
+        curve.pen = wearer.pen;
+        curve.readout = wearer.readout;
+        curve.hold_s = kHold_s;
+        lane.curves.push_back(std::move(curve));
+    }
+}
+
+}  // namespace
+
+std::vector<LaneContent> angleLanes(const LaneSources& sources) {
+    LaneContent empty;
+    empty.title = words(QT_TRANSLATE_NOOP("Lanes", "Joint angles"));
+    empty.empty =
+        words(QT_TRANSLATE_NOOP("Lanes", "Choose a joint in the report or add one with + to see its angles"));
+    const auto motion = sources.take.isOpen() ? sources.take.shownMotion() : nullptr;
+    if (!motion) {
+        if (sources.take.isOpen())
+            empty.empty = missingWords(sources.take, empty.empty);
+        return {empty};
+    }
+    std::vector<LaneContent> lanes;
+    for (const CurveChoice& choice : sources.channels.angles(motion->skeleton)) {
+        LaneContent lane;
+        lane.title = curveName(choice);
+        appendCurves(lane, sources.take, choice);
+        lane.empty = missingWords(sources.take, words(QT_TRANSLATE_NOOP("Lanes", "Nothing was seen of it")));
+        lanes.push_back(std::move(lane));
+    }
+    if (lanes.empty())
+        lanes.push_back(empty);
+    return lanes;
+}
+
+std::vector<LaneContent> rootLanes(const LaneSources& sources) {
+    LaneContent empty;
+    empty.title = words(QT_TRANSLATE_NOOP("Lanes", "Root"));
+    empty.empty = words(QT_TRANSLATE_NOOP("Lanes", "Nothing was seen of the root"));
+    const auto motion = sources.take.isOpen() ? sources.take.shownMotion() : nullptr;
+    if (!motion) {
+        if (sources.take.isOpen())
+            empty.empty = missingWords(sources.take, empty.empty);
+        return {empty};
+    }
+    std::vector<LaneContent> lanes;
+    for (const CurveChoice& choice : curveChoices(motion->skeleton)) {
+        if (choice.joint != motion->skeleton.joint(0).name || choice.freedom == "pitch" ||
+            choice.freedom == "roll")
+            continue;
+        LaneContent lane;
+        lane.title = curveName(choice);
+        appendCurves(lane, sources.take, choice);
+        lane.empty = missingWords(sources.take, empty.empty);
+        if (!lane.unit.on_ticks && !lane.curves.empty())
+            lane.title = words(QT_TRANSLATE_NOOP("Lanes", "%1 in metres")).arg(lane.title);
+        lanes.push_back(std::move(lane));
+    }
+    return lanes;
+}
+
+}  // namespace noctule::ui

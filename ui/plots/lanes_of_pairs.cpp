@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// Confidence and ranges of source-board pairs.
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/models/part_names.h"
+#include "ui/plots/lanes.h"
+
+namespace noctule::ui {
+namespace {
+
+/// Pulses of a source come every 64 ms with eight sources; a value holds for three of them.
+constexpr double kHold_s = 0.192;
+
+QString words(const char* text) {
+    return QCoreApplication::translate("Lanes", text);
+}
+
+bool exists(const RangeTable& table, const Suit& suit, PairChannel pair) {
+    return pair.source < table.source_count && pair.board < table.board_count &&
+           pair.source < static_cast<int>(suit.sources.size()) &&
+           pair.board < static_cast<int>(suit.boards.size());
+}
+
+/// Points of one column of a pair's ranges.
+LaneCurve pointsOf(const std::shared_ptr<const RangeTable>& table, PairChannel pair,
+                   const std::vector<float>& value, const QString& column) {
+    const PairTrack& track = table->pair(pair.source, pair.board);
+    LaneCurve curve;
+    curve.column = column;
+    curve.value = std::make_shared<SeriesPyramid>(Series{track.t_s, value});
+    curve.fate = {table, &track.fate};
+    curve.hold_s = kHold_s;
+    return curve;
+}
+
+/// What the kept ranges need, so that one that is off by a metre does not flatten the others.
+std::pair<double, double> residualRange(const PairTrack& track) {
+    double most_m = 0.005;
+    for (size_t i = 0; i < track.t_s.size(); ++i) {
+        const bool kept = track.fate[i] == RangeFate::kUsed || track.fate[i] == RangeFate::kWeighted;
+        if (kept && std::isfinite(track.innovation_m[i]))
+            most_m = std::max(most_m, std::abs(double{track.innovation_m[i]}));
+    }
+    return {-1.2 * most_m, 1.2 * most_m};
+}
+
+/// Distance; and, where an estimator tried the ranges, how far they were from what it expected.
+void appendRangeLanes(std::vector<LaneContent>& lanes, const std::shared_ptr<const RangeTable>& table,
+                      PairChannel pair, const QString& name) {
+    const PairTrack& track = table->pair(pair.source, pair.board);
+    LaneContent distance;
+    distance.title = words(QT_TRANSLATE_NOOP("Lanes", "Range in metres, %1")).arg(name);
+    distance.empty = words(QT_TRANSLATE_NOOP("Lanes", "This board never heard this source"));
+    distance.unit = {1, QStringLiteral("\u00A0m"), 3};
+    distance.least_span = 0.02;
+    if (!track.t_s.empty())
+        distance.curves.push_back(pointsOf(table, pair, track.distance_m,
+                                           words(QT_TRANSLATE_NOOP("Lanes", "range (m) of %1")).arg(name)));
+    lanes.push_back(distance);
+    const bool tried = std::any_of(track.innovation_m.begin(), track.innovation_m.end(),
+                                   [](float value) { return std::isfinite(value); });
+    if (!tried)
+        return;
+    LaneContent residual;
+    residual.title =
+        words(QT_TRANSLATE_NOOP("Lanes", "Measured minus expected in millimetres, %1")).arg(name);
+    residual.unit = {1000, QStringLiteral("\u00A0mm"), 1};
+    residual.range = residualRange(track);
+    residual.curves.push_back(
+        pointsOf(table, pair, track.innovation_m,
+                 words(QT_TRANSLATE_NOOP("Lanes", "measured minus expected (m) of %1")).arg(name)));
+    lanes.push_back(std::move(residual));
+}
+
+}  // namespace
+
+std::vector<LaneContent> confidenceLanes(const LaneSources& sources) {
+    LaneContent lane;
+    lane.title = words(QT_TRANSLATE_NOOP("Lanes", "Confidence"));
+    lane.empty = words(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see its confidence"));
+    lane.range = {{0, 1}};
+    const auto overview = sources.take.overview();
+    const auto table = sources.take.ranges();
+    if (!overview)
+        return {lane};
+    if (!table)
+        lane.empty = missingWords(sources.take, lane.empty);
+    size_t index = 0;
+    for (const PairChannel pair : sources.channels.pairs()) {
+        if (!table || !exists(*table, overview->suit, pair))
+            continue;
+        LaneCurve curve;
+        curve.value = sources.take.rangeCurve(pair.source, pair.board, RangeQuantity::kConfidence);
+        curve.legend = pairName(overview->suit, pair.source, pair.board);
+        curve.column = words(QT_TRANSLATE_NOOP("Lanes", "confidence of %1")).arg(curve.legend);
+        curve.pen = penOfIndex(index++);
+        curve.hold_s = kHold_s;
+        if (curve.value)
+            lane.curves.push_back(std::move(curve));
+        else
+            lane.empty = missingWords(sources.take, lane.empty);
+    }
+    return {lane};
+}
+
+std::vector<LaneContent> rangeLanes(const LaneSources& sources) {
+    LaneContent empty;
+    empty.title = words(QT_TRANSLATE_NOOP("Lanes", "Ranges"));
+    empty.empty = words(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see its ranges"));
+    const auto overview = sources.take.overview();
+    const auto table = sources.take.ranges();
+    if (!overview || !table) {
+        if (overview)
+            empty.empty = missingWords(sources.take, empty.empty);
+        return {empty};
+    }
+    std::vector<LaneContent> lanes;
+    for (const PairChannel pair : sources.channels.pairs())
+        if (exists(*table, overview->suit, pair))
+            appendRangeLanes(lanes, table, pair, pairName(overview->suit, pair.source, pair.board));
+    if (lanes.empty())
+        lanes.push_back(empty);
+    return lanes;
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/plots/timeline.h"
+
+#include <QAccessible>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QToolTip>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/plots/plot_panel.h"
+#include "ui/plots/time_keys.h"
+#include "ui/plots/timeline_accessible.h"
+#include "ui/style/theme.h"
+#include "ui/style/words.h"
+
+namespace noctule::ui {
+namespace {
+
+// Pixels at 100 percent.
+constexpr double kAbove = 4, kFoot = 9, kFootRow = 16, kBetween = 8, kRuler = 24, kLabels = 20, kOverview = 4,
+                 kBelow = 4, kGripReach = 6, kFlagReach = 9;
+constexpr double kWheelZoom = 1.25;
+/// A marker this near counts as where the cursor stands.
+constexpr double kOnMarker_s = 1e-3;
+
+}  // namespace
+
+Timeline::Timeline(Studio& studio, TimeWindow& window, QWidget* parent)
+    : QWidget(parent), studio_(studio), window_(window), repaint_([this] { showTime(); }) {
+    TimelineAccessible::install();
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAccessibleName(tr("Timeline"));
+    setAccessibleDescription(
+        tr("Left and Right step a frame, with Shift a second; Home and End go to in and out"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    TakeDocument& take = studio.take();
+    for (const auto signal :
+         {&TakeDocument::opened, &TakeDocument::runsChanged, &TakeDocument::motionChanged})
+        connect(&take, signal, this, &Timeline::readTake);
+    connect(&window, &TimeWindow::changed, this, [this] { repaint_.ask(); });
+    connect(&studio.time(), &TimeCursor::timeChanged, this, [this] { repaint_.ask(); });
+    connect(&studio.time(), &TimeCursor::rangeChanged, this, qOverload<>(&QWidget::update));
+    connect(&studio.time(), &TimeCursor::extentChanged, this, qOverload<>(&QWidget::update));
+    connect(&Theme::get(), &Theme::changed, this, [this] {
+        updateGeometry();
+        update();
+    });
+    readTake();
+}
+
+void Timeline::readTake() {
+    overview_ = studio_.take().overview();
+    contacts_ = overview_ ? studio_.take().contacts() : nullptr;
+    if (!overview_ || chosen_marker_ >= static_cast<int>(overview_->markers.size()))
+        chosen_marker_ = -1;
+    update();
+}
+
+void Timeline::showTime() {
+    update();
+    if (!QAccessible::isActive())
+        return;
+    QAccessibleValueChangeEvent event(this, studio_.time().time());
+    QAccessible::updateAccessibility(&event);
+}
+
+QString Timeline::valueText() const {
+    return tr("%1 of %2", "time of the cursor, length of the take")
+        .arg(timeText(studio_.time().time(), 2), timeText(studio_.time().duration(), 2));
+}
+
+QSize Timeline::sizeHint() const {
+    return {Theme::get().px(640), minimumSizeHint().height()};
+}
+
+QSize Timeline::minimumSizeHint() const {
+    const Theme& theme = Theme::get();
+    return {theme.px(PlotPanel::kLeftExtent + 160),
+            theme.px(kAbove + 2 * kFootRow + kBetween + kRuler + kLabels + kOverview + kBelow)};
+}
+
+Timeline::Rows Timeline::rows() const {
+    const Theme& theme = Theme::get();
+    Rows rows;
+    rows.left = theme.px(PlotPanel::kLeftExtent);
+    rows.right = std::max(rows.left + 1, width() - theme.px(PlotPanel::kRightExtent));
+    const int span = rows.right - rows.left;
+    int y = theme.px(kAbove);
+    for (QRect& foot : rows.feet) {
+        foot = QRect(rows.left, y + (theme.px(kFootRow) - theme.px(kFoot)) / 2, span, theme.px(kFoot));
+        y += theme.px(kFootRow);
+    }
+    y += theme.px(kBetween);
+    rows.ruler = QRect(rows.left, y, span, theme.px(kRuler));
+    rows.labels = QRect(rows.left, rows.ruler.bottom() + 1, span, theme.px(kLabels));
+    rows.overview = QRect(rows.left, rows.labels.bottom() + 1, span, theme.px(kOverview));
+    return rows;
+}
+
+double Timeline::xOf(double t_s) const {
+    const Rows r = rows();
+    return r.left + window_.xOf(t_s, r.right - r.left);
+}
+
+double Timeline::timeAt(double x_px) const {
+    const Rows r = rows();
+    return window_.timeAt(x_px - r.left, r.right - r.left);
+}
+
+QPoint Timeline::inGrip() const {
+    return {qRound(xOf(studio_.time().in())), rows().ruler.center().y()};
+}
+
+QPoint Timeline::outGrip() const {
+    return {qRound(xOf(studio_.time().out())), rows().ruler.center().y()};
+}
+
+QPoint Timeline::rulerPoint(double t_s) const {
+    return {qRound(xOf(t_s)), rows().ruler.center().y()};
+}
+
+Timeline::Grip Timeline::gripAt(const QPoint& position) const {
+    const Rows r = rows();
+    const int reach = Theme::get().px(kGripReach);
+    if (!window_.showsAll() && position.y() >= r.overview.top() - reach / 2)
+        return Grip::kWindow;
+    const bool on_ruler = position.y() >= r.ruler.top() - reach && position.y() <= r.ruler.bottom() + reach;
+    const double to_in = std::abs(position.x() - xOf(studio_.time().in()));
+    const double to_out = std::abs(position.x() - xOf(studio_.time().out()));
+    if (on_ruler && std::min(to_in, to_out) <= reach)
+        return to_in < to_out ? Grip::kIn : Grip::kOut;
+    return Grip::kTime;
+}
+
+int Timeline::markerAt(const QPoint& position) const {
+    const Rows r = rows();
+    if (!overview_ || position.y() < r.ruler.top() - 2 || position.y() > r.ruler.center().y())
+        return -1;
+    const int reach = Theme::get().px(kFlagReach);
+    for (size_t i = 0; i < overview_->markers.size(); ++i) {
+        const double past = position.x() - xOf(overview_->markers[i].t_s);
+        if (past >= -3 && past <= reach)
+            return static_cast<int>(i);
+    }
+    return -1;
+}
+
+QString Timeline::tooltipAt(const QPoint& position) const {
+    const Rows r = rows();
+    const double t_s = timeAt(position.x());
+    if (const int marker = markerAt(position); marker >= 0) {
+        const ReviewMarker& m = overview_->markers[static_cast<size_t>(marker)];
+        const QString time = timeText(m.t_s, 2);
+        return m.label.empty() ? tr("Marker at %1").arg(time)
+                               : tr("%1, at %2").arg(QString::fromStdString(m.label), time);
+    }
+    if (r.ruler.contains(position) && overview_)
+        for (const auto& [from_s, to_s] : overview_->gaps_s)
+            if (t_s >= from_s && t_s <= to_s)
+                return tr("Gap of %1: nothing arrived").arg(secondsText(to_s - from_s, 2));
+    switch (gripAt(position)) {
+        case Grip::kIn:
+            return tr("In, %1").arg(timeText(studio_.time().in(), 2));
+        case Grip::kOut:
+            return tr("Out, %1").arg(timeText(studio_.time().out(), 2));
+        default:
+            return {};
+    }
+}
+
+void Timeline::dragTo(double x_px) {
+    TimeCursor& time = studio_.time();
+    switch (grip_) {
+        case Grip::kTime:
+            time.setTime(timeAt(x_px));
+            break;
+        case Grip::kIn:
+            time.setRange(std::min(timeAt(x_px), time.out()), time.out());
+            break;
+        case Grip::kOut:
+            time.setRange(time.in(), std::max(timeAt(x_px), time.in()));
+            break;
+        case Grip::kWindow: {
+            const Rows r = rows();
+            const double middle_s = (x_px - r.left) / (r.right - r.left) * time.duration();
+            window_.pan(middle_s - (window_.from() + window_.to()) / 2);
+            break;
+        }
+        case Grip::kNone:
+            break;
+    }
+}
+
+void Timeline::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || !overview_)
+        return;
+    if (const int marker = markerAt(event->pos()); marker >= 0) {
+        chosen_marker_ = marker;
+        studio_.time().setTime(overview_->markers[static_cast<size_t>(marker)].t_s);
+        update();
+        return;
+    }
+    grip_ = gripAt(event->pos());
+    grip_offset_px_ = 0;
+    if (grip_ == Grip::kIn || grip_ == Grip::kOut) {  // a press alone moves nothing
+        const double edge_s = grip_ == Grip::kIn ? studio_.time().in() : studio_.time().out();
+        grip_offset_px_ = xOf(edge_s) - event->localPos().x();
+    } else {
+        dragTo(event->localPos().x());
+    }
+}
+
+void Timeline::mouseMoveEvent(QMouseEvent* event) {
+    if (grip_ != Grip::kNone) {
+        dragTo(event->localPos().x() + grip_offset_px_);
+        return;
+    }
+    const Grip grip = gripAt(event->pos());
+    setCursor(grip == Grip::kIn || grip == Grip::kOut ? Qt::SplitHCursor : Qt::ArrowCursor);
+}
+
+void Timeline::mouseReleaseEvent(QMouseEvent*) {
+    grip_ = Grip::kNone;
+}
+
+void Timeline::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton)
+        window_.showAll();
+}
+
+void Timeline::wheelEvent(QWheelEvent* event) {
+    const QPoint turn = event->angleDelta();
+    if (std::abs(turn.x()) > std::abs(turn.y()))
+        window_.pan(-turn.x() / 1200.0 * window_.span());
+    else
+        window_.zoom(std::pow(kWheelZoom, turn.y() / 120.0), timeAt(event->position().x()));
+    event->accept();
+}
+
+void Timeline::keyPressEvent(QKeyEvent* event) {
+    TimeCursor& time = studio_.time();
+    if (stepTime(time, *event))
+        window_.reveal(time.time());
+    else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal)
+        window_.zoom(kWheelZoom, time.time());
+    else if (event->key() == Qt::Key_Minus)
+        window_.zoom(1 / kWheelZoom, time.time());
+    else
+        QWidget::keyPressEvent(event);
+}
+
+bool Timeline::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        auto* help = static_cast<QHelpEvent*>(event);
+        const QString words = tooltipAt(help->pos());
+        words.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), words, this);
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void Timeline::goToMarker(int direction) {
+    if (!overview_)
+        return;
+    const double now_s = studio_.time().time();
+    int best = -1;
+    double best_distance_s = studio_.time().duration() + 1;
+    for (size_t i = 0; i < overview_->markers.size(); ++i) {
+        const double distance_s = (overview_->markers[i].t_s - now_s) * direction;
+        if (distance_s > kOnMarker_s && distance_s < best_distance_s) {
+            best = static_cast<int>(i);
+            best_distance_s = distance_s;
+        }
+    }
+    if (best < 0)
+        return;
+    chosen_marker_ = best;
+    studio_.time().setTime(overview_->markers[static_cast<size_t>(best)].t_s);
+    window_.reveal(studio_.time().time());
+    update();
+}
+
+}  // namespace noctule::ui

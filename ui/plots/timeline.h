@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// Time of the take: contacts of both feet, ruler, in and out as grips, markers as flags, gaps hatched, and
+// the time cursor with its label. A click or drag moves the cursor, grips move in and out. To a screen reader
+// and to the keyboard it is a slider.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/models/studio.h"
+#include "ui/plots/repaint_limit.h"
+#include "ui/plots/time_window.h"
+
+namespace noctule::ui {
+
+class Timeline : public QWidget {
+    Q_OBJECT
+public:
+    /// `window`: the plots' (PlotPanel::window()).
+    Timeline(Studio& studio, TimeWindow& window, QWidget* parent = nullptr);
+
+    int chosenMarker() const { return chosen_marker_; }  ///< index into overview()->markers, -1: none
+    /// "0:17.40 of 0:36": value for screen readers.
+    QString valueText() const;
+    TimeCursor& time() const { return studio_.time(); }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+    /// Middle of a grip, of a flag, or of the ruler at a time; for tests and help.
+    QPoint inGrip() const;
+    QPoint outGrip() const;
+    QPoint rulerPoint(double t_s) const;
+
+public slots:
+    /// Moves the cursor to the next marker after it (1) or the last before it (-1).
+    void goToMarker(int direction);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    enum class Grip { kNone, kTime, kIn, kOut, kWindow };
+    /// Where things stand, top to bottom.
+    struct Rows {
+        int left, right;
+        std::array<QRect, 2> feet;
+        QRect ruler, labels, overview;
+    };
+    Rows rows() const;
+    double xOf(double t_s) const;
+    double timeAt(double x_px) const;
+    Grip gripAt(const QPoint& position) const;
+    int markerAt(const QPoint& position) const;
+    QString tooltipAt(const QPoint& position) const;
+    void dragTo(double x_px);
+    void readTake();
+    void showTime();
+    QRect labelRect(const Rows& rows) const;
+
+    void paintFeet(QPainter& painter, const Rows& rows) const;
+    void paintRuler(QPainter& painter, const Rows& rows) const;
+    void paintGaps(QPainter& painter, const Rows& rows) const;
+    void paintMarkers(QPainter& painter, const Rows& rows) const;
+    void paintOverview(QPainter& painter, const Rows& rows) const;
+    void paintCursor(QPainter& painter, const Rows& rows) const;
+
+    Studio& studio_;
+    TimeWindow& window_;
+    std::shared_ptr<const TakeOverview> overview_;
+    std::shared_ptr<const std::vector<FootContacts>> contacts_;
+    RepaintLimit repaint_;
+    Grip grip_ = Grip::kNone;
+    double grip_offset_px_ = 0;
+    int chosen_marker_ = -1;
+};
+
+}  // namespace noctule::ui

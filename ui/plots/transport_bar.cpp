@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/plots/transport_bar.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <array>
+#include <cmath>
+
+#include "core/processing/mark_take.h"
+#include "ui/plots/time_keys.h"
+#include "ui/plots/timeline.h"
+#include "ui/style/theme.h"
+#include "ui/style/words.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/elided_label.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/tool_button.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr std::array kSpeeds{-1., 0.1, 0.25, 0.5, 1., 2., 4.};
+
+QString speedText(double speed) {
+    return QCoreApplication::translate("TransportBar", "%1×", "speed of playback")
+        .arg(QLocale().toString(speed).replace(QLatin1Char('-'), QChar(0x2212)));
+}
+
+}  // namespace
+
+TransportBar::TransportBar(Studio& studio, Timeline& timeline, QWidget* parent)
+    : QWidget(parent), studio_(studio), timeline_(timeline) {
+    build();
+    connectStudio();
+    refreshRange();
+    refreshPlaying();
+    refreshSettings();
+    refreshEnabled();
+}
+
+void TransportBar::build() {
+    previous_ = new ToolButton(QStringLiteral("prev"), tr("Previous marker"), Qt::Key_Comma);
+    play_ = new ToolButton(QStringLiteral("play"), tr("Play"), Qt::Key_Space);
+    play_->setPrimary(true);
+    play_->setTargetSize(44, 30);
+    next_ = new ToolButton(QStringLiteral("next"), tr("Next marker"), Qt::Key_Period);
+    loop_ = new ToolButton(QStringLiteral("loop"), tr("Loop between in and out"),
+                           QKeySequence(QStringLiteral("Ctrl+L")));
+    loop_->setCheckable(true);
+    auto* speed_label = new Label(tr("Speed"), TextRole::kBody, Ink::kLabel);
+    speed_ = new QComboBox;
+    for (const double speed : kSpeeds)
+        speed_->addItem(speedText(speed), speed);
+    speed_->setAccessibleName(tr("Speed"));
+    speed_label->setBuddy(speed_);
+    in_ = makeButton(ButtonKind::kOutlined, {}, QStringLiteral("in"));
+    in_->setToolTip(tr("Set in to the cursor (Ctrl+I)"));
+    out_ = makeButton(ButtonKind::kOutlined, {}, QStringLiteral("out"));
+    out_->setToolTip(tr("Set out to the cursor (Ctrl+O)"));
+    length_ = new ElidedLabel({}, TextRole::kBody, Ink::kLabel);
+    length_->setAccessibleName(tr("Length between in and out"));
+    marker_ = makeButton(ButtonKind::kOutlined, tr("Marker"), QStringLiteral("marker"), Qt::Key_M);
+    marker_->setToolTip(tr("Set a marker at the cursor (M)"));
+    place(*speed_label);
+}
+
+void TransportBar::place(QWidget& speed_label) {
+    auto* row = new QHBoxLayout(this);
+    const auto place = [row] {
+        const Theme& theme = Theme::get();
+        row->setContentsMargins(theme.px(16), theme.px(8), theme.px(16), theme.px(8));
+        row->setSpacing(theme.px(8));
+    };
+    place();
+    connect(&Theme::get(), &Theme::changed, this, place);
+    for (QWidget* widget : std::initializer_list<QWidget*>{previous_, play_, next_, loop_})
+        row->addWidget(widget);
+    row->addSpacing(Theme::get().px(8));
+    row->addWidget(&speed_label);
+    row->addWidget(speed_);
+    row->addStretch(1);
+    row->addWidget(in_);
+    row->addWidget(out_);
+    row->addWidget(length_);
+    row->addSpacing(Theme::get().px(8));
+    row->addWidget(marker_);
+}
+
+void TransportBar::connectStudio() {
+    TimeCursor& time = studio_.time();
+    connect(previous_, &QAbstractButton::clicked, this, [this] { timeline_.goToMarker(-1); });
+    connect(next_, &QAbstractButton::clicked, this, [this] { timeline_.goToMarker(1); });
+    connect(play_, &QAbstractButton::clicked, &time, &TimeCursor::toggle);
+    connect(loop_, &QAbstractButton::clicked, &time, &TimeCursor::setLoop);
+    connect(speed_, qOverload<int>(&QComboBox::activated), this,
+            [this](int index) { studio_.time().setSpeed(speed_->itemData(index).toDouble()); });
+    connect(in_, &QAbstractButton::clicked, this, &TransportBar::setIn);
+    connect(out_, &QAbstractButton::clicked, this, &TransportBar::setOut);
+    connect(marker_, &QAbstractButton::clicked, this, &TransportBar::addMarker);
+    connect(&time, &TimeCursor::rangeChanged, this, &TransportBar::refreshRange);
+    connect(&time, &TimeCursor::extentChanged, this, &TransportBar::refreshRange);
+    connect(&time, &TimeCursor::playingChanged, this, &TransportBar::refreshPlaying);
+    connect(&time, &TimeCursor::settingsChanged, this, &TransportBar::refreshSettings);
+    connect(&studio_.take(), &TakeDocument::opened, this, &TransportBar::refreshEnabled);
+    connect(&studio_.take(), &TakeDocument::motionChanged, this, &TransportBar::refreshRange);
+}
+
+void TransportBar::refreshRange() {
+    const TimeCursor& time = studio_.time();
+    in_->setText(tr("In %1").arg(timeText(time.in(), 2)));
+    out_->setText(tr("Out %1").arg(timeText(time.out(), 2)));
+    const double length_s = time.out() - time.in();
+    const auto frames = static_cast<qint64>(std::llround(length_s / time.frameStep()));
+    length_->setText(tr("%1, %2 frames", "length between in and out", static_cast<int>(frames))
+                         .arg(secondsText(length_s, 2), countText(frames)));
+}
+
+void TransportBar::refreshPlaying() {
+    const bool playing = studio_.time().isPlaying();
+    play_->setMeaning(playing ? QStringLiteral("pause") : QStringLiteral("play"),
+                      playing ? tr("Pause") : tr("Play"), Qt::Key_Space);
+}
+
+void TransportBar::refreshSettings() {
+    const TimeCursor& time = studio_.time();
+    loop_->setChecked(time.loops());
+    int nearest = 0;
+    for (int i = 1; i < speed_->count(); ++i)
+        if (std::abs(speed_->itemData(i).toDouble() - time.speed()) <
+            std::abs(speed_->itemData(nearest).toDouble() - time.speed()))
+            nearest = i;
+    speed_->setCurrentIndex(nearest);
+}
+
+void TransportBar::refreshEnabled() {
+    const QString reason = studio_.take().isOpen() ? QString() : tr("Open a take first");
+    for (ToolButton* button : {previous_, play_, next_, loop_})
+        button->setDisabledBecause(reason);
+    for (Button* button : {in_, out_, marker_})
+        button->setDisabledBecause(reason);
+}
+
+void TransportBar::setIn() {
+    TimeCursor& time = studio_.time();
+    time.setRange(time.time(), std::max(time.time(), time.out()));
+}
+
+void TransportBar::setOut() {
+    TimeCursor& time = studio_.time();
+    time.setRange(std::min(time.in(), time.time()), time.time());
+}
+
+void TransportBar::addMarker() {
+    if (!studio_.take().isOpen())
+        return;
+    const QString path = studio_.take().path();
+    const double t_s = studio_.time().time();
+    const QString time = timeText(t_s, 2);
+    studio_.jobs().start<Done>(
+        tr("Setting a marker at %1").arg(time),
+        [path = path.toStdString(), t_s](const JobContext& job) { return markTake(path, t_s, {}, job); },
+        [&studio = studio_, path, time](Status marked) {
+            if (!marked) {
+                emit studio.failed(QString::fromStdString(marked.error().message),
+                                   QString::fromStdString(marked.error().remedy));
+                return QString();
+            }
+            if (studio.take().path() == path)
+                studio.take().reload(false);
+            emit studio.said(tr("Marker set at %1").arg(time));
+            return QString();
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+bool TransportBar::handleKey(const QKeyEvent& event) {
+    if (!studio_.take().isOpen())
+        return false;
+    TimeCursor& time = studio_.time();
+    const bool control = event.modifiers() & Qt::ControlModifier;
+    if (stepTime(time, event))
+        return true;
+    if (control && event.key() == Qt::Key_I)
+        setIn();
+    else if (control && event.key() == Qt::Key_O)
+        setOut();
+    else if (control && event.key() == Qt::Key_L)
+        time.setLoop(!time.loops());
+    else if (control)
+        return false;
+    else if (event.key() == Qt::Key_Space)
+        time.toggle();
+    else if (event.key() == Qt::Key_Comma)
+        timeline_.goToMarker(-1);
+    else if (event.key() == Qt::Key_Period)
+        timeline_.goToMarker(1);
+    else if (event.key() == Qt::Key_M)
+        addMarker();
+    else
+        return false;
+    return true;
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The row under the timeline: previous marker, play, next marker, loop, speed, in and out with their times,
+// the length between them, and a marker at the cursor.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/models/studio.h"
+
+class QComboBox;
+
+namespace noctule::ui {
+
+class Button;
+class ElidedLabel;
+class Label;
+class Timeline;
+class ToolButton;
+
+class TransportBar : public QWidget {
+    Q_OBJECT
+public:
+    TransportBar(Studio& studio, Timeline& timeline, QWidget* parent = nullptr);
+
+    /// The keys of Review (Space, arrows, Home, End, comma, full stop, M, Ctrl+I, Ctrl+O, Ctrl+L). The page
+    /// calls it from its keyPressEvent, where only those arrive that no text field or list wanted for itself.
+    /// True: done.
+    bool handleKey(const QKeyEvent& event);
+
+public slots:
+    void setIn();
+    void setOut();
+    /// Writes a marker of kind user at the cursor into the take, as a job.
+    void addMarker();
+
+private:
+    void build();
+    void place(QWidget& speed_label);
+    void connectStudio();
+    void refreshRange();
+    void refreshPlaying();
+    void refreshSettings();
+    void refreshEnabled();
+
+    Studio& studio_;
+    Timeline& timeline_;
+    ToolButton *previous_ = nullptr, *play_ = nullptr, *next_ = nullptr, *loop_ = nullptr;
+    Button *in_ = nullptr, *out_ = nullptr, *marker_ = nullptr;
+    QComboBox* speed_ = nullptr;
+    ElidedLabel* length_ = nullptr;
+};
+
+}  // namespace noctule::ui

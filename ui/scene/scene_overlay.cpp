@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/scene_overlay.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <array>
+
+#include "ui/style/paint.h"
+#include "ui/style/theme.h"
+#include "ui/style/words.h"
+
+namespace noctule::ui {
+
+namespace {
+
+double px(double at_100_percent) {
+    return Theme::get().px(at_100_percent);
+}
+
+QFont captionFont(bool medium = false) {
+    return Theme::get().font(TextRole::kCaption, medium);
+}
+
+void paintAxes(QPainter& painter, const QRectF& area, const Matrix3d& camera_axes) {
+    const Tokens& tokens = Theme::get().tokens();
+    struct Axis {
+        QString letter;
+        QColor color;
+        Vector3d direction;  ///< in camera axes
+    };
+    const Matrix3d R_camera_world = camera_axes.transpose();
+    std::array<Axis, 3> axes{{{QStringLiteral("X"), tokens.x, R_camera_world.col(0)},
+                              {QStringLiteral("Y"), tokens.y, R_camera_world.col(1)},
+                              {QStringLiteral("Z"), tokens.z, R_camera_world.col(2)}}};
+    std::sort(axes.begin(), axes.end(),
+              [](const Axis& a, const Axis& b) { return a.direction.z() < b.direction.z(); });
+    const QPointF origin = area.bottomLeft() + QPointF(px(40), -px(36));
+    painter.setFont(captionFont(true));
+    for (const Axis& axis : axes) {
+        const QPointF along(axis.direction.x(), -axis.direction.y());
+        painter.setPen(QPen(axis.color, px(1.5), Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(origin, origin + px(20) * along);
+        const QPointF letter = origin + px(28) * along;
+        painter.drawText(QRectF(letter - QPointF(px(8), px(8)), QSizeF(px(16), px(16))), Qt::AlignCenter,
+                         axis.letter);
+    }
+}
+
+void paintLegends(QPainter& painter, const QRectF& area, const std::vector<SceneLegend>& legends,
+                  bool beside_axes) {
+    const Tokens& tokens = Theme::get().tokens();
+    painter.setFont(Theme::get().font(TextRole::kSecondary));
+    const double row = px(20), left = area.left() + px(beside_axes ? 84 : 16);
+    double y = area.bottom() - px(14) - row * static_cast<double>(legends.size());
+    for (const SceneLegend& legend : legends) {
+        const QRectF swatch(left, y + (row - px(10)) / 2, px(14), px(10));
+        painter.setPen(QPen(legend.outline ? tokens.ref : QColor(Qt::transparent), px(1.3)));
+        painter.setBrush(legend.outline ? QColor(Qt::transparent) : tokens.edge);
+        painter.drawRoundedRect(swatch, px(3), px(3));
+        painter.setPen(tokens.t2);
+        painter.drawText(QRectF(left + px(22), y, area.width(), row), Qt::AlignVCenter | Qt::AlignLeft,
+                         legend.text);
+        y += row;
+    }
+}
+
+void paintRayLegend(QPainter& painter, const QRectF& area) {
+    const Theme& theme = Theme::get();
+    const double width = px(180), bar = px(6);
+    const QPointF corner = area.bottomRight() - QPointF(width + px(16), px(58));
+    painter.setFont(captionFont());
+    painter.setPen(theme.tokens().t2);
+    painter.drawText(QRectF(corner, QSizeF(width, px(16))), Qt::AlignLeft | Qt::AlignVCenter,
+                     QCoreApplication::translate("SceneOverlay", "Ray confidence, source to board"));
+    QLinearGradient ramp(corner, corner + QPointF(width, 0));
+    constexpr int kStops = 16;
+    for (int i = 0; i <= kStops; ++i)
+        ramp.setColorAt(i / double{kStops}, theme.confidence(i / double{kStops}));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ramp);
+    painter.drawRoundedRect(QRectF(corner + QPointF(0, px(20)), QSizeF(width, bar)), bar / 2, bar / 2);
+    painter.setPen(theme.tokens().t2);
+    const QRectF numbers(corner + QPointF(0, px(28)), QSizeF(width, px(16)));
+    painter.drawText(numbers, Qt::AlignLeft | Qt::AlignVCenter, numberText(0, 0));
+    painter.drawText(numbers, Qt::AlignHCenter | Qt::AlignVCenter, numberText(0.5, 1));
+    painter.drawText(numbers, Qt::AlignRight | Qt::AlignVCenter, numberText(1, 0));
+}
+
+/// Beside the thing, on the side with room, and wholly within the area.
+QRectF calloutBox(const QRectF& area, const QPointF& at, double clear_px, const QSizeF& size) {
+    const double away = px(clear_px + 50);
+    const bool right = at.x() + away + size.width() + px(8) < area.right();
+    QRectF box(
+        QPointF(right ? at.x() + away : at.x() - away - size.width(), at.y() - px(24) - size.height() / 2),
+        size);
+    box.moveLeft(std::clamp(box.left(), area.left() + px(8),
+                            std::max(area.left() + px(8), area.right() - size.width() - px(8))));
+    box.moveTop(std::clamp(box.top(), area.top() + px(52),
+                           std::max(area.top() + px(52), area.bottom() - size.height() - px(8))));
+    return box;
+}
+
+void paintCallout(QPainter& painter, const QRectF& area, const SceneCallout& callout) {
+    const Theme& theme = Theme::get();
+    const Tokens& tokens = theme.tokens();
+    const QFont title_font = theme.font(TextRole::kSecondary, true),
+                detail_font = theme.font(TextRole::kCaption);
+    const QFontMetricsF title(title_font), detail(detail_font);
+    const double line = title.height() + (callout.detail.isEmpty() ? 0 : detail.height() + px(2));
+    const QSizeF size(
+        std::max(title.horizontalAdvance(callout.title), detail.horizontalAdvance(callout.detail)) + px(20),
+        line + px(12));
+    const QRectF box = calloutBox(area, callout.at, callout.clear_px, size);
+    const bool right = box.center().x() > callout.at.x();
+    const QPointF knee(right ? box.left() : box.right(), box.center().y());
+    const QPointF toward = knee - callout.at;
+    const double length = std::max(1.0, std::hypot(toward.x(), toward.y()));
+    painter.setPen(QPen(tokens.acc, px(1.2)));
+    painter.drawLine(callout.at + toward * std::min(1.0, px(callout.clear_px) / length), knee);
+    paintBox(painter, box, px(4), tokens.raised, tokens.acc);
+    const QRectF inner = box.adjusted(px(10), px(6), -px(10), -px(6));
+    painter.setFont(title_font);
+    painter.setPen(tokens.t1);
+    painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop, callout.title);
+    painter.setFont(detail_font);
+    painter.setPen(tokens.t2);
+    painter.drawText(inner, Qt::AlignLeft | Qt::AlignBottom, callout.detail);
+}
+
+bool sameContent(const OverlayContent& a, const OverlayContent& b) {
+    const auto sameLegend = [](const SceneLegend& x, const SceneLegend& y) {
+        return x.text == y.text && x.outline == y.outline;
+    };
+    const auto sameCallout = [](const SceneCallout& x, const SceneCallout& y) {
+        return x.at == y.at && x.title == y.title && x.detail == y.detail && x.clear_px == y.clear_px;
+    };
+    return a.camera_axes == b.camera_axes && a.has_axes == b.has_axes && a.has_rays == b.has_rays &&
+           std::equal(a.legends.begin(), a.legends.end(), b.legends.begin(), b.legends.end(), sameLegend) &&
+           a.callout.has_value() == b.callout.has_value() &&
+           (!a.callout || sameCallout(*a.callout, *b.callout));
+}
+
+}  // namespace
+
+SceneOverlay::SceneOverlay(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setFocusPolicy(Qt::NoFocus);
+    connect(&Theme::get(), &Theme::changed, this, QOverload<>::of(&QWidget::update));
+}
+
+void SceneOverlay::setContent(OverlayContent content) {
+    const bool same = sameContent(content, content_);
+    content_ = std::move(content);
+    if (!same)
+        update();
+}
+
+void SceneOverlay::paint(QPainter& painter, const QRectF& area, const OverlayContent& content) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool has_room = area.height() >= px(180) && area.width() >= px(240);
+    const bool has_axes = content.has_axes && has_room;
+    if (has_axes)
+        paintAxes(painter, area, content.camera_axes);
+    if (has_room)
+        paintLegends(painter, area, content.legends, has_axes);
+    if (content.has_rays && has_room && area.width() >= px(520))
+        paintRayLegend(painter, area);
+    if (content.callout)
+        paintCallout(painter, area, *content.callout);
+}
+
+void SceneOverlay::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    paint(painter, rect(), content_);
+}
+
+}  // namespace noctule::ui

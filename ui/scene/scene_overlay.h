@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is written on a 3D picture: the axes in the corner, legends, and the callout of what is chosen. Lets
+// the mouse through.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "core/render/camera.h"
+
+namespace noctule::ui {
+
+struct SceneLegend {
+    QString text;
+    bool outline = false;  ///< a ghost's, else a surface's
+};
+
+struct SceneCallout {
+    QPointF at;  ///< of the thing, in the widget's pixels
+    QString title, detail;
+    double clear_px = 13;  ///< radius around the thing, at 100 percent, that stays free
+};
+
+struct OverlayContent {
+    Matrix3d camera_axes = Matrix3d::Identity();
+    bool has_axes = true;
+    std::vector<SceneLegend> legends;
+    bool has_rays = false;
+    std::optional<SceneCallout> callout;
+};
+
+class SceneOverlay : public QWidget {
+    Q_OBJECT
+public:
+    explicit SceneOverlay(QWidget* parent);
+
+    void setContent(OverlayContent content);
+    const OverlayContent& content() const { return content_; }
+    /// The same onto any picture of the area's size.
+    static void paint(QPainter& painter, const QRectF& area, const OverlayContent& content);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    OverlayContent content_;
+};
+
+}  // namespace noctule::ui

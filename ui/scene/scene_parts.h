@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a SceneView is made of; for its own source files only.
+#pragma once
+
+#include <QPointer>
+#include <optional>
+
+#include "ui/scene/camera_control.h"
+#include "ui/scene/figure_scene.h"
+#include "ui/scene/scene_canvas.h"
+#include "ui/scene/scene_overlay.h"
+#include "ui/scene/scene_tools.h"
+#include "ui/scene/scene_view.h"
+#include "ui/scene/take_scene.h"
+#include "ui/widgets/empty_state.h"
+
+namespace noctule::ui {
+
+struct SceneView::Parts {
+    Parts(Studio& studio, Step of_step)
+        : step(of_step), layers(loadLayers(studio.settings(), of_step)), take(studio) {}
+
+    Step step;
+    SceneLayers layers;
+    SceneCanvas* canvas = nullptr;  ///< null: no OpenGL
+    SceneOverlay* overlay = nullptr;
+    SceneTools* tools = nullptr;
+    EmptyState* message = nullptr;
+    CameraControl* control = nullptr;
+
+    TakeScene take;
+    std::optional<FigureScene> figure;
+    ComposedScene composed;  ///< what was drawn last
+
+    QString framed;         ///< what the camera has been put in front of: a take's path or the figure
+    bool untouched = true;  ///< the operator has not moved the camera since
+    std::optional<Vector3d> followed_m;
+    std::optional<QPointF> pressed_at;
+
+    ScreenView screen() const { return {control->camera(), control->size(), canvas ? canvas->ratio() : 1.0}; }
+    /// Pixels of the surface from those of the widget.
+    Eigen::Vector2d onSurface(const QPointF& at) const {
+        const double dpr = canvas->devicePixelRatioF();
+        return {at.x() * dpr, at.y() * dpr};
+    }
+};
+
+}  // namespace noctule::ui

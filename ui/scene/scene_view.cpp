@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/scene_view.h"
+
+#include <QEvent>
+#include <QFileDialog>
+#include <QPainter>
+#include <QResizeEvent>
+#include <QStandardPaths>
+
+#include "ui/scene/scene_accessible.h"
+#include "ui/scene/scene_parts.h"
+#include "ui/scene/scene_words.h"
+#include "ui/style/words.h"
+
+namespace noctule::ui {
+
+namespace {
+
+const QString kFigure = QStringLiteral("figure");
+
+bool isPlayed(Studio& studio) {
+    return studio.time().isPlaying();
+}
+
+Eigen::AlignedBox3d roomy(Eigen::AlignedBox3d box) {
+    const Vector3d flesh(0.12, 0.06, 0.12);
+    box.extend(Vector3d(box.min() - flesh));
+    box.extend(Vector3d(box.max() + flesh));
+    return box;
+}
+
+}  // namespace
+
+SceneView::SceneView(Studio& studio, QWidget* parent, Step step)
+    : QWidget(parent), studio_(studio), parts_(std::make_unique<Parts>(studio, step)) {
+    installSceneAccessibility();
+    setAccessibleName(tr("3D view"));
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(200, 160);
+    parts_->control = new CameraControl(this);
+    parts_->tools = new SceneTools(this);
+    const QString missing = SceneCanvas::missing();
+    if (missing.isEmpty())
+        makeCanvas();
+    parts_->overlay = new SceneOverlay(this);
+    parts_->message = new EmptyState(missing, {}, {}, this);
+    parts_->message->setAttribute(Qt::WA_TransparentForMouseEvents);
+    parts_->tools->raise();
+    parts_->tools->setVisible(parts_->canvas);
+    parts_->overlay->setVisible(parts_->canvas);
+    connectTools();
+    followStudio();
+    updateMessage();
+    qApp->installEventFilter(this);
+}
+
+SceneView::~SceneView() {
+    qApp->removeEventFilter(this);
+    // The canvas draws through this view's parts: it goes first.
+    delete parts_->canvas;
+    parts_->canvas = nullptr;
+}
+
+void SceneView::makeCanvas() {
+    parts_->canvas = new SceneCanvas([this]() -> const Scene& { return compose(); },
+                                     [this] { return parts_->control->camera(); }, this);
+    parts_->canvas->installEventFilter(this);
+    parts_->canvas->setFocusProxy(this);
+    connect(parts_->canvas, &SceneCanvas::painted, this, &SceneView::updateOverlay);
+    connect(parts_->canvas, &SceneCanvas::unavailable, this, [this](const QString& message) {
+        parts_->tools->hide();
+        parts_->overlay->hide();
+        showMessage(message);
+    });
+}
+
+void SceneView::connectTools() {
+    SceneTools& tools = *parts_->tools;
+    tools.setLayers(parts_->layers);
+    connect(&tools, &SceneTools::layerToggled, this, &SceneView::setShown);
+    connect(&tools, &SceneTools::followToggled, this, &SceneView::setFollow);
+    connect(&tools, &SceneTools::viewChosen, this, &SceneView::setView);
+    connect(&tools, &SceneTools::pictureWanted, this, &SceneView::exportPicture);
+    connect(parts_->control, &CameraControl::changed, this, &SceneView::refresh);
+    connect(parts_->control, &CameraControl::viewChanged, this, [this] {
+        parts_->tools->setView(view());
+        keepCamera();
+        emit viewChanged();
+    });
+    const QString view_key = settingsGroup(parts_->step) + QStringLiteral("/view");
+    const auto kept = static_cast<CameraView>(studio_.settings().value(view_key, 0).toInt());
+    Camera camera = parts_->control->camera();
+    camera.setView(kept);
+    parts_->control->setCamera(camera, kept);
+}
+
+void SceneView::followStudio() {
+    TakeDocument& take = studio_.take();
+    const auto renew = [this] {
+        updateMessage();
+        refresh();
+    };
+    connect(&take, &TakeDocument::opened, this, renew);
+    connect(&take, &TakeDocument::runsChanged, this, renew);
+    connect(&take, &TakeDocument::motionChanged, this, renew);
+    connect(&take, &TakeDocument::rangesChanged, this, renew);
+    connect(&studio_.time(), &TimeCursor::timeChanged, this, &SceneView::refresh);
+    connect(&studio_.time(), &TimeCursor::playingChanged, this, &SceneView::refresh);
+    connect(&studio_.selection(), &Selection::pairChanged, this, &SceneView::refresh);
+    connect(&Theme::get(), &Theme::changed, this, [this] {
+        layOut();
+        refresh();
+    });
+}
+
+void SceneView::showMessage(const QString& sentence) {
+    parts_->message->setSentence(sentence);
+    parts_->message->setVisible(!sentence.isEmpty());
+}
+
+void SceneView::updateMessage() {
+    if (parts_->canvas)
+        showMessage(parts_->composed.hasBody() ? QString() : whyEmpty(studio_));
+}
+
+void SceneView::layOut() {
+    const int margin = Theme::get().px(12);
+    if (parts_->canvas) {
+        parts_->canvas->setGeometry(rect());
+        parts_->control->setSize(parts_->canvas->surfaceSize());
+    }
+    parts_->overlay->setGeometry(rect());
+    QRect column(0, 0, std::min(width(), Theme::get().px(640)), height());
+    column.moveCenter(rect().center());
+    parts_->message->setGeometry(column);
+    parts_->tools->fitInto(width() - 2 * margin);
+    parts_->tools->move(margin, margin);
+}
+
+void SceneView::resizeEvent(QResizeEvent*) {
+    layOut();
+    if (parts_->untouched)
+        parts_->framed.clear();
+    refresh();
+}
+
+void SceneView::showEvent(QShowEvent*) {
+    const QString navigation = studio_.settings().value(QStringLiteral("scene/navigation")).toString();
+    parts_->control->setNavigation(navigation == QLatin1String("maya") ? Navigation::kMaya
+                                                                       : Navigation::kBlender);
+    layOut();
+    refresh();
+}
+
+const Scene& SceneView::compose() {
+    Parts& parts = *parts_;
+    parts.composed =
+        parts.figure ? parts.figure->compose(parts.layers, studio_.body()) : parts.take.compose(parts.layers);
+    const QString shown = parts.figure ? kFigure : studio_.take().path();
+    if (parts.composed.hasBody() && parts.framed != shown) {
+        parts.framed = shown;
+        parts.followed_m.reset();
+        parts.control->frame(roomy(parts.composed.places.box()), true);
+        parts.untouched = true;
+    }
+    keepFollowing();
+    const auto callout = parts.figure ? std::nullopt : takeCallout(studio_, parts.composed);
+    if (callout) {
+        const int board = studio_.selection().board(), source = studio_.selection().source();
+        const Vector3d at = board >= 0 ? parts.composed.places.boards[static_cast<size_t>(board)].p_m
+                                       : parts.composed.places.sources[static_cast<size_t>(source)].p_m;
+        parts.composed.scene.rings.push_back({at.cast<float>(), 11, 2, rgba(Theme::get().tokens().acc)});
+    }
+    return parts.composed.scene;
+}
+
+void SceneView::keepFollowing() {
+    Parts& parts = *parts_;
+    if (!parts.layers.follow || !parts.composed.hasBody()) {
+        parts.followed_m.reset();
+        return;
+    }
+    // Along the ground only: a camera that bobs with every step makes sick.
+    const Vector3d root = parts.composed.places.joints.p_world_joint.front().cwiseProduct(Vector3d(1, 0, 1));
+    if (parts.followed_m)
+        parts.control->shift(root - *parts.followed_m);
+    parts.followed_m = root;
+}
+
+void SceneView::refresh() {
+    if (parts_->canvas)
+        parts_->canvas->refresh(isPlayed(studio_) || parts_->control->isMoving());
+}
+
+void SceneView::updateOverlay() {
+    Parts& parts = *parts_;
+    OverlayContent content;
+    content.camera_axes = parts.control->camera().axes();
+    std::optional<Vector3d> at;
+    if (parts.figure) {
+        content.callout = figureCallout(*parts.figure);
+        if (parts.composed.scene.gizmo)
+            at = parts.composed.scene.gizmo->p_m.cast<double>();
+    } else {
+        content.legends = takeLegends(studio_.take(), parts.composed, parts.layers);
+        content.has_rays = !parts.composed.scene.rays.empty();
+        content.callout = takeCallout(studio_, parts.composed);
+        if (!parts.composed.scene.rings.empty())
+            at = parts.composed.scene.rings.back().p_m.cast<double>();
+    }
+    const auto on_screen = at ? parts.control->camera().project(*at, parts.control->size()) : std::nullopt;
+    if (content.callout && on_screen)
+        content.callout->at = QPointF(on_screen->x(), on_screen->y()) / parts.canvas->devicePixelRatioF();
+    else
+        content.callout.reset();
+    parts.overlay->setContent(std::move(content));
+    updateMessage();
+}
+
+bool SceneView::isShown(SceneLayer layer) const {
+    return parts_->layers.has(layer);
+}
+
+void SceneView::setShown(SceneLayer layer, bool shown) {
+    parts_->layers.set(layer, shown);
+    changeLayers();
+}
+
+void SceneView::toggle(SceneLayer layer) {
+    setShown(layer, !isShown(layer));
+}
+
+bool SceneView::follows() const {
+    return parts_->layers.follow;
+}
+
+void SceneView::setFollow(bool follow) {
+    parts_->layers.follow = follow;
+    changeLayers();
+}
+
+void SceneView::changeLayers() {
+    parts_->tools->setLayers(parts_->layers);
+    saveLayers(studio_.settings(), parts_->step, parts_->layers);
+    refresh();
+    emit layersChanged();
+}
+
+void SceneView::keepCamera() {
+    studio_.settings().setValue(settingsGroup(parts_->step) + QStringLiteral("/view"),
+                                static_cast<int>(view()));
+}
+
+void SceneView::setView(CameraView view) {
+    parts_->control->setView(view);
+}
+
+CameraView SceneView::view() const {
+    return parts_->control->view();
+}
+
+const Camera& SceneView::camera() const {
+    return parts_->control->camera();
+}
+
+void SceneView::setCamera(const Camera& camera) {
+    parts_->control->setCamera(camera);
+    parts_->untouched = false;
+}
+
+void SceneView::frameBody() {
+    compose();  // the body where it is now, which may not have been drawn yet
+    if (parts_->composed.hasBody())
+        parts_->control->frame(roomy(parts_->composed.places.box()));
+    parts_->untouched = true;
+}
+
+void SceneView::setFigure(const Actor& actor, const Suit& suit) {
+    if (parts_->figure) {
+        parts_->figure->setFigure(actor, suit);
+    } else {
+        parts_->figure.emplace(actor, suit);
+        parts_->tools->setOffered(
+            {SceneLayer::kMesh, SceneLayer::kSkeleton, SceneLayer::kBoards, SceneLayer::kGrid});
+        layOut();
+    }
+    updateMessage();
+    refresh();
+}
+
+void SceneView::setSubject(SceneSubject subject) {
+    parts_->take.setSubject(subject);
+    refresh();
+}
+
+void SceneView::clearFigure() {
+    parts_->figure.reset();
+    parts_->tools->setOffered({SceneLayer::kMesh, SceneLayer::kSkeleton, SceneLayer::kBoards,
+                               SceneLayer::kRays, SceneLayer::kTrails, SceneLayer::kContacts,
+                               SceneLayer::kGhost, SceneLayer::kGrid});
+    layOut();
+    updateMessage();
+    refresh();
+}
+
+SuitPart SceneView::chosenPart() const {
+    return parts_->figure ? parts_->figure->chosen() : SuitPart{};
+}
+
+void SceneView::setChosenPart(SuitPart part) {
+    if (!parts_->figure)
+        return;
+    parts_->figure->choose(part);
+    refresh();
+}
+
+QImage SceneView::picture(double scale) const {
+    if (!parts_->canvas)
+        return {};
+    QImage image = parts_->canvas->picture(scale);
+    if (image.isNull())
+        return image;
+    QPainter painter(&image);
+    const double to_image = scale * parts_->canvas->devicePixelRatioF();
+    painter.scale(to_image, to_image);
+    SceneOverlay::paint(painter, QRectF(QPointF(0, 0), QSizeF(size())), parts_->overlay->content());
+    return image;
+}
+
+QString SceneView::descriptionInWords() const {
+    if (!parts_->canvas)
+        return SceneCanvas::missing();
+    if (parts_->figure)
+        return figureDescription(*parts_->figure);
+    return takeDescription(studio_, parts_->composed);
+}
+
+void SceneView::exportPicture() {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Save as picture"), folder + QStringLiteral("/noctule.png"), tr("PNG picture (*.png)"));
+    if (path.isEmpty())
+        return;
+    if (picture(2).save(path, "PNG"))
+        emit studio_.said(tr("Picture written: %1").arg(path));
+    else
+        emit studio_.failed(tr("The picture could not be written to %1.").arg(path),
+                            tr("Free space on the disk or choose another folder."));
+}
+
+}  // namespace noctule::ui

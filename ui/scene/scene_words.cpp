@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/scene_words.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "ui/models/part_names.h"
+#include "ui/style/words.h"
+
+namespace noctule::ui {
+
+namespace {
+
+/// The callout stays clear of the handles.
+constexpr double kHandles_px = 84;
+
+QString say(const char* text, int n = -1) {
+    return QCoreApplication::translate("SceneView", text, nullptr, n);
+}
+
+QString boardLine(const Suit& suit, int board) {
+    return say("%1, board %2").arg(boardName(suit.boards[static_cast<size_t>(board)])).arg(board + 1);
+}
+QString sourceLine(const Suit& suit, int source) {
+    return say("%1, source %2").arg(sourcePlace(suit.sources[static_cast<size_t>(source)])).arg(source + 1);
+}
+
+QString pairLine(const ComposedScene& composed, int source, int board) {
+    const auto heard = std::find_if(composed.pairs.begin(), composed.pairs.end(), [&](const HeardPair& pair) {
+        return pair.source == source && pair.board == board;
+    });
+    if (heard == composed.pairs.end())
+        return say("Not heard from source %1").arg(source + 1);
+    return say("Source %1, confidence %2").arg(source + 1).arg(numberText(heard->confidence, 2));
+}
+
+}  // namespace
+
+std::vector<SceneLegend> takeLegends(TakeDocument& take, const ComposedScene& composed,
+                                     const SceneLayers& layers) {
+    const bool is_reference = take.comparedRun() == TakeDocument::kReference;
+    const QString compared = is_reference ? say("Reference") : say("Result B");
+    if (composed.subject == SceneSubject::kCompared)
+        return {{compared, false}};
+    if (!composed.has_ghost || !layers.has(SceneLayer::kGhost))
+        return {};
+    return {{say("Result A"), false}, {compared, true}};
+}
+
+std::optional<SceneCallout> takeCallout(Studio& studio, const ComposedScene& composed) {
+    const auto overview = studio.take().overview();
+    const int board = studio.selection().board(), source = studio.selection().source();
+    if (!overview || !composed.hasBody())
+        return std::nullopt;
+    const bool has_board = board >= 0 && board < static_cast<int>(composed.places.boards.size());
+    const bool has_source = source >= 0 && source < static_cast<int>(composed.places.sources.size());
+    if (has_board)
+        return SceneCallout{
+            {},
+            boardLine(overview->suit, board),
+            has_source && studio.take().ranges() ? pairLine(composed, source, board) : QString()};
+    if (has_source)
+        return SceneCallout{{}, sourceLine(overview->suit, source), {}};
+    return std::nullopt;
+}
+
+std::optional<SceneCallout> figureCallout(const FigureScene& figure) {
+    const SuitPart part = figure.chosen();
+    if (part.kind == SuitPart::Kind::kNone)
+        return std::nullopt;
+    return SceneCallout{{},
+                        part.kind == SuitPart::Kind::kBoard ? boardLine(figure.suit(), part.index)
+                                                            : sourceLine(figure.suit(), part.index),
+                        {},
+                        kHandles_px};
+}
+
+QString takeDescription(Studio& studio, const ComposedScene& composed) {
+    if (!composed.hasBody())
+        return whyEmpty(studio);
+    const QString time = timeText(studio.time().time());
+    QString words = composed.pair_count == 0 ? say("Body at %1").arg(time)
+                                             : say("Body at %1, %2 of %3 pairs good")
+                                                   .arg(time)
+                                                   .arg(composed.goodPairs())
+                                                   .arg(composed.pair_count);
+    if (const auto callout = takeCallout(studio, composed))
+        words = say("%1. Chosen: %2").arg(words, callout->title);
+    return words;
+}
+
+QString figureDescription(const FigureScene& figure) {
+    const auto callout = figureCallout(figure);
+    const int boards = static_cast<int>(figure.suit().boards.size());
+    const int sources = static_cast<int>(figure.suit().sources.size());
+    const QString words =
+        say("Performer in the rest pose with %1 boards and %2 sources").arg(boards).arg(sources);
+    return callout ? say("%1. Chosen: %2").arg(words, callout->title) : words;
+}
+
+QString whyEmpty(Studio& studio) {
+    TakeDocument& take = studio.take();
+    if (!take.isOpen())
+        return say("The body of the take that you open appears here.");
+    if (take.shownRun() == -1)
+        return say("This take has no motion yet. Process it, and the body appears here.");
+    if (!take.shownMotion())
+        return take.problem();
+    return say("The motion has no pose at this time.");
+}
+
+}  // namespace noctule::ui

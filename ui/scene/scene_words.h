@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a 3D view says in words: legends, the callout of what is chosen, and the description for those who
+// cannot see it.
+#pragma once
+
+#include <QString>
+
+#include "ui/scene/figure_scene.h"
+#include "ui/scene/scene_overlay.h"
+#include "ui/scene/take_scene.h"
+
+namespace noctule::ui {
+
+/// "Result A", and of what it is compared with.
+std::vector<SceneLegend> takeLegends(TakeDocument& take, const ComposedScene& composed,
+                                     const SceneLayers& layers);
+/// "Left shin, board 14" and the chosen pair's confidence; nothing when no board or source is chosen.
+std::optional<SceneCallout> takeCallout(Studio& studio, const ComposedScene& composed);
+std::optional<SceneCallout> figureCallout(const FigureScene& figure);
+/// "Body at 0:17.4, 57 of 144 pairs good"
+QString takeDescription(Studio& studio, const ComposedScene& composed);
+QString figureDescription(const FigureScene& figure);
+/// Why there is no body to see; empty when there is one or it is coming.
+QString whyEmpty(Studio& studio);
+
+}  // namespace noctule::ui

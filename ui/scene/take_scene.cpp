@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene/take_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace noctule::ui {
+
+namespace {
+
+constexpr double kTrail_s = 1;
+constexpr double kTrailStep_s = 1.0 / 30;
+constexpr std::array kTrailJoints{"LeftHand", "RightHand", "LeftFoot", "RightFoot"};
+constexpr float kContactRadius_m = 0.09F;
+
+int64_t nanoseconds(double t_s) {
+    return std::llround(t_s * 1e9);
+}
+
+}  // namespace
+
+int ComposedScene::goodPairs() const {
+    return static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [](const HeardPair& pair) {
+        return pair.confidence >= kGoodConfidence;
+    }));
+}
+
+std::vector<Vector3d> ComposedScene::boardPoints() const {
+    std::vector<Vector3d> points;
+    for (const BoardPlace& place : places.boards)
+        points.push_back(place.p_m);
+    return points;
+}
+
+std::vector<Vector3d> ComposedScene::sourcePoints() const {
+    std::vector<Vector3d> points;
+    for (const SourcePlace& place : places.sources)
+        points.push_back(place.p_m);
+    return points;
+}
+
+void TakeScene::Track::follow(std::shared_ptr<const TimedMotion> of) {
+    if (of == motion)
+        return;
+    motion = std::move(of);
+    max_gap_ns = motion ? bridgeableGap_ns(*motion) : 0;
+}
+
+std::optional<Pose> TakeScene::Track::at(double t_s) const {
+    return motion ? poseAt(*motion, nanoseconds(t_s), max_gap_ns) : std::nullopt;
+}
+
+void TakeScene::addPairs(ComposedScene& composed, double t_s) {
+    const auto ranges = studio_.take().ranges();
+    if (!ranges)
+        return;
+    const int sources = std::min(ranges->source_count, static_cast<int>(composed.places.sources.size()));
+    const int boards = std::min(ranges->board_count, static_cast<int>(composed.places.boards.size()));
+    composed.pair_count = sources * boards;
+    for (int source = 0; source < sources; ++source)
+        for (int board = 0; board < boards; ++board) {
+            const PairTrack& track = ranges->pair(source, board);
+            if (const auto confidence = confidenceAt({track.t_s, track.confidence}, t_s))
+                composed.pairs.push_back({source, board, *confidence});
+        }
+}
+
+void TakeScene::addTrails(ComposedScene& composed, const SceneColors& colors, double t_s) {
+    const Skeleton& skeleton = shown_.motion->skeleton;
+    std::array<SceneTrail, kTrailJoints.size()> trails;
+    for (double t = std::max(0.0, t_s - kTrail_s); t <= t_s; t += kTrailStep_s) {
+        const auto pose = shown_.at(t);
+        if (!pose)
+            continue;
+        const GlobalPose joints = globalPose(skeleton, *pose);
+        for (size_t i = 0; i < kTrailJoints.size(); ++i)
+            if (const int joint = skeleton.find(kTrailJoints[i]); joint >= 0)
+                trails[i].points_m.push_back(joints.p_world_joint[static_cast<size_t>(joint)].cast<float>());
+    }
+    for (SceneTrail& trail : trails) {
+        trail.color = colors.trail;
+        composed.scene.trails.push_back(std::move(trail));
+    }
+}
+
+void TakeScene::addContacts(ComposedScene& composed, const SceneColors& colors, double t_s) {
+    const auto feet = studio_.take().contacts();
+    if (!feet)
+        return;
+    const Skeleton& skeleton = shown_.motion->skeleton;
+    for (const FootContacts& foot : *feet) {
+        const int joint = skeleton.find(foot.foot);
+        const bool stands = std::any_of(foot.contacts.begin(), foot.contacts.end(), [&](const auto& contact) {
+            return contact.from_s <= t_s && t_s <= contact.to_s;
+        });
+        if (joint < 0 || !stands)
+            continue;
+        const auto at = static_cast<size_t>(joint);
+        const Vector3d middle = composed.places.joints.p_world_joint[at] +
+                                composed.places.joints.q_world_joint[at] *
+                                    (0.4 * skeleton.joint(joint).end_m.value_or(Vector3d(0, 0, 0.15)));
+        SceneDisc disc;
+        disc.centre_m = {static_cast<float>(middle.x()), 0, static_cast<float>(middle.z())};
+        disc.radius_x_m = disc.radius_z_m = kContactRadius_m;
+        disc.color = colors.contact;
+        composed.scene.discs.push_back(disc);
+    }
+}
+
+void TakeScene::addCompared(ComposedScene& composed, const SceneColors& colors, double t_s) {
+    compared_.follow(studio_.take().comparedMotion());
+    const auto pose = compared_.at(t_s);
+    if (!pose)
+        return;
+    const Skeleton& skeleton = compared_.motion->skeleton;
+    addGhost(composed.scene, colors, compared_.body.fit(studio_.body(), skeleton), skeleton,
+             globalPose(skeleton, *pose));
+    composed.has_ghost = true;
+}
+
+ComposedScene TakeScene::compose(const SceneLayers& layers) {
+    const SceneColors colors = SceneColors::of(Theme::get());
+    ComposedScene composed;
+    TakeDocument& take = studio_.take();
+    const double t_s = studio_.time().time();
+    const auto overview = take.overview();
+    composed.subject = subject_;
+    const bool is_shown = subject_ == SceneSubject::kShown;
+    shown_.follow(!overview ? nullptr : is_shown ? take.shownMotion() : take.comparedMotion());
+    const auto pose = shown_.at(t_s);
+    const bool has_mesh = layers.has(SceneLayer::kMesh) && studio_.body();
+    Scene& scene = composed.scene;
+    if (pose)
+        composed.places = placeBody(shown_.motion->skeleton, *pose, overview->suit, &overview->calibration);
+    addRoom(scene, colors, layers, pose ? pose->p_world_root : Vector3d::Zero());
+    if (overview && is_shown && layers.has(SceneLayer::kGhost))
+        addCompared(composed, colors, t_s);
+    if (!pose)
+        return composed;
+    addShadow(scene, colors, composed.places);
+    if (is_shown && layers.has(SceneLayer::kContacts))
+        addContacts(composed, colors, t_s);
+    if (has_mesh)
+        addSurface(scene, colors, shown_.body.fit(studio_.body(), shown_.motion->skeleton),
+                   shown_.motion->skeleton, composed.places.joints);
+    if (layers.has(SceneLayer::kSkeleton))
+        addSkeleton(scene, colors, composed.places, !has_mesh);
+    if (layers.has(SceneLayer::kTrails))
+        addTrails(composed, colors, t_s);
+    if (is_shown)
+        addPairs(composed, t_s);
+    if (layers.has(SceneLayer::kRays))
+        addRays(scene, composed.places, composed.pairs, studio_.selection().source(),
+                studio_.selection().board());
+    if (layers.has(SceneLayer::kBoards))
+        addSuit(scene, colors, composed.places);
+    return composed;
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene of the take under review at a time: its body, the ghost of what it is compared with, rays, trails
+// and contacts, as far as they are loaded and switched on.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion/timed_poses.h"
+#include "ui/models/studio.h"
+#include "ui/scene/dressed_body.h"
+
+namespace noctule::ui {
+
+/// One picture and what can be said and picked in it.
+struct ComposedScene {
+    Scene scene;
+    BodyPlaces places;  ///< empty: no body at this time
+    std::vector<HeardPair> pairs;
+    int pair_count = 0;
+    bool has_ghost = false;
+    SceneSubject subject = SceneSubject::kShown;
+
+    bool hasBody() const { return !places.joints.p_world_joint.empty(); }
+    int goodPairs() const;
+    std::vector<Vector3d> boardPoints() const;
+    std::vector<Vector3d> sourcePoints() const;
+};
+
+class TakeScene {
+public:
+    explicit TakeScene(Studio& studio) : studio_(studio) {}
+
+    void setSubject(SceneSubject subject) { subject_ = subject; }
+
+    /// Asks the document for the parts that the layers need.
+    ComposedScene compose(const SceneLayers& layers);
+
+private:
+    /// A motion with the body that fits it.
+    struct Track {
+        std::shared_ptr<const TimedMotion> motion;
+        int64_t max_gap_ns = 0;
+        FittedBody body;
+
+        void follow(std::shared_ptr<const TimedMotion> of);
+        std::optional<Pose> at(double t_s) const;
+    };
+    void addPairs(ComposedScene& composed, double t_s);
+    void addTrails(ComposedScene& composed, const SceneColors& colors, double t_s);
+    void addContacts(ComposedScene& composed, const SceneColors& colors, double t_s);
+    void addCompared(ComposedScene& composed, const SceneColors& colors, double t_s);
+
+    Studio& studio_;
+    SceneSubject subject_ = SceneSubject::kShown;
+    Track shown_, compared_;
+};
+
+}  // namespace noctule::ui

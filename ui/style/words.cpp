@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/style/words.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+namespace noctule::ui {
+
+namespace {
+
+const QChar kMinus(0x2212);
+const QChar kThinSpace(0x2009);
+const QChar kNoBreakSpace(0x00A0);
+const QString kDash(QChar(0x2013));
+constexpr double kDegreesPerRadian = 57.29577951308232;
+
+/// Rounds first, so that −0.04 with one decimal is 0.0 and not −0.0.
+QString fixed(double value, int decimals) {
+    const double step = std::pow(10.0, -decimals);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    QString text = locale.toString(std::abs(value), 'f', decimals);
+    const QString whole = text.section(locale.decimalPoint(), 0, 0);
+    if (whole.size() > 3) {
+        for (int i = whole.size() - 3; i > 0; i -= 3)
+            text.insert(i, kThinSpace);
+    }
+    return std::abs(value) >= step / 2 && value < 0 ? kMinus + text : text;
+}
+
+QString withUnit(double value, int decimals, const QString& unit) {
+    return std::isfinite(value) ? fixed(value, decimals) + kNoBreakSpace + unit : kDash;
+}
+
+}  // namespace
+
+QString numberText(double value, int decimals) {
+    return std::isfinite(value) ? fixed(value, decimals) : kDash;
+}
+
+QString timeText(double seconds, int decimals) {
+    if (!std::isfinite(seconds))
+        return kDash;
+    const double unit = std::pow(10.0, decimals);
+    const auto ticks = static_cast<qint64>(std::llround(std::abs(seconds) * unit));
+    const auto per_second = static_cast<qint64>(unit);
+    const qint64 whole_s = ticks / per_second;
+    const qint64 hours = whole_s / 3600;
+    const qint64 minutes = whole_s / 60 % 60;
+    QString text =
+        hours > 0 ? QString("%1:%2").arg(hours).arg(minutes, 2, 10, QChar('0')) : QString::number(minutes);
+    text += QString(":%1").arg(whole_s % 60, 2, 10, QChar('0'));
+    if (decimals > 0)
+        text += QLocale().decimalPoint() + QString("%1").arg(ticks % per_second, decimals, 10, QChar('0'));
+    return seconds < 0 && ticks > 0 ? kMinus + text : text;
+}
+
+QString secondsText(double seconds, int decimals) {
+    return withUnit(seconds, decimals, "s");
+}
+
+QString degreesText(double radians, int decimals) {
+    return std::isfinite(radians) ? fixed(radians * kDegreesPerRadian, decimals) + QChar(0x00B0) : kDash;
+}
+
+QString millimetresText(double metres, int decimals) {
+    return withUnit(metres * 1e3, decimals, "mm");
+}
+
+QString metresText(double metres, int decimals) {
+    return withUnit(metres, decimals, "m");
+}
+
+QString percentText(double fraction, int decimals) {
+    return withUnit(fraction * 100, decimals, "%");
+}
+
+QString countText(qint64 count) {
+    QString digits = QString::number(std::abs(count));
+    for (int i = digits.size() - 3; i > 0; i -= 3)
+        digits.insert(i, kThinSpace);
+    return count < 0 ? kMinus + digits : digits;
+}
+
+QString bytesText(qint64 bytes) {
+    static const char* const units[] = {"B", "kB", "MB", "GB", "TB", "PB"};
+    double value = static_cast<double>(bytes);
+    int unit = 0;
+    while (std::abs(value) >= 999.5 && unit < 5) {
+        value /= 1000;
+        ++unit;
+    }
+    return withUnit(value, unit > 0 && std::abs(value) < 9.95 ? 1 : 0, units[unit]);
+}
+
+QString dateText(const QDateTime& when, const QDateTime& now) {
+    if (!when.isValid())
+        return kDash;
+    const QDate day = when.toLocalTime().date();
+    const QDate today = now.toLocalTime().date();
+    const QLocale locale;
+    if (day == today)
+        return QCoreApplication::translate("noctule::ui::words", "Today, %1")
+            .arg(when.toLocalTime().time().toString("HH:mm"));
+    if (day == today.addDays(-1))
+        return QCoreApplication::translate("noctule::ui::words", "Yesterday");
+    const bool this_year = day.year() == today.year();
+    return locale.toString(
+        day, this_year
+                 ? QCoreApplication::translate("noctule::ui::words", "d MMMM", "day and month")
+                 : QCoreApplication::translate("noctule::ui::words", "d MMMM yyyy", "day, month and year"));
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers and dates as the studio writes them: a real minus (U+2212), thin spaces between groups of three
+// (U+2009), a no-break space before a unit except degrees, the decimal sign of the locale in use. What is not
+// finite reads as a dash ("–").
+#pragma once
+
+#include <QDateTime>
+#include <QLocale>
+#include <QString>
+
+namespace noctule::ui {
+
+/// 17.4 s -> "0:17.4"; 3725 s with 0 decimals -> "1:02:05".
+QString timeText(double seconds, int decimals = 1);
+/// 17.4 -> "17.4 s".
+QString secondsText(double seconds, int decimals = 1);
+/// Radians in, "24.1°" out.
+QString degreesText(double radians, int decimals = 1);
+/// Metres in, "1.8 mm" out.
+QString millimetresText(double metres, int decimals = 1);
+/// Metres in, "1.78 m" out.
+QString metresText(double metres, int decimals = 2);
+/// 0.91 -> "91 %".
+QString percentText(double fraction, int decimals = 0);
+/// 3836 -> "3 836".
+QString countText(qint64 count);
+/// 2900000 -> "2.9 MB" (powers of ten, as file dialogs and disks count).
+QString bytesText(qint64 bytes);
+QString numberText(double value, int decimals);
+/// "Today, 10:12", "Yesterday", "17 November"; with the year when it is not the present one.
+QString dateText(const QDateTime& when, const QDateTime& now = QDateTime::currentDateTime());
+
+}  // namespace noctule::ui

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// A suit on its performer, seen from the front: every board and source is a button on the drawing, boards
+// have names in two columns with leaders. The performer's left is on the right, and it says so. Arrow keys
+// walk.
+#pragma once
+
+#include <QAbstractButton>
+#include <QPixmap>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "ui/style/ink.h"
+#include "ui/views/body_figure.h"
+
+namespace noctule::ui {
+
+class MapMarker;
+
+class BodyMap : public QWidget {
+    Q_OBJECT
+public:
+    BodyMap(const Actor& actor, const Suit& suit, std::shared_ptr<const SkinnedMesh> mesh,
+            QWidget* parent = nullptr);
+
+    /// What stands below a board's name, and the tone of its mark and segment.
+    void setBoardState(int board, Tone tone, const QString& detail);
+    int boardCount() const { return static_cast<int>(suit_.boards.size()); }
+    int sourceCount() const { return static_cast<int>(suit_.sources.size()); }
+    QAbstractButton* boardButton(int board) const;
+    QAbstractButton* sourceButton(int source) const;
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+signals:
+    void boardClicked(int board);
+    void sourceClicked(int source);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Place {
+        MapMarker* marker;
+        QPointF at_m;
+        bool is_board;
+        int index;
+        bool left_column = false;  ///< of the picture
+        double label_y = 0;        ///< centre of its label, in pixels
+    };
+    void addMarkers();
+    void chooseColumns();
+    void arrange();
+    void spreadLabels(bool left_column);
+    QPointF toPixels(const QPointF& p_m) const;
+    double labelHeight() const;
+    void paintLabel(QPainter& painter, const Place& place) const;
+    bool walk(const MapMarker* from, int key);
+    void renewFigure();
+
+    Suit suit_;
+    BodyFigure figure_;
+    std::vector<Place> places_;
+    std::vector<QString> details_;
+    QPixmap picture_;
+};
+
+}  // namespace noctule::ui

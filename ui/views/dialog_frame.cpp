@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/dialog_frame.h"
+
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/divider.h"
+#include "ui/widgets/label.h"
+
+namespace noctule::ui {
+
+DialogFrame::DialogFrame(const QString& title, const QString& about, const QString& action, QWidget* parent)
+    : QDialog(parent),
+      problem_(new Label({}, TextRole::kSecondary, Ink::kError)),
+      action_(makeButton(ButtonKind::kPrimary, action)) {
+    setWindowTitle(title);
+    setModal(true);
+    setWindowFlag(Qt::WindowContextHelpButtonHint, false);
+    auto* column = makeColumn(this);
+    auto* body = new QWidget;
+    content_ = makeColumn(body, {24, 20, 24, 20}, 12);
+    content_->addWidget(new Label(title, TextRole::kPage, Ink::kValue, true));
+    if (!about.isEmpty())
+        content_->addWidget((new Label(about, TextRole::kBody, Ink::kLabel))->wrapped());
+    column->addWidget(body, 1);
+    column->addWidget(new Divider);
+    auto* foot = new QWidget;
+    auto* foot_column = makeColumn(foot, {24, 12, 24, 16}, 8);
+    foot_column->addWidget(problem_->wrapped());
+    problem_->hide();
+    auto* buttons = addRow(foot_column, 8);
+    auto* cancel = makeButton(ButtonKind::kOutlined, tr("Cancel"), {}, QKeySequence(Qt::Key_Escape));
+    cancel->setTall(true);
+    buttons->addStretch();
+    buttons->addWidget(cancel);
+    buttons->addWidget(action_);
+    column->addWidget(foot);
+    action_->setDefault(true);
+    cancel->setAutoDefault(false);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(action_, &QPushButton::clicked, this, &QDialog::accept);
+}
+
+void DialogFrame::setProblem(const QString& problem) {
+    problem_->setText(problem);
+    problem_->setVisible(!problem.isEmpty());
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// A dialog of the studio: title, what it is about, content, and at the bottom Cancel and one primary button.
+#pragma once
+
+#include <QDialog>
+
+class QBoxLayout;
+
+namespace noctule::ui {
+
+class Button;
+class Label;
+
+class DialogFrame : public QDialog {
+    Q_OBJECT
+public:
+    DialogFrame(const QString& title, const QString& about, const QString& action, QWidget* parent);
+
+    QBoxLayout* content() { return content_; }
+    /// Enter; accept() unless it is connected elsewhere first.
+    Button* actionButton() { return action_; }
+    /// In place, above the buttons; empty: none.
+    void setProblem(const QString& problem);
+
+private:
+    QBoxLayout* content_;
+    Label* problem_;
+    Button* action_;
+};
+
+}  // namespace noctule::ui

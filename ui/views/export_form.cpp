@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/export_form.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QScopedValueRollback>
+
+#include "ui/style/words.h"
+#include "ui/views/open_take.h"
+#include "ui/views/review_words.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/views/take_list_model.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/divider.h"
+#include "ui/widgets/form_rows.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/section_header.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr int kLabels = 76;
+constexpr double kRates[] = {24, 25, 30, 48, 50, 60, 90, 100, 120, 144, 200, 240};
+
+QDoubleSpinBox* makeSeconds(const QString& name) {
+    auto* field = new QDoubleSpinBox;
+    field->setRange(0, 86400);
+    field->setDecimals(2);
+    field->setSuffix(ExportForm::tr(" s"));
+    field->setAccessibleName(name);
+    return field;
+}
+
+template <class T>
+void chooseData(QComboBox* box, const T& value) {
+    const int index = box->findData(QVariant::fromValue(value));
+    box->setCurrentIndex(std::max(0, index));
+}
+
+}  // namespace
+
+ExportForm::ExportForm(Studio& studio, QWidget* parent)
+    : QWidget(parent),
+      range(new QComboBox),
+      frames(new QComboBox),
+      root(new QComboBox),
+      unit(new QComboBox),
+      run(new QComboBox),
+      angles(new QCheckBox(tr("Joint angles too, in degrees"))),
+      name_pattern(new QLineEdit),
+      try_one_frame(makeButton(ButtonKind::kOutlined, tr("Write one frame and check"))),
+      studio_(studio) {
+    auto* column = makeColumn(this, {20, 12, 20, 20}, 12);
+    column->addWidget(makeTakes());
+    column->addWidget(new Divider);
+    column->addWidget(makeWhat());
+    column->addWidget(new Divider);
+    column->addWidget(makeWhere());
+    column->addStretch();
+    for (QComboBox* box : {range, frames, root, unit})
+        connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
+    connect(run, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
+    connect(angles, &QCheckBox::toggled, this, &ExportForm::read);
+    connect(name_pattern, &QLineEdit::textChanged, this, &ExportForm::read);
+    for (QDoubleSpinBox* field : {own_from_, own_to_})
+        connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ExportForm::read);
+    connect(takes_, &QListWidget::itemChanged, this, [this] {
+        if (!setting_)
+            emit changed();
+    });
+    connect(try_one_frame, &QPushButton::clicked, this, &ExportForm::tryWanted);
+    connect(&studio.session(), &SessionModel::opened, this, &ExportForm::readTakes);
+    connect(&studio.session(), &SessionModel::changed, this, &ExportForm::readTakes);
+    connect(&studio.take(), &TakeDocument::runsChanged, this, &ExportForm::refresh);
+    connect(&Theme::get(), &Theme::changed, this, &ExportForm::readTakes);
+    readTakes();
+    setSettings({});
+}
+
+QWidget* ExportForm::makeTakes() {
+    auto* part = new QWidget;
+    auto* column = makeColumn(part, {}, 8);
+    column->addWidget(new SectionHeader(tr("Takes")));
+    takes_ = new QListWidget;
+    takes_->setAccessibleName(tr("Takes to export"));
+    takes_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    column->addWidget(takes_);
+    auto* rows = new FormRows(kLabels);
+    run->addItem(tr("Last of each take"), false);
+    run->addItem(tr("As shown in Review"), true);
+    rows->addRow(tr("Result"), run);
+    column->addWidget(rows);
+    return part;
+}
+
+QWidget* ExportForm::makeWhat() {
+    auto* part = new QWidget;
+    auto* column = makeColumn(part, {}, 8);
+    column->addWidget(new SectionHeader(tr("What and how")));
+    auto* rows = new FormRows(kLabels);
+    range->addItem(tr("In to out of each take"), static_cast<int>(ExportRange::kInToOut));
+    range->addItem(tr("Whole takes"), static_cast<int>(ExportRange::kWholeTake));
+    range->addItem(tr("Own"), static_cast<int>(ExportRange::kOwn));
+    rows->addRow(tr("Range"), range);
+    own_range_ = new QWidget;
+    auto* own = makeRow(own_range_, {}, 8);
+    own_from_ = makeSeconds(tr("First second"));
+    own_to_ = makeSeconds(tr("Last second"));
+    own->addWidget(own_from_, 1);
+    own->addWidget(new Label(tr("to"), TextRole::kSecondary, Ink::kLabel));
+    own->addWidget(own_to_, 1);
+    rows->addControl(own_range_);
+    for (const double rate : kRates)
+        frames->addItem(tr("%1 per second").arg(numberText(rate, 0)), rate);
+    rows->addRow(tr("Frames"), frames);
+    root->addItem(tr("Moves as captured"), static_cast<int>(RootMotion::kMoving));
+    root->addItem(tr("Stays in place"), static_cast<int>(RootMotion::kInPlace));
+    root->addItem(tr("In place, facing +Z"), static_cast<int>(RootMotion::kHeading));
+    rows->addRow(tr("Root"), root);
+    unit->addItem(tr("Centimetres"), 0.01);
+    unit->addItem(tr("Metres"), 1.0);
+    rows->addRow(tr("Unit"), unit);
+    rows->addControl(angles);
+    column->addWidget(rows);
+    return part;
+}
+
+QWidget* ExportForm::makeWhere() {
+    auto* part = new QWidget;
+    auto* column = makeColumn(part, {}, 8);
+    column->addWidget(new SectionHeader(tr("Where")));
+    auto* rows = new FormRows(kLabels);
+    folder_ = makeButton(ButtonKind::kOutlined, {}, "folder");
+    rows->addRow(tr("Folder"), folder_);
+    rows->addRow(tr("File name"), name_pattern);
+    name_pattern->setToolTip(tr("{take} {fps} {performer} {run} {date} are filled in."));
+    preview_ = rows->addHint({});
+    rows->addRow(tr("Try first"), try_one_frame);
+    column->addWidget(rows);
+    connect(folder_, &QPushButton::clicked, this, &ExportForm::chooseFolder);
+    return part;
+}
+
+void ExportForm::setSettings(const ExportSettings& settings) {
+    const QScopedValueRollback<bool> quiet(setting_, true);
+    settings_ = settings;
+    chooseData(range, static_cast<int>(settings.range));
+    chooseData(frames, settings.frames_per_second);
+    chooseData(root, static_cast<int>(settings.root));
+    chooseData(unit, settings.metres_per_unit);
+    angles->setChecked(settings.angles);
+    name_pattern->setText(settings.name_pattern);
+    own_from_->setValue(settings.own_from_s);
+    own_to_->setValue(settings.own_to_s > 0 ? settings.own_to_s : studio_.time().duration());
+    refresh();
+}
+
+void ExportForm::read() {
+    if (setting_)
+        return;
+    settings_.range = static_cast<ExportRange>(range->currentData().toInt());
+    settings_.frames_per_second = frames->currentData().toDouble();
+    settings_.root = static_cast<RootMotion>(root->currentData().toInt());
+    settings_.metres_per_unit = unit->currentData().toDouble();
+    settings_.angles = angles->isChecked();
+    settings_.name_pattern = name_pattern->text();
+    settings_.own_from_s = own_from_->value();
+    settings_.own_to_s = own_to_->value();
+    refresh();
+    emit changed();
+}
+
+void ExportForm::refresh() {
+    const bool is_bvh = settings_.format == ExportFormat::kBvh;
+    own_range_->setVisible(settings_.range == ExportRange::kOwn);
+    unit->setEnabled(is_bvh);
+    unit->setToolTip(is_bvh ? QString() : tr("CSV files are in metres."));
+    if (!is_bvh) {
+        const QScopedValueRollback<bool> quiet(setting_, true);
+        chooseData(unit, 1.0);
+    }
+    angles->setVisible(!is_bvh);
+    const bool is_open = studio_.session().isOpen();
+    const QString folder = is_open ? exportFolder(studio_.session().session(), settings_) : settings_.folder;
+    const QDir place(folder);
+    folder_->setText(folder.isEmpty()
+                         ? tr("exports of the session")
+                         : tr("%1/%2").arg(QDir(place.absoluteFilePath("..")).dirName(), place.dirName()));
+    folder_->setToolTip(QDir::toNativeSeparators(folder));
+    const auto overview = studio_.take().overview();
+    const int shown = studio_.take().shownRun();
+    run->setItemText(1, overview && shown >= 0
+                            ? tr("Shown: %1").arg(runTitle(overview->runs[static_cast<size_t>(shown)]))
+                            : tr("As shown in Review"));
+}
+
+bool ExportForm::usesShownRun() const {
+    return run->currentData().toBool();
+}
+
+void ExportForm::chooseFolder() {
+    const QString start =
+        studio_.session().isOpen() ? exportFolder(studio_.session().session(), settings_) : QString();
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for exported files"), start);
+    if (folder.isEmpty())
+        return;
+    const bool is_usual =
+        studio_.session().isOpen() &&
+        QDir(folder) == QDir(QString::fromStdString(studio_.session().session().exportsFolder().string()));
+    settings_.folder = is_usual ? QString() : folder;
+    refresh();
+    emit changed();
+}
+
+void ExportForm::readTakes() {
+    const QStringList ticked = takes();
+    setting_ = true;
+    takes_->clear();
+    if (studio_.session().isOpen())
+        for (const SessionTake& take : studio_.session().session().takes) {
+            const QString name = QString::fromStdString(take.name);
+            auto* item = new QListWidgetItem(tr("%1   %2").arg(name, timeText(take.duration_s, 0)), takes_);
+            item->setData(Qt::UserRole, name);
+            item->setToolTip(take.processed ? TakeListModel::stateInWords(take)
+                                            : tr("Not processed yet: there is no motion to export."));
+            item->setFlags(take.processed ? Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable
+                                          : Qt::NoItemFlags);
+            item->setCheckState(take.processed && ticked.contains(name) ? Qt::Checked : Qt::Unchecked);
+        }
+    const int rows = std::clamp(takes_->count(), 2, 6);
+    takes_->setFixedHeight(rows * Theme::get().px(28) + 2 * takes_->frameWidth());
+    setting_ = false;
+    emit changed();
+}
+
+QStringList ExportForm::takes() const {
+    QStringList names;
+    for (int row = 0; row < takes_->count(); ++row)
+        if (takes_->item(row)->checkState() == Qt::Checked)
+            names += takes_->item(row)->data(Qt::UserRole).toString();
+    return names;
+}
+
+void ExportForm::setTakes(const QStringList& names) {
+    for (int row = 0; row < takes_->count(); ++row) {
+        QListWidgetItem* item = takes_->item(row);
+        if (item->flags() & Qt::ItemIsEnabled)
+            item->setCheckState(names.contains(item->data(Qt::UserRole).toString()) ? Qt::Checked
+                                                                                    : Qt::Unchecked);
+    }
+}
+
+void ExportForm::setPreview(const QString& words, bool is_problem) {
+    preview_->setInk(is_problem ? Ink::kError : Ink::kHint);
+    preview_->setText(words);
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is exported, how and to where.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/models/studio.h"
+#include "ui/views/export_settings.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLineEdit;
+class QListWidget;
+
+namespace noctule::ui {
+
+class Button;
+class FormRows;
+class Label;
+
+class ExportForm : public QWidget {
+    Q_OBJECT
+public:
+    explicit ExportForm(Studio& studio, QWidget* parent = nullptr);
+
+    void setSettings(const ExportSettings& settings);
+    const ExportSettings& settings() const { return settings_; }
+    /// Names of the takes that are ticked, in the order of the session.
+    QStringList takes() const;
+    void setTakes(const QStringList& names);
+    /// Whether the open take goes out as it is shown, and not with its last result.
+    bool usesShownRun() const;
+    /// Under the file name: what will be written, or what is wrong with the name.
+    void setPreview(const QString& words, bool is_problem);
+
+    // For those who fill it in, the operator and tests.
+    QComboBox *range, *frames, *root, *unit, *run;
+    QCheckBox* angles;
+    QLineEdit* name_pattern;
+    Button* try_one_frame;
+
+signals:
+    void changed();  ///< by the operator
+    void tryWanted();
+
+private:
+    QWidget* makeWhat();
+    QWidget* makeTakes();
+    QWidget* makeWhere();
+    void readTakes();
+    void read();
+    void refresh();
+    void chooseFolder();
+
+    Studio& studio_;
+    ExportSettings settings_;
+    bool setting_ = false;
+    QWidget *own_range_ = nullptr, *unit_row_ = nullptr;
+    QDoubleSpinBox *own_from_ = nullptr, *own_to_ = nullptr;
+    QListWidget* takes_ = nullptr;
+    Button* folder_ = nullptr;
+    Label* preview_ = nullptr;
+};
+
+}  // namespace noctule::ui

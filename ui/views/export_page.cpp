@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/export_page.h"
+
+#include <QDate>
+#include <QDesktopServices>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QKeyEvent>
+#include <QStorageInfo>
+#include <QUrl>
+
+#include "core/job/atomic_file.h"
+#include "ui/style/words.h"
+#include "ui/views/export_form.h"
+#include "ui/views/export_preset_list.h"
+#include "ui/views/export_results_panel.h"
+#include "ui/views/job_progress.h"
+#include "ui/views/open_take.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/divider.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/scroll_area.h"
+
+namespace noctule::ui {
+
+namespace {
+constexpr int kForm = 400;
+constexpr size_t kMostNames = 3;
+}  // namespace
+
+ExportPage::ExportPage(Studio& studio, QWidget* parent)
+    : Page(parent),
+      studio_(studio),
+      presets_(studio.settings()),
+      preset_list_(new ExportPresetList(presets_, this)),
+      form_(new ExportForm(studio)),
+      results_panel_(new ExportResultsPanel),
+      progress_(new JobProgress),
+      state_(new Label({}, TextRole::kBody, Ink::kLabel)),
+      again_(makeButton(ButtonKind::kOutlined, tr("Write again"))),
+      folder_(makeButton(ButtonKind::kPrimary, tr("Open folder"), "folder", QKeySequence(Qt::Key_Return))),
+      write_(makeButton(ButtonKind::kPrimary, {}, "export", QKeySequence(Qt::Key_Return))) {
+    preset_list_->hide();
+    setDockTitles(tr("Made for"), {});
+    setFocusPolicy(Qt::ClickFocus);
+    auto* column = makeColumn(this);
+    auto* sides = new QWidget;
+    auto* row = makeRow(sides);
+    auto* scroll = new ScrollArea(form_);
+    keepSize(*scroll, kForm, 0);
+    row->addWidget(scroll);
+    row->addWidget(new Divider(Qt::Vertical));
+    row->addWidget(results_panel_, 1);
+    column->addWidget(sides, 1);
+    column->addWidget(new Divider);
+    column->addWidget(makeFoot());
+
+    connect(preset_list_, &ExportPresetList::chosen, this, [this](const QString& key) {
+        presets_.choose(key);
+        form_->setSettings(presets_.all()[static_cast<size_t>(presets_.indexOf(key))].settings);
+        refresh();
+    });
+    connect(preset_list_, &ExportPresetList::saveWanted, this, &ExportPage::saveOwnPreset);
+    connect(preset_list_, &ExportPresetList::removeWanted, this, &ExportPage::removeOwnPreset);
+    connect(form_, &ExportForm::changed, this, [this] {
+        presets_.remember(preset_list_->current(), form_->settings());
+        refresh();
+    });
+    connect(form_, &ExportForm::tryWanted, this, &ExportPage::tryOneFrame);
+    connect(results_panel_, &ExportResultsPanel::saveWanted, this, &ExportPage::saveCheck);
+    connect(&studio.take(), &TakeDocument::runsChanged, this, &ExportPage::refresh);
+    preset_list_->choose(presets_.lastChosen());
+    form_->setSettings(presets_.all()[static_cast<size_t>(presets_.indexOf(presets_.lastChosen()))].settings);
+    refresh();
+}
+
+QWidget* ExportPage::makeFoot() {
+    auto* foot = new QWidget;
+    auto* row = makeRow(foot, {20, 10, 16, 10}, 8);
+    row->addWidget(state_, 1);
+    row->addWidget(progress_, 1);
+    again_->setTall(true);
+    for (Button* button : {again_, folder_, write_})
+        row->addWidget(button);
+    connect(again_, &QPushButton::clicked, this, &ExportPage::write);
+    connect(write_, &QPushButton::clicked, this, &ExportPage::write);
+    connect(folder_, &QPushButton::clicked, this, &ExportPage::openFolder);
+    connect(progress_, &JobProgress::ended, this, &ExportPage::refresh);
+    return foot;
+}
+
+QWidget* ExportPage::leftDock() {
+    return preset_list_;
+}
+
+void ExportPage::enter() {
+    if (form_->takes().isEmpty() && openTakeIndex(studio_) >= 0)
+        form_->setTakes({openTakeName(studio_)});
+    results_.reset();
+    results_panel_->clear();
+    refresh();
+    write_->setFocus();
+}
+
+void ExportPage::choosePreset(const QString& key) {
+    preset_list_->choose(key);
+}
+
+QString ExportPage::runOf(const SessionTake& take) const {
+    const TakeDocument& open = studio_.take();
+    const bool is_open =
+        open.isOpen() && QFileInfo(open.path()).completeBaseName() == QString::fromStdString(take.name);
+    if (!form_->usesShownRun() || !is_open || open.shownRun() < 0)
+        return {};
+    return QString::fromStdString(open.overview()->runs[static_cast<size_t>(open.shownRun())].run.name);
+}
+
+Result<std::vector<ExportJob>> ExportPage::plan() const {
+    if (!studio_.session().isOpen())
+        return Error{ErrorKind::kUsage, tr("No session is open").toStdString(),
+                     tr("Open one first").toStdString()};
+    const QStringList chosen = form_->takes();
+    if (chosen.isEmpty())
+        return Error{ErrorKind::kUsage, tr("No take is chosen").toStdString(),
+                     tr("Tick at least one").toStdString()};
+    const ExportSettings& settings = form_->settings();
+    if (settings.range == ExportRange::kOwn && settings.own_to_s <= settings.own_from_s)
+        return Error{ErrorKind::kUsage, tr("The range ends before it begins").toStdString(),
+                     tr("Give a last second after the first").toStdString()};
+    const Session& session = studio_.session().session();
+    const QString date = QDate::currentDate().toString(Qt::ISODate);
+    std::set<std::string> taken;
+    std::vector<ExportJob> jobs;
+    for (const SessionTake& take : session.takes) {
+        if (!chosen.contains(QString::fromStdString(take.name)))
+            continue;
+        auto job = exportJob(session, take, runOf(take), settings, date, taken);
+        if (!job)
+            return job.error();
+        jobs.push_back(std::move(*job));
+    }
+    return jobs;
+}
+
+void ExportPage::refresh() {
+    const auto jobs = plan();
+    const QString problem = jobs ? QString() : QString::fromStdString(jobs.error().text());
+    const bool busy = progress_->isRunning();
+    write_->setText(tr("Write %n files", nullptr, jobs ? static_cast<int>(jobs->size()) : 0));
+    const QString why_not = busy ? tr("Files are being written.") : problem;
+    for (Button* button : {write_, again_, form_->try_one_frame})
+        button->setDisabledBecause(why_not);
+    if (jobs) {
+        QStringList names;
+        for (size_t i = 0; i < std::min(kMostNames, jobs->size()); ++i)
+            names += QFileInfo(QString::fromStdString((*jobs)[i].path())).fileName();
+        const int more = static_cast<int>(jobs->size() - static_cast<size_t>(names.size()));
+        QString words = names.join('\n');
+        if (more > 0)
+            words += '\n' + tr("and %n more", nullptr, more);
+        form_->setPreview(words + '\n' + tr("Nothing is overwritten: a second export gets _2."), false);
+    } else {
+        form_->setPreview(problem, true);
+    }
+    state_->setVisible(!progress_->isVisibleTo(this));
+    const QString folder =
+        studio_.session().isOpen() ? exportFolder(studio_.session().session(), form_->settings()) : QString();
+    const QStorageInfo disk(QFileInfo::exists(folder) ? folder : QFileInfo(folder).path());
+    const QString room = disk.isValid() ? tr("%1 free.").arg(bytesText(disk.bytesAvailable())) : QString();
+    state_->setText(results_ ? tr("Took %1. %2").arg(secondsText(results_->seconds), room) : room);
+    offer(results_ && results_->written() > 0);
+}
+
+void ExportPage::offer(bool folder_first) {
+    folder_->setVisible(folder_first);
+    again_->setVisible(folder_first);
+    write_->setVisible(!folder_first);
+}
+
+void ExportPage::write() {
+    const auto jobs = plan();
+    if (!jobs || progress_->isRunning())
+        return;
+    start(
+        tr("Exporting %n takes", nullptr, static_cast<int>(jobs->size())),
+        [jobs = *jobs](const JobContext& job) { return runExport(jobs, job); }, false);
+}
+
+void ExportPage::tryOneFrame() {
+    const auto jobs = plan();
+    if (!jobs || progress_->isRunning())
+        return;
+    const ExportRequest& first = jobs->front().request;
+    const bool is_open = studio_.take().path().toStdString() == first.take_path;
+    const double time_s = is_open ? studio_.time().time() : first.from_s.value_or(0);
+    start(
+        tr("Writing one frame of %1").arg(jobs->front().take),
+        [job = jobs->front(), time_s](const JobContext& context) {
+            return ui::tryOneFrame(job, time_s, context);
+        },
+        true);
+}
+
+void ExportPage::start(const QString& title, std::function<Result<ExportResults>(const JobContext&)> work,
+                       bool is_trial) {
+    Job* job = studio_.jobs().start<ExportResults>(
+        title, std::move(work), [self = QPointer(this), is_trial](Result<ExportResults> results) -> QString {
+            if (self)
+                self->present(results, is_trial);
+            return results && !is_trial ? tr("%n files written and checked.", nullptr, results->written())
+                                        : QString();
+        });
+    progress_->follow(job);
+    refresh();
+}
+
+void ExportPage::present(const Result<ExportResults>& results, bool is_trial) {
+    results_.reset();
+    if (results) {
+        results_panel_->setResults(*results, is_trial);
+        if (!is_trial)
+            results_ = *results;
+    } else {
+        results_panel_->clear();  // the line beside the buttons says why
+    }
+    // The job still counts as running here; its end refreshes the buttons.
+    emit finished();
+}
+
+void ExportPage::openFolder() {
+    if (studio_.session().isOpen())
+        QDesktopServices::openUrl(
+            QUrl::fromLocalFile(exportFolder(studio_.session().session(), form_->settings())));
+}
+
+void ExportPage::saveCheck() {
+    if (!results_)
+        return;
+    const QString folder = exportFolder(studio_.session().session(), form_->settings());
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save the check"),
+                                                      folder + "/" + tr("check.txt"), tr("Text (*.txt)"));
+    if (path.isEmpty())
+        return;
+    const Status saved = writeFileAtomically(path.toStdString(), checkAsText(*results_).toStdString(), true);
+    if (saved)
+        emit studio_.said(tr("%1 is written.").arg(QDir::toNativeSeparators(path)));
+    else
+        emit studio_.failed(QString::fromStdString(saved.error().message),
+                            QString::fromStdString(saved.error().remedy));
+}
+
+void ExportPage::saveOwnPreset() {
+    bool accepted = false;
+    const QString name = QInputDialog::getText(this, tr("Save as own preset"), tr("Name"), QLineEdit::Normal,
+                                               settingsInWords(form_->settings()), &accepted)
+                             .trimmed();
+    if (!accepted || name.isEmpty())
+        return;
+    const QString key = presets_.addOwn(name, form_->settings());
+    preset_list_->refresh();
+    preset_list_->choose(key);
+}
+
+void ExportPage::removeOwnPreset(const QString& key) {
+    presets_.removeOwn(key);
+    preset_list_->refresh();
+    preset_list_->choose(presets_.all().front().key);
+}
+
+void ExportPage::keyPressEvent(QKeyEvent* event) {
+    const bool is_enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (is_enter && write_->isVisible() && write_->isEnabled())
+        write();
+    else if (is_enter && folder_->isVisible())
+        openFolder();
+    else if (event->key() == Qt::Key_Escape)
+        studio_.goTo(Step::kReview);
+    else
+        Page::keyPressEvent(event);
+}
+
+}  // namespace noctule::ui

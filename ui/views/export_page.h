@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is missing for the next program? Takes as files, made for it, written, read again and checked.
+#pragma once
+
+#include "ui/models/studio.h"
+#include "ui/views/export_run.h"
+#include "ui/views/export_settings.h"
+#include "ui/views/page.h"
+
+namespace noctule::ui {
+
+class Button;
+class ExportForm;
+class ExportPresetList;
+class ExportResultsPanel;
+class JobProgress;
+class Label;
+
+class ExportPage : public Page {
+    Q_OBJECT
+public:
+    explicit ExportPage(Studio& studio, QWidget* parent = nullptr);
+
+    QString title() const override { return tr("Export"); }
+    QWidget* leftDock() override;
+    void enter() override;
+
+    ExportForm& form() { return *form_; }
+    ExportResultsPanel& resultsPanel() { return *results_panel_; }
+    Button* writeButton() { return write_; }
+    void choosePreset(const QString& key);
+    /// What would be written now; an Error names what is in the way.
+    Result<std::vector<ExportJob>> plan() const;
+    const std::optional<ExportResults>& results() const { return results_; }
+
+public slots:
+    void write();
+    void tryOneFrame();
+    void openFolder();
+
+signals:
+    void finished();  ///< results() is there, or what failed was said
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QWidget* makeFoot();
+    void refresh();
+    void start(const QString& title, std::function<Result<ExportResults>(const JobContext&)> work,
+               bool is_trial);
+    void present(const Result<ExportResults>& results, bool is_trial);
+    void offer(bool folder_first);
+    void saveCheck();
+    void saveOwnPreset();
+    void removeOwnPreset(const QString& key);
+    QString runOf(const SessionTake& take) const;
+
+    Studio& studio_;
+    ExportPresets presets_;
+    ExportPresetList* preset_list_;
+    ExportForm* form_;
+    ExportResultsPanel* results_panel_;
+    JobProgress* progress_;
+    Label* state_;
+    Button *again_, *folder_, *write_;
+    std::optional<ExportResults> results_;
+};
+
+}  // namespace noctule::ui

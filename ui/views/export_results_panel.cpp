@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/export_results_panel.h"
+
+#include <QFileInfo>
+
+#include "ui/style/words.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/empty_state.h"
+#include "ui/widgets/form_rows.h"
+#include "ui/widgets/icon_label.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/scroll_area.h"
+#include "ui/widgets/verdict_header.h"
+
+namespace noctule::ui {
+namespace {
+
+Tone toneOf(const ExportOutcome& outcome) {
+    if (outcome.error || !outcome.check.ok())
+        return Tone::kError;
+    return outcome.check.silent.empty() ? Tone::kOk : Tone::kWarn;
+}
+
+}  // namespace
+
+ExportResultsPanel::ExportResultsPanel(QWidget* parent)
+    : QWidget(parent),
+      empty_(new EmptyState(tr("What was written stands here, with what reading it again said."))),
+      results_(new QWidget),
+      cards_(new QWidget),
+      verdict_(new VerdictHeader),
+      cards_column_(makeColumn(cards_, {}, 8)),
+      save_(makeButton(ButtonKind::kText, tr("Save the check as text"), "note")) {
+    auto* outer = makeColumn(this);
+    outer->addWidget(empty_, 1);
+    outer->addWidget(results_, 1);
+    auto* content = new QWidget;
+    auto* column = makeColumn(content, {20, 16, 20, 20}, 12);
+    verdict_->setCompact(true);
+    column->addWidget(verdict_);
+    column->addWidget(cards_);
+    auto* links = addRow(column, 8);
+    links->addWidget(save_);
+    links->addStretch();
+    column->addStretch();
+    keepMaximumWidth(*content, 640);
+    makeColumn(results_)->addWidget(new ScrollArea(content));
+    connect(save_, &QPushButton::clicked, this, &ExportResultsPanel::saveWanted);
+    clear();
+}
+
+int ExportResultsPanel::cardCount() const {
+    return cards_column_->count();
+}
+
+void ExportResultsPanel::clear() {
+    while (QLayoutItem* item = cards_column_->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    results_->hide();
+    empty_->show();
+}
+
+void ExportResultsPanel::setResults(const ExportResults& results, bool is_trial) {
+    clear();
+    empty_->hide();
+    results_->show();
+    const int written = results.written(), faulty = results.faulty();
+    const auto remarked =
+        std::count_if(results.outcomes.begin(), results.outcomes.end(),
+                      [](const ExportOutcome& outcome) { return toneOf(outcome) == Tone::kWarn; });
+    const Tone tone = faulty > 0 ? Tone::kError : remarked > 0 ? Tone::kWarn : Tone::kOk;
+    const QString title = is_trial ? tr("One frame written, read back and deleted")
+                                   : tr("%n files written and read back", nullptr, written);
+    QString text = tr("Each file was opened again and compared with its take.");
+    if (faulty > 0)
+        text = tr("Each file was opened again and compared with its take. %n are not what they should be.",
+                  nullptr, faulty);
+    else if (remarked > 0)
+        text = tr("Each file was opened again and compared with its take. %n have something you should know.",
+                  nullptr, static_cast<int>(remarked));
+    verdict_->setVerdict(tone, title, text);
+    for (size_t i = 0; i < results.outcomes.size(); ++i)
+        cards_column_->addWidget(makeCard(results.outcomes[i], i == 0));
+    save_->setVisible(!is_trial);
+}
+
+QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full) const {
+    const ExportCheck& check = outcome.check;
+    const Tone tone = toneOf(outcome);
+    auto* card = new Card;
+    auto* column = makeColumn(card, {12, 10, 12, 12}, 8);
+    auto* head = addRow(column, 8);
+    head->addWidget(new IconLabel(iconOf(tone), [tone] { return colorOf(tone); }));
+    auto* name = new Label(QFileInfo(QString::fromStdString(outcome.path)).fileName(), TextRole::kBody,
+                           Ink::kValue, true);
+    name->setToolTip(QString::fromStdString(outcome.path));
+    head->addWidget(name->selectable(), 1);
+    if (outcome.error) {
+        column->addWidget(
+            (new Label(QString::fromStdString(outcome.error->text()), TextRole::kSecondary, Ink::kError))
+                ->wrapped()
+                ->selectable());
+        return card;
+    }
+    head->addWidget(new Label(
+        tr("%1 frames, %2").arg(countText(static_cast<qint64>(check.frames)), bytesText(check.bytes)),
+        TextRole::kSecondary, Ink::kLabel));
+    auto* rows = new FormRows(124);
+    // All is told of the first file and of those with faults, of others what may differ.
+    if (in_full || !check.ok()) {
+        rows->addValue(tr("Height"), heightInWords(check));
+        rows->addValue(tr("Facing"), facingInWords(check));
+        rows->addValue(tr("Joints"), tr("%1 of %2").arg(check.joints).arg(check.expected_joints));
+        rows->addValue(tr("Result"), QString::fromStdString(check.run));
+    }
+    rows->addValue(tr("Largest difference"), differenceInWords(check));
+    auto* indented = addRow(column, 0, {24, 0, 0, 0});
+    indented->addWidget(rows);
+    const auto addLine = [&](const QString& text, Ink ink) {
+        auto* line = addRow(column, 0, {24, 0, 0, 0});
+        line->addWidget((new Label(text, TextRole::kSecondary, ink))->wrapped()->selectable());
+    };
+    for (const SilentBoard& silent : check.silent)
+        addLine(silenceInWords(silent), Ink::kWarn);
+    for (const std::string& fault : check.faults)
+        addLine(QString::fromStdString(fault), Ink::kError);
+    return card;
+}
+
+}  // namespace noctule::ui

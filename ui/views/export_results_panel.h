@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was written and what reading it again said, a card for every file.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/views/export_run.h"
+
+class QBoxLayout;
+
+namespace noctule::ui {
+
+class Button;
+class EmptyState;
+class Label;
+class VerdictHeader;
+
+class ExportResultsPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit ExportResultsPanel(QWidget* parent = nullptr);
+
+    /// `is_trial`: one frame that was not kept.
+    void setResults(const ExportResults& results, bool is_trial);
+    void clear();
+    int cardCount() const;
+
+signals:
+    void saveWanted();
+
+private:
+    QWidget* makeCard(const ExportOutcome& outcome, bool in_full) const;
+
+    EmptyState* empty_;
+    QWidget *results_, *cards_;
+    VerdictHeader* verdict_;
+    QBoxLayout* cards_column_;
+    Button* save_;
+};
+
+}  // namespace noctule::ui

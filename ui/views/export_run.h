@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes files one after the other and reads each again: one job.
+#pragma once
+
+#include <vector>
+
+#include "core/processing/check_export.h"
+#include "ui/views/export_settings.h"
+
+namespace noctule::ui {
+
+/// What became of one take: the check of its file, or why there is none.
+struct ExportOutcome {
+    QString take;
+    std::string path;
+    ExportCheck check;
+    std::optional<Error> error;
+};
+
+struct ExportResults {
+    std::vector<ExportOutcome> outcomes;
+    double seconds = 0;
+
+    int written() const;
+    int faulty() const;  ///< not written, or the check found something
+};
+
+/// Goes on after a take that fails; an Error only when cancelled or the folder cannot be made.
+Result<ExportResults> runExport(const std::vector<ExportJob>& jobs, const JobContext& job);
+
+/// The frame at `time_s` of the first one, written to a temporary folder, checked and deleted.
+Result<ExportResults> tryOneFrame(ExportJob job, double time_s, const JobContext& context);
+
+/// The whole check as plain text.
+QString checkAsText(const ExportResults& results);
+/// "1.78 m, feet on the floor", "+Z, left hand to +X", "0.0004°, 0.001 mm".
+QString heightInWords(const ExportCheck& check);
+QString facingInWords(const ExportCheck& check);
+QString differenceInWords(const ExportCheck& check);
+/// "Board 7 (left forearm) was silent from 0:11.2 to 0:11.6. It follows its neighbours in those 25 frames."
+QString silenceInWords(const SilentBoard& silent);
+
+}  // namespace noctule::ui

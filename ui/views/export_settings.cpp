@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/export_settings.h"
+
+#include <QCoreApplication>
+#include <QUuid>
+
+#include "ui/style/words.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr const char *kGroup = "export", *kOwnKeys = "export/own", *kLast = "export/last";
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(noctule::ui::ExportSettings)
+};
+
+ExportSettings bvh(double metres_per_unit) {
+    ExportSettings settings;
+    settings.metres_per_unit = metres_per_unit;
+    return settings;
+}
+
+ExportSettings csv(bool angles) {
+    ExportSettings settings;
+    settings.format = ExportFormat::kCsv;
+    settings.angles = angles;
+    return settings;
+}
+
+std::vector<ExportPreset> shipped() {
+    const QString later =
+        Words::tr("Comes with FBX export. Until then both read the BVH of the first preset.");
+    return {{"motionbuilder",
+             Words::tr("MotionBuilder and Maya"),
+             Words::tr("BVH, centimetres, Y up"),
+             {},
+             false,
+             bvh(0.01)},
+            {"blender", Words::tr("Blender"), Words::tr("BVH, metres, Y up"), {}, false, bvh(1)},
+            {"unity", Words::tr("Unity"), Words::tr("Comes with FBX"), later, false, {}},
+            {"unreal", Words::tr("Unreal"), Words::tr("Comes with FBX"), later, false, {}},
+            {"positions",
+             Words::tr("Numbers"),
+             Words::tr("CSV of joint positions, metres"),
+             {},
+             false,
+             csv(false)},
+            {"angles",
+             Words::tr("Numbers with angles"),
+             Words::tr("CSV of positions and joint angles"),
+             {},
+             false,
+             csv(true)}};
+}
+
+QString groupOf(const QString& key) {
+    return QString("%1/%2").arg(kGroup, key);
+}
+
+ExportSettings loaded(QSettings& store, const QString& key, const ExportSettings& otherwise) {
+    store.beginGroup(groupOf(key));
+    ExportSettings s = otherwise;
+    s.format = static_cast<ExportFormat>(
+        std::clamp(store.value("format", static_cast<int>(s.format)).toInt(), 0, 1));
+    s.range =
+        static_cast<ExportRange>(std::clamp(store.value("range", static_cast<int>(s.range)).toInt(), 0, 2));
+    s.own_from_s = store.value("own_from_s", s.own_from_s).toDouble();
+    s.own_to_s = store.value("own_to_s", s.own_to_s).toDouble();
+    s.frames_per_second =
+        std::clamp(store.value("frames_per_second", s.frames_per_second).toDouble(), 1.0, 1000.0);
+    s.root = static_cast<RootMotion>(std::clamp(store.value("root", static_cast<int>(s.root)).toInt(), 0, 2));
+    s.metres_per_unit = store.value("metres_per_unit", s.metres_per_unit).toDouble() == 1 ? 1 : 0.01;
+    s.angles = store.value("angles", s.angles).toBool();
+    s.folder = store.value("folder", s.folder).toString();
+    s.name_pattern = store.value("name_pattern", s.name_pattern).toString();
+    store.endGroup();
+    return s;
+}
+
+void save(QSettings& store, const QString& key, const ExportSettings& s) {
+    store.beginGroup(groupOf(key));
+    store.setValue("format", static_cast<int>(s.format));
+    store.setValue("range", static_cast<int>(s.range));
+    store.setValue("own_from_s", s.own_from_s);
+    store.setValue("own_to_s", s.own_to_s);
+    store.setValue("frames_per_second", s.frames_per_second);
+    store.setValue("root", static_cast<int>(s.root));
+    store.setValue("metres_per_unit", s.metres_per_unit);
+    store.setValue("angles", s.angles);
+    store.setValue("folder", s.folder);
+    store.setValue("name_pattern", s.name_pattern);
+    store.endGroup();
+}
+
+}  // namespace
+
+ExportPresets::ExportPresets(QSettings& store) : store_(store) {
+    load();
+}
+
+void ExportPresets::load() {
+    presets_ = shipped();
+    for (ExportPreset& preset : presets_)
+        preset.settings = loaded(store_, preset.key, preset.settings);
+    for (const QString& key : store_.value(kOwnKeys).toStringList()) {
+        ExportPreset own;
+        own.key = key;
+        own.is_own = true;
+        own.name = store_.value(groupOf(key) + "/name").toString();
+        own.settings = loaded(store_, key, {});
+        own.detail = settingsInWords(own.settings);
+        presets_.push_back(own);
+    }
+}
+
+int ExportPresets::indexOf(const QString& key) const {
+    for (size_t i = 0; i < presets_.size(); ++i)
+        if (presets_[i].key == key)
+            return static_cast<int>(i);
+    return -1;
+}
+
+QString ExportPresets::lastChosen() const {
+    const QString key = store_.value(kLast).toString();
+    return indexOf(key) >= 0 ? key : presets_.front().key;
+}
+
+void ExportPresets::choose(const QString& key) {
+    store_.setValue(kLast, key);
+}
+
+void ExportPresets::remember(const QString& key, const ExportSettings& settings) {
+    save(store_, key, settings);
+    load();
+}
+
+QString ExportPresets::addOwn(const QString& name, const ExportSettings& settings) {
+    const QString key = "own-" + QUuid::createUuid().toString(QUuid::Id128).left(8);
+    QStringList keys = store_.value(kOwnKeys).toStringList();
+    store_.setValue(kOwnKeys, keys << key);
+    store_.setValue(groupOf(key) + "/name", name);
+    remember(key, settings);
+    return key;
+}
+
+void ExportPresets::removeOwn(const QString& key) {
+    QStringList keys = store_.value(kOwnKeys).toStringList();
+    keys.removeAll(key);
+    store_.setValue(kOwnKeys, keys);
+    store_.remove(groupOf(key));
+    load();
+}
+
+QString settingsInWords(const ExportSettings& settings) {
+    const QString frames = numberText(settings.frames_per_second, 0);
+    if (settings.format == ExportFormat::kCsv)
+        return settings.angles ? Words::tr("CSV with angles, %1 frames").arg(frames)
+                               : Words::tr("CSV, metres, %1 frames").arg(frames);
+    return settings.metres_per_unit == 1 ? Words::tr("BVH, metres, %1 frames").arg(frames)
+                                         : Words::tr("BVH, centimetres, %1 frames").arg(frames);
+}
+
+QString extensionOf(ExportFormat format) {
+    return format == ExportFormat::kBvh ? "bvh" : "csv";
+}
+
+QString exportFolder(const Session& session, const ExportSettings& settings) {
+    return settings.folder.isEmpty() ? QString::fromStdString(session.exportsFolder().string())
+                                     : settings.folder;
+}
+
+Result<ExportJob> exportJob(const Session& session, const SessionTake& take, const QString& run,
+                            const ExportSettings& settings, const QString& date,
+                            std::set<std::string>& taken) {
+    ExportJob job;
+    job.take = QString::fromStdString(take.name);
+    ExportRequest& request = job.request;
+    request.take_path = session.pathOf(take).string();
+    request.run = run.toStdString();
+    request.frames_per_second = settings.frames_per_second;
+    request.root = settings.root;
+    if (settings.range == ExportRange::kInToOut && take.in_s > 0)
+        request.from_s = take.in_s;
+    if (settings.range == ExportRange::kInToOut && take.out_s > 0)
+        request.to_s = take.out_s;
+    if (settings.range == ExportRange::kOwn) {
+        request.from_s = settings.own_from_s;
+        request.to_s = settings.own_to_s;
+    }
+    const auto name = exportFileName(
+        settings.name_pattern.toStdString(),
+        {take.name, take.performer, run.toStdString(), date.toStdString(), settings.frames_per_second});
+    if (!name)
+        return name.error();
+    const std::string path = freeFilePath(exportFolder(session, settings).toStdString(), *name,
+                                          extensionOf(settings.format).toStdString(), taken);
+    (settings.format == ExportFormat::kBvh ? request.bvh_path : request.csv_path) = path;
+    request.metres_per_unit = settings.metres_per_unit;
+    request.angles = settings.format == ExportFormat::kCsv && settings.angles;
+    return job;
+}
+
+}  // namespace noctule::ui

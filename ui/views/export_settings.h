@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is exported and how: the presets that ship and those that the operator saved, each remembering its
+// settings; and the request that a take makes of them, the same that `noctule --batch export` makes.
+#pragma once
+
+#include <QSettings>
+#include <QString>
+#include <set>
+#include <vector>
+
+#include "core/processing/export_names.h"
+#include "core/processing/export_take.h"
+#include "core/session/session.h"
+
+namespace noctule::ui {
+
+enum class ExportFormat { kBvh, kCsv };
+enum class ExportRange { kInToOut, kWholeTake, kOwn };
+
+struct ExportSettings {
+    ExportFormat format = ExportFormat::kBvh;
+    ExportRange range = ExportRange::kInToOut;
+    double own_from_s = 0, own_to_s = 0;
+    double frames_per_second = 120;
+    RootMotion root = RootMotion::kMoving;
+    double metres_per_unit = 0.01;  ///< BVH; CSV files are in metres
+    bool angles = false;            ///< CSV
+    QString folder;                 ///< empty: exports/ of the session
+    QString name_pattern = "{take}_{fps}";
+
+    bool operator==(const ExportSettings&) const = default;
+};
+
+struct ExportPreset {
+    QString key;          ///< in settings
+    QString name;         ///< "MotionBuilder and Maya"
+    QString detail;       ///< "BVH, centimetres, Y up"
+    QString unavailable;  ///< why it cannot be chosen; empty: it can
+    bool is_own = false;
+    ExportSettings settings;
+};
+
+class ExportPresets {
+public:
+    explicit ExportPresets(QSettings& store);
+
+    const std::vector<ExportPreset>& all() const { return presets_; }
+    int indexOf(const QString& key) const;  ///< -1: none
+    QString lastChosen() const;
+    void choose(const QString& key);
+    /// Kept for the next time that the preset is chosen.
+    void remember(const QString& key, const ExportSettings& settings);
+    QString addOwn(const QString& name, const ExportSettings& settings);  ///< its key
+    void removeOwn(const QString& key);
+
+private:
+    void load();
+
+    QSettings& store_;
+    std::vector<ExportPreset> presets_;
+};
+
+/// "BVH, centimetres, 120 frames"
+QString settingsInWords(const ExportSettings& settings);
+QString extensionOf(ExportFormat format);
+
+/// One take of an export.
+struct ExportJob {
+    QString take;
+    ExportRequest request;
+    const std::string& path() const { return request.bvh_path.empty() ? request.csv_path : request.bvh_path; }
+};
+/// `run` empty: the last one. `taken`: names of this export so far. `date`: "2026-11-21".
+Result<ExportJob> exportJob(const Session& session, const SessionTake& take, const QString& run,
+                            const ExportSettings& settings, const QString& date,
+                            std::set<std::string>& taken);
+QString exportFolder(const Session& session, const ExportSettings& settings);
+
+}  // namespace noctule::ui

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the open take was made with: calibration, suit, skeleton, dates.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/models/studio.h"
+
+namespace noctule::ui {
+
+class Label;
+
+class MadeWithPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit MadeWithPanel(Studio& studio, QWidget* parent = nullptr);
+
+private:
+    void refresh();
+
+    Studio& studio_;
+    Label *performer_, *recorded_, *offsets_, *inertial_, *rest_, *skeleton_, *suit_, *sound_;
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the operator says about the open take; kept in the session, one undo step per visit. Notes that the
+// take itself brought stand above and cannot be changed.
+#pragma once
+
+#include <QPlainTextEdit>
+#include <QTimer>
+
+#include "ui/models/studio.h"
+
+namespace noctule::ui {
+
+class Label;
+
+class NotesPanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit NotesPanel(Studio& studio, QWidget* parent = nullptr);
+
+    QPlainTextEdit& editor() { return *editor_; }
+    void edit();  ///< gives it the keyboard
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override;
+
+private:
+    void readTake();
+    void readNotes();
+    void save();
+    void fitHeight();
+
+    Studio& studio_;
+    Label* of_take_;
+    QPlainTextEdit* editor_;
+    QTimer pause_;
+    int take_ = -1;
+    std::string take_name_;
+};
+
+}  // namespace noctule::ui

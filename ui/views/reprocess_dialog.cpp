@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/reprocess_dialog.h"
+
+#include <QAbstractButton>
+#include <QButtonGroup>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLineEdit>
+
+#include "core/processing/outside_files.h"
+#include "ui/style/words.h"
+#include "ui/views/choice_row.h"
+#include "ui/views/review_words.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/form_rows.h"
+#include "ui/widgets/label.h"
+
+namespace noctule::ui {
+namespace {
+
+QBoxLayout* addGroup(QBoxLayout& into, const QString& title, const std::vector<QWidget*>& rows) {
+    auto* group = new QWidget;
+    into.addWidget(group);
+    auto* column = makeColumn(group, {}, 8);
+    column->addWidget(new Label(title, TextRole::kSection, Ink::kValue, true));
+    for (QWidget* row : rows)
+        column->addWidget(row);
+    return column;
+}
+
+/// One of the two is always chosen.
+void keepOneChosen(QObject* owner, ChoiceRow* first, ChoiceRow* second) {
+    auto* group = new QButtonGroup(owner);
+    group->addButton(first->button());
+    group->addButton(second->button());
+    first->setChecked(true);
+}
+
+QString calibrationInWords(const Calibration& calibration) {
+    const QDateTime made =
+        QDateTime::fromString(QString::fromStdString(calibration.created_utc), Qt::ISODate);
+    return made.isValid() ? ReprocessDialog::tr("Made %1").arg(dateText(made))
+                          : ReprocessDialog::tr("Nominal values of the suit");
+}
+
+}  // namespace
+
+ReprocessDialog::ReprocessDialog(Studio& studio, const TakeOverview& overview, QWidget* parent)
+    : DialogFrame(tr("Reprocess %1").arg(QString::fromStdString(overview.header.name)),
+                  tr("Adds a result to the take. The recording and earlier results stay as they are."),
+                  tr("Reprocess"), parent),
+      studio_(studio),
+      overview_(overview) {
+    auto* sides = new QWidget;
+    auto* row = makeRow(sides, {0, 8, 0, 0}, 32);
+    content()->addWidget(sides);
+    content()->addStretch();
+    std::vector<QBoxLayout*> halves;
+    for (int side = 0; side < 2; ++side) {
+        auto* half = new QWidget;
+        keepSize(*half, 300, 0);
+        halves.push_back(makeColumn(half, {}, 20));
+        row->addWidget(half);
+    }
+    addSensors(*halves[0]);
+    addName(*halves[0]);
+    addRoot(*halves[1]);
+    addFilter(*halves[1]);
+    addCalibration(*halves[1]);
+    for (QBoxLayout* half : halves)
+        half->addStretch();
+    if (!overview.runs.empty())
+        startFrom(overview.runs.back().settings);
+    refresh();
+}
+
+void ReprocessDialog::addSensors(QBoxLayout& into) {
+    using enum ChoiceRow::Kind;
+    gyroscopes = new ChoiceRow(kCheck, tr("Gyroscopes"),
+                               tr("How every limb turns: smooth and quick, but drifts by degrees a minute."));
+    accelerometers =
+        new ChoiceRow(kCheck, tr("Accelerometers"), tr("Which way is down: holds the tilt of every limb."));
+    distances = new ChoiceRow(kCheck, tr("Distances"),
+                              tr("Sound from source to board: holds heading and posture against drift."));
+    addGroup(into, tr("Sensors"), {gyroscopes, accelerometers, distances});
+    for (ChoiceRow* sensor : {gyroscopes, accelerometers, distances}) {
+        sensor->setChecked(true);
+        connect(sensor->button(), &QAbstractButton::toggled, this, &ReprocessDialog::refresh);
+    }
+}
+
+void ReprocessDialog::addRoot(QBoxLayout& into) {
+    using enum ChoiceRow::Kind;
+    root_free = new ChoiceRow(kRadio, tr("Free"), tr("Found by the filter, as in a live recording."));
+    root_given = new ChoiceRow(kRadio, tr("Given"), tr("Hips from the other system that is attached."));
+    addGroup(into, tr("Root"), {root_free, root_given});
+    keepOneChosen(this, root_free, root_given);
+    if (!overview_.has_external_root)
+        root_given->setDisabledBecause(tr("Needs an external root: attach one under Reference first."));
+    connect(root_given->button(), &QAbstractButton::toggled, this, &ReprocessDialog::refresh);
+}
+
+void ReprocessDialog::addFilter(QBoxLayout& into) {
+    using enum ChoiceRow::Kind;
+    ours = new ChoiceRow(kRadio, tr("Noctule"), tr("Rotations without singularities, every range gated."));
+    paper = new ChoiceRow(kRadio, tr("Filter of the paper"),
+                          tr("Vlasic 2007 to the letter, as a baseline for comparison."));
+    auto* column = addGroup(into, tr("Filter"), {ours, paper});
+    process_row_ = new QWidget;
+    auto* row = makeRow(process_row_, {24, 0, 0, 0}, 8);
+    auto* label = new Label(tr("Process sigma"), TextRole::kSecondary, Ink::kLabel);
+    process_sigma_ = new QDoubleSpinBox;
+    process_sigma_->setDecimals(3);
+    process_sigma_->setRange(0.001, 1000);
+    process_sigma_->setSingleStep(0.01);
+    process_sigma_->setValue(TrackerSettings{}.paper_process_sigma_rad_per_s2);
+    process_sigma_->setSuffix(tr(" rad/s²"));
+    process_sigma_->setAccessibleName(label->text());
+    row->addWidget(label);
+    row->addWidget(process_sigma_, 1);
+    column->addWidget(process_row_);
+    keepOneChosen(this, ours, paper);
+    connect(paper->button(), &QAbstractButton::toggled, this, &ReprocessDialog::refresh);
+}
+
+void ReprocessDialog::addCalibration(QBoxLayout& into) {
+    using enum ChoiceRow::Kind;
+    calibration_in_force =
+        new ChoiceRow(kRadio, tr("In force in the take"), calibrationInWords(overview_.calibration));
+    calibration_from_file = new ChoiceRow(kRadio, tr("From a file"), tr("Becomes the one in force."));
+    addGroup(into, tr("Calibration"), {calibration_in_force, calibration_from_file});
+    keepOneChosen(this, calibration_in_force, calibration_from_file);
+    connect(calibration_from_file->button(), &QAbstractButton::clicked, this, [this] {
+        const QString path =
+            QFileDialog::getOpenFileName(this, tr("Choose a calibration"), {}, tr("Calibrations (*.json)"));
+        if (path.isEmpty() && !calibration_)
+            calibration_in_force->setChecked(true);
+        else if (!path.isEmpty())
+            setCalibrationFile(path);
+    });
+}
+
+void ReprocessDialog::addName(QBoxLayout& into) {
+    auto* rows = new FormRows;
+    name = new QLineEdit;
+    rows->addRow(tr("Name"), name);
+    rows->addHint(tr("Under this name batch commands and exports find the result."));
+    into.addWidget(rows);
+}
+
+void ReprocessDialog::setCalibrationFile(const QString& path) {
+    const auto calibration = readCalibrationFile(path.toStdString());
+    setProblem(calibration ? QString() : QString::fromStdString(calibration.error().text()));
+    if (!calibration) {
+        calibration_in_force->setChecked(true);
+        return;
+    }
+    calibration_ = *calibration;
+    calibration_from_file->setChecked(true);
+    calibration_from_file->button()->setText(QFileInfo(path).fileName());
+}
+
+void ReprocessDialog::startFrom(const RunSettings& settings) {
+    const auto has = [&](char sensor) { return settings.sensors.find(sensor) != std::string::npos; };
+    accelerometers->setChecked(has('A'));
+    gyroscopes->setChecked(has('G'));
+    distances->setChecked(has('D'));
+    if (settings.root_given && overview_.has_external_root)
+        root_given->setChecked(true);
+    if (settings.estimator == "paper")
+        paper->setChecked(true);
+    if (settings.process_sigma_rad_per_s2)
+        process_sigma_->setValue(*settings.process_sigma_rad_per_s2);
+}
+
+void ReprocessDialog::refresh() {
+    const bool any = accelerometers->isChecked() || gyroscopes->isChecked() || distances->isChecked();
+    actionButton()->setDisabledBecause(any ? QString() : tr("Choose at least one kind of sensor."));
+    process_row_->setVisible(paper->isChecked());
+    name->setPlaceholderText(QString::fromStdString(defaultRunName(request().tracker)));
+}
+
+ProcessRequest ReprocessDialog::request() const {
+    ProcessRequest request;
+    request.take_path = overview_.path;
+    request.tracker.sensors = {accelerometers->isChecked(), gyroscopes->isChecked(), distances->isChecked()};
+    request.tracker.root_given = root_given->isChecked();
+    request.tracker.estimator = paper->isChecked() ? EstimatorKind::kPaper : EstimatorKind::kManifold;
+    request.tracker.paper_process_sigma_rad_per_s2 = process_sigma_->value();
+    if (calibration_from_file->isChecked())
+        request.calibration = calibration_;
+    request.run_name = name->text().trimmed().toStdString();
+    request.software = studio_.parts().software;
+    request.created_utc = studio_.parts().utc_now ? studio_.parts().utc_now() : std::string();
+    return request;
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a take is to be processed once more: which sensors, which filter, where the root comes from and which
+// calibration. Nothing is replaced, every processing adds a result.
+#pragma once
+
+#include "core/processing/process_take.h"
+#include "ui/models/studio.h"
+#include "ui/views/dialog_frame.h"
+
+class QDoubleSpinBox;
+class QLineEdit;
+
+namespace noctule::ui {
+
+class ChoiceRow;
+
+class ReprocessDialog : public DialogFrame {
+    Q_OBJECT
+public:
+    /// `overview`: of the take; the settings of its last result stand in the dialog at first.
+    ReprocessDialog(Studio& studio, const TakeOverview& overview, QWidget* parent = nullptr);
+
+    ProcessRequest request() const;
+
+    // For those who fill it in, the operator and tests.
+    ChoiceRow *accelerometers, *gyroscopes, *distances;
+    ChoiceRow *root_free, *root_given;
+    ChoiceRow *ours, *paper;
+    ChoiceRow *calibration_in_force, *calibration_from_file;
+    QLineEdit* name;
+
+    void setCalibrationFile(const QString& path);
+
+private:
+    void addSensors(QBoxLayout& into);
+    void addRoot(QBoxLayout& into);
+    void addFilter(QBoxLayout& into);
+    void addCalibration(QBoxLayout& into);
+    void addName(QBoxLayout& into);
+    void chooseCalibration();
+    void startFrom(const RunSettings& settings);
+    void refresh();
+
+    Studio& studio_;
+    const TakeOverview overview_;
+    QWidget* process_row_;
+    QDoubleSpinBox* process_sigma_;
+    std::optional<Calibration> calibration_;
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/review_center.h"
+
+#include <QSplitter>
+
+#include "ui/plots/heat_map.h"
+#include "ui/plots/plot_panel.h"
+#include "ui/plots/timeline.h"
+#include "ui/plots/transport_bar.h"
+#include "ui/style/theme.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/views/scene_area.h"
+#include "ui/widgets/divider.h"
+#include "ui/widgets/scroll_area.h"
+
+namespace noctule::ui {
+
+namespace {
+constexpr const char *kAbove = "review/above", *kWhole = "review/whole";
+}
+
+ReviewCenter::ReviewCenter(Studio& studio, QWidget* parent)
+    : QWidget(parent),
+      studio_(studio),
+      scenes_(new SceneArea(studio)),
+      heat_map_(new HeatMap(studio)),
+      plots_(new PlotPanel(studio)),
+      timeline_(new Timeline(studio, plots_->window())),
+      transport_(new TransportBar(studio, *timeline_)),
+      above_(new QSplitter(Qt::Horizontal)),
+      whole_(new QSplitter(Qt::Vertical)) {
+    above_->addWidget(scenes_);
+    above_->addWidget(heat_map_);
+    above_->setStretchFactor(0, 1);
+    above_->setCollapsible(0, false);
+    auto* below = new QWidget;
+    auto* column = makeColumn(below);
+    column->addWidget(plots_, 1);
+    column->addWidget(timeline_);
+    column->addWidget(new Divider);
+    column->addWidget(transport_);
+    whole_->addWidget(above_);
+    whole_->addWidget(below);
+    for (QSplitter* splitter : {above_, whole_}) {
+        splitter->setHandleWidth(1);
+        connect(splitter, &QSplitter::splitterMoved, this, &ReviewCenter::keepSplitters);
+    }
+    whole_->setCollapsible(1, false);
+    makeColumn(this)->addWidget(whole_);
+    restoreSplitters();
+}
+
+ReviewCenter::~ReviewCenter() = default;
+
+void ReviewCenter::restoreSplitters() {
+    const Theme& theme = Theme::get();
+    if (!above_->restoreState(studio_.settings().value(kAbove).toByteArray()))
+        above_->setSizes({theme.px(456), theme.px(412)});
+    if (!whole_->restoreState(studio_.settings().value(kWhole).toByteArray()))
+        whole_->setSizes({theme.px(346), theme.px(476)});
+}
+
+void ReviewCenter::keepSplitters() const {
+    studio_.settings().setValue(kAbove, above_->saveState());
+    studio_.settings().setValue(kWhole, whole_->saveState());
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/review_words.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <QStringList>
+#include <algorithm>
+
+#include "core/math/conventions.h"
+#include "ui/models/part_names.h"
+#include "ui/style/words.h"
+
+namespace noctule::ui {
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(noctule::ui::ReviewWords)
+};
+
+QString sensorsInWords(const std::string& sensors) {
+    if (sensors == "AGD")
+        return Words::tr("All sensors");
+    if (sensors == "AG")
+        return Words::tr("Without distances");
+    if (sensors == "AD")
+        return Words::tr("Without gyroscopes");
+    if (sensors == "GD")
+        return Words::tr("Without accelerometers");
+    if (sensors == "A")
+        return Words::tr("Accelerometers only");
+    if (sensors == "G")
+        return Words::tr("Gyroscopes only");
+    if (sensors == "D")
+        return Words::tr("Distances only");
+    return Words::tr("No sensors");
+}
+
+double radiansOf(double value_deg) {
+    return radians(value_deg);
+}
+
+const VerdictJoint* jointOf(const TakeVerdict& verdict, const std::string& name) {
+    const auto found = std::find_if(verdict.joints.begin(), verdict.joints.end(),
+                                    [&](const VerdictJoint& joint) { return joint.joint == name; });
+    return found == verdict.joints.end() ? nullptr : &*found;
+}
+
+ProblemWords jointProblem(const TakeVerdict& verdict) {
+    const VerdictJoint* joint = jointOf(verdict, verdict.worst_joint);
+    const QString title = jointName(verdict.worst_joint);
+    ProblemWords words;
+    words.joint = QString::fromStdString(verdict.worst_joint);
+    words.action = Words::tr("Show %1").arg(jointName(verdict.worst_joint, NameCase::kInside));
+    words.time_s = verdict.worst_from_s.value_or(-1);
+    words.title = Words::tr("%1 is off by %2")
+                      .arg(title, degreesText(radiansOf(joint ? joint->mean_deg.value_or(0) : 0)));
+    words.text = verdict.worst_from_s
+                     ? Words::tr(
+                           "Most of it after %1. Look whether the strap moved there; a pair of in and out "
+                           "around the good part keeps the take usable.")
+                           .arg(timeText(*verdict.worst_from_s, 0))
+                     : Words::tr("It is off throughout. Look where its boards sit on the performer page.");
+    return words;
+}
+
+ProblemWords supportProblem(const TakeVerdict& verdict) {
+    const VerdictJoint* joint = jointOf(verdict, verdict.worst_joint);
+    ProblemWords words;
+    words.joint = QString::fromStdString(verdict.worst_joint);
+    words.action = Words::tr("Show %1").arg(jointName(verdict.worst_joint, NameCase::kInside));
+    words.time_s = verdict.worst_from_s.value_or(-1);
+    words.title = Words::tr("%1 is less certain").arg(jointName(verdict.worst_joint));
+    const QString share = percentText(joint ? joint->backed_by_ranges : 0);
+    words.text = verdict.worst_from_s
+                     ? Words::tr(
+                           "Ranges backed it %1 of the time, least from %2 on. In between it follows its "
+                           "gyroscope, which drifts by 1 to 3° a minute.")
+                           .arg(share, timeText(*verdict.worst_from_s, 0))
+                     : Words::tr(
+                           "Ranges backed it %1 of the time. In between it follows its gyroscope, which "
+                           "drifts by 1 to 3° a minute.")
+                           .arg(share);
+    return words;
+}
+
+ProblemWords boardProblem(const TakeVerdict& verdict, const TakeOverview& overview) {
+    ProblemWords words;
+    if (verdict.lossy_boards.empty())
+        return words;
+    const VerdictBoard& worst = verdict.lossy_boards.front();
+    words.board = worst.board;
+    words.action = Words::tr("Show this board");
+    words.title = Words::tr("%1 lost %2 of its frames")
+                      .arg(boardTitle(overview.suit, worst.board), percentText(worst.lost_share));
+    const int others = static_cast<int>(verdict.lossy_boards.size()) - 1;
+    words.text = others > 0 ? Words::tr(
+                                  "%n other boards lost some too. Their neighbours carry them meanwhile; "
+                                  "check plugs and cables before the next take.",
+                                  nullptr, others)
+                            : Words::tr(
+                                  "Its neighbours carry it meanwhile. Check its plug and cable before the "
+                                  "next take.");
+    return words;
+}
+
+}  // namespace
+
+QString runInWords(const RunSettings& settings) {
+    QStringList parts;
+    const QString sensors = sensorsInWords(settings.sensors);
+    if (settings.estimator == "paper") {
+        parts += Words::tr("Filter of the paper");
+        if (settings.sensors != "AGD")
+            parts += sensors.left(1).toLower() + sensors.mid(1);
+    } else {
+        parts += sensors;
+    }
+    if (!settings.smoother.empty() && settings.smoother != "none")
+        parts += Words::tr("smoothed");
+    if (settings.root_given)
+        parts += Words::tr("root given");
+    return parts.join(Words::tr(", "));
+}
+
+QString runTitle(const ReviewRun& run) {
+    // As defaultRunName() and its numbering make them.
+    static const QRegularExpression kMadeUp("^[AGD]+( paper| manifold)?( (\\d+))?$");
+    const QString name = QString::fromStdString(run.run.name);
+    const auto match = kMadeUp.match(name);
+    if (!match.hasMatch() && !name.isEmpty())
+        return name;
+    const QString number = match.captured(3), words = runInWords(run.settings);
+    return number.isEmpty() ? words : Words::tr("%1 (%2)").arg(words, number);
+}
+
+Tone toneOf(TakeGrade grade) {
+    return grade == TakeGrade::kGood ? Tone::kOk : grade == TakeGrade::kUsable ? Tone::kWarn : Tone::kError;
+}
+
+QString gradeInWords(TakeGrade grade) {
+    switch (grade) {
+        case TakeGrade::kGood:
+            return Words::tr("Good take");
+        case TakeGrade::kUsable:
+            return Words::tr("Usable take");
+        case TakeGrade::kNotUsable:
+            break;
+    }
+    return Words::tr("Not usable");
+}
+
+QString gradeExplained(const TakeVerdict& verdict) {
+    if (verdict.grade == TakeGrade::kNotUsable)
+        return Words::tr("Better not to build on it as it is. Why, and what may help, stands below.");
+    if (verdict.grade == TakeGrade::kUsable)
+        return Words::tr("Good enough to work with. What to look at first stands below.");
+    return verdict.mean_error_deg ? Words::tr("It follows the reference from start to end.")
+                                  : Words::tr("Every joint was backed by its sensors from start to end.");
+}
+
+std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const TakeOverview& overview) {
+    std::vector<ProblemWords> problems;
+    for (const VerdictReason reason : verdict.reasons) {
+        ProblemWords words;
+        switch (reason) {
+            case VerdictReason::kNone:
+                continue;
+            case VerdictReason::kMeanError:
+                words.title = Words::tr("The mean joint error is %1")
+                                  .arg(degreesText(radiansOf(verdict.mean_error_deg.value_or(0))));
+                words.text =
+                    Words::tr(
+                        "Good takes stay under %1 against their reference. Another choice of sensors or a "
+                        "newer calibration may bring it down: reprocess and compare.")
+                        .arg(degreesText(radiansOf(VerdictLimits{}.good_mean_deg), 0));
+                break;
+            case VerdictReason::kJointError:
+                words = jointProblem(verdict);
+                break;
+            case VerdictReason::kSupport:
+                words = supportProblem(verdict);
+                break;
+            case VerdictReason::kResidual:
+                words.title = Words::tr("Ranges miss the pose by %1")
+                                  .arg(millimetresText(verdict.residual_rms_m.value_or(0)));
+                words.text = Words::tr(
+                    "A board or a source may sit elsewhere than the performer page says, or the "
+                    "source offsets are another box's. Check both, then reprocess.");
+                break;
+            case VerdictReason::kBoardLost:
+                words = boardProblem(verdict, overview);
+                break;
+            case VerdictReason::kHole:
+                words.title =
+                    Words::tr("No signal for %1 in one piece").arg(secondsText(verdict.longest_hole_s, 2));
+                words.text = Words::tr(
+                    "The pose is a guess there. The timeline hatches these gaps; keep them outside "
+                    "in and out.");
+                break;
+            case VerdictReason::kNoPoses:
+                words.title = Words::tr("This result shows no pose");
+                words.text = Words::tr(
+                    "The filter found nothing to start from. Reprocess with all sensors, or look "
+                    "whether the take holds sound at all.");
+                break;
+        }
+        words.tone = verdict.grade == TakeGrade::kNotUsable && problems.empty() ? Tone::kError : Tone::kWarn;
+        problems.push_back(words);
+    }
+    return problems;
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What Review says of runs and verdicts.
+#pragma once
+
+#include <QString>
+
+#include "core/review/take_review.h"
+#include "core/review/take_verdict.h"
+#include "ui/style/ink.h"
+
+namespace noctule::ui {
+
+/// "All sensors", "Gyroscopes only", "Filter of the paper, root given".
+QString runInWords(const RunSettings& settings);
+/// The name that the operator gave it, else what it was made from; a second one of a kind has its number.
+QString runTitle(const ReviewRun& run);
+
+Tone toneOf(TakeGrade grade);
+/// "Good take"
+QString gradeInWords(TakeGrade grade);
+/// One or two sentences below the grade.
+QString gradeExplained(const TakeVerdict& verdict);
+
+struct ProblemWords {
+    Tone tone = Tone::kWarn;
+    QString title, text;
+    QString action;      ///< "Show left knee"; empty: none
+    QString joint;       ///< that the action chooses, or
+    int board = -1;      ///< the board that it chooses
+    double time_s = -1;  ///< where it puts the cursor; negative: nowhere
+};
+/// What lowered the grade, worst first.
+std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const TakeOverview& overview);
+
+}  // namespace noctule::ui

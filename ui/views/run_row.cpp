@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/run_row.h"
+
+#include <QPainter>
+#include <QStyleOption>
+
+#include "ui/style/theme.h"
+
+namespace noctule::ui {
+
+namespace {
+constexpr int kInset = 12, kBox = 16, kGap = 8, kRow = 46;
+}
+
+RunRow::RunRow(const QString& name, QWidget* parent) : QAbstractButton(parent) {
+    setText(name);
+    setCheckable(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setAttribute(Qt::WA_Hover);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(&Theme::get(), &Theme::changed, this, [this] { updateGeometry(), update(); });
+}
+
+void RunRow::setState(const QString& letter, const QString& detail) {
+    letter_ = letter;
+    detail_ = detail;
+    setAccessibleName(letter.isEmpty() ? tr("Result %1, %2").arg(text(), detail)
+                                       : tr("Result %1, %2, %3").arg(letter, text(), detail));
+    setToolTip(text());
+    update();
+}
+
+QSize RunRow::sizeHint() const {
+    return {Theme::get().px(216), Theme::get().px(kRow)};
+}
+
+QSize RunRow::minimumSizeHint() const {
+    return {Theme::get().px(120), Theme::get().px(kRow)};
+}
+
+void RunRow::paintEvent(QPaintEvent*) {
+    const Theme& theme = Theme::get();
+    const Tokens& tokens = theme.tokens();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (underMouse())
+        painter.fillRect(rect(), tokens.ctl);
+
+    QStyleOptionButton box;
+    box.initFrom(this);
+    box.rect = QRect(theme.px(kInset), (height() - theme.px(kBox)) / 2, theme.px(kBox), theme.px(kBox));
+    box.state |= isChecked() ? QStyle::State_On : QStyle::State_Off;
+    box.state &= ~QStyle::State_HasFocus;
+    style()->drawPrimitive(QStyle::PE_IndicatorCheckBox, &box, &painter, this);
+
+    const int left = box.rect.right() + 1 + theme.px(kGap), width = this->width() - left - theme.px(kInset);
+    const QFont name = theme.font(TextRole::kBody, isChecked()), small = theme.font(TextRole::kSecondary);
+    const QFontMetrics name_metrics(name), small_metrics(small);
+    const int top = (height() - name_metrics.height() - small_metrics.height()) / 2;
+    const int letter_width = letter_.isEmpty() ? 0 : name_metrics.horizontalAdvance(letter_) + theme.px(6);
+    painter.setFont(name);
+    painter.setPen(tokens.acc);
+    painter.drawText(left, top + name_metrics.ascent(), letter_);
+    painter.setPen(tokens.t1);
+    painter.drawText(left + letter_width, top + name_metrics.ascent(),
+                     name_metrics.elidedText(text(), Qt::ElideRight, width - letter_width));
+    painter.setFont(small);
+    painter.setPen(tokens.t3);
+    painter.drawText(left, top + name_metrics.height() + small_metrics.ascent(),
+                     small_metrics.elidedText(detail_, Qt::ElideRight, width));
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// What several pages and the menus offer: make or open a session, import takes. Each asks the operator with a
+// dialog and hands the answer to the session model.
+#pragma once
+
+#include <QCoreApplication>
+#include <QStringList>
+
+class QWidget;
+
+namespace noctule::ui {
+
+class Studio;
+
+class SessionCommands {
+    Q_DECLARE_TR_FUNCTIONS(SessionCommands)
+public:
+    static void askForNew(QWidget* parent, Studio& studio);
+    static void askToOpen(QWidget* parent, Studio& studio);
+    /// Empty when the operator thought better of it.
+    static QStringList askForTakes(QWidget* parent, Studio& studio);
+    /// Asks which takes, and for a session first when none is open.
+    static void askForImport(QWidget* parent, Studio& studio);
+    /// A new session first when none is open.
+    static void import(QWidget* parent, Studio& studio, const QStringList& paths);
+
+    /// Whether a session lies in the folder.
+    static bool isSession(const QString& folder);
+    /// The session folder that a take lies in (FOLDER/takes/NAME.noctule), or empty.
+    static QString sessionOfTake(const QString& take_path);
+};
+
+}  // namespace noctule::ui

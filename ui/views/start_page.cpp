@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/start_page.h"
+
+#include <QHBoxLayout>
+#include <QPointer>
+#include <QVBoxLayout>
+
+#include "ui/style/theme.h"
+#include "ui/style/words.h"
+#include "ui/views/big_button.h"
+#include "ui/views/job_progress.h"
+#include "ui/views/recent_sessions.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/views/session_list.h"
+#include "ui/views/take_picture.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/empty_state.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/problem_card.h"
+#include "ui/widgets/scroll_area.h"
+#include "ui/widgets/search_field.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr int kSheetWidth = 1200, kLeftWidth = 360;
+
+}  // namespace
+
+StartPage::StartPage(Studio& studio, RecentSessions& recent, QWidget* parent)
+    : Page(parent), studio_(studio), recent_(recent) {
+    sheet_ = new QWidget;
+    auto* content = new QWidget;
+    auto* sheet = makeColumn(content, {}, 36);
+    sheet->addWidget(makeHead());
+    auto* columns = addRow(sheet, 40);
+    auto* left = new QWidget;
+    auto* left_column = makeColumn(left, {}, 28);
+    left_column->addWidget(makeChoices());
+    left_column->addWidget(makeSuitsFound());
+    left_column->addWidget(makeFirstTime());
+    left_column->addStretch();
+    keepSize(*left, kLeftWidth, 0);
+    columns->addWidget(left);
+    columns->addWidget(makeRecent(), 1);
+    sheet->addStretch();
+    auto* centred = makeRow(sheet_, {32, 24, 32, 24});
+    centred->addStretch();
+    centred->addWidget(content, 1000);
+    centred->addStretch();
+    keepMaximumWidth(*content, kSheetWidth);
+
+    auto* outer = makeColumn(this, {}, 0);
+    outer->addWidget(new ScrollArea(sheet_));
+    connect(&recent_, &RecentSessions::changed, this, &StartPage::showRecent);
+    showRecent();
+}
+
+void StartPage::enter() {
+    recent_.look();
+    new_->setFocus();
+}
+
+QWidget* StartPage::makeHead() {
+    auto* head = new QWidget;
+    auto* row = makeRow(head, {0, 20, 0, 0}, 20);
+    auto* mark = new QLabel;
+    const auto draw_mark = [mark] {
+        mark->setPixmap(Theme::get().pixmap("bat", Theme::get().px(48), Theme::get().tokens().acc));
+    };
+    draw_mark();
+    connect(&Theme::get(), &Theme::changed, mark, draw_mark);
+    row->addWidget(mark);
+    auto* names = new QWidget;
+    auto* words = makeColumn(names);
+    words->addWidget(new Label(tr("Noctule"), TextRole::kVerdict, Ink::kValue, true));
+    words->addWidget(new Label(tr("Motion capture by sound and inertia"), TextRole::kBody, Ink::kLabel));
+    row->addWidget(names, 1);
+    return head;
+}
+
+QWidget* StartPage::makeChoices() {
+    auto* choices = new QWidget;
+    auto* column = makeColumn(choices, {}, 8);
+    new_ = new BigButton("new", tr("New session"), tr("A folder for takes, calibration and exports"),
+                         QKeySequence("Ctrl+N"), true);
+    open_ = new BigButton("open", tr("Open session"), tr("Any folder with a session.json"),
+                          QKeySequence("Ctrl+O"), false);
+    try_ = new BigButton("play", tr("Try it with the virtual suit"),
+                         tr("A simulated performer, nothing to plug in"), {}, false);
+    progress_ = new JobProgress;
+    for (QWidget* widget : std::initializer_list<QWidget*>{new_, open_, try_, progress_})
+        column->addWidget(widget);
+    connect(new_, &QAbstractButton::clicked, this, &StartPage::newSessionRequested);
+    connect(open_, &QAbstractButton::clicked, this, &StartPage::openSessionRequested);
+    connect(try_, &QAbstractButton::clicked, this, &StartPage::tryVirtualSuit);
+    connect(progress_, &JobProgress::ended, this, [this] { try_->setEnabled(true); });
+    return choices;
+}
+
+QWidget* StartPage::makeSuitsFound() {
+    auto* suits = new QWidget;
+    auto* column = makeColumn(suits, {}, 8);
+    column->addWidget(new Label(tr("Suits found"), TextRole::kSecondary, Ink::kHint));
+    column->addWidget(
+        (new Label(tr("This version does not look for driver boxes yet. Until it does, the virtual "
+                      "suit and takes from elsewhere stand in for a suit."),
+                   TextRole::kBody, Ink::kLabel))
+            ->wrapped());
+    Button* more = makeButton(ButtonKind::kText, tr("What Connect will show"));
+    column->addWidget(more, 0, Qt::AlignLeft);
+    connect(more, &QPushButton::clicked, this, [this] { studio_.goTo(Step::kConnect); });
+    return suits;
+}
+
+QWidget* StartPage::makeLink(const QString& icon, const QString& text, const QString& hint,
+                             void (StartPage::*signal)()) {
+    auto* line = new QWidget;
+    auto* row = makeRow(line, {}, 4);
+    Button* link = makeButton(ButtonKind::kText, text, icon);
+    link->setAccessibleDescription(hint);
+    row->addWidget(link);
+    row->addWidget(new Label(hint, TextRole::kSecondary, Ink::kHint));
+    row->addStretch();
+    connect(link, &QPushButton::clicked, this, signal);
+    return line;
+}
+
+QWidget* StartPage::makeFirstTime() {
+    auto* links = new QWidget;
+    auto* column = makeColumn(links, {}, 2);
+    column->addWidget(new Label(tr("First time here"), TextRole::kSecondary, Ink::kHint));
+    column->addWidget(
+        makeLink("info", tr("Tour of the five steps"), tr("2 minutes"), &StartPage::tourRequested));
+    column->addWidget(
+        makeLink("note", tr("Put the suit on"), tr("drawings, 5 minutes"), &StartPage::putSuitOnRequested));
+    column->addWidget(makeLink("history", tr("What is new"), {}, &StartPage::newsRequested));
+    return links;
+}
+
+QWidget* StartPage::makeRecent() {
+    auto* recent = new QWidget;
+    auto* column = makeColumn(recent, {}, 12);
+    auto* cards = new QWidget;
+    cards_ = makeColumn(cards, {}, 12);
+    column->addWidget(cards);
+    auto* head = addRow(column);
+    head->addWidget(new Label(tr("Recent sessions"), TextRole::kSection, Ink::kValue, true), 1);
+    search_ = new SearchField(tr("Find a session or take"));
+    keepSize(*search_, 220, 0);
+    head->addWidget(search_);
+    list_ = new SessionList(recent_);
+    column->addWidget(list_);
+    no_sessions_ = new EmptyState(tr("Sessions that you make or open are listed here, the newest first."));
+    column->addWidget(no_sessions_);
+    nothing_found_ = new Label({}, TextRole::kBody, Ink::kLabel);
+    nothing_found_->wrapped()->hide();
+    column->addWidget(nothing_found_);
+    column->addStretch();
+    connect(search_, &SearchField::searched, this, &StartPage::search);
+    connect(list_, &SessionList::openRequested, this, &StartPage::openRequested);
+    return recent;
+}
+
+void StartPage::search(const QString& text) {
+    list_->setFilter(text);
+    nothing_found_->setText(tr("No session and no take has “%1” in its name.").arg(text.trimmed()));
+    nothing_found_->setVisible(!recent_.all().empty() && list_->shownRows() == 0);
+}
+
+void StartPage::tryVirtualSuit() {
+    progress_->follow(studio_.tryVirtualSuit());
+    try_->setEnabled(false);
+}
+
+void StartPage::showRecent() {
+    const bool any = !recent_.all().empty();
+    list_->setVisible(any);
+    search_->setVisible(any);
+    no_sessions_->setVisible(!any);
+    search(search_->text());
+    showInterrupted();
+    askForPictures();
+}
+
+void StartPage::askForPictures() {
+    const QSize size(168, 124);  // twice the row's picture, for dense screens
+    for (const RecentSession& session : recent_.all())
+        if (!session.newest_take.isEmpty() && !list_->sessions().hasPicture(session.folder))
+            takePicture(studio_, session.newest_take, size,
+                        [list = QPointer(list_), folder = session.folder](const QImage& picture) {
+                            if (list)
+                                list->sessions().setPicture(folder, picture);
+                        });
+}
+
+void StartPage::showInterrupted() {
+    while (QLayoutItem* item = cards_->takeAt(0)) {
+        item->widget()->deleteLater();
+        delete item;
+    }
+    constexpr int kMost = 3;
+    for (const RecentSession& session : recent_.all())
+        if (cards_->count() < kMost && (session.left_open || !session.interrupted.empty()) &&
+            !dismissed_.contains(session.folder))
+            addInterruptedCard(session);
+}
+
+void StartPage::addInterruptedCard(const RecentSession& session) {
+    QString title, text, action = tr("Open %1").arg(session.name), path = session.folder;
+    if (!session.interrupted.empty()) {
+        const InterruptedTake& take = session.interrupted.front();
+        path = take.path;
+        action = tr("Review %1").arg(take.name);
+        title = take.recovered ? tr("The take %1 was recovered").arg(take.name)
+                               : tr("The take %1 was not ended").arg(take.name);
+        text = tr("Recording in “%1” stopped unexpectedly. %2 are safe on disk; the other takes were not "
+                  "touched.")
+                   .arg(session.name, secondsText(take.duration_s));
+    } else {
+        title = tr("“%1” was not closed").arg(session.name);
+        text = tr(
+            "The studio ended unexpectedly while this session was open. Its %n take(s) are safe; changes to "
+            "notes and ratings were saved up to the last second.",
+            nullptr, session.takes);
+    }
+    auto* card = new ProblemCard(Tone::kWarn, title, text);
+    connect(card->addAction(action), &QPushButton::clicked, this, [this, path] { emit openRequested(path); });
+    card->setClosable(true);
+    connect(card, &ProblemCard::closed, this, [this, folder = session.folder] {
+        dismissed_.append(folder);
+        showInterrupted();
+    });
+    cards_->addWidget(card);
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the studio begins: make or open a session, try it without a suit, what was interrupted, what was open
+// before, and a hand for those who are here for the first time.
+#pragma once
+
+#include "ui/models/studio.h"
+#include "ui/views/page.h"
+
+class QVBoxLayout;
+
+namespace noctule::ui {
+
+class BigButton;
+class JobProgress;
+class Label;
+class RecentSessions;
+class SearchField;
+class SessionList;
+struct RecentSession;
+
+class StartPage : public Page {
+    Q_OBJECT
+public:
+    StartPage(Studio& studio, RecentSessions& recent, QWidget* parent = nullptr);
+
+    QString title() const override { return tr("Start"); }
+    void enter() override;
+
+    BigButton* newSessionButton() const { return new_; }
+    BigButton* tryButton() const { return try_; }
+    SessionList& sessionList() { return *list_; }
+
+signals:
+    void newSessionRequested();
+    void openSessionRequested();
+    void openRequested(const QString& path);  ///< a session's folder or a take
+    void tourRequested();
+    void putSuitOnRequested();
+    void newsRequested();
+
+private:
+    QWidget* makeHead();
+    QWidget* makeChoices();
+    QWidget* makeSuitsFound();
+    QWidget* makeFirstTime();
+    QWidget* makeRecent();
+    QWidget* makeLink(const QString& icon, const QString& text, const QString& hint,
+                      void (StartPage::*signal)());
+    void tryVirtualSuit();
+    void showInterrupted();
+    void addInterruptedCard(const RecentSession& session);
+    void showRecent();
+    void askForPictures();
+    void search(const QString& text);
+
+    Studio& studio_;
+    RecentSessions& recent_;
+    QWidget* sheet_;
+    BigButton *new_, *open_, *try_;
+    JobProgress* progress_;
+    Label* nothing_found_;
+    QVBoxLayout* cards_;
+    SearchField* search_;
+    SessionList* list_;
+    QWidget* no_sessions_;
+    QStringList dismissed_;  ///< paths of interrupted takes and folders whose card was closed
+};
+
+}  // namespace noctule::ui

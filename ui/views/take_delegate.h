@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws a row of the take list: dot, name, length, stars.
+#pragma once
+
+#include <QStyledItemDelegate>
+#include <optional>
+
+namespace noctule::ui {
+
+class TakeDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+    /// The rating that a click within a row means; absent beside the stars.
+    static std::optional<int> ratingAt(const QRect& row, const QPoint& position);
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/take_list.h"
+
+#include <QContextMenuEvent>
+#include <QDesktopServices>
+#include <QDropEvent>
+#include <QMenu>
+#include <QMimeData>
+#include <QPainter>
+#include <QUrl>
+
+#include "ui/style/theme.h"
+#include "ui/views/take_delegate.h"
+
+namespace noctule::ui {
+namespace {
+
+/// Take files among what is dragged.
+QStringList takeFiles(const QMimeData& dragged) {
+    QStringList paths;
+    for (const QUrl& url : dragged.urls())
+        if (url.isLocalFile() && url.toLocalFile().endsWith(".noctule", Qt::CaseInsensitive))
+            paths += url.toLocalFile();
+    return paths;
+}
+
+}  // namespace
+
+TakeList::TakeList(Studio& studio, QWidget* parent)
+    : QListView(parent), studio_(studio), takes_(new TakeListModel(studio, this)) {
+    setModel(takes_);
+    setItemDelegate(new TakeDelegate(this));
+    setFrameShape(NoFrame);
+    setUniformItemSizes(true);
+    setMouseTracking(true);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setAcceptDrops(true);
+    viewport()->setAcceptDrops(true);
+    setAccessibleName(tr("Takes"));
+    connect(this, &QListView::activated, this, [this](const QModelIndex& index) { openTake(index.row()); });
+    connect(&studio.take(), &TakeDocument::opened, this, &TakeList::chooseOpen);
+    connect(takes_, &QAbstractItemModel::modelReset, this, &TakeList::chooseOpen);
+    connect(&Theme::get(), &Theme::changed, this, [this] { doItemsLayout(), updateGeometry(); });
+    chooseOpen();
+}
+
+void TakeList::chooseOpen() {
+    if (const int row = takes_->openRow(); row >= 0)
+        setCurrentIndex(takes_->index(row));
+    updateGeometry();
+}
+
+void TakeList::openTake(int row) {
+    const SessionTake& take = takes_->take(row);
+    if (take.state == TakeState::kDamaged) {
+        emit studio_.failed(tr("%1 cannot be opened: %2")
+                                .arg(QString::fromStdString(take.name), QString::fromStdString(take.problem)),
+                            tr("The file stays where it is; nothing in it is changed."));
+        return;
+    }
+    const QString path = QString::fromStdString(studio_.session().session().pathOf(take).string());
+    studio_.session().setCurrentTake(row);
+    if (row != takes_->openRow() && studio_.take().path() != path)
+        studio_.take().open(path);
+}
+
+QSize TakeList::sizeHint() const {
+    const int row = Theme::get().px(28);
+    return {Theme::get().px(216), std::clamp(takes_->rowCount(), 3, 10) * row};
+}
+
+QSize TakeList::minimumSizeHint() const {
+    return {Theme::get().px(160), Theme::get().px(3 * 28)};
+}
+
+void TakeList::keyPressEvent(QKeyEvent* event) {
+    const int rating = event->key() - Qt::Key_0;
+    const bool plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+    if (plain && rating >= 0 && rating <= 5 && currentIndex().isValid())
+        studio_.session().rate(currentIndex().row(), rating);
+    else if (plain && event->key() == Qt::Key_Delete && currentIndex().isValid())
+        studio_.session().trashTake(currentIndex().row());
+    else if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Left || event->key() == Qt::Key_Right ||
+             event->key() == Qt::Key_Home || event->key() == Qt::Key_End ||
+             !event->text().trimmed().isEmpty())
+        event->ignore();  // the page plays, steps and marks with these
+    else
+        QListView::keyPressEvent(event);
+}
+
+void TakeList::mousePressEvent(QMouseEvent* event) {
+    const QModelIndex index = indexAt(event->pos());
+    QListView::mousePressEvent(event);
+    if (!index.isValid() || event->button() != Qt::LeftButton)
+        return;
+    if (const auto rating = TakeDelegate::ratingAt(visualRect(index), event->pos()))
+        studio_.session().rate(index.row(), *rating == takes_->take(index.row()).rating ? 0 : *rating);
+}
+
+void TakeList::contextMenuEvent(QContextMenuEvent* event) {
+    const bool by_keyboard = event->reason() == QContextMenuEvent::Keyboard;
+    const QModelIndex index = by_keyboard ? currentIndex() : indexAt(event->pos());
+    if (index.isValid())
+        showMenu(index,
+                 by_keyboard ? viewport()->mapToGlobal(visualRect(index).bottomLeft()) : event->globalPos());
+}
+
+void TakeList::showMenu(const QModelIndex& index, const QPoint& global) {
+    QMenu menu(this);
+    const int row = index.row();
+    menu.addAction(tr("Open"), this, [this, row] { openTake(row); });
+    QMenu* rating = menu.addMenu(tr("Rating"));
+    for (int stars = 0; stars <= 5; ++stars) {
+        QAction* action = rating->addAction(stars == 0 ? tr("None") : tr("%n stars", nullptr, stars),
+                                            [this, row, stars] { studio_.session().rate(row, stars); });
+        action->setCheckable(true);
+        action->setChecked(stars == takes_->take(row).rating);
+        action->setShortcut(QKeySequence(Qt::Key_0 + stars));
+    }
+    menu.addAction(tr("Notes"), this, [this, row] {
+        openTake(row);
+        emit notesWanted();
+    });
+    menu.addAction(tr("Show in folder"), this, [this, row] { showInFolder(row); });
+    menu.addSeparator();
+    QAction* trash =
+        menu.addAction(tr("Move to trash"), this, [this, row] { studio_.session().trashTake(row); });
+    trash->setShortcut(QKeySequence::Delete);
+    menu.exec(global);
+}
+
+void TakeList::showInFolder(int row) {
+    const auto folder = studio_.session().session().pathOf(takes_->take(row)).parent_path();
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(folder.string())));
+}
+
+void TakeList::dragEnterEvent(QDragEnterEvent* event) {
+    if (studio_.session().isOpen() && !takeFiles(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void TakeList::dragMoveEvent(QDragMoveEvent* event) {
+    event->acceptProposedAction();
+}
+
+void TakeList::dropEvent(QDropEvent* event) {
+    event->setDropAction(Qt::CopyAction);
+    event->accept();
+    studio_.session().importTakes(takeFiles(*event->mimeData()));
+}
+
+void TakeList::paintEvent(QPaintEvent* event) {
+    QListView::paintEvent(event);
+    if (takes_->rowCount() > 0)
+        return;
+    QPainter painter(viewport());
+    painter.setFont(Theme::get().font(TextRole::kSecondary));
+    painter.setPen(Theme::get().tokens().t3);
+    const int inset = Theme::get().px(12);
+    painter.drawText(
+        viewport()->rect().adjusted(inset, inset / 2, -inset, 0), Qt::AlignLeft | Qt::TextWordWrap,
+        studio_.session().isOpen() ? tr("Takes appear here as they are recorded. Drop take files here to "
+                                        "copy them into the session.")
+                                   : tr("No session is open."));
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The takes of the session: state, name, length and stars. Enter or a double click opens one for review, 0 to
+// 5 rate it, files dropped on it are copied into the session.
+#pragma once
+
+#include <QListView>
+
+#include "ui/views/take_list_model.h"
+
+namespace noctule::ui {
+
+class TakeList : public QListView {
+    Q_OBJECT
+public:
+    explicit TakeList(Studio& studio, QWidget* parent = nullptr);
+
+    /// Opens a take for review; damaged ones say why not.
+    void openTake(int row);
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+signals:
+    void notesWanted();  ///< of the chosen take, which is open
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void chooseOpen();
+    void showMenu(const QModelIndex& index, const QPoint& global);
+    void showInFolder(int row);
+
+    Studio& studio_;
+    TakeListModel* takes_;
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything of ui/widgets, for pages that use much of it.
+#pragma once
+
+#include "ui/widgets/bar_meter.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/collapsible_section.h"
+#include "ui/widgets/divider.h"
+#include "ui/widgets/dock_title.h"
+#include "ui/widgets/elided_label.h"
+#include "ui/widgets/empty_state.h"
+#include "ui/widgets/form_rows.h"
+#include "ui/widgets/icon_label.h"
+#include "ui/widgets/key_hint.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/problem_card.h"
+#include "ui/widgets/progress_line.h"
+#include "ui/widgets/rating_stars.h"
+#include "ui/widgets/scroll_area.h"
+#include "ui/widgets/search_field.h"
+#include "ui/widgets/section_header.h"
+#include "ui/widgets/status_dot.h"
+#include "ui/widgets/step_bar.h"
+#include "ui/widgets/tool_button.h"
+#include "ui/widgets/value_card.h"
+#include "ui/widgets/verdict_header.h"
