@@ -956,7 +956,7 @@
         <translation>%1 anhängen</translation>
     </message>
     <message>
-        <source>Another system&apos;s recording of the same performance goes into the take.</source>
+        <source>Another system's recording of the same performance goes into the take.</source>
         <translation>Die Aufzeichnung derselben Darbietung durch ein anderes System kommt in die Aufnahme.</translation>
     </message>
     <message>
@@ -992,7 +992,7 @@
         <translation>Sie beginnt bei</translation>
     </message>
     <message>
-        <source>Milliseconds of the take&apos;s clock; may be negative.</source>
+        <source>Milliseconds of the take's clock; may be negative.</source>
         <translation>Millisekunden auf der Uhr der Aufnahme; auch negativ.</translation>
     </message>
     <message>
@@ -1940,7 +1940,7 @@
     </message>
     <message>
         <source>Performer</source>
-        <translation type="unfinished">Darsteller</translation>
+        <translation>Darsteller</translation>
     </message>
 </context>
 <context>
@@ -3412,7 +3412,7 @@ keine Lücken</translation>
     </message>
     <message>
         <source>No session</source>
-        <translation type="unfinished">Keine Sitzung</translation>
+        <translation>Keine Sitzung</translation>
     </message>
 </context>
 <context>
@@ -3616,7 +3616,7 @@ keine Lücken</translation>
         <translation>Entfernungen verfehlen die Haltung um %1</translation>
     </message>
     <message>
-        <source>A board or a source may sit elsewhere than the performer page says, or the source offsets are another box&apos;s. Check both, then reprocess.</source>
+        <source>A board or a source may sit elsewhere than the performer page says, or the source offsets are another box's. Check both, then reprocess.</source>
         <translation>Eine Platine oder Quelle sitzt vielleicht anders, als die Darstellerseite sagt, oder der Quellenversatz gehört zu einer anderen Box. Beides prüfen, dann neu verarbeiten.</translation>
     </message>
     <message>
@@ -4162,17 +4162,17 @@ keine Lücken</translation>
     </message>
     <message>
         <source>%1, %2, complete</source>
-        <comment>a take&apos;s file and its size</comment>
+        <comment>a take's file and its size</comment>
         <translation>%1, %2, vollständig</translation>
     </message>
     <message>
         <source>%1, %2, recovered</source>
-        <comment>a take&apos;s file and its size</comment>
+        <comment>a take's file and its size</comment>
         <translation>%1, %2, wiederhergestellt</translation>
     </message>
     <message>
         <source>%1, %2, not ended</source>
-        <comment>a take&apos;s file and its size</comment>
+        <comment>a take's file and its size</comment>
         <translation>%1, %2, nicht beendet</translation>
     </message>
     <message>
@@ -4831,21 +4831,21 @@ keine Lücken</translation>
     <name>noctule::ui::words</name>
     <message>
         <source>Today, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Heute, %1</translation>
     </message>
     <message>
         <source>Yesterday</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestern</translation>
     </message>
     <message>
         <source>d MMMM</source>
         <comment>day and month</comment>
-        <translation type="unfinished"></translation>
+        <translation>d. MMMM</translation>
     </message>
     <message>
         <source>d MMMM yyyy</source>
         <comment>day, month and year</comment>
-        <translation type="unfinished"></translation>
+        <translation>d. MMMM yyyy</translation>
     </message>
 </context>
 </TS>

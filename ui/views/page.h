@@ -33,11 +33,7 @@ public:
     virtual void leave() {}
 
 protected:
-    void setDockTitles(const QString& left, const QString& right) {
-        left_title_ = left;
-        right_title_ = right;
-        emit dockTitlesChanged();
-    }
+    void setDockTitles(const QString& left, const QString& right);
 
 signals:
     void dockTitlesChanged();

@@ -7,6 +7,8 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QTableView>
 #include <QTest>
@@ -236,6 +238,46 @@ TEST_F(PerformerPageTest, ClosedSessionLeavesAnEmptyPage) {
     editor().mirror();
     editor().duplicate();
     editor().setHeight(1.8);
+}
+
+/// NOCTULE_TEST_PICTURES=folder keeps pictures to look at.
+TEST_F(PerformerPageTest, NothingIsCutOffInAnyThemeAndSize) {
+    QWidget window;
+    auto* row = new QHBoxLayout(&window);
+    row->setContentsMargins({});
+    row->setSpacing(1);
+    row->addWidget(page_->leftDock());
+    row->addWidget(page_.get(), 1);
+    row->addWidget(page_->rightDock());
+    chooseBoard("l_forearm");
+    editor().setPosition({0.22, 0.03, 0.05});
+    editor().setLength(&BodyMeasures::forearm_m, 0.35);
+    editor().duplicate();
+    chooseBoard("l_forearm");
+    for (const Scheme scheme : {Scheme::kDark, Scheme::kLight})
+        for (const double scale : {1.0, 1.5}) {
+            Theme::get().setScheme(scheme);
+            Theme::get().setScale(scale);
+            page_->leftDock()->setFixedWidth(Theme::get().px(248));
+            page_->rightDock()->setFixedWidth(Theme::get().px(295));
+            window.resize(1440, 822);
+            window.show();
+            QTest::qWait(100);
+            for (const QWidget* dock : {page_->leftDock(), page_->rightDock()})
+                for (const QLabel* label : dock->findChildren<QLabel*>())
+                    if (label->isVisible() && !label->wordWrap())
+                        EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
+            const QString folder = qEnvironmentVariable("NOCTULE_TEST_PICTURES");
+            if (!folder.isEmpty())
+                window.grab().save(QString("%1/performer_%2_%3.png")
+                                       .arg(folder, scheme == Scheme::kDark ? "dark" : "light")
+                                       .arg(100 * scale));
+        }
+    Theme::get().setScheme(Scheme::kDark);
+    Theme::get().setScale(1);
+    page_->leftDock()->setParent(nullptr);
+    page_->rightDock()->setParent(nullptr);
+    page_->setParent(nullptr);
 }
 
 }  // namespace
