@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <limits>
 
 namespace noctule {
 namespace {
 
-constexpr double kSpeedReach_s = 0.02;   ///< to either side
-constexpr double kLevelQuantile = 0.05;  ///< of the heights of a point
-constexpr size_t kPoints = 2;            ///< ankle and tip of the toes
+constexpr double kSpeedReach_s = 0.02;  ///< to either side
+constexpr double kLevelReach_s = 0.6;   ///< to either side: longer than a jump, short against the drift
+constexpr size_t kPoints = 2;           ///< ankle and tip of the toes
 
 int findJoint(const Skeleton& skeleton, const std::string& name) {
     if (const int found = skeleton.find(name); found >= 0)
@@ -41,42 +42,51 @@ struct Track {
     std::vector<double> height_m, speed_m_per_s;
 };
 
-double levelOf(const Track& track) {
-    std::vector<double> heights;
-    for (const Vector3d& p : track.p_world_m)
-        if (p.allFinite())
-            heights.push_back(p.y());
-    if (heights.empty())
-        return 0;
-    const auto low =
-        heights.begin() + static_cast<std::ptrdiff_t>(kLevelQuantile * static_cast<double>(heights.size()));
-    std::nth_element(heights.begin(), low, heights.end());
-    return *low;
+double lowest(const std::vector<const Track*>& same_points, size_t frame) {
+    double height_m = std::numeric_limits<double>::infinity();
+    for (const Track* track : same_points)
+        height_m = std::fmin(height_m, track->p_world_m[frame].y());
+    return height_m;
 }
 
-void finish(Track& track, const std::vector<TimedPose>& frames, size_t reach) {
-    const double level_m = levelOf(track);
+/// The lowest that any foot's point of a kind was around each frame (a sliding minimum).
+std::vector<double> levels(const std::vector<const Track*>& same_points,
+                           const std::vector<TimedPose>& frames) {
+    const auto reach_ns = static_cast<int64_t>(kLevelReach_s * 1e9);
+    std::vector<double> level_m;
+    std::deque<std::pair<int64_t, double>> rising;  // times and heights that may still be the lowest
+    size_t next = 0;
+    for (const TimedPose& frame : frames) {
+        for (; next < frames.size() && frames[next].time_ns <= frame.time_ns + reach_ns; ++next) {
+            const double height_m = lowest(same_points, next);
+            while (!rising.empty() && rising.back().second >= height_m)
+                rising.pop_back();
+            rising.emplace_back(frames[next].time_ns, height_m);
+        }
+        while (rising.front().first < frame.time_ns - reach_ns)
+            rising.pop_front();
+        level_m.push_back(rising.front().second);
+    }
+    return level_m;
+}
+
+void finish(Track& track, const std::vector<double>& level_m, const std::vector<TimedPose>& frames,
+            size_t reach) {
     const size_t count = frames.size();
     for (size_t i = 0; i < count; ++i) {
         const size_t before = i - std::min(i, reach), after = std::min(count - 1, i + reach);
         const double step_s = static_cast<double>(frames[after].time_ns - frames[before].time_ns) * 1e-9;
-        track.height_m.push_back(track.p_world_m[i].y() - level_m);
+        track.height_m.push_back(track.p_world_m[i].y() - level_m[i]);
         track.speed_m_per_s.push_back((track.p_world_m[after] - track.p_world_m[before]).norm() / step_s);
     }
 }
 
 class FootWatcher {
 public:
-    FootWatcher(const TimedMotion& motion, const ContactSettings& settings)
-        : motion_(motion), settings_(settings) {
-        const double step_s = static_cast<double>(usualStep_ns(motion)) * 1e-9;
-        reach_ = step_s > 0 ? std::max<size_t>(1, static_cast<size_t>(kSpeedReach_s / step_s + 0.5)) : 1;
-    }
+    FootWatcher(const TimedMotion& motion, const ContactSettings& settings, std::array<Track, kPoints> tracks)
+        : motion_(motion), settings_(settings), tracks_(std::move(tracks)) {}
 
-    std::vector<FootContact> watch(std::array<Track, kPoints> tracks) {
-        tracks_ = std::move(tracks);
-        for (Track& track : tracks_)
-            finish(track, motion_.frames, reach_);
+    std::vector<FootContact> contacts() const {
         std::vector<FootContact> contacts;
         for (const auto& [first, last] : standing())
             if (seconds(last) - seconds(first) >= settings_.least_contact_s)
@@ -139,7 +149,6 @@ private:
 
     const TimedMotion& motion_;
     const ContactSettings& settings_;
-    size_t reach_ = 1;
     std::array<Track, kPoints> tracks_;
 };
 
@@ -165,6 +174,20 @@ void follow(const TimedMotion& motion, std::vector<Foot>& feet) {
     }
 }
 
+void addHeightsAndSpeeds(const TimedMotion& motion, std::vector<Foot>& feet) {
+    const double step_s = static_cast<double>(usualStep_ns(motion)) * 1e-9;
+    const size_t reach =
+        step_s > 0 ? std::max<size_t>(1, static_cast<size_t>(kSpeedReach_s / step_s + 0.5)) : 1;
+    for (size_t p = 0; p < kPoints; ++p) {
+        std::vector<const Track*> same_points;
+        for (const Foot& foot : feet)
+            same_points.push_back(&foot.tracks[p]);
+        const std::vector<double> level_m = levels(same_points, motion.frames);
+        for (Foot& foot : feet)
+            finish(foot.tracks[p], level_m, motion.frames, reach);
+    }
+}
+
 }  // namespace
 
 std::vector<FootContacts> findFootContacts(const TimedMotion& motion, const ContactSettings& settings) {
@@ -173,10 +196,10 @@ std::vector<FootContacts> findFootContacts(const TimedMotion& motion, const Cont
         if (const int joint = findJoint(motion.skeleton, side + "Foot"); joint >= 0)
             feet.push_back({side + "Foot", pointsOf(motion.skeleton, joint, side)});
     follow(motion, feet);
-    FootWatcher watcher(motion, settings);
+    addHeightsAndSpeeds(motion, feet);
     std::vector<FootContacts> found;
     for (Foot& foot : feet)
-        found.push_back({foot.name, watcher.watch(std::move(foot.tracks))});
+        found.push_back({foot.name, FootWatcher(motion, settings, std::move(foot.tracks)).contacts()});
     return found;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // When each foot stood on the ground: while its ankle or the tip of its toes was low and slow, so that both
 // the strike of the heel and the push of the toes belong to a step. The limits have hysteresis, so that a
-// foot at the edge does not flicker. Low is meant above the level at which that point stood in this motion (a
-// low quantile of its heights), for an ankle never touches the floor; level ground is assumed.
+// foot at the edge does not flicker. Low is meant above the lowest that either foot's ankle (or tip) was
+// within 0.6 s: ankles never touch the floor, and a root that nothing holds drifts, up and down too, by some
+// centimetres a second. Level ground is assumed. Where the root itself wanders as fast as a foot moves (no
+// external root, minutes long) few contacts or none are found.
 #pragma once
 
 #include <string>

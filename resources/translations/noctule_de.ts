@@ -177,10 +177,6 @@
         <translation>Ankunft erkannt</translation>
     </message>
     <message>
-        <source>Raw sound, %1</source>
-        <translation>Rohton, %1</translation>
-    </message>
-    <message>
         <source>Reading the sound</source>
         <translation>Der Ton wird gelesen</translation>
     </message>
@@ -229,16 +225,8 @@
         <translation>Ein Paar in der Karte wählen, um zu sehen, wie sich seine Platine bewegt hat</translation>
     </message>
     <message>
-        <source>Turning rate in °/s, %1</source>
-        <translation>Drehrate in °/s, %1</translation>
-    </message>
-    <message>
         <source>gyroscope %2 (rad/s) of %1</source>
         <translation>Gyroskop %2 (rad/s) von %1</translation>
-    </message>
-    <message>
-        <source>Acceleration in m/s², %1</source>
-        <translation>Beschleunigung in m/s², %1</translation>
     </message>
     <message>
         <source>accelerometer %2 (m/s2) of %1</source>
@@ -297,10 +285,6 @@
         <translation>Von der Wurzel war nichts zu sehen</translation>
     </message>
     <message>
-        <source>%1 in metres</source>
-        <translation>%1 in Metern</translation>
-    </message>
-    <message>
         <source>Confidence</source>
         <translation>Konfidenz</translation>
     </message>
@@ -321,16 +305,8 @@
         <translation>Ein Paar in der Karte wählen, um seine Entfernungen zu sehen</translation>
     </message>
     <message>
-        <source>Range in metres, %1</source>
-        <translation>Entfernung in Metern, %1</translation>
-    </message>
-    <message>
         <source>This board never heard this source</source>
         <translation>Diese Platine hat diese Quelle nie gehört</translation>
-    </message>
-    <message>
-        <source>Measured minus expected in millimetres, %1</source>
-        <translation>Gemessen minus erwartet in Millimetern, %1</translation>
     </message>
     <message>
         <source>range (m) of %1</source>
@@ -339,6 +315,30 @@
     <message>
         <source>measured minus expected (m) of %1</source>
         <translation>gemessen minus erwartet (m) von %1</translation>
+    </message>
+    <message>
+        <source>Raw sound of %1</source>
+        <translation>Rohton von %1</translation>
+    </message>
+    <message>
+        <source>Turning rate (°/s) of %1</source>
+        <translation>Drehrate (°/s) von %1</translation>
+    </message>
+    <message>
+        <source>Acceleration (m/s²) of %1</source>
+        <translation>Beschleunigung (m/s²) von %1</translation>
+    </message>
+    <message>
+        <source>%1 (m)</source>
+        <translation>%1 (m)</translation>
+    </message>
+    <message>
+        <source>Range (m), %1</source>
+        <translation>Entfernung (m), %1</translation>
+    </message>
+    <message>
+        <source>Measured minus expected (mm), %1</source>
+        <translation>Gemessen minus erwartet (mm), %1</translation>
     </message>
 </context>
 <context>
@@ -1627,6 +1627,10 @@
         <source>Largest difference to the take: %1</source>
         <translation>Größter Unterschied zur Aufnahme: %1</translation>
     </message>
+    <message>
+        <source>under %1</source>
+        <translation>unter %1</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportSettings</name>
@@ -1756,6 +1760,10 @@
     <message>
         <source>%1, residual %2</source>
         <translation>%1, Restfehler %2</translation>
+    </message>
+    <message>
+        <source>%1 ranges heard, none used by this result</source>
+        <translation>%1 Entfernungen gehört, von diesem Ergebnis keine benutzt</translation>
     </message>
 </context>
 <context>
@@ -2285,11 +2293,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
 <context>
     <name>noctule::ui::PerformerEditor</name>
     <message>
-        <source>%1 %2</source>
-        <comment>name of a performer, number</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>Performer %1</source>
         <translation>Darsteller %1</translation>
     </message>
@@ -2332,6 +2335,11 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Put %1 back</source>
         <translation>%1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>name of a performer, number</comment>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -2422,10 +2430,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Measures</source>
         <translation>Maße</translation>
-    </message>
-    <message>
-        <source>drive the body</source>
-        <translation>treiben den Körper</translation>
     </message>
     <message>
         <source>Mirror to the other side</source>
@@ -2519,6 +2523,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Points up</source>
         <translation>Zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>Axes of the segment as they lie in a T pose.</source>
+        <translation>Achsen des Glieds, wie sie in der T-Haltung liegen.</translation>
     </message>
 </context>
 <context>
@@ -2923,10 +2931,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Anhängen</translation>
     </message>
     <message>
-        <source>Compare</source>
-        <translation>Vergleichen</translation>
-    </message>
-    <message>
         <source>A BVH or CSV of another system, to compare with.</source>
         <translation>Eine BVH oder CSV eines anderen Systems zum Vergleichen.</translation>
     </message>
@@ -2941,10 +2945,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Open a take first.</source>
         <translation>Zuerst eine Aufnahme öffnen.</translation>
-    </message>
-    <message>
-        <source>Stop comparing</source>
-        <translation>Vergleich beenden</translation>
     </message>
     <message>
         <source>Truth of the simulation</source>
@@ -2981,6 +2981,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Aligned by %1, %2 frames lie within the take.</source>
         <translation>Um %1 verschoben; %2 Bilder liegen innerhalb der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Compare with the reference</source>
+        <translation>Mit der Referenz vergleichen</translation>
     </message>
 </context>
 <context>
@@ -3114,14 +3118,6 @@ keine Lücken</translation>
         <translation>Im Bericht suchen</translation>
     </message>
     <message>
-        <source>Save as HTML</source>
-        <translation>Als HTML sichern</translation>
-    </message>
-    <message>
-        <source>Save as PDF</source>
-        <translation>Als PDF sichern</translation>
-    </message>
-    <message>
         <source>Parts of the report</source>
         <translation>Teile des Berichts</translation>
     </message>
@@ -3172,6 +3168,18 @@ keine Lücken</translation>
     <message>
         <source>Choose another folder or free some space.</source>
         <translation>Einen anderen Ordner wählen oder Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Sichern</translation>
+    </message>
+    <message>
+        <source>As HTML</source>
+        <translation>Als HTML</translation>
+    </message>
+    <message>
+        <source>As PDF</source>
+        <translation>Als PDF</translation>
     </message>
 </context>
 <context>
@@ -3564,10 +3572,6 @@ keine Lücken</translation>
         <translation>geglättet</translation>
     </message>
     <message>
-        <source>root given</source>
-        <translation>Wurzel gegeben</translation>
-    </message>
-    <message>
         <source>, </source>
         <translation>, </translation>
     </message>
@@ -3673,6 +3677,10 @@ keine Lücken</translation>
     <message>
         <source>hidden</source>
         <translation>verborgen</translation>
+    </message>
+    <message>
+        <source>%1, root given</source>
+        <translation>%1, Wurzel gegeben</translation>
     </message>
 </context>
 <context>
@@ -4180,11 +4188,6 @@ keine Lücken</translation>
         <comment>name of the session</comment>
         <translation>%1, alle Änderungen sind gesichert</translation>
     </message>
-    <message>
-        <source>%1. Works offline, no account</source>
-        <comment>name and version of the program</comment>
-        <translation>%1. Arbeitet offline, ohne Konto</translation>
-    </message>
     <message numerus="yes">
         <source>%n jobs running</source>
         <translation>
@@ -4229,6 +4232,11 @@ keine Lücken</translation>
     <message>
         <source>A suit of 18 boards records 5.4 MB a second.</source>
         <translation>Ein Anzug mit 18 Platinen zeichnet 5,4 MB in der Sekunde auf.</translation>
+    </message>
+    <message>
+        <source>Noctule %1. Works offline, no account</source>
+        <comment>version</comment>
+        <translation>Noctule %1. Arbeitet offline, ohne Konto</translation>
     </message>
 </context>
 <context>

@@ -105,6 +105,7 @@ void JobsPanel::hideEvent(QHideEvent*) {
     for (Job* job : jobs_.all())
         if (job->state() != Job::State::kRunning)
             job->setSeen();
+    emit closed();
     if (focus_before_)
         focus_before_->setFocus();
     focus_before_ = nullptr;

@@ -27,6 +27,10 @@ public:
     void toggle();
     int rowCount() const { return static_cast<int>(rows_.size()); }
 
+signals:
+    /// What ended has been seen.
+    void closed();
+
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     void showEvent(QShowEvent* event) override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/main_window/main_window.h"
 
+#include <QPainter>
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -28,6 +29,12 @@ const std::map<Step, Command>& commandOfStep() {
         {Step::kReview, Command::kStepReview},       {Step::kExport, Command::kStepExport}};
     return commands;
 }
+
+/// What pages stand on: one step darker than docks.
+class Backdrop : public QWidget {
+protected:
+    void paintEvent(QPaintEvent*) override { QPainter(this).fillRect(rect(), Theme::get().tokens().bg); }
+};
 
 }  // namespace
 
@@ -67,7 +74,7 @@ void MainWindow::buildParts() {
     top_bar_->fold(menus_->all());
     setMenuWidget(top_bar_);
 
-    auto* centre = new QWidget;
+    auto* centre = new Backdrop;
     auto* column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -92,9 +99,11 @@ void MainWindow::addBottomLine() {
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     bar->toggleViewAction()->setVisible(false);
-    bar->layout()->setContentsMargins(0, 0, 0, 0);
     bar->addWidget(status_);
     addToolBar(Qt::BottomToolBarArea, bar);
+    const auto trim = [bar] { bar->layout()->setContentsMargins(0, 0, 0, 0); };
+    trim();
+    connect(&Theme::get(), &Theme::changed, bar, trim);
 }
 
 Page& MainWindow::page(Step step) {

@@ -72,6 +72,7 @@ void MainWindow::connectSteps() {
     connect(top_bar_, &TopBar::recordRequested, this, [this] { goTo(Step::kRecord); });
     connect(top_bar_, &TopBar::preferencesRequested, this, &MainWindow::showPreferences);
     connect(status_, &StatusLine::jobsRequested, jobs_panel_, &JobsPanel::toggle);
+    connect(jobs_panel_, &JobsPanel::closed, status_, &StatusLine::showJobs);
     connect(status_, &StatusLine::shortcutsRequested, this, &MainWindow::showShortcuts);
     connect(menus_, &WindowMenus::recentRequested, this, &MainWindow::open);
     connect(&Theme::get(), &Theme::changed, this, &MainWindow::followScale);

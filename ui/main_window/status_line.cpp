@@ -6,11 +6,11 @@
 #include <QPainter>
 #include <QPointer>
 
+#include "ui/main_window/status_button.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/job_words.h"
 #include "ui/views/scaled_layout.h"
-#include "ui/widgets/button.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/label.h"
 
@@ -34,12 +34,10 @@ StatusLine::StatusLine(Studio& studio, QWidget* parent) : QWidget(parent), studi
     safe_ = new QLabel;
     open_ = new ElidedLabel({}, TextRole::kSecondary, Ink::kLabel);
     storage_ = new Label({}, TextRole::kSecondary, Ink::kLabel);
-    jobs_ = makeButton(ButtonKind::kText, {});
+    jobs_ = new StatusButton;
     jobs_->setToolTip(tr("Jobs (Ctrl+J)"));
-    cancel_ = makeButton(ButtonKind::kText, tr("Cancel"));
-    shortcuts_ = makeButton(ButtonKind::kText, tr("Shortcuts"), {}, QKeySequence("F1"));
-    for (Button* button : {jobs_, cancel_, shortcuts_})
-        keepSize(*button, 0, kHeight - 2);
+    cancel_ = new StatusButton(tr("Cancel"));
+    shortcuts_ = new StatusButton(tr("Shortcuts"), QKeySequence("F1"));
     row->addWidget(safe_);
     row->addWidget(open_, 1);
     row->addWidget(storage_);
@@ -48,9 +46,9 @@ StatusLine::StatusLine(Studio& studio, QWidget* parent) : QWidget(parent), studi
     row->addWidget(shortcuts_);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 
-    connect(jobs_, &QPushButton::clicked, this, &StatusLine::jobsRequested);
-    connect(shortcuts_, &QPushButton::clicked, this, &StatusLine::shortcutsRequested);
-    connect(cancel_, &QPushButton::clicked, this, [this] {
+    connect(jobs_, &QAbstractButton::clicked, this, &StatusLine::jobsRequested);
+    connect(shortcuts_, &QAbstractButton::clicked, this, &StatusLine::shortcutsRequested);
+    connect(cancel_, &QAbstractButton::clicked, this, [this] {
         if (Job* job = newestRunning(studio_.jobs()))
             job->cancel();
     });
@@ -113,8 +111,8 @@ QString StatusLine::sessionWords() const {
     if (session.isOpen())
         return tr("%1, all changes are kept", "name of the session")
             .arg(QString::fromStdString(session.session().name));
-    return tr("%1. Works offline, no account", "name and version of the program")
-        .arg(QString::fromStdString(studio_.parts().software));
+    return tr("Noctule %1. Works offline, no account", "version")
+        .arg(QString::fromStdString(studio_.parts().software).section(' ', 1));
 }
 
 void StatusLine::showOpen() {
@@ -143,7 +141,7 @@ void StatusLine::showJobs() {
         jobs_->setText(tr("%n job(s) finished", nullptr, unseen));
     else
         jobs_->setText(tr("No jobs running"));
-    jobs_->setIconName(failed > 0 ? "error" : "");
+    jobs_->setTone(failed > 0 ? Tone::kError : Tone::kNeutral);
     cancel_->setVisible(running == 1);
     cancel_->setAccessibleName(newest ? tr("Cancel %1").arg(newest->title()) : tr("Cancel"));
 }

@@ -12,9 +12,9 @@
 
 namespace noctule::ui {
 
-class Button;
 class ElidedLabel;
 class Label;
+class StatusButton;
 
 class StatusLine : public QWidget {
     Q_OBJECT
@@ -28,6 +28,9 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
+public slots:
+    void showJobs();
+
 signals:
     void jobsRequested();
     void shortcutsRequested();
@@ -38,7 +41,6 @@ protected:
 private:
     void say(const QString& sentence);
     void showOpen();
-    void showJobs();
     void showStorage(const Storage& storage);
     void lookAtStorage();
     QString sessionWords() const;
@@ -47,7 +49,7 @@ private:
     QLabel* safe_;
     ElidedLabel* open_;
     Label* storage_;
-    Button *jobs_, *cancel_, *shortcuts_;
+    StatusButton *jobs_, *cancel_, *shortcuts_;
     QTimer said_timer_, storage_timer_;
     QString said_;
 };

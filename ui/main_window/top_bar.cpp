@@ -106,7 +106,6 @@ void TopBar::showStep(Step step) {
     const bool start = step == Step::kStart;
     steps_->setCurrent(indexOf(step));
     steps_->setVisible(!start);
-    suit_->setVisible(!start);
     record_->setVisible(!start && step != Step::kRecord);
     preferences_->setVisible(start);
     foldWhereNarrow();
@@ -116,6 +115,8 @@ void TopBar::foldWhereNarrow() {
     const bool fold = width() < Theme::get().px(kFoldBelow) && !steps_->isHidden();
     menus_->setVisible(!fold);
     folded_->setVisible(fold);
+    const int sides = 2 * (record_->sizeHint().width() + suit_->sizeHint().width() + Theme::get().px(36));
+    suit_->setVisible(!steps_->isHidden() && width() > steps_->sizeHint().width() + sides);
 }
 
 QSize TopBar::sizeHint() const {

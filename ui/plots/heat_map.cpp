@@ -191,9 +191,18 @@ void HeatMap::tellPair() {
         detail_text_->clear();
         return;
     }
-    pair_text_->setText(grid_->content().cell(source, board).words);
+    const PairCell& cell = grid_->content().cell(source, board);
+    pair_text_->setText(cell.words);
     const auto [from_s, to_s] = interval();
     const PairWindow window = summaries_->window(source, board, from_s, to_s);
+    if (cell.state != PairCell::State::kHeard) {
+        detail_text_->clear();
+        return;
+    }
+    if (window.used == 0 && window.gated == 0) {
+        detail_text_->setText(tr("%1 ranges heard, none used by this result").arg(countText(window.heard)));
+        return;
+    }
     const QString kept =
         tr("%1 ranges kept, %2 gated out").arg(countText(window.used), countText(window.gated));
     detail_text_->setText(window.residual_rms_m

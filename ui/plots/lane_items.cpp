@@ -14,6 +14,7 @@
 namespace noctule::ui {
 namespace {
 
+constexpr double kAboveGrid = 20;  ///< Qwt's grid is at 10
 constexpr double kOutside = 0.45, kBandOpacity = 0.2;
 constexpr double kFate_px = 5, kMark_px = 3, kTriangle_px = 3.5, kTick_px = 6;  // at 100 percent
 
@@ -109,6 +110,7 @@ void drawFate(QPainter& painter, const QPointF& centre, RangeFate fate) {
 }
 
 CurveItem::CurveItem(LaneCurve curve) : curve_(std::move(curve)) {
+    setZ(kAboveGrid);
     setRenderHint(RenderAntialiased);
 }
 
@@ -142,6 +144,7 @@ void CurveItem::drawPart(QPainter& painter, const QwtScaleMap& time, const QwtSc
 }
 
 PointsItem::PointsItem(LaneCurve curve) : curve_(std::move(curve)) {
+    setZ(kAboveGrid);
     setRenderHint(RenderAntialiased);
 }
 
@@ -172,7 +175,9 @@ void PointsItem::draw(QPainter* painter, const QwtScaleMap& time, const QwtScale
     painter->setOpacity(1);
 }
 
-MarksItem::MarksItem(LaneMarks marks) : marks_(std::move(marks)) {}
+MarksItem::MarksItem(LaneMarks marks) : marks_(std::move(marks)) {
+    setZ(kAboveGrid);
+}
 
 void MarksItem::draw(QPainter* painter, const QwtScaleMap& time, const QwtScaleMap&,
                      const QRectF& canvas) const {

@@ -35,8 +35,8 @@ void appendPulses(LaneContent& lane, const SoundSource::Sound& sound) {
 
 LaneContent soundLane(const LaneSources& sources, const TakeOverview& overview, int board) {
     LaneContent lane;
-    const QString place = boardTitle(overview.suit, board);
-    lane.title = words(QT_TRANSLATE_NOOP("Lanes", "Raw sound, %1")).arg(place);
+    const QString place = boardInside(overview.suit, board);
+    lane.title = words(QT_TRANSLATE_NOOP("Lanes", "Raw sound of %1")).arg(place);
     lane.unit = {1, {}, 3};
     lane.least_span = 0.01;
     const auto sound = sources.sound.sound(board, sources.window.from(), sources.window.to());
@@ -124,14 +124,14 @@ std::vector<LaneContent> inertialLanes(const LaneSources& sources) {
     for (const int board : boardsOf(sources, *overview)) {
         if (board >= static_cast<int>(table->boards.size()))
             continue;
-        const QString place = boardTitle(overview->suit, board);
+        const QString place = boardInside(overview->suit, board);
         lanes.push_back(readingLane(
             sources, *table, board, 0,
-            words(QT_TRANSLATE_NOOP("Lanes", "Turning rate in °/s, %1")).arg(place),
+            words(QT_TRANSLATE_NOOP("Lanes", "Turning rate (°/s) of %1")).arg(place),
             words(QT_TRANSLATE_NOOP("Lanes", "gyroscope %2 (rad/s) of %1")).arg(place, QStringLiteral("%1")),
             {degrees(1), QStringLiteral("°/s"), 0}));
         lanes.push_back(readingLane(sources, *table, board, 3,
-                                    words(QT_TRANSLATE_NOOP("Lanes", "Acceleration in m/s², %1")).arg(place),
+                                    words(QT_TRANSLATE_NOOP("Lanes", "Acceleration (m/s²) of %1")).arg(place),
                                     words(QT_TRANSLATE_NOOP("Lanes", "accelerometer %2 (m/s2) of %1"))
                                         .arg(place, QStringLiteral("%1")),
                                     {1, QStringLiteral("\u00A0m/s²"), 1}));

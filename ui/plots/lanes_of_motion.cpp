@@ -119,7 +119,7 @@ std::vector<LaneContent> rootLanes(const LaneSources& sources) {
         appendCurves(lane, sources.take, choice);
         lane.empty = missingWords(sources.take, empty.empty);
         if (!lane.unit.on_ticks && !lane.curves.empty())
-            lane.title = words(QT_TRANSLATE_NOOP("Lanes", "%1 in metres")).arg(lane.title);
+            lane.title = words(QT_TRANSLATE_NOOP("Lanes", "%1 (m)")).arg(lane.title);
         lanes.push_back(std::move(lane));
     }
     return lanes;

@@ -51,7 +51,7 @@ void appendRangeLanes(std::vector<LaneContent>& lanes, const std::shared_ptr<con
                       PairChannel pair, const QString& name) {
     const PairTrack& track = table->pair(pair.source, pair.board);
     LaneContent distance;
-    distance.title = words(QT_TRANSLATE_NOOP("Lanes", "Range in metres, %1")).arg(name);
+    distance.title = words(QT_TRANSLATE_NOOP("Lanes", "Range (m), %1")).arg(name);
     distance.empty = words(QT_TRANSLATE_NOOP("Lanes", "This board never heard this source"));
     distance.unit = {1, QStringLiteral("\u00A0m"), 3};
     distance.least_span = 0.02;
@@ -64,8 +64,7 @@ void appendRangeLanes(std::vector<LaneContent>& lanes, const std::shared_ptr<con
     if (!tried)
         return;
     LaneContent residual;
-    residual.title =
-        words(QT_TRANSLATE_NOOP("Lanes", "Measured minus expected in millimetres, %1")).arg(name);
+    residual.title = words(QT_TRANSLATE_NOOP("Lanes", "Measured minus expected (mm), %1")).arg(name);
     residual.unit = {1000, QStringLiteral("\u00A0mm"), 1};
     residual.range = residualRange(track);
     residual.curves.push_back(
@@ -80,7 +79,7 @@ std::vector<LaneContent> confidenceLanes(const LaneSources& sources) {
     LaneContent lane;
     lane.title = words(QT_TRANSLATE_NOOP("Lanes", "Confidence"));
     lane.empty = words(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see its confidence"));
-    lane.range = {{0, 1}};
+    lane.range = {{-0.04, 1.04}};  // 0 and 1 are not cut in half
     const auto overview = sources.take.overview();
     const auto table = sources.take.ranges();
     if (!overview)

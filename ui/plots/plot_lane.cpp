@@ -6,12 +6,10 @@
 #include <qwt_plot_layout.h>
 #include <qwt_scale_engine.h>
 
-#include <QPainter>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "ui/plots/lane_legend.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
@@ -20,11 +18,13 @@ namespace noctule::ui {
 namespace {
 
 // Pixels at 100 percent.
-constexpr double kTitleRow = 22, kBelow = 6, kBeforeTicks = 8, kTitleLeft = 16, kPixelsPerTick = 22;
+constexpr double kAbove = 6, kBelow = 8, kPixelsPerTick = 22;
 constexpr int kMostTicks = 4;
 /// A band may take this share of the values' height on either side; uncertainty without end would else
 /// flatten the curve.
 constexpr double kBandShare = 0.5;
+/// Free above and below what is seen.
+constexpr double kMargin = 0.06;
 
 class LaneCanvas : public QwtPlotCanvas {
 public:
@@ -38,10 +38,6 @@ public:
         setAutoFillBackground(true);
     }
 };
-
-int decimalsOf(double step) {
-    return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
-}
 
 }  // namespace
 
@@ -132,7 +128,8 @@ std::pair<double, double> PlotLane::seenValues() const {
     const double missing = content_.least_span - (high - low);
     if (missing > 0)
         low -= missing / 2, high += missing / 2;
-    return {low, high};
+    const double margin = kMargin * (high - low);
+    return {low - margin, high + margin};
 }
 
 void PlotLane::fitValues() {
@@ -142,12 +139,11 @@ void PlotLane::fitValues() {
     if (!(high > low))
         low -= 0.5, high += 0.5;
     const int fitting = canvas().height() / std::max(1, Theme::get().px(kPixelsPerTick));
-    const int steps = std::clamp(fitting, 1, kMostTicks);
     QwtLinearScaleEngine engine;
-    double step = 0;
-    if (!content_.range)
-        engine.autoScale(steps, low, high, step);
-    ticks_ = engine.divideScale(low, high, steps, 0, step);
+    int steps = std::clamp(fitting, 1, kMostTicks);
+    do  // one tick alone tells no scale
+        ticks_ = engine.divideScale(low, high, steps, 0);
+    while (ticks_.ticks(QwtScaleDiv::MajorTick).size() < 2 && ++steps <= 2 * kMostTicks);
     value_low_ = low / factor, value_high_ = high / factor;
     QList<double> major;
     for (const double tick : ticks_.ticks(QwtScaleDiv::MajorTick))
@@ -164,7 +160,7 @@ void PlotLane::setRightExtent(int right_px) {
 
 QRect PlotLane::canvas() const {
     const Theme& theme = Theme::get();
-    const int left = theme.px(PlotPanel::kLeftExtent), top = theme.px(kTitleRow);
+    const int left = theme.px(PlotPanel::kLeftExtent), top = theme.px(kTitleRow + kAbove);
     return {left, top, std::max(1, width() - left - right_px_),
             std::max(1, height() - top - theme.px(kBelow))};
 }
@@ -207,17 +203,23 @@ std::optional<QString> PlotLane::readoutOf(const LaneCurve& curve, double t_s) c
 
 void PlotLane::setCursor(double t_s) {
     cursor_s_ = t_s;
-    QStringList parts;
+    std::vector<Part> parts;
     for (const LaneCurve& curve : content_.curves)
-        if (const auto part = readoutOf(curve, t_s))
-            parts.append(*part);
-    const QString readout = parts.join(QStringLiteral(", "));
-    if (readout == readout_)
+        if (const auto text = readoutOf(curve, t_s))
+            parts.push_back({*text, curve.pen});
+    if (parts == readout_)
         return;
-    readout_ = readout;
+    readout_ = std::move(parts);
     setAccessibleName(content_.title);
-    setAccessibleDescription(readout_);
+    setAccessibleDescription(readout());
     update(0, 0, width(), Theme::get().px(kTitleRow));
+}
+
+QString PlotLane::readout() const {
+    QStringList texts;
+    for (const Part& part : readout_)
+        texts.append(part.text);
+    return texts.join(QStringLiteral(", "));
 }
 
 std::vector<PlotLane::Dot> PlotLane::dotsAt(double t_s) const {
@@ -234,55 +236,6 @@ std::vector<PlotLane::Dot> PlotLane::dotsAt(double t_s) const {
         dots.push_back({{x, area.top() + fraction * area.height()}, penColor(curve.pen)});
     }
     return dots;
-}
-
-QString PlotLane::tickText(double value) const {
-    const QList<double> major = ticks_.ticks(QwtScaleDiv::MajorTick);
-    const double step = major.size() > 1 ? major[1] - major[0] : 1;
-    const QString text = numberText(std::abs(value) < step * 1e-9 ? 0 : value, decimalsOf(std::abs(step)));
-    return content_.unit.on_ticks ? text + content_.unit.suffix : text;
-}
-
-void PlotLane::paintTicks(QPainter& painter) const {
-    const Theme& theme = Theme::get();
-    const QRect area = canvas();
-    painter.setFont(theme.font(TextRole::kCaption));
-    painter.setPen(theme.tokens().t3);
-    const int half = painter.fontMetrics().height() / 2 + 1;
-    const double low = ticks_.lowerBound(), high = ticks_.upperBound();
-    for (const double tick : ticks_.ticks(QwtScaleDiv::MajorTick)) {
-        const int y = area.top() + qRound((high - tick) / (high - low) * area.height());
-        painter.drawText(QRect(0, y - half, area.left() - theme.px(kBeforeTicks), 2 * half),
-                         Qt::AlignRight | Qt::AlignVCenter, tickText(tick));
-    }
-}
-
-void PlotLane::paintEvent(QPaintEvent*) {
-    const Theme& theme = Theme::get();
-    QPainter painter(this);
-    const QRect area = canvas();
-    QRect row(theme.px(kTitleLeft), 0, area.right() + 1 - theme.px(kTitleLeft), theme.px(kTitleRow));
-    painter.setFont(theme.font(TextRole::kSecondary, true));
-    painter.setPen(theme.tokens().t1);
-    const int title_width =
-        std::min(row.width(), painter.fontMetrics().horizontalAdvance(content_.title) + theme.px(12));
-    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(content_.title, Qt::ElideRight, row.width()));
-    row.setLeft(row.left() + title_width);
-    if (content_.curves.empty()) {
-        painter.setFont(theme.font(TextRole::kSecondary));
-        painter.setPen(theme.tokens().t3);
-        painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, content_.empty);
-        return;
-    }
-    painter.setFont(theme.font(TextRole::kCaption));
-    painter.setPen(theme.tokens().t1);
-    const int readout_width = painter.fontMetrics().horizontalAdvance(readout_) + theme.px(16);
-    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(readout_, Qt::ElideRight, row.width()));
-    row.setLeft(row.left() + readout_width);
-    paintLaneLegend(painter, row, content_);
-    paintTicks(painter);
 }
 
 }  // namespace noctule::ui

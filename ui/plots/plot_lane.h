@@ -28,7 +28,8 @@ public:
     void setRightExtent(int right_px);
 
     QRect canvas() const;  ///< in the lane
-    QString readout() const { return readout_; }
+    /// The values at the cursor.
+    QString readout() const;
     std::pair<double, double> valueRange() const { return {value_low_, value_high_}; }
 
     struct Dot {
@@ -40,18 +41,24 @@ public:
 
     QSize minimumSizeHint() const override;
 
-    static constexpr int kLeastHeight = 72;  ///< pixels at 100 percent
+    static constexpr int kLeastHeight = 72, kTitleRow = 20;  ///< pixels at 100 percent
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    struct Part {
+        QString text;
+        LanePen pen;
+        bool operator==(const Part&) const = default;
+    };
     void placeCanvas();
     void style();
     void fitValues();
     std::pair<double, double> seenValues() const;
     void paintTicks(QPainter& painter) const;
+    int paintReadout(QPainter& painter, QRect row) const;
     QString tickText(double value) const;
     std::optional<QString> readoutOf(const LaneCurve& curve, double t_s) const;
 
@@ -61,7 +68,7 @@ private:
     LaneEmphasis emphasis_;
     std::vector<CurveItem*> curves_;   ///< owned by the plot
     std::vector<PointsItem*> points_;  ///< owned by the plot
-    QString readout_;
+    std::vector<Part> readout_;
     double from_s_ = 0, to_s_ = 1, value_low_ = 0, value_high_ = 1, cursor_s_ = 0;
     int right_px_ = 0;
 };

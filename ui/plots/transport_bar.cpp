@@ -13,7 +13,6 @@
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/widgets/button.h"
-#include "ui/widgets/elided_label.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/tool_button.h"
 
@@ -21,6 +20,9 @@ namespace noctule::ui {
 namespace {
 
 constexpr std::array kSpeeds{-1., 0.1, 0.25, 0.5, 1., 2., 4.};
+
+// Widths from which words fit, pixels at 100 percent.
+constexpr double kLeastWidth = 540, kWithWords = 650, kWithSpeedLabel = 700, kWithLength = 830;
 
 QString speedText(double speed) {
     return QCoreApplication::translate("TransportBar", "%1×", "speed of playback")
@@ -48,24 +50,24 @@ void TransportBar::build() {
     loop_ = new ToolButton(QStringLiteral("loop"), tr("Loop between in and out"),
                            QKeySequence(QStringLiteral("Ctrl+L")));
     loop_->setCheckable(true);
-    auto* speed_label = new Label(tr("Speed"), TextRole::kBody, Ink::kLabel);
+    speed_label_ = new Label(tr("Speed"), TextRole::kBody, Ink::kLabel);
     speed_ = new QComboBox;
     for (const double speed : kSpeeds)
         speed_->addItem(speedText(speed), speed);
     speed_->setAccessibleName(tr("Speed"));
-    speed_label->setBuddy(speed_);
+    speed_label_->setBuddy(speed_);
     in_ = makeButton(ButtonKind::kOutlined, {}, QStringLiteral("in"));
     in_->setToolTip(tr("Set in to the cursor (Ctrl+I)"));
     out_ = makeButton(ButtonKind::kOutlined, {}, QStringLiteral("out"));
     out_->setToolTip(tr("Set out to the cursor (Ctrl+O)"));
-    length_ = new ElidedLabel({}, TextRole::kBody, Ink::kLabel);
+    length_ = new Label({}, TextRole::kBody, Ink::kLabel);
     length_->setAccessibleName(tr("Length between in and out"));
     marker_ = makeButton(ButtonKind::kOutlined, tr("Marker"), QStringLiteral("marker"), Qt::Key_M);
     marker_->setToolTip(tr("Set a marker at the cursor (M)"));
-    place(*speed_label);
+    place();
 }
 
-void TransportBar::place(QWidget& speed_label) {
+void TransportBar::place() {
     auto* row = new QHBoxLayout(this);
     const auto place = [row] {
         const Theme& theme = Theme::get();
@@ -77,7 +79,7 @@ void TransportBar::place(QWidget& speed_label) {
     for (QWidget* widget : std::initializer_list<QWidget*>{previous_, play_, next_, loop_})
         row->addWidget(widget);
     row->addSpacing(Theme::get().px(8));
-    row->addWidget(&speed_label);
+    row->addWidget(speed_label_);
     row->addWidget(speed_);
     row->addStretch(1);
     row->addWidget(in_);
@@ -108,12 +110,33 @@ void TransportBar::connectStudio() {
 
 void TransportBar::refreshRange() {
     const TimeCursor& time = studio_.time();
-    in_->setText(tr("In %1").arg(timeText(time.in(), 2)));
-    out_->setText(tr("Out %1").arg(timeText(time.out(), 2)));
     const double length_s = time.out() - time.in();
     const auto frames = static_cast<qint64>(std::llround(length_s / time.frameStep()));
     length_->setText(tr("%1, %2 frames", "length between in and out", static_cast<int>(frames))
                          .arg(secondsText(length_s, 2), countText(frames)));
+    fitWords();
+}
+
+void TransportBar::fitWords() {
+    const TimeCursor& time = studio_.time();
+    const auto fits = [this](double at_100_percent) { return width() >= Theme::get().px(at_100_percent); };
+    length_->setVisible(fits(kWithLength));
+    speed_label_->setVisible(fits(kWithSpeedLabel));
+    const QString in = timeText(time.in(), 2), out = timeText(time.out(), 2);
+    in_->setText(fits(kWithWords) ? tr("In %1").arg(in) : in);
+    out_->setText(fits(kWithWords) ? tr("Out %1").arg(out) : out);
+    in_->setAccessibleName(tr("In %1").arg(in));
+    out_->setAccessibleName(tr("Out %1").arg(out));
+    marker_->setText(fits(kWithWords) ? tr("Marker") : QString());
+    marker_->setAccessibleName(tr("Marker"));
+}
+
+void TransportBar::resizeEvent(QResizeEvent*) {
+    fitWords();
+}
+
+QSize TransportBar::minimumSizeHint() const {
+    return {Theme::get().px(kLeastWidth), QWidget::minimumSizeHint().height()};
 }
 
 void TransportBar::refreshPlaying() {

@@ -12,7 +12,6 @@ class QComboBox;
 namespace noctule::ui {
 
 class Button;
-class ElidedLabel;
 class Label;
 class Timeline;
 class ToolButton;
@@ -27,15 +26,22 @@ public:
     /// True: done.
     bool handleKey(const QKeyEvent& event);
 
+    QSize minimumSizeHint() const override;
+
 public slots:
     void setIn();
     void setOut();
     /// Writes a marker of kind user at the cursor into the take, as a job.
     void addMarker();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void build();
-    void place(QWidget& speed_label);
+    void place();
+    /// Words that do not fit give way: first the length, then labels; times and icons stay.
+    void fitWords();
     void connectStudio();
     void refreshRange();
     void refreshPlaying();
@@ -47,7 +53,7 @@ private:
     ToolButton *previous_ = nullptr, *play_ = nullptr, *next_ = nullptr, *loop_ = nullptr;
     Button *in_ = nullptr, *out_ = nullptr, *marker_ = nullptr;
     QComboBox* speed_ = nullptr;
-    ElidedLabel* length_ = nullptr;
+    Label *speed_label_ = nullptr, *length_ = nullptr;
 };
 
 }  // namespace noctule::ui

@@ -27,9 +27,18 @@ Pose openStance(const Skeleton& skeleton) {
     return pose;
 }
 
-int strongestBone(const SkinnedVertex& vertex) {
-    const auto strongest = std::max_element(vertex.weights.begin(), vertex.weights.end());
-    return vertex.bones[static_cast<size_t>(strongest - vertex.weights.begin())];
+/// The bone with the most weight at a point of a triangle, given in barycentric coordinates.
+int strongestBone(const std::array<const SkinnedVertex*, 3>& corners, const std::array<double, 3>& at) {
+    std::array<double, 64> weight_of_bone{};
+    int strongest = corners[0]->bones[0];
+    for (size_t corner = 0; corner < 3; ++corner)
+        for (size_t i = 0; i < 4; ++i) {
+            const size_t bone = corners[corner]->bones[i] % weight_of_bone.size();
+            weight_of_bone[bone] += at[corner] * static_cast<double>(corners[corner]->weights[i]);
+            if (weight_of_bone[bone] > weight_of_bone[static_cast<size_t>(strongest)])
+                strongest = static_cast<int>(bone);
+        }
+    return strongest;
 }
 
 Eigen::Vector3f skinned(const SkinnedVertex& vertex, const std::vector<Eigen::Matrix4f>& matrices) {
@@ -84,16 +93,43 @@ void BodyFigure::addMesh(const SkinnedMesh& mesh) {
     for (const SkinBone& bone : mesh.bones)
         segments.push_back(segmentIndex(bone.joint));
     for (const auto& triangle : mesh.triangles) {
-        Face face{};
-        face.depth_m = -1e9;
+        Corners corners{};
+        std::array<const SkinnedVertex*, 3> vertices{};
+        double depth_m = -1e9;
         for (size_t i = 0; i < 3; ++i) {
             const Eigen::Vector3f& p = points[triangle[i]];
-            face.corners_m[i] = {p.x(), p.y()};
-            face.depth_m = std::max(face.depth_m, static_cast<double>(p.z()));
+            corners[i] = {p.x(), p.y()};
+            vertices[i] = &mesh.vertices[triangle[i]];
+            depth_m = std::max(depth_m, static_cast<double>(p.z()));
         }
-        face.segment = segments[static_cast<size_t>(strongestBone(mesh.vertices[triangle[0]]))];
-        faces_.push_back(face);
+        addTriangle(corners, vertices, segments, depth_m);
     }
+}
+
+/// Where two bones share a triangle it is cut into small ones, so that the border between segments is smooth.
+void BodyFigure::addTriangle(const Corners& corners, const std::array<const SkinnedVertex*, 3>& vertices,
+                             const std::vector<int>& segments, double depth_m) {
+    const auto boneAt = [&](double a, double b, double c) { return strongestBone(vertices, {a, b, c}); };
+    const int first = boneAt(1, 0, 0);
+    if (first == boneAt(0, 1, 0) && first == boneAt(0, 0, 1)) {
+        faces_.push_back({corners, depth_m, segments[static_cast<size_t>(first)]});
+        return;
+    }
+    constexpr int kParts = 6;
+    const auto point = [&](int i, int j) {
+        const double a = 1.0 * i / kParts, b = 1.0 * j / kParts;
+        return corners[0] * (1 - a - b) + corners[1] * a + corners[2] * b;
+    };
+    const auto add = [&](const Corners& part, double i, double j) {
+        const double a = i / kParts, b = j / kParts;
+        faces_.push_back({part, depth_m, segments[static_cast<size_t>(boneAt(1 - a - b, a, b))]});
+    };
+    for (int i = 0; i < kParts; ++i)
+        for (int j = 0; i + j < kParts; ++j) {
+            add({point(i, j), point(i + 1, j), point(i, j + 1)}, i + 1.0 / 3, j + 1.0 / 3);
+            if (i + j + 1 < kParts)
+                add({point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)}, i + 2.0 / 3, j + 2.0 / 3);
+        }
 }
 
 void BodyFigure::addCapsules(const Actor& actor) {
@@ -140,13 +176,13 @@ QImage BodyFigure::segmentImage(int height_px) const {
     QImage image(static_cast<int>(std::ceil(2 * half_width_m_ * scale)), height_px, QImage::Format_RGB32);
     image.fill(QColor(0, 0, 0));
     QPainter painter(&image);
+    painter.setPen(Qt::NoPen);
     const QPointF centre(image.width() / 2.0, height_px);
     for (const Face& face : faces_) {
         std::array<QPointF, 3> corners;
         for (size_t i = 0; i < 3; ++i)
             corners[i] = centre + scale * QPointF(face.corners_m[i].x(), -face.corners_m[i].y());
         const QColor code(face.segment + 1, 0, 0);
-        painter.setPen(code);
         painter.setBrush(code);
         painter.drawConvexPolygon(corners.data(), 3);
     }

@@ -7,6 +7,7 @@
 #include <QColor>
 #include <QImage>
 #include <QPointF>
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -37,12 +38,15 @@ public:
     double scale(int height_px) const { return height_px / height_m_; }
 
 private:
+    using Corners = std::array<QPointF, 3>;
     struct Face {
-        std::array<QPointF, 3> corners_m;
+        Corners corners_m;
         double depth_m;
         int segment;
     };
     void addMesh(const SkinnedMesh& mesh);
+    void addTriangle(const Corners& corners, const std::array<const SkinnedVertex*, 3>& vertices,
+                     const std::vector<int>& segments, double depth_m);
     void addCapsules(const Actor& actor);
     QPointF place(const std::string& segment, const Vector3d& p_segment_m) const;
     int segmentIndex(const std::string& name);

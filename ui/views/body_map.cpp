@@ -60,7 +60,7 @@ void BodyMap::setBoardState(int board, Tone tone, const QString& detail) {
     MapMarker* marker = places_[static_cast<size_t>(board)].marker;
     marker->setTone(tone);
     marker->setAccessibleDescription(detail);
-    renewFigure();
+    picture_ = {};
     update();
 }
 
@@ -104,16 +104,34 @@ void BodyMap::resizeEvent(QResizeEvent*) {
 }
 
 void BodyMap::arrange() {
-    for (Place& place : places_) {
-        const QSize size = place.marker->sizeHint();
-        QRect frame(QPoint(), size);
-        frame.moveCenter(toPixels(place.at_m).toPoint());
+    for (Place& place : places_)
+        place.at_px = toPixels(place.at_m);
+    separateMarkers();
+    for (const Place& place : places_) {
+        QRect frame(QPoint(), place.marker->sizeHint());
+        frame.moveCenter(place.at_px.toPoint());
         place.marker->setGeometry(frame);
     }
     spreadLabels(true);
     spreadLabels(false);
-    renewFigure();
+    picture_ = {};
     update();
+}
+
+/// Marks that would cover each other move apart by what is missing.
+void BodyMap::separateMarkers() {
+    const double least = Theme::get().px(21);
+    for (int round = 0; round < 4; ++round)
+        for (Place& a : places_)
+            for (Place& b : places_) {
+                const QPointF way = b.at_px - a.at_px;
+                const double distance = std::hypot(way.x(), way.y());
+                if (&a == &b || distance >= least || distance < 1e-6)
+                    continue;
+                const QPointF push = way / distance * (least - distance) / 2;
+                a.at_px -= push;
+                b.at_px += push;
+            }
 }
 
 /// Each label as near to its board's height as the others in the column allow.
@@ -127,7 +145,7 @@ void BodyMap::spreadLabels(bool left_column) {
     const double step = labelHeight();
     double lowest_free = Theme::get().px(kTop) + step / 2;
     for (Place* place : column) {
-        place->label_y = std::max(lowest_free, toPixels(place->at_m).y());
+        place->label_y = std::max(lowest_free, place->at_px.y());
         lowest_free = place->label_y + step;
     }
     double highest_free = height() - step / 2;
@@ -182,7 +200,7 @@ void BodyMap::paintLabel(QPainter& painter, const Place& place) const {
     const Tone tone = place.marker->tone();
     const bool quiet = tone == Tone::kNeutral || tone == Tone::kOk;
     painter.setPen(QPen(quiet ? tokens.line : colorOf(tone), 1));
-    const QPointF board = toPixels(place.at_m) + QPointF(direction * theme.px(11), 0);
+    const QPointF board = place.at_px + QPointF(direction * theme.px(11), 0);
     painter.drawPolyline(QVector<QPointF>{board, QPointF(edge - direction * theme.px(kLeader), place.label_y),
                                           QPointF(edge - direction * theme.px(6), place.label_y)});
 

@@ -49,11 +49,13 @@ private:
         bool is_board;
         int index;
         bool left_column = false;  ///< of the picture
-        double label_y = 0;        ///< centre of its label, in pixels
+        QPointF at_px{};
+        double label_y = 0;  ///< centre of its label, in pixels
     };
     void addMarkers();
     void chooseColumns();
     void arrange();
+    void separateMarkers();
     void spreadLabels(bool left_column);
     QPointF toPixels(const QPointF& p_m) const;
     double labelHeight() const;
@@ -65,7 +67,7 @@ private:
     BodyFigure figure_;
     std::vector<Place> places_;
     std::vector<QString> details_;
-    QPixmap picture_;
+    QPixmap picture_;  ///< null: to be painted again
 };
 
 }  // namespace noctule::ui

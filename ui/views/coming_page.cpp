@@ -12,6 +12,21 @@
 #include "ui/widgets/verdict_header.h"
 
 namespace noctule::ui {
+namespace {
+
+void addSection(QVBoxLayout& column, const QString& title, const QStringList& lines) {
+    auto* section = new QWidget;
+    auto* content = makeColumn(section);
+    content->addWidget(new SectionHeader(title));
+    auto* texts = new QWidget;
+    auto* text_column = makeColumn(texts, {}, 8);
+    for (const QString& line : lines)
+        text_column->addWidget((new Label(line, TextRole::kBody, Ink::kLabel))->wrapped());
+    content->addWidget(texts);
+    column.addWidget(section);
+}
+
+}  // namespace
 
 ComingPage::ComingPage(Studio& studio, const Words& words, QWidget* parent)
     : Page(parent), studio_(studio), title_(words.title) {
@@ -20,11 +35,8 @@ ComingPage::ComingPage(Studio& studio, const Words& words, QWidget* parent)
     auto* verdict = new VerdictHeader;
     verdict->setVerdict(Tone::kNeutral, words.verdict, words.why);
     column->addWidget(verdict);
-    column->addWidget(new SectionHeader(tr("What will be here")));
-    for (const QString& line : words.what_comes)
-        column->addWidget((new Label(line, TextRole::kBody, Ink::kLabel))->wrapped());
-    column->addWidget(new SectionHeader(tr("Until then")));
-    column->addWidget((new Label(words.until_then, TextRole::kBody, Ink::kLabel))->wrapped());
+    addSection(*column, tr("What will be here"), words.what_comes);
+    addSection(*column, tr("Until then"), {words.until_then});
     auto* ways = new QWidget;
     way_column_ = makeColumn(ways, {}, 8);
     column->addWidget(ways);

@@ -187,10 +187,9 @@ void ExportForm::refresh() {
     angles->setVisible(!is_bvh);
     const bool is_open = studio_.session().isOpen();
     const QString folder = is_open ? exportFolder(studio_.session().session(), settings_) : settings_.folder;
-    const QDir place(folder);
-    folder_->setText(folder.isEmpty()
-                         ? tr("exports of the session")
-                         : tr("%1/%2").arg(QDir(place.absoluteFilePath("..")).dirName(), place.dirName()));
+    const QFileInfo place(folder);
+    folder_->setText(folder.isEmpty() ? tr("exports of the session")
+                                      : tr("%1/%2").arg(place.dir().dirName(), place.fileName()));
     folder_->setToolTip(QDir::toNativeSeparators(folder));
     const auto overview = studio_.take().overview();
     const int shown = studio_.take().shownRun();

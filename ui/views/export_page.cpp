@@ -26,7 +26,7 @@
 namespace noctule::ui {
 
 namespace {
-constexpr int kForm = 400;
+constexpr int kForm = 372;
 constexpr size_t kMostNames = 3;
 }  // namespace
 

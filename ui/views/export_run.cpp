@@ -16,6 +16,7 @@ namespace noctule::ui {
 namespace {
 
 constexpr double kOnFloor_m = 0.03, kFacing_rad = 0.1;
+constexpr double kSmallest_m = 1e-6, kSmallest_rad = radians(1e-4);  ///< that is told
 
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(noctule::ui::ExportRun)
@@ -102,9 +103,15 @@ QString facingInWords(const ExportCheck& check) {
 }
 
 QString differenceInWords(const ExportCheck& check) {
-    const QString distance = millimetresText(check.largest_position_m, 3);
-    return check.has_angles ? Words::tr("%1, %2").arg(degreesText(check.largest_angle_rad, 4), distance)
-                            : distance;
+    const QString distance = check.largest_position_m < kSmallest_m
+                                 ? Words::tr("under %1").arg(millimetresText(kSmallest_m, 3))
+                                 : millimetresText(check.largest_position_m, 3);
+    if (!check.has_angles)
+        return distance;
+    const QString angle = check.largest_angle_rad < kSmallest_rad
+                              ? Words::tr("under %1").arg(degreesText(kSmallest_rad, 4))
+                              : degreesText(check.largest_angle_rad, 4);
+    return Words::tr("%1, %2").arg(angle, distance);
 }
 
 QString silenceInWords(const SilentBoard& silent) {

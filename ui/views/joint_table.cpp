@@ -18,7 +18,8 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kRow = 28, kInset = 12, kNumber = 48, kRanges = 88, kBar = 40;
+constexpr int kRow = 28, kInset = 12, kNumber = 46, kRanges = 76, kShare = 44, kBar = 36;
+constexpr int kNarrow = 272;  ///< the bar is left out below
 
 /// Rows with a hairline below, numbers at the right, the share of ranges as a bar with its number.
 class JointDelegate : public QStyledItemDelegate {
@@ -51,7 +52,7 @@ public:
         const QString text =
             painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, cell.width());
         painter->drawText(cell, index.data(Qt::TextAlignmentRole).toInt(), text);
-        if (last) {
+        if (last && cell.width() > theme.px(kShare)) {
             cell.setWidth(theme.px(kBar));
             painter->setRenderHint(QPainter::Antialiasing);
             BarMeter::paint(*painter, cell, index.data(JointTableModel::kKey).toDouble(),
@@ -124,7 +125,8 @@ void JointTable::fitColumns() {
     verticalHeader()->setDefaultSectionSize(theme.px(kRow));
     horizontalHeader()->setMinimumSectionSize(theme.px(20));
     horizontalHeader()->setFixedHeight(theme.px(kRow));
-    const int ranges = theme.px(kRanges + kInset), number = theme.px(kNumber);
+    const bool narrow = viewport()->width() < theme.px(kNarrow);
+    const int ranges = theme.px((narrow ? kShare : kRanges) + kInset), number = theme.px(kNumber);
     setColumnWidth(JointTableModel::kMean, number);
     setColumnWidth(JointTableModel::kWorst, number);
     setColumnWidth(JointTableModel::kRanges, ranges);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/notes_panel.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QEvent>
 #include <QTextDocument>
+#include <utility>
 
 #include "ui/views/open_take.h"
 #include "ui/views/scaled_layout.h"
@@ -32,12 +34,15 @@ NotesPanel::NotesPanel(Studio& studio, QWidget* parent)
     connect(&pause_, &QTimer::timeout, this, &NotesPanel::save);
     connect(editor_, &QPlainTextEdit::textChanged, this, [this] {
         fitHeight();
+        written_ = true;
         pause_.start();
     });
     connect(&studio.take(), &TakeDocument::opened, this, &NotesPanel::readTake);
     connect(&studio.session(), &SessionModel::changed, this, &NotesPanel::readNotes);
     connect(&studio.session(), &SessionModel::opened, this, &NotesPanel::readTake);
     connect(&Theme::get(), &Theme::changed, this, &NotesPanel::fitHeight);
+    connect(editor_->document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged, this,
+            &NotesPanel::fitHeight);
     readTake();
 }
 
@@ -76,7 +81,7 @@ void NotesPanel::readNotes() {
         take_ >= 0
             ? QString::fromStdString(studio_.session().session().takes[static_cast<size_t>(take_)].notes)
             : QString();
-    if (pause_.isActive() || notes == editor_->toPlainText())
+    if (written_ || notes == editor_->toPlainText())
         return;
     const QSignalBlocker quiet(editor_);
     editor_->setPlainText(notes);
@@ -84,9 +89,9 @@ void NotesPanel::readNotes() {
 }
 
 void NotesPanel::save() {
-    if (!pause_.isActive())
-        return;
     pause_.stop();
+    if (!std::exchange(written_, false))
+        return;
     if (take_ < 0 || !studio_.session().isOpen())
         return;
     const auto& takes = studio_.session().session().takes;
@@ -98,8 +103,7 @@ void NotesPanel::save() {
 }
 
 void NotesPanel::fitHeight() {
-    editor_->document()->setDefaultFont(Theme::get().font(TextRole::kBody));
-    const int line = QFontMetrics(Theme::get().font(TextRole::kBody)).lineSpacing();
+    const int line = QFontMetrics(editor_->document()->defaultFont()).lineSpacing();
     const int lines =
         std::clamp(static_cast<int>(editor_->document()->size().height()), kLeastLines, kMostLines);
     editor_->setFixedHeight(lines * line + Theme::get().px(14));

@@ -33,6 +33,7 @@ private:
     Label* of_take_;
     QPlainTextEdit* editor_;
     QTimer pause_;
+    bool written_ = false;  ///< something that the session does not have yet
     int take_ = -1;
     std::string take_name_;
 };

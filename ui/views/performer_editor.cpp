@@ -126,11 +126,14 @@ bool PerformerEditor::hasOtherSide() const {
            (source() && sourceOnOtherSide(performer().suit, part_.index) >= 0);
 }
 
-QString PerformerEditor::freeName(const QString& wanted) const {
+QString PerformerEditor::freeName(const QString& wanted, const std::string& own) const {
     const QString base = wanted.trimmed();
+    const auto taken = [&](const std::string& name) {
+        return name != own && session_.session().findPerformer(name);
+    };
     QString name = base;
-    for (int number = 2; session_.session().findPerformer(name.toStdString()); ++number)
-        name = tr("%1 %2", "name of a performer, number").arg(base).arg(number);
+    for (int number = 2; taken(name.toStdString()); ++number)
+        name = tr("%1 (%2)", "name of a performer, number").arg(base).arg(number);
     return name;
 }
 
@@ -153,7 +156,7 @@ void PerformerEditor::duplicate() {
     if (!hasPerformer())
         return;
     Performer copy = performer();
-    copy.name = freeName(words(copy.name)).toStdString();
+    copy.name = freeName(words(copy.name), {}).toStdString();
     session_.addPerformer(copy);
     choose(static_cast<int>(session_.session().performers.size()) - 1);
 }
@@ -167,8 +170,11 @@ void PerformerEditor::rename(const QString& name) {
     if (!hasPerformer() || name.trimmed().isEmpty() || name.trimmed().toStdString() == performer().name)
         return;
     Performer renamed = performer();
-    renamed.name = freeName(name).toStdString();
-    session_.changePerformer(index_, renamed, tr("Rename %1").arg(words(performer().name)));
+    renamed.name = freeName(name, performer().name).toStdString();
+    if (renamed.name == performer().name)
+        emit performerChanged();  // the name that was typed is not shown
+    else
+        session_.changePerformer(index_, renamed, tr("Rename %1").arg(words(performer().name)));
 }
 
 void PerformerEditor::wearSuit() {

@@ -77,7 +77,8 @@ private:
     void followOpened();
     const Board* standardOf(const Board& board) const;
     const Source* standardOf(const Source& source) const;
-    QString freeName(const QString& wanted) const;
+    /// `wanted`, with a number when another performer than `own` has it.
+    QString freeName(const QString& wanted, const std::string& own) const;
     void changeMeasures(const BodyMeasures& measures, const QString& what, const QString& key);
     void changePart(const QString& what, const QString& key, const std::function<void(Board&)>& change_board,
                     const std::function<void(Source&)>& change_source);

@@ -8,6 +8,8 @@
 #include "ui/views/performer_editor.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/icon_label.h"
+#include "ui/widgets/label.h"
 #include "ui/widgets/tool_button.h"
 
 namespace noctule::ui {
@@ -21,13 +23,14 @@ PerformerListPanel::PerformerListPanel(PerformerEditor& editor, QWidget* parent)
     : QWidget(parent),
       editor_(editor),
       list_(new QListWidget),
-      wear_(makeButton(ButtonKind::kText, tr("Wears the suit from now on"))) {
+      wear_(makeButton(ButtonKind::kText, tr("Wears the suit from now on"))),
+      wears_(makeWearsNow()) {
     auto* column = makeColumn(this);
-    auto* tools = makeTools();
     column->addWidget(list_);
-    column->addWidget(tools);
+    column->addWidget(makeTools());
     auto* below = addRow(column, 0, {4, 0, 12, 0});
     below->addWidget(wear_);
+    below->addWidget(wears_);
     below->addStretch();
     list_->setFrameShape(QFrame::NoFrame);
     list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
@@ -44,6 +47,14 @@ PerformerListPanel::PerformerListPanel(PerformerEditor& editor, QWidget* parent)
     connect(&editor, &PerformerEditor::performerChanged, this, &PerformerListPanel::refresh);
     connect(&Theme::get(), &Theme::changed, this, &PerformerListPanel::refresh);
     refresh();
+}
+
+QWidget* PerformerListPanel::makeWearsNow() {
+    auto* wears = new QWidget;
+    auto* row = makeRow(wears, {8, 6, 0, 6}, 8);
+    row->addWidget(new IconLabel("check", [] { return Theme::get().tokens().ok; }));
+    row->addWidget(new Label(tr("Wears the suit"), TextRole::kBody, Ink::kLabel));
+    return wears;
 }
 
 QWidget* PerformerListPanel::makeTools() {
@@ -81,7 +92,8 @@ void PerformerListPanel::refresh() {
         const bool wears = performer.name == current;
         QListWidgetItem& item = *list_->item(i);
         item.setText(QString::fromStdString(performer.name));
-        item.setIcon(Theme::get().icon(wears ? "board" : "body"));
+        item.setIcon(wears ? Theme::get().icon("check", Theme::get().tokens().ok)
+                           : Theme::get().icon("body"));
         item.setToolTip(wears ? tr("Wears the suit") : QString());
         item.setData(Qt::AccessibleDescriptionRole, item.toolTip());
         item.setSizeHint({0, Theme::get().px(kRow)});
@@ -92,7 +104,9 @@ void PerformerListPanel::refresh() {
     for (ToolButton* button : {duplicate_, rename_})
         button->setEnabled(open);
     remove_->setDisabledBecause(list_->count() > 1 ? QString() : tr("A session has at least one performer."));
-    wear_->setVisible(open && editor_.performer().name != current);
+    const bool wears_now = open && editor_.performer().name == current;
+    wear_->setVisible(open && !wears_now);
+    wears_->setVisible(wears_now);
 }
 
 }  // namespace noctule::ui

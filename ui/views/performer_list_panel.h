@@ -19,6 +19,7 @@ public:
     QListWidget& list() { return *list_; }
 
 private:
+    static QWidget* makeWearsNow();
     QWidget* makeTools();
     void refresh();
 
@@ -28,6 +29,7 @@ private:
     ToolButton* rename_;
     ToolButton* remove_;
     Button* wear_;
+    QWidget* wears_;
 };
 
 }  // namespace noctule::ui

@@ -50,7 +50,7 @@ QWidget* PerformerPage::makeLeft() {
     measures_ = new PerformerMeasuresPanel(*editor_);
     column->addWidget(performers_);
     column->addWidget(new Divider);
-    addRow(column, 0, {12, 8, 12, 4})->addWidget(new SectionHeader(tr("Measures"), tr("drive the body")));
+    addRow(column, 0, {12, 8, 12, 4})->addWidget(new SectionHeader(tr("Measures")));
     column->addWidget(measures_);
     column->addStretch();
     return new ScrollArea(content);

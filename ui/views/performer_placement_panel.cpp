@@ -2,7 +2,6 @@
 #include "ui/views/performer_placement_panel.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QSignalBlocker>
 #include <QTableView>
@@ -10,6 +9,7 @@
 #include "core/math/euler.h"
 #include "ui/models/part_names.h"
 #include "ui/style/theme.h"
+#include "ui/views/number_box.h"
 #include "ui/views/performer_editor.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/suit_parts_model.h"
@@ -25,7 +25,7 @@ constexpr int kRow = 26, kNumberWidth = 44, kMovedWidth = 76, kFewestRows = 6;
 constexpr double kFarthest_mm = 2000;
 
 QDoubleSpinBox* makeNumber(double limit, double step, const QString& suffix) {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new NumberBox;
     box->setRange(-limit, limit);
     box->setDecimals(1);
     box->setSingleStep(step);
@@ -113,6 +113,7 @@ QWidget* PerformerPlacementPanel::makeDetail() {
         connect(position_[axis], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
                 [this, axis](double value_mm) { positionEdited(axis, value_mm / 1000); });
     }
+    rows->addHint(tr("Axes of the segment as they lie in a T pose."));
     for (size_t axis = 0; axis < 3; ++axis) {
         rotation_[axis] = makeNumber(360, 1, tr("°", "degrees after a number"));
         rotation_names_[axis] = rows->addRow({}, rotation_[axis]);

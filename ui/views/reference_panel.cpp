@@ -14,6 +14,7 @@
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/elided_label.h"
+#include "ui/widgets/tool_button.h"
 
 namespace noctule::ui {
 namespace {
@@ -36,39 +37,36 @@ QString motionFile(const QMimeData& dragged) {
 ReferencePanel::ReferencePanel(Studio& studio, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
-      icon_(new Label),
       name_(new ElidedLabel),
       detail_(new Label({}, TextRole::kSecondary, Ink::kHint)),
       present_(new QWidget),
       absent_(new Label({}, TextRole::kSecondary, Ink::kHint)),
       attach_(makeButton(ButtonKind::kText, tr("Attach"), "link")),
-      compare_(makeButton(ButtonKind::kText, tr("Compare"), "ghost")),
+      compare_(new ToolButton("ghost", tr("Compare with the reference"))),
       progress_(new JobProgress) {
     setAcceptDrops(true);
     auto* column = makeColumn(this, {12, 0, 12, 0}, 4);
     auto* rows = makeGrid(present_, {}, 4);
-    rows->setColumnStretch(1, 1);
-    rows->addWidget(icon_, 0, 0);
-    rows->addWidget(name_, 0, 1);
-    rows->addWidget(detail_->wrapped(), 1, 1);
+    rows->setColumnStretch(0, 1);
+    rows->addWidget(name_, 0, 0);
+    rows->addWidget(compare_, 0, 1);
+    rows->addWidget(detail_->wrapped(), 1, 0, 1, 2);
     name_->setElideMode(Qt::ElideMiddle);
     column->addWidget(present_);
     column->addWidget(absent_->wrapped());
     column->addWidget(progress_);
     auto* buttons = addRow(column, 4);
-    buttons->addWidget(compare_);
     buttons->addWidget(attach_);
     buttons->addStretch();
     absent_->setText(tr("A BVH or CSV of another system, to compare with."));
     compare_->setCheckable(true);
     connect(attach_, &QPushButton::clicked, this, &ReferencePanel::chooseFile);
-    connect(compare_, &QPushButton::clicked, this, [this] {
+    connect(compare_, &QToolButton::clicked, this, [this] {
         TakeDocument& take = studio_.take();
         take.setComparedRun(take.comparedRun() == TakeDocument::kReference ? -1 : TakeDocument::kReference);
     });
     connect(&studio.take(), &TakeDocument::opened, this, &ReferencePanel::readFacts);
     connect(&studio.take(), &TakeDocument::runsChanged, this, &ReferencePanel::refresh);
-    connect(&Theme::get(), &Theme::changed, this, &ReferencePanel::refresh);
     readFacts();
 }
 
@@ -95,15 +93,10 @@ void ReferencePanel::refresh() {
     const auto overview = studio_.take().overview();
     const bool has = overview && overview->has_reference;
     present_->setVisible(has);
-    compare_->setVisible(has);
     absent_->setVisible(!has);
     attach_->setText(has ? tr("Replace") : tr("Attach"));
     attach_->setDisabledBecause(overview ? QString() : tr("Open a take first."));
-    const bool compared = studio_.take().comparedRun() == TakeDocument::kReference;
-    compare_->setChecked(compared);
-    compare_->setText(compared ? tr("Stop comparing") : tr("Compare"));
-    const Theme& theme = Theme::get();
-    icon_->setPixmap(theme.pixmap("ghost", theme.px(16), theme.tokens().t2));
+    compare_->setChecked(studio_.take().comparedRun() == TakeDocument::kReference);
     if (has)
         showFacts();
 }

@@ -16,6 +16,7 @@ class Button;
 class ElidedLabel;
 class JobProgress;
 class Label;
+class ToolButton;
 
 class ReferencePanel : public QWidget {
     Q_OBJECT
@@ -38,12 +39,12 @@ private:
     void ask(const QString& path);
 
     Studio& studio_;
-    Label* icon_;
     ElidedLabel* name_;
     Label* detail_;
     QWidget* present_;
     Label* absent_;
-    Button *attach_, *compare_;
+    Button* attach_;
+    ToolButton* compare_;
     JobProgress* progress_;
     std::optional<ReferenceFacts> facts_;
     uint64_t ticket_ = 0;

@@ -40,7 +40,7 @@ void ReportBrowser::setZoom(double zoom) {
 
 int ReportBrowser::pageWidth() const {
     const Theme& theme = Theme::get();
-    const int room = viewport()->width() - 2 * theme.px(kMargin);
+    const int room = width() - verticalScrollBar()->sizeHint().width() - 2 * theme.px(kMargin);
     return std::clamp(room, theme.px(400), theme.px(kWidestPage));
 }
 
@@ -50,6 +50,11 @@ void ReportBrowser::layOut() {
     const QScrollBar* bar = verticalScrollBar();
     const double place = bar->maximum() > 0 ? static_cast<double>(bar->value()) / bar->maximum() : 0;
     laid_out_width_ = pageWidth();
+    setStyleSheet(QString("QTextBrowser{background:%1}").arg(Theme::get().tokens().panel.name()));
+    const int text_width = static_cast<int>(laid_out_width_ * zoom_) + 2 * Theme::get().px(kMargin);
+    setHorizontalScrollBarPolicy(text_width > width() ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+    setLineWrapMode(QTextEdit::FixedPixelWidth);
+    setLineWrapColumnOrWidth(text_width);
     report_ = reportDocument(parts_, static_cast<int>(laid_out_width_ * zoom_));
     document()->clear();
     document()->setDefaultStyleSheet(reportStyle(zoom_));

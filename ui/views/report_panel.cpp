@@ -41,7 +41,7 @@ ReportPanel::ReportPanel(Studio& studio, QWidget* parent)
     auto* head = new QWidget;
     auto* head_column = makeColumn(head, {12, 16, 12, 8}, 4);
     head_column->addWidget(verdict_);
-    auto* link = addRow(head_column, 0, {18, 0, 0, 0});
+    auto* link = addRow(head_column);
     link->addWidget(full_report_);
     link->addStretch();
     parts->addWidget(head);

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QListWidget>
+#include <QMenu>
 #include <cmath>
 
 #include "core/job/atomic_file.h"
@@ -13,7 +14,7 @@
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
-#include "ui/widgets/label.h"
+#include "ui/widgets/elided_label.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/tool_button.h"
 
@@ -23,13 +24,12 @@ ReportView::ReportView(Studio& studio, FullReport& report, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
       report_(report),
-      title_(new Label({}, TextRole::kSection, Ink::kValue, true)),
+      title_(new ElidedLabel({}, TextRole::kSection, Ink::kValue, true)),
       zoom_label_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       search_(new SearchField(tr("Find in the report"))),
       contents_(new QListWidget),
       page_(new ReportBrowser),
-      save_html_(makeButton(ButtonKind::kOutlined, tr("Save as HTML"), "disk")),
-      save_pdf_(makeButton(ButtonKind::kOutlined, tr("Save as PDF"))) {
+      save_(makeButton(ButtonKind::kOutlined, tr("Save"), "disk")) {
     auto* column = makeColumn(this);
     column->addWidget(makeHead());
     column->addWidget(new Divider);
@@ -60,21 +60,24 @@ QWidget* ReportView::makeHead() {
     auto* back = makeButton(ButtonKind::kText, tr("Back to the take"), "prev", QKeySequence(Qt::Key_Escape));
     auto* smaller = new ToolButton("minus", tr("Smaller"), QKeySequence::ZoomOut);
     auto* larger = new ToolButton("new", tr("Larger"), QKeySequence::ZoomIn);
-    keepSize(*search_, 200, 0);
+    keepMinimumWidth(*search_, 96);
+    keepMaximumWidth(*search_, 200);
+    title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* formats = new QMenu(save_);
+    formats->addAction(tr("As HTML"), this, &ReportView::saveHtml);
+    formats->addAction(tr("As PDF"), this, &ReportView::savePdf);
+    connect(save_, &QPushButton::clicked, this,
+            [this, formats] { formats->exec(save_->mapToGlobal(QPoint(0, save_->height()))); });
     row->addWidget(back);
-    row->addWidget(title_);
-    row->addStretch();
-    row->addWidget(search_);
+    row->addWidget(title_, 3);
+    row->addWidget(search_, 1);
     row->addWidget(smaller);
     row->addWidget(zoom_label_);
     row->addWidget(larger);
-    row->addWidget(save_html_);
-    row->addWidget(save_pdf_);
+    row->addWidget(save_);
     connect(back, &QPushButton::clicked, this, &ReportView::closed);
     connect(smaller, &QToolButton::clicked, this, [this] { page_->setZoom(page_->zoom() / 1.1); });
     connect(larger, &QToolButton::clicked, this, [this] { page_->setZoom(page_->zoom() * 1.1); });
-    connect(save_html_, &QPushButton::clicked, this, &ReportView::saveHtml);
-    connect(save_pdf_, &QPushButton::clicked, this, &ReportView::savePdf);
     return head;
 }
 
@@ -89,8 +92,7 @@ void ReportView::refresh() {
     title_->setText(tr("Report of %1").arg(openTakeName(studio_)));
     const auto made = report_.data();
     const QString waiting = made ? QString() : tr("The report is being made.");
-    save_html_->setDisabledBecause(waiting);
-    save_pdf_->setDisabledBecause(waiting);
+    save_->setDisabledBecause(waiting);
     if (!isVisible() || shown_ == made)
         return;
     shown_ = made;

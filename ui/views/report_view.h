@@ -16,6 +16,7 @@ class QListWidget;
 namespace noctule::ui {
 
 class Button;
+class ElidedLabel;
 class Label;
 class SearchField;
 
@@ -74,11 +75,12 @@ private:
 
     Studio& studio_;
     FullReport& report_;
-    Label *title_, *zoom_label_;
+    ElidedLabel* title_;
+    Label* zoom_label_;
     SearchField* search_;
     QListWidget* contents_;
     ReportBrowser* page_;
-    Button *save_html_, *save_pdf_;
+    Button* save_;
     std::shared_ptr<const ReportData> shown_;
 };
 

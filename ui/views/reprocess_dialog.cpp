@@ -48,7 +48,7 @@ QString calibrationInWords(const Calibration& calibration) {
 }  // namespace
 
 ReprocessDialog::ReprocessDialog(Studio& studio, const TakeOverview& overview, QWidget* parent)
-    : DialogFrame(tr("Reprocess %1").arg(QString::fromStdString(overview.header.name)),
+    : DialogFrame(tr("Reprocess %1").arg(QFileInfo(QString::fromStdString(overview.path)).completeBaseName()),
                   tr("Adds a result to the take. The recording and earlier results stay as they are."),
                   tr("Reprocess"), parent),
       studio_(studio),

@@ -117,8 +117,6 @@ QString runInWords(const RunSettings& settings) {
     }
     if (!settings.smoother.empty() && settings.smoother != "none")
         parts += Words::tr("smoothed");
-    if (settings.root_given)
-        parts += Words::tr("root given");
     return parts.join(Words::tr(", "));
 }
 

@@ -10,7 +10,7 @@
 
 namespace noctule::ui {
 
-/// "All sensors", "Gyroscopes only", "Filter of the paper, root given".
+/// "All sensors", "Gyroscopes only", "Filter of the paper, gyroscopes only".
 QString runInWords(const RunSettings& settings);
 /// The name that the operator gave it, else what it was made from; a second one of a kind has its number.
 QString runTitle(const ReviewRun& run);

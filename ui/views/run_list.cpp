@@ -47,6 +47,13 @@ void RunList::refresh() {
 
 QString RunList::detail(int run) const {
     const TakeDocument& take = studio_.take();
+    const QString use = useInWords(run);
+    return take.overview()->runs[static_cast<size_t>(run)].settings.root_given ? tr("%1, root given").arg(use)
+                                                                               : use;
+}
+
+QString RunList::useInWords(int run) const {
+    const TakeDocument& take = studio_.take();
     const auto mean_deg = report_.meanError_deg(run);
     const QString error = mean_deg ? degreesText(radians(*mean_deg)) : QString();
     if (run == take.shownRun())

@@ -29,6 +29,7 @@ private:
     void rebuild();
     void refresh();
     QString detail(int run) const;
+    QString useInWords(int run) const;
 
     Studio& studio_;
     FullReport& report_;

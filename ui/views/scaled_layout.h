@@ -7,7 +7,6 @@
 #include <QMargins>
 #include <QWidget>
 
-
 namespace noctule::ui {
 
 QVBoxLayout* makeColumn(QWidget* owner, const QMargins& margins = {}, int spacing = 0);

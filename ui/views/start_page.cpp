@@ -14,7 +14,6 @@
 #include "ui/views/session_list.h"
 #include "ui/views/take_picture.h"
 #include "ui/widgets/button.h"
-#include "ui/widgets/empty_state.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/problem_card.h"
 #include "ui/widgets/scroll_area.h"
@@ -107,8 +106,10 @@ QWidget* StartPage::makeSuitsFound() {
                       "suit and takes from elsewhere stand in for a suit."),
                    TextRole::kBody, Ink::kLabel))
             ->wrapped());
+    auto* row = addRow(column, 0, {-8, 0, 0, 0});
     Button* more = makeButton(ButtonKind::kText, tr("What Connect will show"));
-    column->addWidget(more, 0, Qt::AlignLeft);
+    row->addWidget(more);
+    row->addStretch();
     connect(more, &QPushButton::clicked, this, [this] { studio_.goTo(Step::kConnect); });
     return suits;
 }
@@ -116,7 +117,7 @@ QWidget* StartPage::makeSuitsFound() {
 QWidget* StartPage::makeLink(const QString& icon, const QString& text, const QString& hint,
                              void (StartPage::*signal)()) {
     auto* line = new QWidget;
-    auto* row = makeRow(line, {}, 4);
+    auto* row = makeRow(line, {-8, 0, 0, 0}, 4);  // the words stand below the caption
     Button* link = makeButton(ButtonKind::kText, text, icon);
     link->setAccessibleDescription(hint);
     row->addWidget(link);
@@ -151,7 +152,9 @@ QWidget* StartPage::makeRecent() {
     head->addWidget(search_);
     list_ = new SessionList(recent_);
     column->addWidget(list_);
-    no_sessions_ = new EmptyState(tr("Sessions that you make or open are listed here, the newest first."));
+    no_sessions_ = (new Label(tr("Sessions that you make or open are listed here, the newest first."),
+                              TextRole::kBody, Ink::kLabel))
+                       ->wrapped();
     column->addWidget(no_sessions_);
     nothing_found_ = new Label({}, TextRole::kBody, Ink::kLabel);
     nothing_found_->wrapped()->hide();

@@ -69,6 +69,13 @@ TEST(FootContacts, IsIndependentOfTheHeightOfTheFloor) {
     EXPECT_EQ(findFootContacts(motion)[0].contacts.size(), findFootContacts(walk(4))[0].contacts.size());
 }
 
+TEST(FootContacts, FollowARootThatDrifts) {
+    TimedMotion motion = walk(30);
+    for (TimedPose& frame : motion.frames)
+        frame.pose->p_world_root += static_cast<double>(frame.time_ns) * 1e-9 * Vector3d(0.08, -0.03, 0.05);
+    EXPECT_EQ(findFootContacts(motion)[0].contacts.size(), 30u);
+}
+
 TEST(FootContacts, AHoleEndsAContactAndAFlickerDoesNot) {
     TimedMotion motion = walk(1);
     for (size_t i = 30; i < 36; ++i)

@@ -109,7 +109,7 @@ TEST_F(Everywhere, TabGoesAroundWithoutADeadEnd) {
         }
         EXPECT_GE(visited.size(), 4U) << "step " << static_cast<int>(step);
         EXPECT_LT(visited.size(), 400U) << "step " << static_cast<int>(step);
-        if (first) {
+        if (first && (first->focusPolicy() & Qt::TabFocus)) {
             EXPECT_TRUE(visited.count(first))
                 << "step " << static_cast<int>(step) << ": Tab does not come back to " << describe(*first);
         }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QDockWidget>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <algorithm>
+#include <chrono>
 #include <set>
+#include <thread>
 
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/jobs_panel.h"
@@ -54,6 +57,7 @@ TEST_F(MainWindowTest, StepsOpenByKeys) {
 TEST_F(MainWindowTest, StepsOpenByAClickOnTheirName) {
     window_->goTo(Step::kConnect);
     StepBar& steps = window_->topBar().steps();
+    ASSERT_TRUE(waitFor([&] { return steps.width() >= steps.sizeHint().width(); }, 2000));
     QTest::mouseClick(&steps, Qt::LeftButton, {}, steps.stepRect(2).center());
     EXPECT_EQ(window_->step(), Step::kRecord);
 }
@@ -113,6 +117,39 @@ TEST_F(MainWindowTest, AFailedJobSaysSoInWords) {
         [](Result<int>) { return QString(); });
     ASSERT_TRUE(waitFor([&] { return job->state() == Job::State::kFailed; }));
     EXPECT_EQ(window_->statusLine().jobsText(), "1 job(s) failed");
+}
+
+/// Answers the question that closing asks, and tells what it said.
+QString answerClosing(MainWindow& window, const QString& answer) {
+    QString said;
+    QTimer::singleShot(100, &window, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box)
+            return;
+        said = box->text() + '\n' + box->informativeText();
+        for (QAbstractButton* button : box->buttons())
+            if (button->text() == answer)
+                button->click();
+    });
+    window.close();
+    return said;
+}
+
+TEST_F(MainWindowTest, ClosingNamesRunningJobsAndAsks) {
+    Job* job = studio_->jobs().start<int>(
+        "Processing walk_001",
+        [](const JobContext& context) -> Result<int> {
+            while (!context.cancelled())
+                std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            return JobContext::cancelledError();
+        },
+        [](Result<int>) { return QString(); });
+    EXPECT_TRUE(answerClosing(*window_, "Go on working").contains("Processing walk_001"));
+    EXPECT_TRUE(window_->isVisible());
+    EXPECT_EQ(job->state(), Job::State::kRunning);
+    answerClosing(*window_, "Cancel jobs and close");
+    EXPECT_FALSE(window_->isVisible());
+    EXPECT_TRUE(waitFor([&] { return job->state() == Job::State::kCancelled; }));
 }
 
 TEST_F(MainWindowTest, F6WalksThePanels) {

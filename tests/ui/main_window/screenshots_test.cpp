@@ -36,6 +36,7 @@ protected:
         const QString take = qEnvironmentVariable("NOCTULE_SCREENSHOT_TAKE");
         if (take.isEmpty())
             return openSampleTake();
+        QDir().mkpath(home());
         ASSERT_TRUE(studio_->session().create(QDir(home()).filePath("Stage tests"), "Stage tests"));
         studio_->session().importTakes({take});
         ASSERT_TRUE(

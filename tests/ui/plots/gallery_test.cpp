@@ -79,6 +79,7 @@ TEST_P(PlotsGallery, draws) {
     shoot("ranges", {PlotTab::kRanges});
     shoot("inertial", {PlotTab::kInertial, PlotTab::kRawSound});
     shoot("root", {PlotTab::kRoot});
+    studio_->selection().setPair(0, 0);
     plots->window().show(time.time() - 0.05, time.time() + 0.05);
     shoot("sound", {PlotTab::kRawSound, PlotTab::kRanges});
     // The chosen curve's colour is on the screen.

@@ -70,7 +70,7 @@ TEST_F(HeatMapTest, ArrowsWalkTheCells) {
 TEST_F(HeatMapTest, FollowsInAndOutAndTheCursor) {
     click(0, 0);
     studio_->time().setRange(0, 0.5);
-    EXPECT_TRUE(waitFor([this] { return map_->readout().contains("25 ranges kept"); }))
+    EXPECT_TRUE(waitFor([this] { return map_->readout().contains("26 ranges kept"); }))
         << map_->readout().toStdString();
     studio_->time().setTime(1);
     map_->setShowsCursor(true);

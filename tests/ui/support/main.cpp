@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the tests of the studio's rooms: one application, a settings folder of its own, C numbers.
-#include <clocale>
+#include <gtest/gtest.h>
 
 #include <QApplication>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
-
-#include <gtest/gtest.h>
+#include <clocale>
 
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);

@@ -129,6 +129,7 @@ TEST_F(PerformerPageTest, RowBodyAndNumbersShowOneChoice) {
     EXPECT_EQ(page_->scene().chosenPart(), editor().part());
     EXPECT_EQ(page_->placement().segment().currentData().toString(), "LeftLeg");
     EXPECT_NEAR(page_->placement().position()[1]->value(), -200, 0.05);
+    EXPECT_TRUE(page_->placement().position()[1]->text().startsWith(QChar(0x2212)));
     emit page_->scene().partChosen({SuitPart::Kind::kSource, 7});
     EXPECT_EQ(table.currentIndex().row(), 25);
     EXPECT_EQ(page_->placement().segment().currentData().toString(), "Head");
@@ -142,6 +143,15 @@ TEST_F(PerformerPageTest, TypedPositionMovesOnlyThatAxis) {
     EXPECT_EQ(board("l_leg").p_segment_board_m, Vector3d(before.x(), before.y(), 0.065));
     undo().undo();
     EXPECT_EQ(board("l_leg").p_segment_board_m, before);
+}
+
+TEST_F(PerformerPageTest, NegativeNumbersCanBeTypedWithTheKeyboard) {
+    chooseBoard("l_leg");
+    QDoubleSpinBox* box = page_->placement().position()[0];
+    box->selectAll();
+    QTest::keyClicks(box, "-12.5");
+    QTest::keyClick(box, Qt::Key_Return);
+    EXPECT_NEAR(board("l_leg").p_segment_board_m.x(), -0.0125, 1e-12);
 }
 
 TEST_F(PerformerPageTest, RotationsAreKeptAsTyped) {
@@ -212,10 +222,10 @@ TEST_F(PerformerPageTest, PerformersComeAndGo) {
     editor().duplicate();
     ASSERT_EQ(studio_->session().session().performers.size(), 2u);
     EXPECT_EQ(editor().index(), 1);
-    EXPECT_EQ(editor().performer().name, "Performer 1 2");
+    EXPECT_EQ(editor().performer().name, "Performer 1 (2)");
     EXPECT_EQ(editor().performer().measures.height_m, 1.9);
     editor().rename("Performer 1");  // taken: it gets a number
-    EXPECT_EQ(editor().performer().name, "Performer 1 2");
+    EXPECT_EQ(editor().performer().name, "Performer 1 (2)");
     editor().rename("Ada");
     EXPECT_EQ(editor().performer().name, "Ada");
     editor().wearSuit();
@@ -265,8 +275,9 @@ TEST_F(PerformerPageTest, NothingIsCutOffInAnyThemeAndSize) {
             QTest::qWait(100);
             for (const QWidget* dock : {page_->leftDock(), page_->rightDock()})
                 for (const QLabel* label : dock->findChildren<QLabel*>())
-                    if (label->isVisible() && !label->wordWrap())
+                    if (label->isVisible() && !label->wordWrap()) {
                         EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
+                    }
             const QString folder = qEnvironmentVariable("NOCTULE_TEST_PICTURES");
             if (!folder.isEmpty())
                 window.grab().save(QString("%1/performer_%2_%3.png")
