@@ -26,6 +26,7 @@ namespace {
 using namespace ui;
 
 constexpr int kNoDisplay = 2;
+bool has_display = false;  ///< the application has been made
 
 [[noreturn]] void endWithoutDisplay() {
     std::fputs(
@@ -35,11 +36,11 @@ constexpr int kNoDisplay = 2;
     std::_Exit(kNoDisplay);
 }
 
-/// Qt's own way to say that there is no display is to abort with a core dump; until the application exists, a
-/// fatal message is ours. Afterwards Qt's warnings go to standard error only when asked for
+/// Qt's own way to say that there is no display is to abort with a core dump; until the application has been
+/// made, a fatal message is ours. Afterwards Qt's warnings go to standard error only when asked for
 /// (NOCTULE_QT_DEBUG=1).
 void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
-    if (type == QtFatalMsg && !QCoreApplication::instance())
+    if (type == QtFatalMsg && !has_display)
         endWithoutDisplay();
     static const bool wanted = qEnvironmentVariableIsSet("NOCTULE_QT_DEBUG");
     if (!wanted && type != QtFatalMsg)
@@ -112,6 +113,7 @@ int runStudio(int argc, char** argv) {
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     chooseSurface();
     QApplication application(argc, argv);
+    has_display = true;
     std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's; files and JSON are the same everywhere
     QApplication::setOrganizationName("Noctule");
     QApplication::setApplicationName("noctule");
