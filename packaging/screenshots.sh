@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Fresh pictures of every page of the studio, dark and light, at 1440x900 and 1280x800, into out/screenshots/.
+# Fresh pictures of every page of the studio, dark and light, at 1280x800, 1440x900 and 1920x1080, into out/screenshots/.
 #   packaging/screenshots.sh [TAKE]    TAKE: a processed take to show; a short simulated one when not given
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -14,6 +14,6 @@ mkdir -p "$out"
 runtime=$(mktemp -d)
 trap 'rm -rf "$runtime"' EXIT
 NOCTULE_SCREENSHOTS=$out NOCTULE_SCREENSHOT_TAKE=${1:+$(realpath "$1")} XDG_RUNTIME_DIR=$runtime LC_ALL=C.UTF-8 \
-    xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX" \
+    xvfb-run -a -s "-screen 0 1920x1080x24 +extension GLX" \
     build/release/bin/test_ui_main_window --gtest_filter='Screenshots.*'
 ls "$out"

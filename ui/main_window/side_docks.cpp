@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QStackedWidget>
+#include <algorithm>
 
 #include "ui/style/theme.h"
 #include "ui/views/page.h"
@@ -26,6 +27,21 @@ QString nameOf(Step step) {
     return names.at(step);
 }
 
+/// Shows one page's content at a time. As wide as the style guide says, or wider where the content needs it:
+/// an explicit minimum would let a dock cut its content.
+class DockStack : public QStackedWidget {
+public:
+    explicit DockStack(int least_width) : least_width_(least_width) {}
+
+    QSize minimumSizeHint() const override {
+        const int content = currentWidget() ? currentWidget()->minimumSizeHint().width() : 0;
+        return {std::max(Theme::get().px(least_width_), content), QStackedWidget::minimumSizeHint().height()};
+    }
+
+private:
+    int least_width_;
+};
+
 }  // namespace
 
 SideDocks::SideDocks(QMainWindow& window, QSettings& settings)
@@ -42,8 +58,7 @@ SideDocks::Side SideDocks::makeSide(Qt::DockWidgetArea area, const QString& name
     side.dock->setObjectName(name);
     side.dock->setAccessibleName(words);
     side.dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
-    side.stack = new QStackedWidget;
-    keepMinimumWidth(*side.stack, left ? kLeftNarrow : kRightNarrow);
+    side.stack = new DockStack(left ? kLeftNarrow : kRightNarrow);
     keepMaximumWidth(*side.stack, left ? kLeftWidest : kRightWidest);
     side.dock->setWidget(side.stack);
     side.title = new DockTitle(words);
@@ -95,6 +110,7 @@ void SideDocks::fill(const Side& side, QWidget* content, const QString& title) {
     if (side.stack->indexOf(content) < 0)
         side.stack->addWidget(content);
     side.stack->setCurrentWidget(content);
+    side.stack->updateGeometry();
     content->show();
     side.title->setTitle(title);
     side.dock->setWindowTitle(title);

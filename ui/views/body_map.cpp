@@ -176,6 +176,8 @@ void BodyMap::paintEvent(QPaintEvent*) {
     const Tokens& tokens = theme.tokens();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    if (picture_.isNull())
+        renewFigure();
     painter.drawPixmap(
         QPointF((width() - picture_.width() / picture_.devicePixelRatio()) / 2, theme.px(kTop)), picture_);
     painter.setFont(theme.font(TextRole::kSecondary));

@@ -15,6 +15,7 @@
 #include "ui/style/theme.h"
 #include "ui/views/page.h"
 #include "ui/views/start_page.h"
+#include "ui/widgets/scroll_area.h"
 #include "ui/widgets/step_bar.h"
 
 namespace noctule::ui {
@@ -60,6 +61,22 @@ TEST_F(MainWindowTest, StepsOpenByAClickOnTheirName) {
     ASSERT_TRUE(waitFor([&] { return steps.width() >= steps.sizeHint().width(); }, 2000));
     QTest::mouseClick(steps.childAt(steps.stepRect(2).center()), Qt::LeftButton);
     EXPECT_EQ(window_->step(), Step::kRecord);
+}
+
+TEST_F(MainWindowTest, DocksNeverCutTheirContent) {
+    openSampleTake();
+    window_->resize(1280, 800);
+    for (const Step step :
+         {Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview, Step::kExport, Step::kPerformer}) {
+        window_->goTo(step);
+        ASSERT_TRUE(waitFor([&] { return window_->page(step).isVisible(); }));
+        QCoreApplication::processEvents();
+        for (QDockWidget* dock : {&window_->sideDocks().left(), &window_->sideDocks().right()})
+            for (const ScrollArea* area : dock->findChildren<ScrollArea*>())
+                EXPECT_TRUE(area->isHidden() || area->widget()->width() <= area->viewport()->width())
+                    << dock->windowTitle().toStdString() << ": " << area->widget()->width() << " in "
+                    << area->viewport()->width();
+    }
 }
 
 TEST_F(MainWindowTest, OpenGivesUpItsKeyInReview) {

@@ -65,7 +65,7 @@ protected:
 
 TEST_F(Screenshots, OfEveryPageInBothThemesAndSizes) {
     openTakeToShow();
-    for (const QSize size : {QSize(1440, 900), QSize(1280, 800)})
+    for (const QSize size : {QSize(1440, 900), QSize(1280, 800), QSize(1920, 1080)})
         for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
             Theme::get().setScheme(scheme);
             window_->resize(size);
