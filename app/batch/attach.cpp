@@ -45,7 +45,7 @@ Status readSource(const VerbContext& context, AttachRequest& request) {
     return Done{};
 }
 
-Result<Outcome> run(const VerbContext& context) {
+Result<Outcome> runAttach(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     AttachRequest request;
     request.take_path = arguments.operands()[0];
@@ -99,7 +99,7 @@ Verb attachVerb() {
     verb.remarks = {
         "Positions (CSV) do not say how limbs are twisted: they serve as external-root, from the "
         "joints that sit on the hips, with --align MILLISECONDS."};
-    verb.run = run;
+    verb.run = runAttach;
     return verb;
 }
 

@@ -55,7 +55,7 @@ std::string textOf(const ReportData& data, const ReportRun& run) {
     return text;
 }
 
-Result<Outcome> run(const VerbContext& context) {
+Result<Outcome> runEvaluate(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     const bool overwrite = arguments.given("overwrite");
     const std::string report_path = arguments.text("report");
@@ -107,7 +107,7 @@ Verb evaluateVerb() {
     verb.remarks = {
         "Angles are geodesic, between local rotations, after the rest pose; \"mean\" is the mean over all "
         "joints with freedom, the root left out."};
-    verb.run = run;
+    verb.run = runEvaluate;
     return verb;
 }
 

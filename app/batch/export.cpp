@@ -78,7 +78,7 @@ Outcome outcomeOf(const ExportRequest& request, const ExportSummary& summary) {
     return outcome;
 }
 
-Result<Outcome> run(const VerbContext& context) {
+Result<Outcome> runExport(const VerbContext& context) {
     std::vector<ExportRequest> requests;
     for (const std::string& take : context.arguments.operands())
         requests.push_back(requestFor(context.arguments, take));
@@ -127,7 +127,7 @@ Verb exportVerb() {
     verb.remarks = {
         "Every file is written aside and read again before it gets its name. With several takes "
         "the paths must contain {name}."};
-    verb.run = run;
+    verb.run = runExport;
     return verb;
 }
 

@@ -119,7 +119,7 @@ std::string textOf(const TakeInspection& in) {
     return text + boardsText(in) + pairsText(in);
 }
 
-Result<Outcome> run(const VerbContext& context) {
+Result<Outcome> runInspect(const VerbContext& context) {
     return forEachTake(context, 1, [](const std::string& take, const JobContext& job) -> Result<Outcome> {
         const auto inspection = inspectTake(take, job);
         if (!inspection)
@@ -141,7 +141,7 @@ Verb inspectVerb() {
     verb.remarks = {
         "Shares of lost frames and of pulses heard need readings and ranges: process the take "
         "first."};
-    verb.run = run;
+    verb.run = runInspect;
     return verb;
 }
 

@@ -123,7 +123,7 @@ Result<ProcessSummary> processOne(const Arguments& arguments, ProcessRequest req
     return summary;
 }
 
-Result<Outcome> run(const VerbContext& context) {
+Result<Outcome> runProcess(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     if (Status sensible = checkTakes(arguments); !sensible)
         return sensible.error();
@@ -171,7 +171,7 @@ Verb processVerb() {
         text("run-name", "NAME", "name of the new run; from sensors and estimator when not given"),
         text("out-dir", "D", "copy the take there and write into the copy")};
     verb.remarks = {"Nothing is replaced: every call adds a run, and the raw data stay as they are."};
-    verb.run = run;
+    verb.run = runProcess;
     return verb;
 }
 

@@ -98,7 +98,7 @@ Outcome outcome(const VerbContext& context, const Stage& stage, const Simulation
     return outcome;
 }
 
-Result<Outcome> run(const VerbContext& context) {
+Result<Outcome> runSimulate(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     const bool overwrite = arguments.given("overwrite");
     const std::string out = arguments.text("out"), calibration_out = arguments.text("calibration-out"),
@@ -159,7 +159,7 @@ Verb simulateVerb() {
         text("truth-out", "F.json", "write every hidden value"),
         bvhUnitOption(),
         later("digitizer-out", "D.csv", "measured points of the jig")};
-    verb.run = run;
+    verb.run = runSimulate;
     return verb;
 }
 

@@ -11,7 +11,6 @@ namespace noctule {
 namespace {
 
 /// Where position channels differ from the OFFSET by less they only repeat it.
-constexpr double kSamePlace_m = 1e-7;
 
 /// Place (file's unit) and rotation of one joint in its parent.
 struct LocalPose {

@@ -10,7 +10,6 @@ namespace noctule {
 namespace {
 
 constexpr double kShortTip_m = 0.05;
-constexpr double kSamePlace_m = 1e-7;
 
 /// Blanks and braces end a name in some readers; names stay different from each other.
 std::string nameInFile(const std::string& joint_name, std::unordered_set<std::string>& taken) {

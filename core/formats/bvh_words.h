@@ -10,6 +10,9 @@
 
 namespace noctule {
 
+/// Offsets and channels closer than this are the same place: what decimals in a file round away.
+inline constexpr double kSamePlace_m = 1e-7;
+
 /// "Zrotation" in any case.
 std::optional<BvhChannel> channelFromText(std::string_view text);
 std::string toText(BvhChannel channel);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/processing/attach_reference.h"
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <filesystem>
 
@@ -14,6 +15,7 @@ namespace {
 
 /// What good optical systems reach; a file does not say.
 constexpr double kUsualSigma_m = 0.0005, kUsualSigma_rad = 0.0017;
+constexpr double kLeastSpread_m = 0.01;         ///< of the hips' points beside their longest line
 constexpr double kUsualPointSigma_rad = 0.005;  ///< an orientation from points a hand's breadth apart
 
 Status checkFree(const Take& take, const AttachRequest& request) {
@@ -100,8 +102,9 @@ public:
         }
         const Eigen::Matrix4d fitted = Eigen::umeyama(from, to, false);
         const Eigen::Matrix3Xd centred = to.colwise() - to.rowwise().mean();
-        const Vector3d spread = centred.jacobiSvd().singularValues();
-        if (!fitted.allFinite() || spread[1] < 0.01)
+        const Eigen::SelfAdjointEigenSolver<Matrix3d> scatter(centred * centred.transpose(),
+                                                              Eigen::EigenvaluesOnly);
+        if (!fitted.allFinite() || scatter.eigenvalues()[1] < kLeastSpread_m * kLeastSpread_m)
             return std::nullopt;
         return Pose{fitted.topRightCorner<3, 1>(),
                     {Quaterniond(Matrix3d(fitted.topLeftCorner<3, 3>())).normalized()}};

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kDash_px = 4;
 /// Markers lie on the skin; this much nearer, the skin does not hide them.
-constexpr double kInFrontOfSkin_m = 0.04;
+constexpr double kShapeInFrontOfSkin_m = 0.04;
 
 float smooth(float t) {
     t = std::clamp(t, 0.0F, 1.0F);
@@ -38,7 +38,7 @@ void appendGridLine(const SceneGrid& grid, const Rgba& color, bool along_x, floa
 }
 
 float ndcDepth(const ScreenView& view, const Vector3d& p_m) {
-    const Vector3d nearer = p_m + kInFrontOfSkin_m * view.camera.axes().col(2);
+    const Vector3d nearer = p_m + kShapeInFrontOfSkin_m * view.camera.axes().col(2);
     const Eigen::Vector4d clip =
         view.camera.projectionMatrix(view.size) * view.camera.viewMatrix() * nearer.homogeneous();
     return static_cast<float>(clip.z() / clip.w());

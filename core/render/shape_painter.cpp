@@ -10,7 +10,7 @@ namespace {
 /// What is left of lines and markers behind the body's surface.
 constexpr float kLinePale = 0.35F, kMarkerPale = 0.45F;
 /// Rays end on the skin; this much nearer, it does not hide their ends.
-constexpr float kInFrontOfSkin_m = 0.03F;
+constexpr float kLineInFrontOfSkin_m = 0.03F;
 
 void append(std::vector<float>& values, const Rgba& color) {
     values.insert(values.end(), {color.r, color.g, color.b, color.a});
@@ -143,7 +143,7 @@ void ShapePainter::drawLines(const std::vector<LineShape>& lines, const ScreenVi
     glUniformMatrix4fv(line_.at("clip_from_view"), 1, GL_FALSE, projectionOf(view).data());
     glUniform2f(line_.at("size_px"), static_cast<float>(view.size.width_px),
                 static_cast<float>(view.size.height_px));
-    glUniform1f(line_.at("nearer_m"), kInFrontOfSkin_m);
+    glUniform1f(line_.at("nearer_m"), kLineInFrontOfSkin_m);
     drawBatch(lines_, packed(lines), line_.at("strength"), hiding, kLinePale);
 }
 

@@ -15,11 +15,10 @@ namespace {
 constexpr std::array<const char*, 3> kBallFreedoms{"z", "x", "y"};
 constexpr std::array<const char*, 3> kRootPlaces{"left", "up", "forward"};
 constexpr std::array<const char*, 3> kRootTurns{"yaw", "pitch", "roll"};
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Value and sigma in SI; NaN: unknown.
 struct Sample {
-    double value = kNone, sigma = kNone;
+    double value = kNoValue, sigma = kNoValue;
 };
 /// Called for the frames that show something, in order: angles follow on from the ones before.
 using Sampler = std::function<Sample(const TimedPose&)>;
@@ -49,7 +48,7 @@ double nearestTurn(double angle_rad, double near_rad) {
 Sampler ballSampler(size_t joint, int component) {
     return [joint, component, near = Vector3d(0, 0, 0)](const TimedPose& frame) mutable {
         near = anglesZxyNear(frame.pose->q_parent_joint[joint], near);
-        Sample sample{near[component], kNone};
+        Sample sample{near[component], kNoValue};
         if (const auto sigma = sigmaOf(frame, joint))
             sample.sigma = sigmaZxy(near, *sigma)[component];
         return sample;
@@ -75,7 +74,7 @@ Sampler hingeSampler(const Joint& joint, size_t index, int freedom) {
     return [joint, index, freedom, near = 0.0](const TimedPose& frame) mutable {
         const JointAngles angles = projectOntoJoint(joint, frame.pose->q_parent_joint[index], false);
         near = nearestTurn(angles.angles_rad[freedom], near);
-        Sample sample{near, kNone};
+        Sample sample{near, kNoValue};
         if (const auto sigma = sigmaOf(frame, index))
             sample.sigma = freedomSigma(joint, angles.angles_rad, *sigma, freedom);
         return sample;
@@ -92,12 +91,14 @@ Vector3d yawPitchRoll(const Quaterniond& q) {
 Sampler rootTurnSampler(int component) {
     return [component, near = 0.0](const TimedPose& frame) mutable {
         near = nearestTurn(yawPitchRoll(frame.pose->q_parent_joint[0])[component], near);
-        return Sample{near, kNone};
+        return Sample{near, kNoValue};
     };
 }
 
 Sampler rootPlaceSampler(int component) {
-    return [component](const TimedPose& frame) { return Sample{frame.pose->p_world_root[component], kNone}; };
+    return [component](const TimedPose& frame) {
+        return Sample{frame.pose->p_world_root[component], kNoValue};
+    };
 }
 
 Sampler samplerOf(const Skeleton& skeleton, const CurveChoice& choice, CurveUnit& unit) {

@@ -8,8 +8,6 @@
 namespace noctule {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-
 const std::vector<float>& valuesOf(const PairTrack& track, RangeQuantity quantity) {
     switch (quantity) {
         case RangeQuantity::kDistance_m:
@@ -33,7 +31,7 @@ Series rangeSeries(const RangeTable& table, int source, int board, RangeQuantity
     const PairTrack& track = table.pair(source, board);
     const std::vector<float>& heard = valuesOf(track, quantity);
     const std::vector<double>& pulses = table.pulse_t_s[static_cast<size_t>(source)];
-    const float unheard = quantity == RangeQuantity::kConfidence ? 0 : kNone;
+    const float unheard = quantity == RangeQuantity::kConfidence ? 0 : kNoValue;
     Series series;
     series.t_s.reserve(pulses.size());
     series.value.reserve(pulses.size());

@@ -11,6 +11,9 @@
 
 namespace noctule {
 
+/// Where a curve breaks.
+inline constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
+
 /// Times strictly increasing, seconds of the take's clock. NaN values break the curve.
 struct Series {
     std::vector<double> t_s;

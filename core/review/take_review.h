@@ -16,6 +16,7 @@
 #include "core/motion/timed_poses.h"
 #include "core/processing/pose_runs.h"
 #include "core/recording/rows.h"
+#include "core/review/series.h"
 #include "core/suit/calibration.h"
 #include "core/suit/suit.h"
 

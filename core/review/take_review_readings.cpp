@@ -8,8 +8,6 @@
 namespace noctule {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-
 /// One triad's counts to SI. An axis that the stream left out keeps its last counts for what the others see
 /// of it (misalignments of about 1 %) and is itself NaN.
 class Triad {
@@ -29,7 +27,7 @@ public:
             }
         const Vector3d si = calibration_.apply(held_counts_);
         for (int i = 0; i < 3; ++i)
-            value[i].push_back(counts[i] && !clipped[i] ? static_cast<float>(si[i]) : kNone);
+            value[i].push_back(counts[i] && !clipped[i] ? static_cast<float>(si[i]) : kNoValue);
         return clipped[0] || clipped[1] || clipped[2];
     }
 

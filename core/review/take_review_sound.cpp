@@ -9,7 +9,6 @@
 namespace noctule {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr float kFullScale = 32767;
 constexpr double kLongestWindow_s = 10;
 
@@ -64,7 +63,7 @@ void blank(const std::vector<GapRow>& gaps, const SampleInterval& within, std::v
     for (const GapRow& gap : gaps) {
         const int64_t first = std::clamp(gap.first_sample, within.first, within.last + 1);
         const int64_t end = std::clamp(gap.first_sample + gap.sample_count, within.first, within.last + 1);
-        std::fill(value.begin() + (first - within.first), value.begin() + (end - within.first), kNone);
+        std::fill(value.begin() + (first - within.first), value.begin() + (end - within.first), kNoValue);
     }
 }
 
@@ -116,7 +115,7 @@ class EnvelopeBuilder {
 public:
     EnvelopeBuilder(int columns, int64_t sample_count, std::vector<GapRow> gaps)
         : columns_(columns), sample_count_(sample_count), gaps_(std::move(gaps)) {
-        envelope_.min.assign(static_cast<size_t>(columns), kNone);
+        envelope_.min.assign(static_cast<size_t>(columns), kNoValue);
         envelope_.max = envelope_.min;
     }
 
@@ -164,7 +163,7 @@ Result<SoundWindow> loadSound(const std::string& path, int board, double from_s,
     window.sample_rate_hz = file->sample_rate_hz;
     if (within.last < within.first)
         return window;
-    window.value.assign(static_cast<size_t>(within.last - within.first + 1), kNone);
+    window.value.assign(static_cast<size_t>(within.last - within.first + 1), kNoValue);
     if (const Status read = readSamples(*file, board, within, window, job); !read)
         return read.error();
     if (job.cancelled())

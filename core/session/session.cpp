@@ -20,11 +20,6 @@ constexpr const char* kFile = "session.json";
 constexpr const char* kFolders[] = {"calibration", "takes", "video", "exports"};
 constexpr const char* kFirstPerformer = "Performer 1";
 
-bool isThere(const fs::path& path) {
-    std::error_code ignored;
-    return fs::exists(path, ignored);
-}
-
 Performer firstPerformer() {
     Performer performer;
     performer.name = kFirstPerformer;

@@ -13,11 +13,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kBeside[] = {"-wal", "-journal", "-shm"};
 
-bool isThere(const fs::path& path) {
-    std::error_code ignored;
-    return fs::exists(path, ignored);
-}
-
 fs::path beside(const fs::path& take, const char* ending) {
     return take.string() + ending;
 }
@@ -32,6 +27,11 @@ Status makeFolder(const fs::path& folder) {
 }
 
 }  // namespace
+
+bool isThere(const fs::path& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored);
+}
 
 std::vector<std::string> takeFilesIn(const fs::path& folder) {
     std::vector<std::string> files;

@@ -14,6 +14,9 @@ namespace noctule {
 
 inline constexpr const char* kTakeExtension = ".noctule";
 
+/// False, too, where the path cannot be asked about.
+bool isThere(const std::filesystem::path& path);
+
 /// Of all takes in a folder, sorted; empty when the folder is missing.
 std::vector<std::string> takeFilesIn(const std::filesystem::path& folder);
 

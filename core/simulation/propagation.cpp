@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/simulation/sound_scenario.h"
+
 namespace noctule::simulation {
 namespace {
 
@@ -14,10 +16,6 @@ using Eigen::Vector2d;
 
 constexpr double kClearance_m = 0.01;
 constexpr double kNearest_m = 0.01;
-
-double gainFromDb(double db) {
-    return std::pow(10.0, db / 20);
-}
 
 double distanceToSegment(const Vector3d& point, const Vector3d& a, const Vector3d& b) {
     const Vector3d ab = b - a;

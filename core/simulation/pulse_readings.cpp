@@ -17,10 +17,6 @@ double astrayShare(double snr) {
     return std::min(1.0, 0.035 * std::exp((8 - snr) / 2.4));
 }
 
-double gainFromDb(double db) {
-    return std::pow(10.0, db / 20);
-}
-
 Medium mediumOf(const SoundScenario& sound, double speed_of_sound_m_per_s) {
     Medium medium;
     medium.speed_of_sound_m_per_s = speed_of_sound_m_per_s;

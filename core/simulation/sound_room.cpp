@@ -25,10 +25,6 @@ Vector3d horizontal(double azimuth_rad) {
     return {std::sin(azimuth_rad), 0, std::cos(azimuth_rad)};
 }
 
-double gainFromDb(double db) {
-    return std::pow(10.0, db / 20);
-}
-
 /// The point of a capsule where a ray from one end meets the other, nearly: on the axis where the unfolded
 /// way is straight, then outward along the bisector.
 Vector3d specularPoint(const WorldCapsule& capsule, const Vector3d& p, const Vector3d& q) {

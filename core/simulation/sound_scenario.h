@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,11 @@
 namespace noctule::simulation {
 
 using Bounds = std::array<double, 2>;  ///< lowest and highest value of a uniform draw
+
+/// Ratio of amplitudes.
+inline double gainFromDb(double db) {
+    return std::pow(10.0, db / 20);
+}
 
 /// Round robin: pulse k starts at sample k * interval and comes from source k mod source count.
 struct PulseSchedule {

@@ -14,10 +14,6 @@ constexpr double kFaintest_counts = 0.2;
 /// Apart from the pulse's beginning, the flight is solved for what is emitted this much later.
 constexpr double kLater_s = 5e-4;
 
-double gainFromDb(double db) {
-    return std::pow(10.0, db / 20);
-}
-
 Medium mediumOf(const SoundScenario& scenario, const SoundConditions& conditions) {
     return {.speed_of_sound_m_per_s = conditions.speed_of_sound_m_per_s,
             .absorption_db_per_m = scenario.absorption_db_per_m,

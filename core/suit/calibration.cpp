@@ -89,7 +89,7 @@ std::map<std::string, double> readSeconds(JsonObject& json, const char* member) 
     return seconds;
 }
 
-SourceCalibration readSource(JsonObject& json) {
+SourceCalibration readSourceCalibration(JsonObject& json) {
     SourceCalibration source;
     source.id = json.text("id");
     json.setWhat(json.what() + " '" + source.id + "'");
@@ -110,7 +110,7 @@ AxisCalibration readAxes(JsonObject& board, const char* member, std::optional<Er
     return axes;
 }
 
-BoardCalibration readBoard(JsonObject& json, std::optional<Error>& error) {
+BoardCalibration readBoardCalibration(JsonObject& json, std::optional<Error>& error) {
     BoardCalibration board;
     board.id = json.text("id");
     json.setWhat(json.what() + " '" + board.id + "'");
@@ -135,7 +135,7 @@ void readEntries(const nlohmann::json& list, const std::string& what, std::optio
 }
 
 template <class Entry>
-const Entry* findId(const std::vector<Entry>& entries, const std::string& id) {
+const Entry* findEntry(const std::vector<Entry>& entries, const std::string& id) {
     const auto found =
         std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.id == id; });
     return found == entries.end() ? nullptr : &*found;
@@ -150,11 +150,11 @@ AxisCalibration AxisCalibration::nominal(double full_scale) {
 }
 
 const BoardCalibration* Calibration::findBoard(const std::string& id) const {
-    return findId(boards, id);
+    return findEntry(boards, id);
 }
 
 const SourceCalibration* Calibration::findSource(const std::string& id) const {
-    return findId(sources, id);
+    return findEntry(sources, id);
 }
 
 Calibration nominalCalibration(const Suit& suit) {
@@ -189,10 +189,11 @@ Result<Calibration> calibrationFromJson(const nlohmann::json& json, const std::s
     calibration.created_utc = object.textOr("created_utc", "");
     const nlohmann::json sound = object.objectOrEmpty("sound");
     calibration.sound = readSound(JsonObject(sound, where + ": sound", error));
-    readEntries(object.array("sources", false), where + ": source", error,
-                [&](JsonObject& entry) { return calibration.sources.emplace_back(readSource(entry)).id; });
+    readEntries(object.array("sources", false), where + ": source", error, [&](JsonObject& entry) {
+        return calibration.sources.emplace_back(readSourceCalibration(entry)).id;
+    });
     readEntries(object.array("boards", false), where + ": board", error, [&](JsonObject& entry) {
-        return calibration.boards.emplace_back(readBoard(entry, error)).id;
+        return calibration.boards.emplace_back(readBoardCalibration(entry, error)).id;
     });
     if (error)
         return *error;

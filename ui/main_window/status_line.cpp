@@ -17,7 +17,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kHeight = 26, kSaid_ms = 8000, kStorage_ms = 30'000;
+constexpr int kStatusLineHeight = 26, kSaid_ms = 8000, kStorage_ms = 30'000;
 
 Job* newestRunning(const Jobs& jobs) {
     Job* newest = nullptr;
@@ -72,11 +72,11 @@ StatusLine::StatusLine(Studio& studio, QWidget* parent) : QWidget(parent), studi
 }
 
 QSize StatusLine::sizeHint() const {
-    return {Theme::get().px(600), Theme::get().px(kHeight)};
+    return {Theme::get().px(600), Theme::get().px(kStatusLineHeight)};
 }
 
 QSize StatusLine::minimumSizeHint() const {
-    return {0, Theme::get().px(kHeight)};
+    return {0, Theme::get().px(kStatusLineHeight)};
 }
 
 QString StatusLine::openText() const {

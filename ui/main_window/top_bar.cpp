@@ -19,7 +19,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kHeight = 52, kFoldBelow = 1180;
+constexpr int kTopBarHeight = 52, kFoldBelow = 1180;
 constexpr std::array kSteps{Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview, Step::kExport};
 
 }  // namespace
@@ -120,13 +120,14 @@ void TopBar::foldWhereNarrow() {
 }
 
 QSize TopBar::sizeHint() const {
-    return {Theme::get().px(kFoldBelow), Theme::get().px(kHeight)};
+    return {Theme::get().px(kFoldBelow), Theme::get().px(kTopBarHeight)};
 }
 
 QSize TopBar::minimumSizeHint() const {
     const int sides =
         2 * std::max(folded_->sizeHint().width() + Theme::get().px(60), right_->minimumSizeHint().width());
-    return {steps_->isHidden() ? sides : sides + steps_->minimumSizeHint().width(), Theme::get().px(kHeight)};
+    return {steps_->isHidden() ? sides : sides + steps_->minimumSizeHint().width(),
+            Theme::get().px(kTopBarHeight)};
 }
 
 void TopBar::paintEvent(QPaintEvent*) {

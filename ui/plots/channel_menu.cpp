@@ -9,7 +9,7 @@
 namespace noctule::ui {
 namespace {
 
-QString words(const char* text) {
+QString menuWords(const char* text) {
     return QCoreApplication::translate("ChannelMenu", text);
 }
 
@@ -58,16 +58,17 @@ void fillChannelMenu(QMenu& menu, Studio& studio, PlotChannels& channels) {
     menu.clear();
     const auto overview = studio.take().overview();
     if (!overview) {
-        menu.addAction(words(QT_TRANSLATE_NOOP("ChannelMenu", "Open a take first")))->setEnabled(false);
+        menu.addAction(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Open a take first")))->setEnabled(false);
         return;
     }
-    fillPairs(*menu.addMenu(words(QT_TRANSLATE_NOOP("ChannelMenu", "Pairs"))), overview->suit, channels);
+    fillPairs(*menu.addMenu(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Pairs"))), overview->suit, channels);
     if (const auto motion = studio.take().shownMotion())
-        fillAngles(*menu.addMenu(words(QT_TRANSLATE_NOOP("ChannelMenu", "Joint angles"))), motion->skeleton,
-                   channels);
-    fillBoards(*menu.addMenu(words(QT_TRANSLATE_NOOP("ChannelMenu", "Boards"))), overview->suit, channels);
+        fillAngles(*menu.addMenu(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Joint angles"))),
+                   motion->skeleton, channels);
+    fillBoards(*menu.addMenu(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Boards"))), overview->suit,
+               channels);
     menu.addSeparator();
-    QAction* remove = menu.addAction(words(QT_TRANSLATE_NOOP("ChannelMenu", "Remove added channels")));
+    QAction* remove = menu.addAction(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Remove added channels")));
     remove->setEnabled(channels.hasAny());
     QObject::connect(remove, &QAction::triggered, &channels, &PlotChannels::removeAll);
 }

@@ -7,6 +7,7 @@
 
 #include "ui/models/part_names.h"
 #include "ui/plots/confidence_legend.h"
+#include "ui/plots/lane_content.h"
 #include "ui/style/words.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/label.h"
@@ -14,9 +15,6 @@
 
 namespace noctule::ui {
 namespace {
-
-/// What counts as "now": three rounds of eight sources.
-constexpr double kHold_s = 0.192;
 
 std::vector<PairColumnGroup> columnGroups(const Suit& suit) {
     std::vector<PairColumnGroup> groups;
@@ -108,7 +106,7 @@ void HeatMap::readTake() {
 std::pair<double, double> HeatMap::interval() const {
     const TimeCursor& time = studio_.time();
     if (at_cursor_)
-        return {time.time() - kHold_s, std::nextafter(time.time(), time.time() + 1)};
+        return {time.time() - kPairHold_s, std::nextafter(time.time(), time.time() + 1)};
     return {time.in(), time.out()};
 }
 

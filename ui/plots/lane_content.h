@@ -14,6 +14,10 @@
 
 namespace noctule::ui {
 
+/// How long a value of a pair counts as "now": pulses of a source come every 64 ms with eight sources, three
+/// times.
+inline constexpr double kPairHold_s = 0.192;
+
 struct LaneUnit {
     double factor = 1;  ///< shown = value * factor
     QString suffix;     ///< with its space: " m"; degrees without: "°"

@@ -12,11 +12,15 @@ LanePen penOfIndex(size_t index) {
     return kPens[index % kPens.size()];
 }
 
+QString laneWords(const char* text) {
+    return QCoreApplication::translate("Lanes", text);
+}
+
 QString missingWords(TakeDocument& take, const QString& otherwise) {
     if (take.isLoading())
-        return QCoreApplication::translate("Lanes", "Reading the take");
+        return laneWords(QT_TRANSLATE_NOOP("Lanes", "Reading the take"));
     if (take.shownRun() < 0)
-        return QCoreApplication::translate("Lanes", "Process the take to see its curves");
+        return laneWords(QT_TRANSLATE_NOOP("Lanes", "Process the take to see its curves"));
     return take.problem().isEmpty() ? otherwise : take.problem();
 }
 

@@ -31,6 +31,8 @@ std::vector<LaneContent> allLanes(const LaneSources& sources);
 
 /// Colours of curves of one kind in one lane, in their order.
 LanePen penOfIndex(size_t index);
+/// Translated; the text is marked with QT_TRANSLATE_NOOP("Lanes", ...).
+QString laneWords(const char* text);
 /// Why nothing is there yet: being read, failed, or not processed; `otherwise` when none of it.
 QString missingWords(TakeDocument& take, const QString& otherwise);
 

@@ -10,10 +10,6 @@
 namespace noctule::ui {
 namespace {
 
-QString words(const char* text) {
-    return QCoreApplication::translate("Lanes", text);
-}
-
 std::vector<int> boardsOf(const LaneSources& sources, const TakeOverview& overview) {
     std::vector<int> boards = sources.channels.boards();
     std::erase_if(boards, [&](int board) { return board >= static_cast<int>(overview.suit.boards.size()); });
@@ -22,8 +18,9 @@ std::vector<int> boardsOf(const LaneSources& sources, const TakeOverview& overvi
 
 void appendPulses(LaneContent& lane, const SoundSource::Sound& sound) {
     LaneMarks sent{
-        LaneMarks::Kind::kSent, words(QT_TRANSLATE_NOOP("Lanes", "pulse sent, by source")), {}, {}};
-    LaneMarks heard{LaneMarks::Kind::kArrival, words(QT_TRANSLATE_NOOP("Lanes", "arrival detected")), {}, {}};
+        LaneMarks::Kind::kSent, laneWords(QT_TRANSLATE_NOOP("Lanes", "pulse sent, by source")), {}, {}};
+    LaneMarks heard{
+        LaneMarks::Kind::kArrival, laneWords(QT_TRANSLATE_NOOP("Lanes", "arrival detected")), {}, {}};
     for (const SoundWindow::PulseMark& pulse : sound.pulses) {
         sent.t_s.push_back(pulse.sent_s);
         sent.text.push_back(QString::number(pulse.source + 1));
@@ -36,21 +33,22 @@ void appendPulses(LaneContent& lane, const SoundSource::Sound& sound) {
 LaneContent soundLane(const LaneSources& sources, const TakeOverview& overview, int board) {
     LaneContent lane;
     const QString place = boardInside(overview.suit, board);
-    lane.title = words(QT_TRANSLATE_NOOP("Lanes", "Raw sound of %1")).arg(place);
+    lane.title = laneWords(QT_TRANSLATE_NOOP("Lanes", "Raw sound of %1")).arg(place);
     lane.unit = {1, {}, 3};
     lane.least_span = 0.01;
     const auto sound = sources.sound.sound(board, sources.window.from(), sources.window.to());
     if (!sound) {
         lane.empty = sources.sound.problem().isEmpty()
-                         ? words(QT_TRANSLATE_NOOP("Lanes", "Reading the sound"))
+                         ? laneWords(QT_TRANSLATE_NOOP("Lanes", "Reading the sound"))
                          : sources.sound.problem();
         return lane;
     }
     LaneCurve curve;
     curve.value = sound->curve;
-    curve.legend = sound->samples ? words(QT_TRANSLATE_NOOP("Lanes", "samples, full scale 1"))
-                                  : words(QT_TRANSLATE_NOOP("Lanes", "loudest and quietest, full scale 1"));
-    curve.column = words(QT_TRANSLATE_NOOP("Lanes", "sound of %1 (full scale 1)")).arg(place);
+    curve.legend = sound->samples
+                       ? laneWords(QT_TRANSLATE_NOOP("Lanes", "samples, full scale 1"))
+                       : laneWords(QT_TRANSLATE_NOOP("Lanes", "loudest and quietest, full scale 1"));
+    curve.column = laneWords(QT_TRANSLATE_NOOP("Lanes", "sound of %1 (full scale 1)")).arg(place);
     if (!sound->samples)
         curve.readout.clear();
     lane.curves.push_back(std::move(curve));
@@ -77,11 +75,12 @@ LaneContent readingLane(const LaneSources& sources, const ReadingTable& table, i
             lane.curves.push_back(std::move(curve));
     }
     if (lane.curves.empty())
-        lane.empty = missingWords(sources.take, words(QT_TRANSLATE_NOOP("Lanes", "This board sent nothing")));
+        lane.empty =
+            missingWords(sources.take, laneWords(QT_TRANSLATE_NOOP("Lanes", "This board sent nothing")));
     const BoardTrack& track = table.boards[static_cast<size_t>(board)];
     lane.marks = {
-        {LaneMarks::Kind::kLost, words(QT_TRANSLATE_NOOP("Lanes", "lost")), track.lost_s, {}},
-        {LaneMarks::Kind::kClipped, words(QT_TRANSLATE_NOOP("Lanes", "clipped")), track.clipped_s, {}}};
+        {LaneMarks::Kind::kLost, laneWords(QT_TRANSLATE_NOOP("Lanes", "lost")), track.lost_s, {}},
+        {LaneMarks::Kind::kClipped, laneWords(QT_TRANSLATE_NOOP("Lanes", "clipped")), track.clipped_s, {}}};
     return lane;
 }
 
@@ -89,14 +88,14 @@ LaneContent readingLane(const LaneSources& sources, const ReadingTable& table, i
 
 std::vector<LaneContent> soundLanes(const LaneSources& sources) {
     LaneContent empty;
-    empty.title = words(QT_TRANSLATE_NOOP("Lanes", "Raw sound"));
+    empty.title = laneWords(QT_TRANSLATE_NOOP("Lanes", "Raw sound"));
     empty.empty =
-        words(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see the sound of its board"));
+        laneWords(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see the sound of its board"));
     const auto overview = sources.take.overview();
     if (!overview)
         return {empty};
     if (overview->level == TakeLevel::kReadings) {
-        empty.empty = words(QT_TRANSLATE_NOOP(
+        empty.empty = laneWords(QT_TRANSLATE_NOOP(
             "Lanes", "This take holds ranges and readings, but not the sound they were taken from"));
         return {empty};
     }
@@ -110,9 +109,9 @@ std::vector<LaneContent> soundLanes(const LaneSources& sources) {
 
 std::vector<LaneContent> inertialLanes(const LaneSources& sources) {
     LaneContent empty;
-    empty.title = words(QT_TRANSLATE_NOOP("Lanes", "Inertial"));
+    empty.title = laneWords(QT_TRANSLATE_NOOP("Lanes", "Inertial"));
     empty.empty =
-        words(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see how its board moved"));
+        laneWords(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see how its board moved"));
     const auto overview = sources.take.overview();
     const auto table = sources.take.readings();
     if (!overview || !table) {
@@ -125,16 +124,18 @@ std::vector<LaneContent> inertialLanes(const LaneSources& sources) {
         if (board >= static_cast<int>(table->boards.size()))
             continue;
         const QString place = boardInside(overview->suit, board);
-        lanes.push_back(readingLane(
-            sources, *table, board, 0,
-            words(QT_TRANSLATE_NOOP("Lanes", "Turning rate (°/s) of %1")).arg(place),
-            words(QT_TRANSLATE_NOOP("Lanes", "gyroscope %2 (rad/s) of %1")).arg(place, QStringLiteral("%1")),
-            {degrees(1), QStringLiteral("°/s"), 0}));
-        lanes.push_back(readingLane(sources, *table, board, 3,
-                                    words(QT_TRANSLATE_NOOP("Lanes", "Acceleration (m/s²) of %1")).arg(place),
-                                    words(QT_TRANSLATE_NOOP("Lanes", "accelerometer %2 (m/s2) of %1"))
-                                        .arg(place, QStringLiteral("%1")),
-                                    {1, QStringLiteral("\u00A0m/s²"), 1}));
+        lanes.push_back(
+            readingLane(sources, *table, board, 0,
+                        laneWords(QT_TRANSLATE_NOOP("Lanes", "Turning rate (°/s) of %1")).arg(place),
+                        laneWords(QT_TRANSLATE_NOOP("Lanes", "gyroscope %2 (rad/s) of %1"))
+                            .arg(place, QStringLiteral("%1")),
+                        {degrees(1), QStringLiteral("°/s"), 0}));
+        lanes.push_back(
+            readingLane(sources, *table, board, 3,
+                        laneWords(QT_TRANSLATE_NOOP("Lanes", "Acceleration (m/s²) of %1")).arg(place),
+                        laneWords(QT_TRANSLATE_NOOP("Lanes", "accelerometer %2 (m/s2) of %1"))
+                            .arg(place, QStringLiteral("%1")),
+                        {1, QStringLiteral("\u00A0m/s²"), 1}));
     }
     if (lanes.empty())
         lanes.push_back(empty);

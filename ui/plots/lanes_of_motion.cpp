@@ -12,10 +12,6 @@ namespace {
 
 using Whose = TakeDocument::Whose;
 
-QString words(const char* text) {
-    return QCoreApplication::translate("Lanes", text);
-}
-
 /// Poses come at 120 frames a second; a slow reference at 24.
 constexpr double kHold_s = 0.1;
 
@@ -34,14 +30,14 @@ struct Wearer {
 
 /// Result A first; B and the reference where there are some.
 std::vector<Wearer> wearersOf(const TakeDocument& take) {
-    std::vector<Wearer> wearers{{Whose::kShown, words(QT_TRANSLATE_NOOP("Lanes", "result A")),
+    std::vector<Wearer> wearers{{Whose::kShown, laneWords(QT_TRANSLATE_NOOP("Lanes", "result A")),
                                  QStringLiteral("%1"), LanePen::kFirst}};
     if (take.comparedRun() >= 0)
-        wearers.push_back({Whose::kCompared, words(QT_TRANSLATE_NOOP("Lanes", "result B")),
-                           words(QT_TRANSLATE_NOOP("Lanes", "B %1")), LanePen::kSecond});
+        wearers.push_back({Whose::kCompared, laneWords(QT_TRANSLATE_NOOP("Lanes", "result B")),
+                           laneWords(QT_TRANSLATE_NOOP("Lanes", "B %1")), LanePen::kSecond});
     if (take.overview()->has_reference)
-        wearers.push_back({Whose::kReference, words(QT_TRANSLATE_NOOP("Lanes", "reference")),
-                           words(QT_TRANSLATE_NOOP("Lanes", "ref %1")), LanePen::kReference});
+        wearers.push_back({Whose::kReference, laneWords(QT_TRANSLATE_NOOP("Lanes", "reference")),
+                           laneWords(QT_TRANSLATE_NOOP("Lanes", "ref %1")), LanePen::kReference});
     return wearers;
 }
 
@@ -61,10 +57,10 @@ void appendCurves(LaneContent& lane, TakeDocument& take, const CurveChoice& choi
         lane.unit = metres ? LaneUnit{1, QStringLiteral("\u00A0m"), 3, false}
                            : LaneUnit{1, QStringLiteral("°"), 1, true};
         lane.least_span = metres ? 0.02 : 1;
-        curve.legend = curve.low ? words(QT_TRANSLATE_NOOP("Lanes", "%1 with 2 sigma")).arg(wearer.legend)
+        curve.legend = curve.low ? laneWords(QT_TRANSLATE_NOOP("Lanes", "%1 with 2 sigma")).arg(wearer.legend)
                                  : wearer.legend;
-        curve.column = words(metres ? QT_TRANSLATE_NOOP("Lanes", "%1 (m), %2")
-                                    : QT_TRANSLATE_NOOP("Lanes", "%1 (deg), %2"))
+        curve.column = laneWords(metres ? QT_TRANSLATE_NOOP("Lanes", "%1 (m), %2")
+                                        : QT_TRANSLATE_NOOP("Lanes", "%1 (deg), %2"))
                            .arg(curveName(choice), wearer.legend);
         curve.pen = wearer.pen;
         curve.readout = wearer.readout;
@@ -77,9 +73,9 @@ void appendCurves(LaneContent& lane, TakeDocument& take, const CurveChoice& choi
 
 std::vector<LaneContent> angleLanes(const LaneSources& sources) {
     LaneContent empty;
-    empty.title = words(QT_TRANSLATE_NOOP("Lanes", "Joint angles"));
-    empty.empty =
-        words(QT_TRANSLATE_NOOP("Lanes", "Choose a joint in the report or add one with + to see its angles"));
+    empty.title = laneWords(QT_TRANSLATE_NOOP("Lanes", "Joint angles"));
+    empty.empty = laneWords(
+        QT_TRANSLATE_NOOP("Lanes", "Choose a joint in the report or add one with + to see its angles"));
     const auto motion = sources.take.isOpen() ? sources.take.shownMotion() : nullptr;
     if (!motion) {
         if (sources.take.isOpen())
@@ -91,7 +87,8 @@ std::vector<LaneContent> angleLanes(const LaneSources& sources) {
         LaneContent lane;
         lane.title = curveName(choice);
         appendCurves(lane, sources.take, choice);
-        lane.empty = missingWords(sources.take, words(QT_TRANSLATE_NOOP("Lanes", "Nothing was seen of it")));
+        lane.empty =
+            missingWords(sources.take, laneWords(QT_TRANSLATE_NOOP("Lanes", "Nothing was seen of it")));
         lanes.push_back(std::move(lane));
     }
     if (lanes.empty())
@@ -101,8 +98,8 @@ std::vector<LaneContent> angleLanes(const LaneSources& sources) {
 
 std::vector<LaneContent> rootLanes(const LaneSources& sources) {
     LaneContent empty;
-    empty.title = words(QT_TRANSLATE_NOOP("Lanes", "Root"));
-    empty.empty = words(QT_TRANSLATE_NOOP("Lanes", "Nothing was seen of the root"));
+    empty.title = laneWords(QT_TRANSLATE_NOOP("Lanes", "Root"));
+    empty.empty = laneWords(QT_TRANSLATE_NOOP("Lanes", "Nothing was seen of the root"));
     const auto motion = sources.take.isOpen() ? sources.take.shownMotion() : nullptr;
     if (!motion) {
         if (sources.take.isOpen())
@@ -119,7 +116,7 @@ std::vector<LaneContent> rootLanes(const LaneSources& sources) {
         appendCurves(lane, sources.take, choice);
         lane.empty = missingWords(sources.take, empty.empty);
         if (!lane.unit.on_ticks && !lane.curves.empty())
-            lane.title = words(QT_TRANSLATE_NOOP("Lanes", "%1 (m)")).arg(lane.title);
+            lane.title = laneWords(QT_TRANSLATE_NOOP("Lanes", "%1 (m)")).arg(lane.title);
         lanes.push_back(std::move(lane));
     }
     return lanes;

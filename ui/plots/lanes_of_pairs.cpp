@@ -10,13 +10,6 @@
 namespace noctule::ui {
 namespace {
 
-/// Pulses of a source come every 64 ms with eight sources; a value holds for three of them.
-constexpr double kHold_s = 0.192;
-
-QString words(const char* text) {
-    return QCoreApplication::translate("Lanes", text);
-}
-
 bool exists(const RangeTable& table, const Suit& suit, PairChannel pair) {
     return pair.source < table.source_count && pair.board < table.board_count &&
            pair.source < static_cast<int>(suit.sources.size()) &&
@@ -31,7 +24,7 @@ LaneCurve pointsOf(const std::shared_ptr<const RangeTable>& table, PairChannel p
     curve.column = column;
     curve.value = std::make_shared<SeriesPyramid>(Series{track.t_s, value});
     curve.fate = {table, &track.fate};
-    curve.hold_s = kHold_s;
+    curve.hold_s = kPairHold_s;
     return curve;
 }
 
@@ -51,25 +44,26 @@ void appendRangeLanes(std::vector<LaneContent>& lanes, const std::shared_ptr<con
                       PairChannel pair, const QString& name) {
     const PairTrack& track = table->pair(pair.source, pair.board);
     LaneContent distance;
-    distance.title = words(QT_TRANSLATE_NOOP("Lanes", "Range (m), %1")).arg(name);
-    distance.empty = words(QT_TRANSLATE_NOOP("Lanes", "This board never heard this source"));
+    distance.title = laneWords(QT_TRANSLATE_NOOP("Lanes", "Range (m), %1")).arg(name);
+    distance.empty = laneWords(QT_TRANSLATE_NOOP("Lanes", "This board never heard this source"));
     distance.unit = {1, QStringLiteral("\u00A0m"), 3};
     distance.least_span = 0.02;
     if (!track.t_s.empty())
-        distance.curves.push_back(pointsOf(table, pair, track.distance_m,
-                                           words(QT_TRANSLATE_NOOP("Lanes", "range (m) of %1")).arg(name)));
+        distance.curves.push_back(
+            pointsOf(table, pair, track.distance_m,
+                     laneWords(QT_TRANSLATE_NOOP("Lanes", "range (m) of %1")).arg(name)));
     lanes.push_back(distance);
     const bool tried = std::any_of(track.innovation_m.begin(), track.innovation_m.end(),
                                    [](float value) { return std::isfinite(value); });
     if (!tried)
         return;
     LaneContent residual;
-    residual.title = words(QT_TRANSLATE_NOOP("Lanes", "Measured minus expected (mm), %1")).arg(name);
+    residual.title = laneWords(QT_TRANSLATE_NOOP("Lanes", "Measured minus expected (mm), %1")).arg(name);
     residual.unit = {1000, QStringLiteral("\u00A0mm"), 1};
     residual.range = residualRange(track);
     residual.curves.push_back(
         pointsOf(table, pair, track.innovation_m,
-                 words(QT_TRANSLATE_NOOP("Lanes", "measured minus expected (m) of %1")).arg(name)));
+                 laneWords(QT_TRANSLATE_NOOP("Lanes", "measured minus expected (m) of %1")).arg(name)));
     lanes.push_back(std::move(residual));
 }
 
@@ -77,8 +71,8 @@ void appendRangeLanes(std::vector<LaneContent>& lanes, const std::shared_ptr<con
 
 std::vector<LaneContent> confidenceLanes(const LaneSources& sources) {
     LaneContent lane;
-    lane.title = words(QT_TRANSLATE_NOOP("Lanes", "Confidence"));
-    lane.empty = words(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see its confidence"));
+    lane.title = laneWords(QT_TRANSLATE_NOOP("Lanes", "Confidence"));
+    lane.empty = laneWords(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see its confidence"));
     lane.range = {{-0.04, 1.04}};  // 0 and 1 are not cut in half
     const auto overview = sources.take.overview();
     const auto table = sources.take.ranges();
@@ -93,9 +87,9 @@ std::vector<LaneContent> confidenceLanes(const LaneSources& sources) {
         LaneCurve curve;
         curve.value = sources.take.rangeCurve(pair.source, pair.board, RangeQuantity::kConfidence);
         curve.legend = pairName(overview->suit, pair.source, pair.board);
-        curve.column = words(QT_TRANSLATE_NOOP("Lanes", "confidence of %1")).arg(curve.legend);
+        curve.column = laneWords(QT_TRANSLATE_NOOP("Lanes", "confidence of %1")).arg(curve.legend);
         curve.pen = penOfIndex(index++);
-        curve.hold_s = kHold_s;
+        curve.hold_s = kPairHold_s;
         if (curve.value)
             lane.curves.push_back(std::move(curve));
         else
@@ -106,8 +100,8 @@ std::vector<LaneContent> confidenceLanes(const LaneSources& sources) {
 
 std::vector<LaneContent> rangeLanes(const LaneSources& sources) {
     LaneContent empty;
-    empty.title = words(QT_TRANSLATE_NOOP("Lanes", "Ranges"));
-    empty.empty = words(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see its ranges"));
+    empty.title = laneWords(QT_TRANSLATE_NOOP("Lanes", "Ranges"));
+    empty.empty = laneWords(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see its ranges"));
     const auto overview = sources.take.overview();
     const auto table = sources.take.ranges();
     if (!overview || !table) {

@@ -9,10 +9,6 @@ namespace {
 
 constexpr int kMnemonics = Qt::TextHideMnemonic;
 
-bool is(const QStyleOption& option, QStyle::StateFlag state) {
-    return option.state & state;
-}
-
 QColor textColor(const QStyleOption& option, const Theme& theme, const QColor& enabled) {
     return is(option, QStyle::State_Enabled) ? enabled : theme.tokens().t3;
 }

@@ -5,13 +5,7 @@
 
 namespace noctule::ui::parts {
 
-namespace {
-
-bool is(const QStyleOption& option, QStyle::StateFlag state) {
-    return option.state & state;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Surface surfaceOf(const QStyleOption& option, const Theme& theme) {
     const Tokens& tokens = theme.tokens();

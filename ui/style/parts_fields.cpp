@@ -7,10 +7,6 @@ namespace noctule::ui::parts {
 
 namespace {
 
-bool is(const QStyleOption& option, QStyle::StateFlag state) {
-    return option.state & state;
-}
-
 bool isPressed(const QStyleOptionComplex& option, QStyle::SubControl part) {
     return (option.state & QStyle::State_Sunken) && (option.activeSubControls & part);
 }

@@ -9,6 +9,10 @@
 
 namespace noctule::ui::parts {
 
+inline bool is(const QStyleOption& option, QStyle::StateFlag state) {
+    return option.state & state;
+}
+
 /// Surface and edge of a control that stands on a panel, in the state of `option`.
 struct Surface {
     QColor fill, edge;

@@ -11,7 +11,8 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kRow = 52, kInset = 16, kStripe = 3, kKeyRole = Qt::UserRole, kDetailRole = Qt::UserRole + 1;
+constexpr int kPresetRow = 52, kPresetInset = 16, kStripe = 3, kKeyRole = Qt::UserRole,
+              kDetailRole = Qt::UserRole + 1;
 
 /// Name above, detail below; the chosen one with a stripe at its left.
 class PresetDelegate : public QStyledItemDelegate {
@@ -19,7 +20,7 @@ public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
     QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override {
-        return {0, Theme::get().px(kRow)};
+        return {0, Theme::get().px(kPresetRow)};
     }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -38,7 +39,7 @@ public:
         }
         const QFont name = theme.font(TextRole::kBody, chosen), small = theme.font(TextRole::kSecondary);
         const QFontMetrics name_metrics(name), small_metrics(small);
-        const QRect text = option.rect.adjusted(theme.px(kInset), 0, -theme.px(12), 0);
+        const QRect text = option.rect.adjusted(theme.px(kPresetInset), 0, -theme.px(12), 0);
         const int top = text.center().y() - (name_metrics.height() + small_metrics.height()) / 2;
         painter->setFont(name);
         painter->setPen(enabled ? tokens.t1 : tokens.t3);

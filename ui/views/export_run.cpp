@@ -18,7 +18,7 @@ namespace {
 constexpr double kOnFloor_m = 0.03, kFacing_rad = 0.1;
 constexpr double kSmallest_m = 1e-6, kSmallest_rad = radians(1e-4);  ///< that is told
 
-struct Words {
+struct RunWords {
     Q_DECLARE_TR_FUNCTIONS(noctule::ui::ExportRun)
 };
 
@@ -65,7 +65,7 @@ Result<ExportResults> runExport(const std::vector<ExportJob>& jobs, const JobCon
             return Error{ErrorKind::kDisk, folder.string() + ": the folder cannot be made",
                          "Choose another folder, or look at its rights"};
         job.progress(static_cast<double>(i) / static_cast<double>(jobs.size()),
-                     Words::tr("Writing and checking %1").arg(jobs[i].take).toStdString());
+                     RunWords::tr("Writing and checking %1").arg(jobs[i].take).toStdString());
         results.outcomes.push_back(writeAndCheck(jobs[i], {nullptr, job.cancel}));
         if (job.cancelled())
             return JobContext::cancelledError();
@@ -88,41 +88,42 @@ Result<ExportResults> tryOneFrame(ExportJob job, double time_s, const JobContext
 QString heightInWords(const ExportCheck& check) {
     const QString height = metresText(check.height_m);
     if (std::abs(check.lowest_m) < kOnFloor_m)
-        return Words::tr("%1, feet on the floor").arg(height);
+        return RunWords::tr("%1, feet on the floor").arg(height);
     return check.lowest_m > 0
-               ? Words::tr("%1, lowest point %2 above the floor").arg(height, metresText(check.lowest_m))
-               : Words::tr("%1, lowest point %2 below the floor").arg(height, metresText(-check.lowest_m));
+               ? RunWords::tr("%1, lowest point %2 above the floor").arg(height, metresText(check.lowest_m))
+               : RunWords::tr("%1, lowest point %2 below the floor").arg(height, metresText(-check.lowest_m));
 }
 
 QString facingInWords(const ExportCheck& check) {
     const double turned_rad = std::remainder(check.facing_rad, 2 * M_PI);
     if (std::abs(turned_rad) < kFacing_rad)
-        return Words::tr("+Z, left hand to +X");
-    return turned_rad > 0 ? Words::tr("%1 to the left of +Z").arg(degreesText(turned_rad, 0))
-                          : Words::tr("%1 to the right of +Z").arg(degreesText(-turned_rad, 0));
+        return RunWords::tr("+Z, left hand to +X");
+    return turned_rad > 0 ? RunWords::tr("%1 to the left of +Z").arg(degreesText(turned_rad, 0))
+                          : RunWords::tr("%1 to the right of +Z").arg(degreesText(-turned_rad, 0));
 }
 
 QString differenceInWords(const ExportCheck& check) {
     const QString distance = check.largest_position_m < kSmallest_m
-                                 ? Words::tr("under %1").arg(millimetresText(kSmallest_m, 3))
+                                 ? RunWords::tr("under %1").arg(millimetresText(kSmallest_m, 3))
                                  : millimetresText(check.largest_position_m, 3);
     if (!check.has_angles)
         return distance;
     const QString angle = check.largest_angle_rad < kSmallest_rad
-                              ? Words::tr("under %1").arg(degreesText(kSmallest_rad, 4))
+                              ? RunWords::tr("under %1").arg(degreesText(kSmallest_rad, 4))
                               : degreesText(check.largest_angle_rad, 4);
-    return Words::tr("%1, %2").arg(angle, distance);
+    return RunWords::tr("%1, %2").arg(angle, distance);
 }
 
 QString silenceInWords(const SilentBoard& silent) {
     const QString from = timeText(silent.from_s), to = timeText(silent.to_s);
     const int frames = static_cast<int>(silent.frames);
     if (silent.board < 0)
-        return Words::tr("All boards were silent from %1 to %2. The pose in those %n frames is a guess.",
-                         nullptr, frames)
+        return RunWords::tr("All boards were silent from %1 to %2. The pose in those %n frames is a guess.",
+                            nullptr, frames)
             .arg(from, to);
-    return Words::tr("Board %1 (%2) was silent from %3 to %4. It follows its neighbours in those %n frames.",
-                     nullptr, frames)
+    return RunWords::tr(
+               "Board %1 (%2) was silent from %3 to %4. It follows its neighbours in those %n frames.",
+               nullptr, frames)
         .arg(silent.board + 1)
         .arg(segmentName(silent.segment, NameCase::kInside), from, to);
 }
@@ -136,15 +137,16 @@ QString checkAsText(const ExportResults& results) {
             continue;
         }
         const ExportCheck& check = outcome.check;
-        lines += "  " + Words::tr("Take %1, result %2").arg(outcome.take, QString::fromStdString(check.run));
-        lines += "  " + Words::tr("%1 of %2 frames at %3 per second, %4")
+        lines +=
+            "  " + RunWords::tr("Take %1, result %2").arg(outcome.take, QString::fromStdString(check.run));
+        lines += "  " + RunWords::tr("%1 of %2 frames at %3 per second, %4")
                             .arg(countText(static_cast<qint64>(check.frames)),
                                  countText(static_cast<qint64>(check.expected_frames)),
                                  numberText(check.frames_per_second, 2), bytesText(check.bytes));
-        lines += "  " + Words::tr("Height: %1").arg(heightInWords(check));
-        lines += "  " + Words::tr("Facing: %1").arg(facingInWords(check));
-        lines += "  " + Words::tr("Joints: %1 of %2").arg(check.joints).arg(check.expected_joints);
-        lines += "  " + Words::tr("Largest difference to the take: %1").arg(differenceInWords(check));
+        lines += "  " + RunWords::tr("Height: %1").arg(heightInWords(check));
+        lines += "  " + RunWords::tr("Facing: %1").arg(facingInWords(check));
+        lines += "  " + RunWords::tr("Joints: %1 of %2").arg(check.joints).arg(check.expected_joints);
+        lines += "  " + RunWords::tr("Largest difference to the take: %1").arg(differenceInWords(check));
         for (const SilentBoard& silent : check.silent)
             lines += "  " + silenceInWords(silent);
         for (const std::string& fault : check.faults)

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char *kGroup = "export", *kOwnKeys = "export/own", *kLast = "export/last";
 
-struct Words {
+struct SettingsWords {
     Q_DECLARE_TR_FUNCTIONS(noctule::ui::ExportSettings)
 };
 
@@ -30,28 +30,29 @@ ExportSettings csv(bool angles) {
 
 std::vector<ExportPreset> shipped() {
     const QString later =
-        Words::tr("Comes with FBX export. Until then both read the BVH of the first preset.");
-    return {{"motionbuilder",
-             Words::tr("MotionBuilder and Maya"),
-             Words::tr("BVH, centimetres, Y up"),
-             {},
-             false,
-             bvh(0.01)},
-            {"blender", Words::tr("Blender"), Words::tr("BVH, metres, Y up"), {}, false, bvh(1)},
-            {"unity", Words::tr("Unity"), Words::tr("Comes with FBX"), later, false, {}},
-            {"unreal", Words::tr("Unreal"), Words::tr("Comes with FBX"), later, false, {}},
-            {"positions",
-             Words::tr("Numbers"),
-             Words::tr("CSV of joint positions, metres"),
-             {},
-             false,
-             csv(false)},
-            {"angles",
-             Words::tr("Numbers with angles"),
-             Words::tr("CSV of positions and joint angles"),
-             {},
-             false,
-             csv(true)}};
+        SettingsWords::tr("Comes with FBX export. Until then both read the BVH of the first preset.");
+    return {
+        {"motionbuilder",
+         SettingsWords::tr("MotionBuilder and Maya"),
+         SettingsWords::tr("BVH, centimetres, Y up"),
+         {},
+         false,
+         bvh(0.01)},
+        {"blender", SettingsWords::tr("Blender"), SettingsWords::tr("BVH, metres, Y up"), {}, false, bvh(1)},
+        {"unity", SettingsWords::tr("Unity"), SettingsWords::tr("Comes with FBX"), later, false, {}},
+        {"unreal", SettingsWords::tr("Unreal"), SettingsWords::tr("Comes with FBX"), later, false, {}},
+        {"positions",
+         SettingsWords::tr("Numbers"),
+         SettingsWords::tr("CSV of joint positions, metres"),
+         {},
+         false,
+         csv(false)},
+        {"angles",
+         SettingsWords::tr("Numbers with angles"),
+         SettingsWords::tr("CSV of positions and joint angles"),
+         {},
+         false,
+         csv(true)}};
 }
 
 QString groupOf(const QString& key) {
@@ -155,10 +156,10 @@ void ExportPresets::removeOwn(const QString& key) {
 QString settingsInWords(const ExportSettings& settings) {
     const QString frames = numberText(settings.frames_per_second, 0);
     if (settings.format == ExportFormat::kCsv)
-        return settings.angles ? Words::tr("CSV with angles, %1 frames").arg(frames)
-                               : Words::tr("CSV, metres, %1 frames").arg(frames);
-    return settings.metres_per_unit == 1 ? Words::tr("BVH, metres, %1 frames").arg(frames)
-                                         : Words::tr("BVH, centimetres, %1 frames").arg(frames);
+        return settings.angles ? SettingsWords::tr("CSV with angles, %1 frames").arg(frames)
+                               : SettingsWords::tr("CSV, metres, %1 frames").arg(frames);
+    return settings.metres_per_unit == 1 ? SettingsWords::tr("BVH, metres, %1 frames").arg(frames)
+                                         : SettingsWords::tr("BVH, centimetres, %1 frames").arg(frames);
 }
 
 QString extensionOf(ExportFormat format) {

@@ -18,7 +18,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kRow = 28, kInset = 12, kNumber = 46, kRanges = 76, kShare = 44, kBar = 36;
+constexpr int kTableRow = 28, kTableInset = 12, kNumber = 46, kRanges = 76, kShare = 44, kBar = 36;
 constexpr int kNarrow = 272;  ///< the bar is left out below
 
 /// Rows with a hairline below, numbers at the right, the share of ranges as a bar with its number.
@@ -42,7 +42,7 @@ public:
         QRect cell = option.rect;
         const bool first = index.column() == JointTableModel::kJoint;
         const bool last = index.column() == JointTableModel::kRanges;
-        cell.adjust(first ? theme.px(kInset) : 0, 0, last ? -theme.px(kInset) : -theme.px(4), 0);
+        cell.adjust(first ? theme.px(kTableInset) : 0, 0, last ? -theme.px(kTableInset) : -theme.px(4), 0);
         const bool is_name = first, is_worst = index.column() == JointTableModel::kWorst;
         painter->setFont(theme.font(last ? TextRole::kSecondary : TextRole::kBody));
         painter->setPen(is_name    ? tokens.t1
@@ -122,11 +122,11 @@ void JointTable::fitColumns() {
     setColumnHidden(JointTableModel::kMean, !errors);
     setColumnHidden(JointTableModel::kWorst, !errors);
     verticalHeader()->setMinimumSectionSize(theme.px(20));
-    verticalHeader()->setDefaultSectionSize(theme.px(kRow));
+    verticalHeader()->setDefaultSectionSize(theme.px(kTableRow));
     horizontalHeader()->setMinimumSectionSize(theme.px(20));
-    horizontalHeader()->setFixedHeight(theme.px(kRow));
+    horizontalHeader()->setFixedHeight(theme.px(kTableRow));
     const bool narrow = viewport()->width() < theme.px(kNarrow);
-    const int ranges = theme.px((narrow ? kShare : kRanges) + kInset), number = theme.px(kNumber);
+    const int ranges = theme.px((narrow ? kShare : kRanges) + kTableInset), number = theme.px(kNumber);
     setColumnWidth(JointTableModel::kMean, number);
     setColumnWidth(JointTableModel::kWorst, number);
     setColumnWidth(JointTableModel::kRanges, ranges);
@@ -137,7 +137,7 @@ void JointTable::fitColumns() {
 }
 
 int JointTable::contentHeight() const {
-    return Theme::get().px(kRow) * (joints_->rowCount() + 1);
+    return Theme::get().px(kTableRow) * (joints_->rowCount() + 1);
 }
 
 QSize JointTable::sizeHint() const {

@@ -9,7 +9,7 @@
 namespace noctule::ui {
 
 namespace {
-constexpr int kInset = 12, kBox = 16, kGap = 8, kRow = 46;
+constexpr int kRunInset = 12, kRunBox = 16, kRunGap = 8, kRunRow = 46;
 }
 
 RunRow::RunRow(const QString& name, QWidget* parent) : QAbstractButton(parent) {
@@ -32,11 +32,11 @@ void RunRow::setState(const QString& letter, const QString& detail) {
 }
 
 QSize RunRow::sizeHint() const {
-    return {Theme::get().px(216), Theme::get().px(kRow)};
+    return {Theme::get().px(216), Theme::get().px(kRunRow)};
 }
 
 QSize RunRow::minimumSizeHint() const {
-    return {Theme::get().px(120), Theme::get().px(kRow)};
+    return {Theme::get().px(120), Theme::get().px(kRunRow)};
 }
 
 void RunRow::paintEvent(QPaintEvent*) {
@@ -49,12 +49,14 @@ void RunRow::paintEvent(QPaintEvent*) {
 
     QStyleOptionButton box;
     box.initFrom(this);
-    box.rect = QRect(theme.px(kInset), (height() - theme.px(kBox)) / 2, theme.px(kBox), theme.px(kBox));
+    box.rect =
+        QRect(theme.px(kRunInset), (height() - theme.px(kRunBox)) / 2, theme.px(kRunBox), theme.px(kRunBox));
     box.state |= isChecked() ? QStyle::State_On : QStyle::State_Off;
     box.state &= ~QStyle::State_HasFocus;
     style()->drawPrimitive(QStyle::PE_IndicatorCheckBox, &box, &painter, this);
 
-    const int left = box.rect.right() + 1 + theme.px(kGap), width = this->width() - left - theme.px(kInset);
+    const int left = box.rect.right() + 1 + theme.px(kRunGap),
+              width = this->width() - left - theme.px(kRunInset);
     const QFont name = theme.font(TextRole::kBody, isChecked()), small = theme.font(TextRole::kSecondary);
     const QFontMetrics name_metrics(name), small_metrics(small);
     const int top = (height() - name_metrics.height() - small_metrics.height()) / 2;

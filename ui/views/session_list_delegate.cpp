@@ -11,7 +11,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kRow = 76, kPictureWidth = 84, kPictureHeight = 62, kInset = 8, kGap = 16;
+constexpr int kSessionRow = 76, kPictureWidth = 84, kPictureHeight = 62, kSessionInset = 8, kSessionGap = 16;
 constexpr int kDateWidth = 104, kStateWidth = 172, kPerformerWidth = 128, kLeastNameWidth = 180;
 
 /// Two lines of text, one above the other, centred in height.
@@ -92,7 +92,7 @@ public:
         if (row_.width() - width < Theme::get().px(least_rest))
             return {};
         const QRect column(row_.right() - width + 1, row_.top(), width, row_.height());
-        row_.setRight(column.left() - Theme::get().px(kGap));
+        row_.setRight(column.left() - Theme::get().px(kSessionGap));
         return column;
     }
     QRect rest() const { return row_; }
@@ -104,7 +104,7 @@ private:
 }  // namespace
 
 QSize RecentSessionDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const {
-    return {Theme::get().px(kPictureWidth + kLeastNameWidth), Theme::get().px(kRow)};
+    return {Theme::get().px(kPictureWidth + kLeastNameWidth), Theme::get().px(kSessionRow)};
 }
 
 void RecentSessionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -125,12 +125,12 @@ void RecentSessionDelegate::paint(QPainter* painter, const QStyleOptionViewItem&
     if (index.row() + 1 < filter->rowCount())
         painter->fillRect(QRect(option.rect.left(), option.rect.bottom(), option.rect.width(), 1),
                           tokens.line);
-    const QRect inner = option.rect.adjusted(theme.px(kInset), 0, -theme.px(kGap), 0);
+    const QRect inner = option.rect.adjusted(theme.px(kSessionInset), 0, -theme.px(kSessionGap), 0);
     const QRect picture(inner.left(), inner.center().y() - theme.px(kPictureHeight) / 2,
                         theme.px(kPictureWidth), theme.px(kPictureHeight));
     paintPicture(*painter, picture, index.data(RecentSessionModel::kPicture).value<QImage>());
 
-    Columns columns(QRect(QPoint(picture.right() + theme.px(kGap), inner.top()), inner.bottomRight()));
+    Columns columns(QRect(QPoint(picture.right() + theme.px(kSessionGap), inner.top()), inner.bottomRight()));
     const QFont body = theme.font(TextRole::kBody), small = theme.font(TextRole::kSecondary);
     const QRect date = columns.fromRight(kDateWidth, kLeastNameWidth);
     paintLine(*painter, date, dateText(session.opened), small, tokens.t2, Qt::ElideRight, Qt::AlignRight);

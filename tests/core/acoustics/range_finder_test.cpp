@@ -163,14 +163,14 @@ TEST_F(RangeFinderTest, MakesAnOffsetFromTheModelOrNamesTheSource) {
 TEST_F(RangeFinderTest, OccludedPulsesCountLittleAndNoiseAlonePassesNever) {
     // Board 0 hears source 0 directly, board 1 only around the body: 30 dB down and 60 mm late. Source 1 is
     // mute.
-    constexpr int kPulses = 100;
+    constexpr int kManyPulses = 100;
     constexpr double kDistance_m = 0.5, kDetour_m = 0.06;
     calibration.sources[1] = {"chest", {{"start", 0.0}}, {}, 40000.0, 25.0};
-    SyntheticSound sound(train, 2, 1200 * (kPulses + 2), 21);
+    SyntheticSound sound(train, 2, 1200 * (kManyPulses + 2), 21);
     sound.addNoise(8);
     auto receiver = std::move(PulseReceiver::create(Detector::kInflection, train, 2).value());
     const double samples_per_m = train.sample_rate_hz / kSound_m_per_s;
-    for (int i = 0; i < kPulses; ++i) {
+    for (int i = 0; i < kManyPulses; ++i) {
         const Pulse pulse{i, 1200 * (i + 1), i % 2};
         receiver.pushPulse(pulse);
         if (pulse.source == 1)
@@ -199,8 +199,8 @@ TEST_F(RangeFinderTest, OccludedPulsesCountLittleAndNoiseAlonePassesNever) {
             EXPECT_LT(range->w_s, 0.1);
         }
     }
-    EXPECT_EQ(direct, kPulses / 2);
-    EXPECT_LE(occluded, kPulses / 2);
+    EXPECT_EQ(direct, kManyPulses / 2);
+    EXPECT_LE(occluded, kManyPulses / 2);
 }
 
 }  // namespace

@@ -6,11 +6,12 @@
 #include <cmath>
 
 #include "core/inertial/step_table.h"
+#include "tests/support/rate.h"
 
 namespace noctule {
 namespace {
 
-constexpr double kRate_hz = 150000;
+using test::kRate_hz;
 
 Suit oneBoard() {
     Suit suit;

@@ -6,11 +6,12 @@
 #include <set>
 
 #include "core/suit/default_suit.h"
+#include "tests/support/rate.h"
 
 namespace noctule {
 namespace {
 
-constexpr double kRate_hz = 150000;
+using test::kRate_hz;
 using Rest = std::optional<std::pair<int64_t, int64_t>>;
 
 std::unique_ptr<MotionTracker> makeTracker(const Rest& rest, const TrackerSettings& settings = {}) {

@@ -10,10 +10,6 @@ namespace {
 
 using namespace test;
 
-Skeleton skeleton() {
-    return defaultActor().skeleton;
-}
-
 Comparison compared(const TimedMotion& a, const TimedMotion& b, const ComparisonOptions& options = {}) {
     auto result = compareMotions(a, b, options);
     EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().text());

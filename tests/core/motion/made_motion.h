@@ -12,6 +12,10 @@
 
 namespace noctule::test {
 
+inline Skeleton skeleton() {
+    return defaultActor().skeleton;
+}
+
 constexpr int64_t kSecond_ns = 1'000'000'000;
 
 /// Every moving joint swings about an axis of its own with a rhythm of its own, never repeating within a

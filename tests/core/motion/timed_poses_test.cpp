@@ -12,10 +12,6 @@ namespace {
 
 using namespace test;
 
-Skeleton skeleton() {
-    return defaultActor().skeleton;
-}
-
 double distance_rad(const Pose& a, const Pose& b) {
     double most = 0;
     for (size_t j = 0; j < a.q_parent_joint.size(); ++j)

@@ -9,7 +9,7 @@ namespace noctule {
 namespace {
 
 constexpr Rgba kGrey{0.5F, 0.5F, 0.5F, 1};
-constexpr PictureSize kSize{320, 240};
+constexpr PictureSize kPictureSize{320, 240};
 
 /// A cube of 1 m with one bone.
 std::shared_ptr<const SkinnedMesh> cube() {
@@ -64,7 +64,7 @@ protected:
             GTEST_SKIP() << made.error().text();
         offscreen_ = std::move(*made);
     }
-    Picture render(const Scene& scene, int samples = 0, PictureSize size = kSize) {
+    Picture render(const Scene& scene, int samples = 0, PictureSize size = kPictureSize) {
         auto picture = offscreen_->render(scene, frontCamera(), size, samples);
         EXPECT_TRUE(picture) << picture.error().text();
         return picture ? *picture : Picture{};
@@ -183,7 +183,7 @@ TEST_F(OffscreenPicture, TheSameSceneGivesTheSamePicture) {
     EXPECT_EQ(first.rgba, render(scene, 4).rgba);
     auto other = Offscreen::create();
     ASSERT_TRUE(other);
-    const auto again = (*other)->render(scene, frontCamera(), kSize, 4);
+    const auto again = (*other)->render(scene, frontCamera(), kPictureSize, 4);
     ASSERT_TRUE(again);
     EXPECT_EQ(first.rgba, again->rgba) << "from a second context";
     EXPECT_EQ(first.rgba, render(scene, 4).rgba) << "after another context has drawn";

@@ -10,11 +10,13 @@
 
 #include "core/acoustics/pulse_detector.h"
 #include "core/simulation/sound_tone.h"
+#include "tests/support/rate.h"
 
 namespace noctule::simulation {
 namespace {
 
-constexpr double kRate_hz = 150000, kDrive_hz = 40000, kAmplitude_counts = 10000;
+using test::kRate_hz;
+constexpr double kDrive_hz = 40000, kAmplitude_counts = 10000;
 constexpr int kCycles = 10;
 
 struct Source {

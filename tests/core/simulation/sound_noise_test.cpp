@@ -8,11 +8,12 @@
 #include <numbers>
 
 #include "core/simulation/sound_click.h"
+#include "tests/support/rate.h"
 
 namespace noctule::simulation {
 namespace {
 
-constexpr double kRate_hz = 150000;
+using test::kRate_hz;
 
 /// Rms of what lies between two frequencies, from the discrete Fourier transforms of pieces of 20 ms.
 double bandRms(const std::vector<float>& samples, double low_hz, double high_hz) {

@@ -6,10 +6,12 @@
 #include <limits>
 
 #include "core/suit/default_suit.h"
+#include "tests/core/suit/damage.h"
 
 namespace noctule {
 namespace {
 
+using namespace test;
 using Json = nlohmann::json;
 
 Json smallCalibration() {
@@ -73,18 +75,6 @@ TEST(Calibration, NominalTurnsFullScaleIntoFullScale) {
     EXPECT_EQ(foot->accel.apply(Vector3d::Constant(2048)), Vector3d(0, 0, 0));
 }
 
-struct Damage {
-    const char* pointer;
-    Json value;
-    ErrorKind kind;
-    const char* named;
-};
-
-/// How GoogleTest names the case.
-void PrintTo(const Damage& c, std::ostream* out) {
-    *out << c.pointer;
-}
-
 class DamagedCalibration : public testing::TestWithParam<Damage> {};
 
 TEST_P(DamagedCalibration, IsRefusedByName) {
@@ -96,8 +86,6 @@ TEST_P(DamagedCalibration, IsRefusedByName) {
     EXPECT_NE(result.error().message.find(GetParam().named), std::string::npos) << result.error().text();
     EXPECT_FALSE(result.error().remedy.empty());
 }
-
-const double kNan = std::numeric_limits<double>::quiet_NaN();
 
 INSTANTIATE_TEST_SUITE_P(
     All, DamagedCalibration,

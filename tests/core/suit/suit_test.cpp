@@ -9,10 +9,12 @@
 #include <set>
 
 #include "core/suit/default_suit.h"
+#include "tests/core/suit/damage.h"
 
 namespace noctule {
 namespace {
 
+using namespace test;
 using Json = nlohmann::json;
 
 Json smallSuit() {
@@ -53,18 +55,6 @@ TEST(Suit, WriteReadEqual) {
     }
 }
 
-struct Damage {
-    const char* pointer;
-    Json value;
-    ErrorKind kind;
-    const char* named;  ///< must stand in the message
-};
-
-/// How GoogleTest names the case.
-void PrintTo(const Damage& c, std::ostream* out) {
-    *out << c.pointer;
-}
-
 class DamagedSuit : public testing::TestWithParam<Damage> {};
 
 TEST_P(DamagedSuit, IsRefusedByName) {
@@ -78,7 +68,6 @@ TEST_P(DamagedSuit, IsRefusedByName) {
     EXPECT_FALSE(result.error().remedy.empty());
 }
 
-const double kNan = std::numeric_limits<double>::quiet_NaN();
 const double kInfinity = std::numeric_limits<double>::infinity();
 
 INSTANTIATE_TEST_SUITE_P(

@@ -13,8 +13,6 @@
 namespace noctule::ui {
 namespace {
 
-using test::waitFor;
-
 class Flow : public test::StudioWindow {
 protected:
     const TakeOverview& overview() { return *studio_->take().overview(); }

@@ -21,8 +21,6 @@
 namespace noctule::ui {
 namespace {
 
-using test::waitFor;
-
 class MainWindowTest : public test::StudioWindow {
 protected:
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
@@ -58,7 +56,7 @@ TEST_F(MainWindowTest, StepsOpenByKeys) {
 TEST_F(MainWindowTest, StepsOpenByAClickOnTheirName) {
     window_->goTo(Step::kConnect);
     StepBar& steps = window_->topBar().steps();
-    ASSERT_TRUE(waitFor([&] { return steps.width() >= steps.sizeHint().width(); }, 2000));
+    ASSERT_TRUE(waitFor([&] { return steps.width() >= steps.sizeHint().width(); }));
     QTest::mouseClick(steps.childAt(steps.stepRect(2).center()), Qt::LeftButton);
     EXPECT_EQ(window_->step(), Step::kRecord);
 }
@@ -73,7 +71,7 @@ TEST_F(MainWindowTest, DocksNeverCutTheirContent) {
         QCoreApplication::processEvents();
         for (QDockWidget* dock : {&window_->sideDocks().left(), &window_->sideDocks().right()})
             for (const ScrollArea* area : dock->findChildren<ScrollArea*>())
-                EXPECT_TRUE(area->isHidden() || area->widget()->width() <= area->viewport()->width())
+                EXPECT_TRUE(!area->isVisible() || area->widget()->width() <= area->viewport()->width())
                     << dock->windowTitle().toStdString() << ": " << area->widget()->width() << " in "
                     << area->viewport()->width();
     }
@@ -211,9 +209,9 @@ TEST_F(MainWindowTest, LayoutsAreKeptPerStepAndSurviveARestart) {
 TEST_F(MainWindowTest, MenusFoldIntoOneButtonWhereThereIsNoRoom) {
     window_->goTo(Step::kConnect);
     window_->resize(1300, 800);
-    EXPECT_TRUE(waitFor([this] { return !window_->topBar().isFolded(); }, 2000));
+    EXPECT_TRUE(waitFor([this] { return !window_->topBar().isFolded(); }));
     window_->resize(1100, 800);
-    EXPECT_TRUE(waitFor([this] { return window_->topBar().isFolded(); }, 2000));
+    EXPECT_TRUE(waitFor([this] { return window_->topBar().isFolded(); }));
 }
 
 TEST_F(MainWindowTest, FitsTheSmallestScreen) {

@@ -39,8 +39,7 @@ protected:
         QDir().mkpath(home());
         ASSERT_TRUE(studio_->session().create(QDir(home()).filePath("Stage tests"), "Stage tests"));
         studio_->session().importTakes({take});
-        ASSERT_TRUE(
-            test::waitFor([this] { return studio_->take().isOpen() && studio_->take().shownRun() >= 0; }));
+        ASSERT_TRUE(waitFor([this] { return studio_->take().isOpen() && studio_->take().shownRun() >= 0; }));
         studio_->time().setTime(studio_->time().duration() * 0.4);
     }
     void picturesOfAllSteps(const QString& look) {

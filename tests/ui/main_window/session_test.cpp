@@ -16,8 +16,6 @@
 namespace noctule::ui {
 namespace {
 
-using test::waitFor;
-
 class SessionInWindow : public test::StudioWindow {
 protected:
     QString makeSession(const QString& name) {

@@ -29,7 +29,7 @@ TEST_F(Stalls, AJobLeavesTheInterfaceFree) {
     request.take_path = studio_->take().path().toStdString();
     request.tracker.sensors = {false, true, false};
     Job* job = studio_->process(request);
-    ASSERT_TRUE(test::waitFor([&] { return job->state() != Job::State::kRunning; }));
+    ASSERT_TRUE(waitFor([&] { return job->state() != Job::State::kRunning; }));
     QTest::qWait(300);
     RecordProperty("longest_ms", std::to_string(watch.longest_ms()));
     RecordProperty("longest_busy_ms", std::to_string(watch.longestBusy_ms()));

@@ -11,14 +11,6 @@
 
 namespace noctule::ui::test {
 
-bool waitFor(const std::function<bool()>& done, int most_ms) {
-    QElapsedTimer clock;
-    clock.start();
-    while (!done() && clock.elapsed() < most_ms)
-        QTest::qWait(10);
-    return done();
-}
-
 Status makeQuickTake(const std::string& path, const JobContext& job) {
     const QByteArray motion = resourceBytes("motions/sample.bvh");
     const auto document = parseBvh(motion.toStdString(), "sample.bvh");

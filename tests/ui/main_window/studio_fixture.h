@@ -12,13 +12,11 @@
 #include <functional>
 #include <memory>
 
+#include "tests/ui/support/wait.h"
 #include "ui/main_window/main_window.h"
 #include "ui/models/studio.h"
 
 namespace noctule::ui::test {
-
-/// Runs the event loop until `done`, at most so long.
-bool waitFor(const std::function<bool()>& done, int most_ms = 30'000);
 
 Status makeQuickTake(const std::string& path, const JobContext& job);
 

@@ -8,11 +8,10 @@
 
 #include "core/session/session_json.h"
 #include "tests/core/session/session_folder.h"
+#include "tests/ui/support/wait.h"
 
 namespace noctule::ui {
 namespace {
-
-constexpr int kPatience_ms = 5000;
 
 class SessionModelTest : public test::SessionFolder {
 protected:
@@ -25,7 +24,6 @@ protected:
         makeTake(takes() / "turn_001.noctule", "2026-03-01T12:00:00Z", "Performer 1");
     }
 
-    static bool waitFor(const std::function<bool()>& there) { return QTest::qWaitFor(there, kPatience_ms); }
     QString qfolder() const { return QString::fromStdString(folder().string()); }
     bool openAndWait() {
         model_.open(qfolder());

@@ -10,12 +10,12 @@
 #include <fstream>
 #include <thread>
 
+#include "tests/ui/support/wait.h"
+
 namespace noctule::ui {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kPatience_ms = 20000;
 
 class StudioTest : public testing::Test {
 protected:
@@ -43,7 +43,6 @@ protected:
         fs::copy_file(fs::path(NOCTULE_TEST_DATA) / "takes" / "tiny_take.noctule", path);
         return Done{};
     }
-    bool waitFor(const std::function<bool()>& there) { return QTest::qWaitFor(there, kPatience_ms); }
     bool waitForTake() {
         return waitFor([this] { return studio_->take().isOpen() && studio_->jobs().idle(); });
     }

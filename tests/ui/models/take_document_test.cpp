@@ -7,11 +7,10 @@
 #include <filesystem>
 
 #include "tests/core/processing/made_take.h"
+#include "tests/ui/support/wait.h"
 
 namespace noctule::ui {
 namespace {
-
-constexpr int kPatience_ms = 5000;
 
 class TakeDocumentTest : public test::MadeTake {
 protected:
@@ -22,7 +21,6 @@ protected:
         addReference(0.1);
     }
 
-    static bool waitFor(const std::function<bool()>& there) { return QTest::qWaitFor(there, kPatience_ms); }
     QString qpath() const { return QString::fromStdString(path()); }
     bool openAndWait() {
         document_.open(qpath());

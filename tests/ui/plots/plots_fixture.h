@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "tests/core/processing/made_take.h"
+#include "tests/ui/support/wait.h"
 #include "ui/models/studio.h"
 #include "ui/style/theme.h"
 
@@ -30,7 +31,6 @@ protected:
         MadeTake::TearDown();
     }
 
-    static bool waitFor(const std::function<bool()>& there) { return QTest::qWaitFor(there, 10'000); }
     bool open() {
         studio_->take().open(QString::fromStdString(path()));
         return waitFor([this] { return studio_->take().isOpen() && studio_->time().duration() > 0; });

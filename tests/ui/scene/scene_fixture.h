@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "tests/core/processing/made_take.h"
+#include "tests/ui/support/wait.h"
 #include "ui/scene/scene_canvas.h"
 #include "ui/scene/scene_view.h"
 #include "ui/style/theme.h"
@@ -44,7 +45,6 @@ protected:
         settle();
     }
     static void settle() { QTest::qWait(120); }
-    static bool waitFor(const std::function<bool()>& done) { return QTest::qWaitFor(done, 10'000); }
 
     void openTake() {
         studio_->take().open(QString::fromStdString(path()));

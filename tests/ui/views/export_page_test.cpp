@@ -27,14 +27,14 @@ protected:
         page_->enter();
     }
     void TearDown() override {
-        test::waitFor([this] { return jobsAreDone(); });
+        waitFor([this] { return jobsAreDone(); });
         page_.reset();
         ReviewedSession::TearDown();
     }
 
     void write() {
         QTest::mouseClick(page_->writeButton(), Qt::LeftButton);
-        ASSERT_TRUE(test::waitFor([this] { return page_->results().has_value() && jobsAreDone(); }));
+        ASSERT_TRUE(waitFor([this] { return page_->results().has_value() && jobsAreDone(); }));
     }
     std::string exported(const char* name) const {
         return (studio_->session().session().exportsFolder() / name).string();
@@ -67,8 +67,8 @@ TEST_F(ExportPageTest, WritesTheFileThatTheBatchProgramWrites) {
 TEST_F(ExportPageTest, NothingIsOverwritten) {
     write();
     page_->write();
-    ASSERT_TRUE(test::waitFor(
-        [this] { return QFile::exists(QString::fromStdString(exported("swing_001_120_2.bvh"))); }));
+    ASSERT_TRUE(
+        waitFor([this] { return QFile::exists(QString::fromStdString(exported("swing_001_120_2.bvh"))); }));
     EXPECT_TRUE(QFile::exists(QString::fromStdString(exported("swing_001_120.bvh"))));
 }
 
@@ -102,7 +102,7 @@ TEST_F(ExportPageTest, TablesWithAnglesAreChecked) {
 
 TEST_F(ExportPageTest, OneFrameLeavesNoFile) {
     page_->tryOneFrame();
-    ASSERT_TRUE(test::waitFor([this] { return page_->resultsPanel().cardCount() == 1 && jobsAreDone(); }));
+    ASSERT_TRUE(waitFor([this] { return page_->resultsPanel().cardCount() == 1 && jobsAreDone(); }));
     EXPECT_FALSE(page_->results()) << "a trial is no export";
     EXPECT_FALSE(QFile::exists(QString::fromStdString(exported("swing_001_120.bvh"))));
 }

@@ -44,7 +44,7 @@ protected:
         openTake("swing_001");
     }
     void TearDown() override {
-        test::waitFor([this] { return jobsAreDone(); });
+        waitFor([this] { return jobsAreDone(); });
         window_.reset();
         ReviewedSession::TearDown();
     }
@@ -79,14 +79,14 @@ TEST_F(ReviewPageTest, ReprocessedResultIsShownAndComparedWithTheEarlierOne) {
     dialog.distances->setChecked(false);
     EXPECT_EQ(dialog.request().tracker.sensors.gyroscopes, true);
     page_->process(dialog.request());
-    ASSERT_TRUE(test::waitFor([this] { return page_->sidebar().runs().count() == 2; }));
+    ASSERT_TRUE(waitFor([this] { return page_->sidebar().runs().count() == 2; }));
     const TakeDocument& take = studio_->take();
     EXPECT_EQ(take.shownRun(), 1);
     EXPECT_EQ(take.overview()->runs[1].settings.sensors, "G");
     EXPECT_EQ(take.comparedRun(), 0);
     EXPECT_EQ(page_->sidebar().runs().row(1)->text(), "Gyroscopes only");
     EXPECT_EQ(page_->sidebar().runs().row(0)->letter(), "B");
-    ASSERT_TRUE(test::waitFor([this] { return page_->sidebar().runs().row(0)->detail().contains("mean"); }))
+    ASSERT_TRUE(waitFor([this] { return page_->sidebar().runs().row(0)->detail().contains("mean"); }))
         << "all results are compared in the background";
 
     page_->center().scenes().setSideBySide(true);
@@ -122,7 +122,7 @@ TEST_F(ReviewPageTest, ChoosingAJointChoosesItEverywhere) {
 
 TEST_F(ReviewPageTest, InAndOutAreKeptPerTakeAndComeBackWithUndo) {
     studio_->time().setRange(1, 2);
-    ASSERT_TRUE(test::waitFor([this] { return take().out_s > 0; }));
+    ASSERT_TRUE(waitFor([this] { return take().out_s > 0; }));
     EXPECT_NEAR(take().in_s, 1, 1e-9);
     EXPECT_NEAR(take().out_s, 2, 1e-9);
     studio_->session().undoStack().undo();
@@ -137,7 +137,7 @@ TEST_F(ReviewPageTest, StarsAndNotesGoIntoTheSession) {
     EXPECT_EQ(take().rating, 4);
     QPlainTextEdit& editor = page_->sidebar().notes().editor();
     editor.setPlainText("strap was loose");
-    ASSERT_TRUE(test::waitFor([this] { return !take().notes.empty(); }));
+    ASSERT_TRUE(waitFor([this] { return !take().notes.empty(); }));
     EXPECT_EQ(take().notes, "strap was loose");
     studio_->session().undoStack().undo();
     EXPECT_EQ(editor.toPlainText(), "");
@@ -155,7 +155,7 @@ TEST_F(ReviewPageTest, FullReportOpensInsideTheWindow) {
     page_->openFullReport();
     EXPECT_TRUE(page_->showsFullReport());
     ReportBrowser& report = page_->reportView().page();
-    ASSERT_TRUE(test::waitFor([&] { return report.toPlainText().contains("Sensors and runs"); }));
+    ASSERT_TRUE(waitFor([&] { return report.toPlainText().contains("Sensors and runs"); }));
     EXPECT_GT(report.figureCount(), 10U);
     EXPECT_TRUE(report.savePdf(outsideFile("report.pdf")));
     QTest::keyClick(&page_->reportView(), Qt::Key_Escape);

@@ -2,7 +2,6 @@
 #include "tests/ui/views/reviewed_session.h"
 
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFile>
 #include <cmath>
 
@@ -76,14 +75,6 @@ Result<std::string> processedTake() {
 }
 
 }  // namespace
-
-bool waitFor(const std::function<bool()>& done, int most_ms) {
-    QElapsedTimer clock;
-    clock.start();
-    while (!done() && clock.elapsed() < most_ms)
-        QTest::qWait(10);
-    return done();
-}
 
 void ReviewedSession::SetUp() {
     const auto made = processedTake();

@@ -9,12 +9,10 @@
 #include <functional>
 #include <memory>
 
+#include "tests/ui/support/wait.h"
 #include "ui/models/studio.h"
 
 namespace noctule::ui::test {
-
-/// Events run meanwhile; what `done` said last.
-bool waitFor(const std::function<bool()>& done, int most_ms = 20000);
 
 class ReviewedSession : public testing::Test {
 protected:
