@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inputs that are damaged, foreign or do not fit: the documented exit code, a message that names the thing,
 // and nothing written or changed.
-#include "tests/app/program_run.h"
+#include "tests/support/program_run.h"
 
 namespace noctule::test {
 namespace {

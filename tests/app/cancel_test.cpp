@@ -3,7 +3,7 @@
 #include <chrono>
 #include <thread>
 
-#include "tests/app/program_run.h"
+#include "tests/support/program_run.h"
 
 namespace noctule::test {
 namespace {

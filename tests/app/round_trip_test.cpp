@@ -4,7 +4,7 @@
 
 #include "core/formats/bvh.h"
 #include "core/formats/positions_csv.h"
-#include "tests/app/program_run.h"
+#include "tests/support/program_run.h"
 
 namespace noctule::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "tests/app/program_run.h"
+#include "tests/support/program_run.h"
 
 namespace noctule::test {
 namespace {

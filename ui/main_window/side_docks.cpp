@@ -17,7 +17,7 @@ namespace {
 constexpr int kLayoutVersion = 1;
 constexpr int kLeftWidth = 248, kLeftNarrow = 216, kLeftWidest = 360;
 constexpr int kRightWidth = 295, kRightNarrow = 264, kRightWidest = 400;
-constexpr int kNarrowWindow = 1400;
+constexpr int kNarrowWindow = 1400, kLeastForBothDocks = 1100;
 
 QString nameOf(Step step) {
     static const std::map<Step, QString> names{{Step::kStart, "start"},         {Step::kConnect, "connect"},
@@ -138,7 +138,10 @@ void SideDocks::reset() {
         if (used)
             window_.resizeDocks({side.dock}, {theme.px(width)}, Qt::Horizontal);
     };
-    place(left_, Qt::LeftDockWidgetArea, page_->leftDock() != nullptr, narrow ? kLeftNarrow : kLeftWidth);
+    // Large type on a small screen: the page itself needs the room, and the View menu brings the dock back.
+    const bool has_room = window_.width() >= theme.px(kLeastForBothDocks);
+    place(left_, Qt::LeftDockWidgetArea, page_->leftDock() && (has_room || !page_->rightDock()),
+          narrow ? kLeftNarrow : kLeftWidth);
     place(right_, Qt::RightDockWidgetArea, page_->rightDock() != nullptr,
           narrow ? kRightNarrow : kRightWidth);
 }

@@ -19,7 +19,8 @@
 namespace noctule::ui {
 namespace {
 
-constexpr double kTabHeight = 28, kTabPadding = 20;  // pixels at 100 percent
+// Pixels at 100 percent.
+constexpr double kTabHeight = 28, kTabPadding = 20, kHeadInset = 12, kHeadGap = 4, kLeastWidth = 320;
 
 }  // namespace
 
@@ -40,12 +41,14 @@ PlotPanel::PlotPanel(Studio& studio, QWidget* parent)
     });
 
     auto* head = new QHBoxLayout;
-    head->setSpacing(Theme::get().px(4));
-    head->setContentsMargins(Theme::get().px(12), Theme::get().px(4), Theme::get().px(12),
-                             Theme::get().px(4));
+    const Theme& theme = Theme::get();
+    head->setSpacing(theme.px(kHeadGap));
+    head->setContentsMargins(theme.px(kHeadInset), theme.px(kHeadGap), theme.px(kHeadInset),
+                             theme.px(kHeadGap));
     buildTabs(*head);
     head->addStretch(1);
     buildActions(*head);
+    styleTabs();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -90,7 +93,51 @@ void PlotPanel::buildTabs(QLayout& row) {
         row.addWidget(tab);
         tabs_[static_cast<size_t>(i)] = tab;
     }
-    styleTabs();
+    more_tabs_ = new ToolButton(QStringLiteral("more"), tr("More plots"));
+    more_tabs_->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(more_tabs_);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillMoreTabs(*menu); });
+    more_tabs_->setMenu(menu);
+    row.addWidget(more_tabs_);
+}
+
+void PlotPanel::fitTabs() {
+    const Theme& theme = Theme::get();
+    const int gap = theme.px(kHeadGap);
+    int room = width() - 2 * theme.px(kHeadInset);
+    for (const ToolButton* action : actions_)
+        room -= action->sizeHint().width() + gap;
+    int all = 0;
+    for (const QToolButton* tab : tabs_)
+        all += tab->width() + gap;
+    const bool all_fit = all <= room;
+    if (!all_fit)
+        room -= more_tabs_->sizeHint().width() + gap;
+    for (QToolButton* tab : tabs_) {
+        room -= tab->width() + gap;
+        tab->setVisible(all_fit || room >= 0);
+    }
+    more_tabs_->setVisible(!all_fit);
+}
+
+void PlotPanel::fillMoreTabs(QMenu& menu) {
+    menu.clear();
+    for (QToolButton* tab : tabs_) {
+        if (!tab->isHidden())
+            continue;
+        QAction* action = menu.addAction(tab->text(), tab, &QToolButton::click);
+        action->setCheckable(true);
+        action->setChecked(tab->isChecked());
+    }
+}
+
+void PlotPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitTabs();
+}
+
+QSize PlotPanel::minimumSizeHint() const {
+    return {Theme::get().px(kLeastWidth), QWidget::minimumSizeHint().height()};
 }
 
 void PlotPanel::styleTabs() {
@@ -106,6 +153,7 @@ void PlotPanel::styleTabs() {
         const int words = QFontMetrics(theme.font(TextRole::kBody, true)).horizontalAdvance(tab.text());
         tab.setFixedSize(words + theme.px(kTabPadding), theme.px(kTabHeight));
     }
+    fitTabs();
 }
 
 void PlotPanel::buildActions(QLayout& row) {
@@ -114,6 +162,7 @@ void PlotPanel::buildActions(QLayout& row) {
         button->setPopupMode(QToolButton::InstantPopup);
         button->setMenu(new QMenu(button));
         row.addWidget(button);
+        *std::find(actions_.begin(), actions_.end(), nullptr) = button;
         return button->menu();
     };
     QMenu* channels = add("new", tr("Add a channel"));

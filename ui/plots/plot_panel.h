@@ -21,6 +21,8 @@ class QStackedLayout;
 
 namespace noctule::ui {
 
+class ToolButton;
+
 class PlotPanel : public QWidget {
     Q_OBJECT
 public:
@@ -42,14 +44,22 @@ public:
     /// Left of every plot and of the timeline, and right of them; pixels at 100 percent.
     static constexpr int kLeftExtent = 56, kRightExtent = 16;
 
+    QSize minimumSizeHint() const override;
+
 public slots:
     void copyPicture();
     void savePicture();
     void copyCsv();
     void saveCsv();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void buildTabs(QLayout& row);
+    /// Tabs that find no room are offered by a menu beside them.
+    void fitTabs();
+    void fillMoreTabs(QMenu& menu);
     void buildActions(QLayout& row);
     void styleTabs();
     void rebuild();
@@ -61,6 +71,8 @@ private:
     PlotChannels channels_;
     SoundSource sound_;
     std::array<QToolButton*, kPlotTabs> tabs_{};
+    ToolButton* more_tabs_ = nullptr;
+    std::array<ToolButton*, 3> actions_{};
     QStackedLayout* pages_ = nullptr;
     QScrollArea* scroll_ = nullptr;
     LaneStack* stack_ = nullptr;

@@ -22,10 +22,12 @@ bool isPlayed(Studio& studio) {
     return studio.time().isPlaying();
 }
 
-Eigen::AlignedBox3d roomy(Eigen::AlignedBox3d box) {
+/// The box of a body's joints and parts with its flesh, and with room for what covers the top of the picture.
+Eigen::AlignedBox3d roomy(Eigen::AlignedBox3d box, double covered_share) {
     const Vector3d flesh(0.12, 0.06, 0.12);
     box.extend(Vector3d(box.min() - flesh));
     box.extend(Vector3d(box.max() + flesh));
+    box.max().y() += box.sizes().y() * covered_share / (1 - covered_share);
     return box;
 }
 
@@ -160,7 +162,7 @@ const Scene& SceneView::compose() {
     if (parts.composed.hasBody() && parts.framed != shown) {
         parts.framed = shown;
         parts.followed_m.reset();
-        parts.control->frame(roomy(parts.composed.places.box()), true);
+        parts.control->frame(bodyBox(), true);
         parts.untouched = true;
     }
     keepFollowing();
@@ -172,6 +174,12 @@ const Scene& SceneView::compose() {
         parts.composed.scene.rings.push_back({at.cast<float>(), 11, 2, rgba(Theme::get().tokens().acc)});
     }
     return parts.composed.scene;
+}
+
+Eigen::AlignedBox3d SceneView::bodyBox() const {
+    constexpr double kMostCovered = 0.3;
+    const double covered = parts_->tools->geometry().bottom() / std::max(1.0, 1.0 * height());
+    return roomy(parts_->composed.places.box(), std::min(kMostCovered, covered));
 }
 
 void SceneView::keepFollowing() {
@@ -271,7 +279,7 @@ void SceneView::setCamera(const Camera& camera) {
 void SceneView::frameBody() {
     compose();  // the body where it is now, which may not have been drawn yet
     if (parts_->composed.hasBody())
-        parts_->control->frame(roomy(parts_->composed.places.box()));
+        parts_->control->frame(bodyBox());
     parts_->untouched = true;
 }
 

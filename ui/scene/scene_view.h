@@ -87,6 +87,8 @@ private:
     void refresh();
     void updateOverlay();
     void changeLayers();
+    /// What the camera frames: the body, and room for the tools above it.
+    Eigen::AlignedBox3d bodyBox() const;
     void keepFollowing();
     void keepCamera();
 
