@@ -20,6 +20,7 @@ TOP_LEVEL = {"CMakeLists.txt", "app", "core", "devices", "ui", "resources", "tes
 LAYERS = {"app": {"app", "ui", "devices", "core"}, "ui": {"ui", "devices", "core"}, "devices": {"devices", "core"},
           "core": {"core"}}
 ONLY_IN = {"assimp": {"core/formats", "core/mesh"}, "opencv2": {"core/vision"}}
+PURE = ("core", "devices/driver_box")  # values in, values out: no Qt, no threads, no clocks
 APART = "simulation"  # what the estimator is judged by: no other room of core may know it
 
 ESTIMATORS_KINEMATICS = "core/body/kinematics.h"  # the simulation has its own, so that errors cannot cancel
@@ -75,8 +76,26 @@ def linked_rooms(files, layer, complaints):
     return reach
 
 
+def check_core_rooms_of_devices(files, complaints):
+    """Rooms of devices include the rooms of core that they link, and what these reach."""
+    core = linked_rooms(files, "core", [])
+    reach = {}
+    for line in ROOM_LINE.finditer(files.get("devices/CMakeLists.txt", "")):
+        links = line.group(2) or ""
+        reach[line.group(1).removeprefix("devices_")] = set().union(
+            *(core.get(room, set()) for room in re.findall(r"\bnoctule_(?!devices_)(\w+)", links)),
+            *(reach.get(room, set()) for room in re.findall(r"\bnoctule_devices_(\w+)", links)))
+    for path, text in sources(files, "devices").items():
+        for header in INCLUDE.findall(text):
+            target = re.match(r"core/(\w+)/", header)
+            room = path.split("/")[1]
+            if target and room in reach and target.group(1) not in reach[room]:
+                complaints.append(f"{path}: devices/{room} does not link {target.group(1)}, but includes {header}")
+
+
 def check_rooms(files, complaints):
-    for layer in ("core", "ui"):
+    check_core_rooms_of_devices(files, complaints)
+    for layer in ("core", "devices", "ui"):
         reach = linked_rooms(files, layer, complaints)
         for path, text in sources(files, layer).items():
             room = path.split("/")[1]
@@ -93,17 +112,21 @@ def check_rooms(files, complaints):
                     complaints.append(f"{path}: {layer} knows {APART}")
 
 
-def check_core(files, complaints):
-    for path, text in sources(files, "core").items():
-        for header in INCLUDE.findall(text):
-            if QT_HEADER.fullmatch(header):
-                complaints.append(f"{path}: core includes the Qt header {header}")
-            if header in HEADERS_NOT_IN_CORE:
-                complaints.append(f"{path}: core includes <{header}>")
-        for use in NOT_IN_CORE.finditer(without_comments(text)):
-            complaints.append(f"{path}: core uses {use.group(0)}")
+def check_purity(files, complaints):
+    for place in PURE:
+        for path, text in sources(files, place).items():
+            for header in INCLUDE.findall(text):
+                if QT_HEADER.fullmatch(header):
+                    complaints.append(f"{path}: {place} includes the Qt header {header}")
+                if header in HEADERS_NOT_IN_CORE:
+                    complaints.append(f"{path}: {place} includes <{header}>")
+            for use in NOT_IN_CORE.finditer(without_comments(text)):
+                complaints.append(f"{path}: {place} uses {use.group(0)}")
     if "Qt5" in files["core/CMakeLists.txt"]:
         complaints.append("core/CMakeLists.txt: core links Qt")
+    for line in ROOM_LINE.finditer(files.get("devices/CMakeLists.txt", "")):
+        if "devices/" + line.group(1).removeprefix("devices_") in PURE and "Qt5" in (line.group(2) or ""):
+            complaints.append(f"devices/CMakeLists.txt: {line.group(1)} links Qt")
 
 
 def check_layers(files, complaints):
@@ -167,7 +190,7 @@ def check_build(files, complaints):
         complaints.append(f"packaging/dependencies.sh: no package for {name}, which the build looks for")
 
 
-CHECKS = (check_rooms, check_core, check_layers, check_libraries, check_licences, check_words, check_top_level,
+CHECKS = (check_rooms, check_purity, check_layers, check_libraries, check_licences, check_words, check_top_level,
           check_build)
 
 
@@ -205,13 +228,15 @@ def read_tree():
     return files
 
 
-TREE_OF_THE_SELF_TEST = {"CMakeLists.txt", "core/CMakeLists.txt", "ui/CMakeLists.txt", "packaging/dependencies.sh"}
+TREE_OF_THE_SELF_TEST = {"CMakeLists.txt", "core/CMakeLists.txt", "devices/CMakeLists.txt", "ui/CMakeLists.txt",
+                         "packaging/dependencies.sh"}
 
 
 def broken_trees(files):
     """(what is broken, the changed files, what a complaint must say)."""
     licence = f"// {LICENCE}\n"
     rooms = files["core/CMakeLists.txt"]
+    devices = files["devices/CMakeLists.txt"]
     build = files["CMakeLists.txt"]
 
     def source(path, line):
@@ -252,6 +277,18 @@ def broken_trees(files):
         ("path of a machine", {"README.md": "see /ho" "me/me/x\n"}, "README.md:1: /ho"),
         ("arrow up in ui", source("ui/style/a.cpp", '#include "ui/views/page.h"'), "style does not link views"),
         ("room of ui without a line", source("ui/attic/a.cpp", ""), "no line for the room attic"),
+        ("room of devices without a line", source("devices/attic/a.cpp", ""), "no line for the room attic"),
+        ("devices include a room of core they do not link",
+         source("devices/driver_box/a.cpp", '#include "core/recording/rows.h"'), "does not link recording"),
+        ("simulation in devices", source("devices/driver_box/a.cpp", '#include "core/simulation/world.h"'),
+         "devices knows simulation"),
+        ("Qt in the pure link", source("devices/driver_box/a.h", "#include <QTcpSocket>"), "Qt header QTcpSocket"),
+        ("Qt linked by the pure link",
+         {"devices/CMakeLists.txt": devices.replace("noctule_suit", "noctule_suit Qt5::Core", 1)},
+         "devices_driver_box links Qt"),
+        ("clock in the pure link", source("devices/driver_box/a.cpp", "auto t = std::chrono::steady_clock::now();"),
+         "devices/driver_box uses steady_clock"),
+        ("thread in the pure link", source("devices/driver_box/a.cpp", "#include <thread>"), "includes <thread>"),
         ("simulation on the screen", source("ui/views/a.cpp", '#include "core/simulation/world.h"'),
          "ui knows simulation"),
         ("stray file", {"notes.txt": ""}, "notes.txt: does not belong"),
