@@ -170,7 +170,6 @@ void StudioConversation::hangUp() {
     requests_.giveUp();
     outgoing_.clear();
     hello_.reset();
-    attempt_ = 0;
     state_ = State::kClosed;
 }
 

@@ -136,6 +136,10 @@ TEST(Hello, DamagedTextNeverBreaksTheReader) {
         EXPECT_TRUE(read.ok() || !read.error().message.empty());
     }
     EXPECT_FALSE(readHello(Bytes(500'000, '['), "box"));
+    // As deep as a frame can be: nothing may recurse into it.
+    std::string deep(golden.begin(), golden.end());
+    deep.insert(1, "\"deep\":" + std::string(500'000, '[') + std::string(500'000, ']') + ",");
+    EXPECT_TRUE(readHello(bytesOf(deep), "box"));
     EXPECT_FALSE(readHello(bytesOf("{\"protocol\":1,\"serial\":\"\xFF\"}"), "box"));
     EXPECT_FALSE(readHello({}, "box"));
 }

@@ -306,6 +306,33 @@ TEST(Studio, AnotherBoxOrARestartedOneEndsTheTake) {
     }
 }
 
+TEST(Studio, AnUnaskedHelloOfARestartedOrAnotherBoxEndsTheTake) {
+    for (const bool restarted : {true, false}) {
+        Scripted link;
+        link.startTake();
+        link.hello(true);
+        EXPECT_EQ(countOf<TakeEnded>(link.events), 0u);
+        restarted ? link.hello(false) : link.hello(true, "NB-000778");
+        EXPECT_EQ(countOf<TakeEnded>(link.events), 1u);
+        EXPECT_EQ(link.studio.state(), State::kIdle);
+    }
+}
+
+TEST(Studio, TellsWhoLostTheSound) {
+    Scripted link;
+    link.startTake();
+    link.sequence += 3;
+    link.adc(1200);
+    link.adc(1800);
+    link.adc(3000);
+    link.sequence += 3;
+    link.say(Type::kError, toPayload(BoxError{Code::kOverrun, 3600, "slow"}));
+    link.adc(4200);
+    EXPECT_EQ(eventsOf<Gap>(link.events),
+              (std::vector<Gap>{
+                  {600, 600, GapReason::kLink}, {2400, 600, GapReason::kBox}, {3600, 600, GapReason::kBox}}));
+}
+
 TEST(Studio, StopsAForeignStreamBeforeStart) {
     Scripted link;
     link.open();
