@@ -28,8 +28,6 @@ void StudioConversation::opened(int64_t now_ns) {
     if (isOpen())
         return;
     reader_.restart();
-    requests_.giveUp();
-    outgoing_.clear();
     greeting_error_.reset();
     next_sequence_ = 0;
     unknown_versions_when_opened_ = reader_.statistics().unknown_versions;

@@ -285,6 +285,19 @@ TEST(Studio, ABoxThatWentOnResumesTheTake) {
     EXPECT_EQ(link.sentOf(Type::kStart), 1u);
 }
 
+TEST(Studio, HalfAFrameOfTheOldConnectionIsForgotten) {
+    Scripted link;
+    link.startTake();
+    const Bytes frame =
+        encodeFrame(static_cast<uint8_t>(Type::kAdc), link.sequence, toPayload(soundBlock(600, 600, 2)));
+    link.studio.receive(ByteView(frame).first(1000), link.now_ns);
+    link.studio.closed(link.now_ns);
+    link.wait_ms(500);
+    link.open();
+    link.hello(true);
+    EXPECT_EQ(countOf<Resumed>(link.events), 1u);
+}
+
 TEST(Studio, AnotherBoxOrARestartedOneEndsTheTake) {
     struct Case {
         bool streaming;
