@@ -19,7 +19,9 @@ constexpr int kDeepest = 16;  ///< arrays and objects inside each other; a suit 
 Json parseObject(ByteView payload) {
     const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= kDeepest; };
     Json json = Json::parse(payload.begin(), payload.end(), shallow, false);
-    return json.is_object() ? json : Json(Json::value_t::discarded);
+    if (!json.is_object())
+        json = Json::value_t::discarded;
+    return json;
 }
 
 Bytes toBytes(const Json& json) {

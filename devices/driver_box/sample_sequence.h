@@ -11,8 +11,10 @@
 
 namespace noctule::link {
 
-/// Who lost it; `studio` and `board`, which takes know as well, do not arise on the link.
-enum class GapReason { kLink, kBox };
+/// Who lost it. `board`, which takes know as well, is not for gaps of all boards.
+enum class GapReason { kLink, kBox, kStudio };
+/// As takes have it: "link", "box", "studio".
+const char* nameOf(GapReason reason);
 
 struct Gap {
     int64_t first_sample = 0;

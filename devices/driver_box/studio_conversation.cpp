@@ -28,8 +28,6 @@ void StudioConversation::opened(int64_t now_ns) {
     if (isOpen())
         return;
     reader_.restart();
-    requests_.giveUp();
-    outgoing_.clear();
     greeting_error_.reset();
     next_sequence_ = 0;
     unknown_versions_when_opened_ = reader_.statistics().unknown_versions;
@@ -170,7 +168,6 @@ void StudioConversation::hangUp() {
     requests_.giveUp();
     outgoing_.clear();
     hello_.reset();
-    attempt_ = 0;
     state_ = State::kClosed;
 }
 

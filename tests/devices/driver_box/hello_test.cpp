@@ -2,6 +2,7 @@
 #include "devices/driver_box/hello.h"
 
 #include "core/suit/default_suit.h"
+#include "devices/driver_box/json_members.h"
 #include "tests/devices/driver_box/link_data.h"
 
 namespace noctule::link {
@@ -108,6 +109,10 @@ TEST(Hello, ASuitOfSerialNumbersIsPlacedByOurs) {
     const Result<Hello> hello = readJson(json);
     ASSERT_TRUE(hello) << hello.error().text();
     EXPECT_FALSE(hello->suit_is_placed);
+    Json half = goldenJson(Type::kHello);
+    half["suit"]["boards"][1]["q_segment_board"] = nullptr;
+    EXPECT_FALSE(readJson(half)->suit_is_placed);
+    EXPECT_TRUE(readJson(goldenJson(Type::kHello))->suit_is_placed);
     EXPECT_FALSE(readHello(toPayload(*hello), "box")->suit_is_placed);
     Suit own = readHello(goldenFrame(Type::kHello).payload(), "box")->suit;
     std::swap(own.boards[0], own.boards[1]);
@@ -136,6 +141,15 @@ TEST(Hello, DamagedTextNeverBreaksTheReader) {
         EXPECT_TRUE(read.ok() || !read.error().message.empty());
     }
     EXPECT_FALSE(readHello(Bytes(500'000, '['), "box"));
+    // As deep as a frame can be: nothing may recurse into it.
+    std::string deep(golden.begin(), golden.end());
+    deep.insert(1, "\"deep\":" + std::string(500'000, '[') + std::string(500'000, ']') + ",");
+    EXPECT_TRUE(readHello(bytesOf(deep), "box"));
+    int levels = 0;
+    const Json parsed = parseObject(bytesOf(deep));
+    for (const Json* at = &parsed["deep"]; at->is_array() && !at->empty(); at = &at->front())
+        ++levels;
+    EXPECT_LT(levels, 20);
     EXPECT_FALSE(readHello(bytesOf("{\"protocol\":1,\"serial\":\"\xFF\"}"), "box"));
     EXPECT_FALSE(readHello({}, "box"));
 }

@@ -3,82 +3,12 @@
 #include "devices/driver_box/studio_conversation.h"
 
 #include "devices/driver_box/crc32.h"
-#include "tests/devices/driver_box/link_simulation.h"
+#include "tests/devices/driver_box/scripted_box.h"
 
 namespace noctule::link {
 namespace {
 
 using State = StudioConversation::State;
-
-/// A box that says only what a test lets it say.
-struct Scripted {
-    StudioConversation studio{"here"};
-    FrameReader reader;
-    std::vector<StudioEvent> events;
-    std::vector<std::pair<Type, uint32_t>> sent;
-    int64_t now_ns = kSecond_ns;
-    uint32_t sequence = 0;
-
-    void collect() {
-        for (StudioEvent& event : studio.takeEvents())
-            events.push_back(std::move(event));
-        const Bytes bytes = studio.takeBytes();
-        reader.push(bytes, now_ns, [&](const Frame& frame) {
-            sent.emplace_back(static_cast<Type>(frame.header.type), frame.header.sequence);
-        });
-    }
-    void say(Type type, const Bytes& payload) {
-        studio.receive(encodeFrame(static_cast<uint8_t>(type), sequence++, payload), now_ns);
-        collect();
-    }
-    void wait_ms(int64_t duration_ms) {
-        for (int64_t i = 0; i < duration_ms; ++i) {
-            now_ns += kMillisecond_ns;
-            studio.tick(now_ns);
-            collect();
-        }
-    }
-    /// Keeps an idle link alive.
-    void waitWithStatus_ms(int64_t duration_ms) {
-        for (; duration_ms > 0; duration_ms -= 1000) {
-            say(Type::kStatus, status());
-            wait_ms(std::min<int64_t>(duration_ms, 1000));
-        }
-    }
-    static Bytes status(int64_t sample = 0) {
-        BoxStatus status;
-        status.sample = sample;
-        status.board_flags = {1, 1};
-        return toPayload(status);
-    }
-    void hello(bool streaming = false, const std::string& serial = "NB-000777") {
-        Hello hello = testHello(serial);
-        hello.streaming = streaming;
-        say(Type::kHello, toPayload(hello));
-    }
-    void open() {
-        sequence = 0;
-        reader.restart();
-        studio.opened(now_ns);
-        collect();
-    }
-    void ack(uint32_t request, Code code = Code::kOk) { say(Type::kAck, toPayload(Ack{request, code, ""})); }
-    void adc(int64_t first_sample, int samples = 600) {
-        say(Type::kAdc, toPayload(soundBlock(first_sample, samples, 2)));
-    }
-    void startTake() {
-        open();
-        hello();
-        studio.start(now_ns);
-        collect();
-        ack(sent.back().second);
-        adc(0);
-    }
-    size_t sentOf(Type type) const {
-        return static_cast<size_t>(
-            std::count_if(sent.begin(), sent.end(), [&](const auto& one) { return one.first == type; }));
-    }
-};
 
 TEST(Studio, AsksEveryHalfSecondAndGivesUpAfterThree) {
     Scripted link;
@@ -235,75 +165,19 @@ TEST(Studio, SoundBeforeALostAckCounts) {
     EXPECT_EQ(link.studio.state(), State::kStreaming);
 }
 
-TEST(Studio, StallsAfterHalfASecondAndIsLostAfterThree) {
+TEST(Studio, TellsWhoLostTheSound) {
     Scripted link;
     link.startTake();
-    link.wait_ms(499);
-    EXPECT_EQ(countOf<Stalled>(link.events), 0u);
-    link.wait_ms(1);
-    EXPECT_EQ(countOf<Stalled>(link.events), 1u);
-    link.adc(600);
-    EXPECT_EQ(countOf<Flowing>(link.events), 1u);
-    link.wait_ms(2999);
-    EXPECT_EQ(countOf<LinkLost>(link.events), 0u);
-    link.wait_ms(1);
-    EXPECT_EQ(countOf<LinkLost>(link.events), 1u);
-    EXPECT_EQ(countOf<Stalled>(link.events), 2u);
-    EXPECT_TRUE(link.studio.takeIsOpen());
-}
-
-TEST(Studio, ReconnectsAfterLongerAndLongerPauses) {
-    Scripted link;
-    link.startTake();
-    link.studio.closed(link.now_ns);
-    int attempt = 0;
-    for (const int64_t pause_ms : {500, 1000, 2000, 4000, 4000, 4000}) {
-        link.wait_ms(pause_ms - 1);
-        EXPECT_EQ(countOf<ConnectWanted>(link.events), static_cast<size_t>(attempt));
-        link.wait_ms(1);
-        ASSERT_EQ(countOf<ConnectWanted>(link.events), static_cast<size_t>(++attempt));
-        EXPECT_EQ(eventsOf<ConnectWanted>(link.events).back().attempt, attempt);
-        link.studio.closed(link.now_ns);
-        link.collect();
-    }
-    EXPECT_TRUE(link.studio.takeIsOpen());
-    EXPECT_EQ(countOf<LinkLost>(link.events), 1u);
-}
-
-TEST(Studio, ABoxThatWentOnResumesTheTake) {
-    Scripted link;
-    link.startTake();
-    link.studio.closed(link.now_ns);
-    link.wait_ms(500);
-    link.open();
-    EXPECT_EQ(link.sent.back(), (std::pair{Type::kQuery, uint32_t{0}}));
-    link.hello(true);
-    EXPECT_EQ(countOf<Resumed>(link.events), 1u);
-    link.adc(90'000);
-    EXPECT_EQ(eventsOf<Gap>(link.events), (std::vector<Gap>{{600, 89'400, GapReason::kLink}}));
-    EXPECT_EQ(countOf<TakeEnded>(link.events), 0u);
-    EXPECT_EQ(link.sentOf(Type::kStart), 1u);
-}
-
-TEST(Studio, AnotherBoxOrARestartedOneEndsTheTake) {
-    struct Case {
-        bool streaming;
-        const char* serial;
-        const char* said;
-    };
-    for (const Case& one : {Case{false, "NB-000777", "restarted"}, Case{true, "NB-000778", "another box"}}) {
-        Scripted link;
-        link.startTake();
-        link.studio.closed(link.now_ns);
-        link.wait_ms(500);
-        link.open();
-        link.hello(one.streaming, one.serial);
-        ASSERT_EQ(countOf<TakeEnded>(link.events), 1u);
-        EXPECT_NE(eventsOf<TakeEnded>(link.events)[0].why.message.find(one.said), std::string::npos);
-        EXPECT_EQ(countOf<Resumed>(link.events), 0u);
-        EXPECT_EQ(link.studio.state(), State::kIdle);
-        EXPECT_FALSE(link.studio.takeIsOpen());
-    }
+    link.sequence += 3;
+    link.adc(1200);
+    link.adc(1800);
+    link.adc(3000);
+    link.sequence += 3;
+    link.say(Type::kError, toPayload(BoxError{Code::kOverrun, 3600, "slow"}));
+    link.adc(4200);
+    EXPECT_EQ(eventsOf<Gap>(link.events),
+              (std::vector<Gap>{
+                  {600, 600, GapReason::kLink}, {2400, 600, GapReason::kBox}, {3600, 600, GapReason::kBox}}));
 }
 
 TEST(Studio, StopsAForeignStreamBeforeStart) {
@@ -373,21 +247,6 @@ TEST(Studio, ImpossibleContentIsCountedAndLeftOut) {
     EXPECT_EQ(link.studio.statistics().unknown_types, 2);
     link.adc(600);
     EXPECT_EQ(countOf<Gap>(link.events), 0u);
-}
-
-TEST(Studio, ASilentIdleBoxIsReconnected) {
-    Scripted link;
-    link.open();
-    link.hello();
-    link.wait_ms(2999);
-    EXPECT_EQ(countOf<LinkLost>(link.events), 0u);
-    link.wait_ms(1);
-    EXPECT_EQ(countOf<LinkLost>(link.events), 1u);
-    link.wait_ms(500);
-    EXPECT_EQ(countOf<ConnectWanted>(link.events), 1u);
-    link.studio.hangUp();
-    link.wait_ms(10'000);
-    EXPECT_EQ(countOf<ConnectWanted>(link.events), 1u);
 }
 
 TEST(Studio, GoldenDamage) {
