@@ -20,18 +20,21 @@ protected:
     const TakeOverview& overview() { return *studio_->take().overview(); }
 
     /// Fills in the dialog of "Reprocess" and hands its request on, as the page does after Enter.
-    void processWithGyroscopesOnly() {
+    ProcessRequest processWithGyroscopesOnly() {
         ReprocessDialog dialog(*studio_, overview(), window_.get());
         dialog.accelerometers->setChecked(false);
         dialog.distances->setChecked(false);
-        dynamic_cast<ReviewPage&>(window_->page(Step::kReview)).process(dialog.request());
+        const ProcessRequest request = dialog.request();
+        dynamic_cast<ReviewPage&>(window_->page(Step::kReview)).process(request);
+        return request;
     }
 
     /// The same two jobs done by `noctule --batch` to another copy of the take.
-    static std::string exportedByProgram(const std::string& take, const ExportRequest& studio,
-                                         const std::string& bvh) {
+    static std::string exportedByProgram(const std::string& take, const ProcessRequest& process,
+                                         const ExportRequest& studio, const std::string& bvh) {
         using noctule::test::batch;
-        const noctule::test::Ran processed = batch({"process", take, "--sensors", "G"});
+        const noctule::test::Ran processed = batch(
+            {"process", take, "--sensors", "G", "--root", process.tracker.root_given ? "given" : "free"});
         EXPECT_EQ(processed.exit_code, 0) << processed.err;
         std::vector<std::string> words{"export", take, "--bvh", bvh};
         words.insert(words.end(), {"--fps", std::to_string(studio.frames_per_second)});
@@ -52,7 +55,7 @@ TEST_F(Flow, FromTheStartPageToAnExportedFile) {
 
     const std::string unprocessed = folder_.filePath("unprocessed.noctule").toStdString();
     std::filesystem::copy_file(overview().path, unprocessed);
-    processWithGyroscopesOnly();
+    const ProcessRequest process = processWithGyroscopesOnly();
     ASSERT_TRUE(waitFor([this] { return overview().runs.size() == 2; }));
     EXPECT_EQ(overview().runs[0].settings.sensors, "AGD");
     EXPECT_EQ(overview().runs[1].settings.sensors, "G");
@@ -76,7 +79,7 @@ TEST_F(Flow, FromTheStartPageToAnExportedFile) {
     ASSERT_TRUE(in_studio) << in_studio.error().text();
     EXPECT_GT(in_studio->size(), 100'000U);
     EXPECT_EQ(*in_studio,
-              exportedByProgram(unprocessed, request, folder_.filePath("batch.bvh").toStdString()));
+              exportedByProgram(unprocessed, process, request, folder_.filePath("batch.bvh").toStdString()));
 }
 
 TEST_F(Flow, TwoClicksFromTheStartToAMovingBody) {
