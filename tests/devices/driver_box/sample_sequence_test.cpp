@@ -7,7 +7,7 @@ namespace noctule::link {
 namespace {
 
 using Verdict = SampleSequence::Verdict;
-constexpr int kRate_hz = 1000;
+constexpr int kSlowRate_hz = 1000;
 
 struct Placed {
     SampleSequence::Placement placement;
@@ -22,7 +22,7 @@ Placed place(SampleSequence& sequence, int64_t first_sample, int samples, bool l
 }
 
 TEST(SampleSequence, BlocksInOrderPassUntouched) {
-    SampleSequence sequence(2, kRate_hz);
+    SampleSequence sequence(2, kSlowRate_hz);
     for (int64_t first = 0; first < 100; first += 10) {
         const Placed placed = place(sequence, first, 10);
         EXPECT_EQ(placed.placement.verdict, Verdict::kNew);
@@ -34,7 +34,7 @@ TEST(SampleSequence, BlocksInOrderPassUntouched) {
 }
 
 TEST(SampleSequence, AHoleIsAGap) {
-    SampleSequence sequence(2, kRate_hz);
+    SampleSequence sequence(2, kSlowRate_hz);
     EXPECT_EQ(place(sequence, 5, 10, true).placement.gap, (Gap{0, 5, GapReason::kLink}));
     EXPECT_EQ(place(sequence, 25, 10, false).placement.gap, (Gap{15, 10, GapReason::kBox}));
     EXPECT_FALSE(place(sequence, 35, 10, true).placement.gap);
@@ -42,7 +42,7 @@ TEST(SampleSequence, AHoleIsAGap) {
 }
 
 TEST(SampleSequence, AnAnnouncedOverrunIsTheBoxs) {
-    SampleSequence sequence(2, kRate_hz);
+    SampleSequence sequence(2, kSlowRate_hz);
     place(sequence, 0, 10);
     sequence.noteOverrun(10);
     EXPECT_EQ(place(sequence, 20, 10, true).placement.gap, (Gap{10, 10, GapReason::kBox}));
@@ -50,7 +50,7 @@ TEST(SampleSequence, AnAnnouncedOverrunIsTheBoxs) {
 }
 
 TEST(SampleSequence, OverlapsAreCutAndOldBlocksDropped) {
-    SampleSequence sequence(2, kRate_hz);
+    SampleSequence sequence(2, kSlowRate_hz);
     place(sequence, 0, 10);
     EXPECT_EQ(place(sequence, 0, 10).placement.verdict, Verdict::kOld);
     EXPECT_EQ(place(sequence, 3, 5).placement.verdict, Verdict::kOld);
@@ -62,24 +62,24 @@ TEST(SampleSequence, OverlapsAreCutAndOldBlocksDropped) {
 }
 
 TEST(SampleSequence, WhatIsFarAheadOrOfAnotherSuitIsDamage) {
-    SampleSequence sequence(2, kRate_hz);
+    SampleSequence sequence(2, kSlowRate_hz);
     place(sequence, 0, 10);
     EXPECT_EQ(place(sequence, 10, 10, false, 3).placement.verdict, Verdict::kDamaged);
-    EXPECT_EQ(place(sequence, 9 + 60 * kRate_hz + 1, 10).placement.verdict, Verdict::kDamaged);
+    EXPECT_EQ(place(sequence, 9 + 60 * kSlowRate_hz + 1, 10).placement.verdict, Verdict::kDamaged);
     EXPECT_EQ(sequence.nextSample(), 10);
-    EXPECT_EQ(place(sequence, 9 + 60 * kRate_hz, 10).placement.verdict, Verdict::kNew);
+    EXPECT_EQ(place(sequence, 9 + 60 * kSlowRate_hz, 10).placement.verdict, Verdict::kNew);
 }
 
 TEST(SampleSequence, TheFirstBlockAfterAReconnectionMayBeFarther) {
-    SampleSequence sequence(2, kRate_hz);
+    SampleSequence sequence(2, kSlowRate_hz);
     place(sequence, 0, 10);
     sequence.expectReconnection();
-    EXPECT_EQ(place(sequence, 9 + 150 * kRate_hz + 1, 10).placement.verdict, Verdict::kDamaged);
+    EXPECT_EQ(place(sequence, 9 + 150 * kSlowRate_hz + 1, 10).placement.verdict, Verdict::kDamaged);
     EXPECT_EQ(place(sequence, 5, 5).placement.verdict, Verdict::kOld);
-    EXPECT_EQ(place(sequence, 9 + 150 * kRate_hz, 10).placement.gap,
-              (Gap{10, 150 * kRate_hz - 1, GapReason::kLink}));
-    EXPECT_FALSE(sequence.isPlausible(sequence.nextSample() + 60 * kRate_hz));
-    EXPECT_TRUE(sequence.isPlausible(sequence.nextSample() + 60 * kRate_hz - 1));
+    EXPECT_EQ(place(sequence, 9 + 150 * kSlowRate_hz, 10).placement.gap,
+              (Gap{10, 150 * kSlowRate_hz - 1, GapReason::kLink}));
+    EXPECT_FALSE(sequence.isPlausible(sequence.nextSample() + 60 * kSlowRate_hz));
+    EXPECT_TRUE(sequence.isPlausible(sequence.nextSample() + 60 * kSlowRate_hz - 1));
 }
 
 }  // namespace
