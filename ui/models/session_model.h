@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "core/session/session.h"
 #include "ui/jobs/jobs.h"
@@ -60,6 +61,7 @@ public:
     void importTakes(const QStringList& paths);  ///< a job
     /// Finishes a take whose recording broke off; a job.
     void recover(int take);
+    bool isRecovering(const std::string& take) const { return recovering_.count(take) > 0; }
     /// Looks at a take's file again; one that has come into the folder is added.
     void refresh(const QString& take_path);
     void saveNow();
@@ -70,8 +72,10 @@ signals:
     void currentTakeChanged(int index);
     void takeAdded(const QString& name);  ///< imported
     void failed(const QString& message);
-    /// Opening failed in a way that rebuild() may mend; comes after failed().
-    void damaged(const QString& folder);
+    /// Opening failed in a way that rebuild() may mend; instead of failed(). `problem` is a sentence without
+    /// its stop and says which takes are safe.
+    void damaged(const QString& folder, const QString& problem);
+    void recovered(const QString& take_path);  ///< another file stands there now
 
 private:
     friend class SessionCommand;
@@ -95,6 +99,7 @@ private:
     int current_ = -1;
     std::string current_name_;
     QPointer<Job> opening_;
+    std::set<std::string> recovering_;
 };
 
 }  // namespace noctule::ui

@@ -53,6 +53,10 @@ Studio::Studio(StudioParts parts, QObject* parent)
       take_(jobs_, time_),
       processing_(std::make_shared<std::timed_mutex>()) {
     connect(&session_, &SessionModel::currentTakeChanged, this, &Studio::openTakeUnderReview);
+    connect(&session_, &SessionModel::recovered, this, [this](const QString& path) {
+        if (take_.path() == path)
+            take_.open(path);
+    });
 }
 
 std::shared_ptr<const SkinnedMesh> Studio::body() {

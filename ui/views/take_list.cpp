@@ -109,6 +109,8 @@ void TakeList::showMenu(const QModelIndex& index, const QPoint& global) {
     QMenu menu(this);
     const int row = index.row();
     menu.addAction(tr("Open"), this, [this, row] { openTake(row); });
+    if (takes_->take(row).state == TakeState::kRecording)
+        menu.addAction(tr("Recover"), this, [this, row] { studio_.session().recover(row); });
     QMenu* rating = menu.addMenu(tr("Rating"));
     for (int stars = 0; stars <= 5; ++stars) {
         QAction* action = rating->addAction(stars == 0 ? tr("None") : tr("%n stars", nullptr, stars),

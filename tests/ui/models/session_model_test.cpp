@@ -16,7 +16,6 @@ namespace {
 class SessionModelTest : public test::SessionFolder {
 protected:
     void SetUp() override {
-        SessionFolder::SetUp();
         QSettings().clear();
         newSession();
         makeTake(takes() / "walk_001.noctule", "2026-03-01T10:00:00Z", "Performer 1");
@@ -239,8 +238,8 @@ TEST_F(SessionModelTest, DamagedSessionIsToldAndRebuilt) {
     QSignalSpy failed(&model_, &SessionModel::failed), damaged(&model_, &SessionModel::damaged);
     model_.open(qfolder());
     ASSERT_TRUE(waitFor([&] { return damaged.count() == 1; }));
-    EXPECT_EQ(failed.count(), 1);
-    EXPECT_TRUE(failed[0][0].toString().contains("4 takes are safe"));
+    EXPECT_EQ(failed.count(), 0) << "it is told once";
+    EXPECT_TRUE(damaged[0][1].toString().contains("4 takes are safe"));
     EXPECT_FALSE(model_.isOpen());
     model_.rebuild(damaged[0][0].toString());
     ASSERT_TRUE(waitFor([&] { return model_.isOpen(); }));
