@@ -21,16 +21,15 @@ QString words(const std::string& text) {
 }
 
 /// assimp reads files of the disk only; the body is part of the program.
-std::shared_ptr<const SkinnedMesh> readBody() {
+Result<SkinnedMesh> readBody() {
     QFile resource(kBody);
     QTemporaryFile file(QDir::temp().filePath("noctule-XXXXXX.glb"));
-    if (!resource.open(QIODevice::ReadOnly) || !file.open())
-        return nullptr;
-    const QByteArray bytes = resource.readAll();
-    if (file.write(bytes) != bytes.size() || !file.flush())
-        return nullptr;
-    auto mesh = readSkinnedMesh(file.fileName().toStdString());
-    return mesh ? std::make_shared<const SkinnedMesh>(std::move(*mesh)) : nullptr;
+    const bool opened = resource.open(QIODevice::ReadOnly) && file.open();
+    const QByteArray bytes = opened ? resource.readAll() : QByteArray();
+    if (!opened || file.write(bytes) != bytes.size() || !file.flush())
+        return Error{ErrorKind::kDisk, Studio::tr("The body could not be unpacked").toStdString(),
+                     Studio::tr("Free some space on the disk; until then a skeleton is shown").toStdString()};
+    return readSkinnedMesh(file.fileName().toStdString());
 }
 
 /// Waits for its turn and still hears Cancel; false: cancelled.
@@ -57,12 +56,27 @@ Studio::Studio(StudioParts parts, QObject* parent)
         if (take_.path() == path)
             take_.open(path);
     });
+    loadBody();
 }
 
-std::shared_ptr<const SkinnedMesh> Studio::body() {
-    if (!std::exchange(body_looked_for_, true))
-        body_ = readBody();
-    return body_;
+void Studio::loadBody() {
+    jobs_.start<SkinnedMesh>(
+        tr("Loading the body"), [](const JobContext&) { return readBody(); },
+        [this](Result<SkinnedMesh> mesh) -> QString {
+            if (mesh)
+                body_ = std::make_shared<const SkinnedMesh>(std::move(*mesh));
+            body_ended_ = true;
+            emit bodyLoaded();
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+void Studio::whenBodyIsThere(QObject* context, std::function<void()> act) {
+    if (body_ended_)
+        act();
+    else
+        connect(this, &Studio::bodyLoaded, context, std::move(act));
 }
 
 QString Studio::sessionsFolder() const {

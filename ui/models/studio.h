@@ -43,8 +43,11 @@ public:
     SessionModel& session() { return session_; }
     TakeDocument& take() { return take_; }
     QSettings& settings() { return settings_; }
-    /// The body that ships with the studio, loaded on first use; null when it cannot be read.
-    std::shared_ptr<const SkinnedMesh> body();
+    /// The body that ships with the studio; null until a job of the start has loaded it, or when it cannot be
+    /// read.
+    std::shared_ptr<const SkinnedMesh> body() const { return body_; }
+    /// Runs `act` as soon as loading the body has ended, at once when it has; not when `context` is gone.
+    void whenBodyIsThere(QObject* context, std::function<void()> act);
 
     /// Where sessions are made unless the operator says otherwise.
     QString sessionsFolder() const;
@@ -59,6 +62,7 @@ public slots:
 
 signals:
     void stepRequested(noctule::ui::Step step);
+    void bodyLoaded();  ///< or not; once
     /// A sentence for the status bar.
     void said(const QString& text);
     /// Something failed: what happened, and what to do.
@@ -73,9 +77,10 @@ private:
     SessionModel session_;
     TakeDocument take_;
     void openTakeUnderReview(int index);
+    void loadBody();
 
     std::shared_ptr<const SkinnedMesh> body_;
-    bool body_looked_for_ = false;
+    bool body_ended_ = false;  ///< loading it
     QPointer<Job> virtual_suit_;
     std::shared_ptr<std::timed_mutex> processing_;  ///< a take takes one writer, the machine one filter
 };

@@ -111,6 +111,7 @@ void SceneView::followStudio() {
         layOut();
         refresh();
     });
+    studio_.whenBodyIsThere(this, [this] { refresh(); });
 }
 
 void SceneView::showMessage(const QString& sentence) {
