@@ -3,6 +3,8 @@
 
 #include <QDir>
 
+#include "ui/views/recovery_words.h"
+
 namespace noctule::ui {
 namespace {
 
@@ -56,14 +58,9 @@ void SessionNotices::tellMarker(SessionMarker::Finding finding) {
 }
 
 void SessionNotices::tellDamaged(const QString& folder, const QString& problem) {
-    notices_.add(
-        {Tone::kError, tr("“%1” cannot be opened as it is").arg(QDir(folder).dirName()),
-         tr("%1. Rebuilding makes a new session.json from what the takes know: performers, suits and "
-            "the order of recording. Ratings, notes, in and out are not in the takes; the damaged "
-            "session.json is kept beside the new one.",
-            "what is wrong and which takes are safe")
-             .arg(problem),
-         tr("Rebuild session"), [this, folder] { studio_.session().rebuild(folder); }, kDamaged});
+    notices_.add({Tone::kError, tr("“%1” cannot be opened as it is").arg(QDir(folder).dirName()),
+                  rebuildOffer(problem), tr("Rebuild session"),
+                  [this, folder] { studio_.session().rebuild(folder); }, kDamaged});
 }
 
 /// Recordings that broke off can be finished as soon as they are seen.
@@ -90,19 +87,14 @@ Notice SessionNotices::interruptedNotice(const QStringList& names) {
             if (session.isOpen())
                 session.recover(session.session().findTake(name.toStdString()));
     };
-    return {
-        Tone::kWarn,
-        one ? tr("The recording of %1 was not ended").arg(names.first())
-            : tr("%n recordings were not ended", nullptr, names.size()),
-        one ? tr("What came in until then is safe on disk. Recover checks it and makes a whole take of it; "
-                 "the recording itself is kept in the trash of the session.")
-            : tr("%1: what came in until then is safe on disk. Recover checks it and makes whole takes of "
-                 "it; the recordings themselves are kept in the trash of the session.",
-                 "names of takes")
-                  .arg(names.join(QStringLiteral(", "))),
-        one ? tr("Recover %1").arg(names.first()) : tr("Recover all"),
-        recover,
-        kInterrupted};
+    return {Tone::kWarn,
+            one ? tr("The recording of %1 was not ended").arg(names.first())
+                : tr("%n recordings were not ended", nullptr, names.size()),
+            tr("What came in until then is safe on disk: %1. %2", "names of takes, an offer")
+                .arg(names.join(QStringLiteral(", ")), recoverOffer()),
+            one ? tr("Recover %1").arg(names.first()) : tr("Recover all"),
+            recover,
+            kInterrupted};
 }
 
 }  // namespace noctule::ui

@@ -10,6 +10,7 @@
 #include "ui/views/big_button.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/recent_sessions.h"
+#include "ui/views/recovery_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/session_list.h"
 #include "ui/views/take_picture.h"
@@ -241,11 +242,7 @@ ProblemCard* StartPage::interruptedCard(const RecentSession& session) {
         return card;
     }
     auto* card = new ProblemCard(Tone::kWarn, tr("The take %1 was not ended").arg(take.name),
-                                 tr("%1 Recover checks it and makes a whole take of it; the recording itself "
-                                    "is kept in the trash of the "
-                                    "session.",
-                                    "a sentence about what is safe")
-                                     .arg(safe));
+                                 safe + QLatin1Char(' ') + recoverOffer());
     connect(card->addAction(tr("Recover %1").arg(take.name)), &QPushButton::clicked, this,
             [this, path] { emit recoverRequested(path); });
     connect(card->addAction(tr("Open it as it is")), &QPushButton::clicked, this,
@@ -265,14 +262,8 @@ ProblemCard* StartPage::leftOpenCard(const RecentSession& session) {
 }
 
 ProblemCard* StartPage::damagedCard(const RecentSession& session) {
-    auto* card = new ProblemCard(
-        Tone::kError, tr("The list of “%1” is damaged").arg(session.name),
-        tr("%1. Rebuilding makes a new session.json from what the takes know: performers, suits and the "
-           "order of "
-           "recording. Ratings and notes are not in the takes; a damaged session.json is kept beside the new "
-           "one.",
-           "what is wrong and which takes are safe")
-            .arg(session.problem));
+    auto* card = new ProblemCard(Tone::kError, tr("The list of “%1” is damaged").arg(session.name),
+                                 rebuildOffer(session.problem));
     connect(card->addAction(tr("Rebuild session")), &QPushButton::clicked, this,
             [this, folder = session.folder] { emit rebuildRequested(folder); });
     return card;
