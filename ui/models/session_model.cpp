@@ -244,7 +244,10 @@ void SessionModel::recover(int take) {
                 return recovered.error();
             return copy;
         },
-        [model = QPointer(this), name](Result<Session> copy) -> QString {
+        [model = QPointer(this), name,
+         kept = keepInPlace(
+             QString::fromStdString(session_->pathOf(session_->takes[static_cast<size_t>(take)]).string()))](
+            Result<Session> copy) -> QString {
             if (!model || !model->session_)
                 return {};
             model->recovering_.erase(name);

@@ -56,6 +56,10 @@ Studio::Studio(StudioParts parts, QObject* parent)
         if (take_.path() == path)
             take_.open(path);
     });
+    connect(&session_, &SessionModel::takeRenamed, this, [this](const QString& before, const QString& now) {
+        if (take_.path() == before)
+            take_.followMove(now);
+    });
     loadBody();
 }
 
@@ -134,7 +138,7 @@ Job* Studio::process(ProcessRequest request) {
                 return JobContext::cancelledError();
             return processTake(request, job);
         },
-        [this, path, take](Result<ProcessSummary> summary) -> QString {
+        [this, path, take, kept = session_.keepInPlace(path)](Result<ProcessSummary> summary) -> QString {
             if (!summary) {
                 if (summary.error().kind != ErrorKind::kCancelled)
                     emit failed(words(summary.error().message), words(summary.error().remedy));
