@@ -50,6 +50,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
       parts_(std::move(parts)),
       session_(jobs_),
       take_(jobs_, time_),
+      markers_(jobs_, session_, take_),
       processing_(std::make_shared<std::timed_mutex>()) {
     connect(&session_, &SessionModel::currentTakeChanged, this, &Studio::openTakeUnderReview);
     connect(&session_, &SessionModel::recovered, this, [this](const QString& path) {
@@ -60,6 +61,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
         if (take_.path() == before)
             take_.followMove(now);
     });
+    connect(&markers_, &MarkerEditor::failed, this, &Studio::failed);
     loadBody();
 }
 

@@ -14,6 +14,7 @@
 #include "core/mesh/skinned_mesh.h"
 #include "core/processing/process_take.h"
 #include "ui/jobs/jobs.h"
+#include "ui/models/marker_editor.h"
 #include "ui/models/selection.h"
 #include "ui/models/session_model.h"
 #include "ui/models/take_document.h"
@@ -42,6 +43,7 @@ public:
     Selection& selection() { return selection_; }
     SessionModel& session() { return session_; }
     TakeDocument& take() { return take_; }
+    MarkerEditor& markers() { return markers_; }
     QSettings& settings() { return settings_; }
     /// The body that ships with the studio; null until a job of the start has loaded it, or when it cannot be
     /// read.
@@ -76,6 +78,7 @@ private:
     Selection selection_;
     SessionModel session_;
     TakeDocument take_;
+    MarkerEditor markers_;
     void openTakeUnderReview(int index);
     void loadBody();
 
