@@ -76,6 +76,24 @@ Status TakeEdit::dropRun(int64_t run) {
     return Done{};
 }
 
+Status TakeEdit::removeMarker(const MarkerRow& row, int suit) {
+    const Error none{ErrorKind::kUsage, database().name() + ": there is no such marker any more",
+                     "Look at the take again"};
+    if (!schema().has("marker"))
+        return none;
+    const std::string belongs = schema().expression("marker", "suit") + "=" + std::to_string(suit);
+    auto find = database().prepare("SELECT rowid FROM marker WHERE sample=? AND kind=? AND label=? AND " +
+                                   belongs + " LIMIT 1");
+    if (!find)
+        return find.error();
+    find->bind(0, row.sample).bind(1, std::string_view(row.kind)).bind(2, std::string_view(row.label));
+    const auto found = find->step();
+    if (!found)
+        return found.error();
+    const auto id = *found ? find->integer(0) : std::nullopt;
+    return id ? removeRows("marker", " WHERE rowid=" + std::to_string(*id)) : Status(none);
+}
+
 Status TakeEdit::removeReference(int suit) {
     return removeRows("reference",
                       " WHERE " + schema().expression("reference", "suit") + "=" + std::to_string(suit));

@@ -19,6 +19,8 @@ public:
     Result<int64_t> beginRun(const DerivedRun& run);
     /// Removes a run and its rows; kUsage for primary rows (run 0).
     Status dropRun(int64_t run);
+    /// One such marker; kUsage when there is none.
+    Status removeMarker(const MarkerRow& row, int suit = 1);
     Status removeReference(int suit = 1);
     Status removeExternalRoot(int suit = 1);
 

@@ -175,6 +175,32 @@ Result<SessionTake> importTake(Session& session, const fs::path& original, const
     return session.takes[static_cast<size_t>(index)];
 }
 
+std::string takeNameFrom(const std::string& typed) {
+    return cleanName(typed);
+}
+
+Status renameTake(Session& session, const std::string& name, const std::string& wanted) {
+    const int index = session.findTake(name);
+    if (index < 0)
+        return noSuchTake(name);
+    if (cleanName(wanted) != wanted || wanted.find_first_not_of("_-") == std::string::npos)
+        return Error{ErrorKind::kUsage, name + ": a take cannot be called \"" + wanted + "\"",
+                     "Use letters, digits, hyphens and underscores"};
+    if (wanted == name)
+        return Done{};
+    if (!isNameFree(session, wanted))
+        return Error{ErrorKind::kUsage,
+                     wanted + ": there is a take of that name already, or one in the trash",
+                     "Choose another name"};
+    SessionTake& take = session.takes[static_cast<size_t>(index)];
+    if (const Status moved = moveTakeFiles(session.pathOf(take), takePath(session, wanted)); !moved)
+        return moved;
+    take.name = wanted;
+    take.file = takeNamed(wanted).file;
+    sortTakes(session);
+    return Done{};
+}
+
 Status trashTake(Session& session, const std::string& name) {
     const int index = session.findTake(name);
     if (index < 0)

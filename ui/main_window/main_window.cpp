@@ -9,6 +9,7 @@
 #include "ui/main_window/jobs_panel.h"
 #include "ui/main_window/pages.h"
 #include "ui/main_window/panel_walk.h"
+#include "ui/main_window/session_notices.h"
 #include "ui/main_window/side_docks.h"
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
@@ -79,6 +80,7 @@ void MainWindow::buildParts() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     notices_ = new Notices;
+    session_notices_ = new SessionNotices(studio_, *notices_, this);
     stack_ = new QStackedWidget;
     column->addWidget(notices_);
     column->addWidget(stack_, 1);

@@ -19,6 +19,7 @@ namespace noctule::ui {
 
 class JobsPanel;
 class Page;
+class SessionNotices;
 class SideDocks;
 class StatusLine;
 class TopBar;
@@ -44,6 +45,8 @@ public slots:
     void goTo(noctule::ui::Step step);
     /// A session's folder, its session.json, or a take. A take of a session opens with its session.
     void open(const QString& path);
+    /// Opens the take's session and finishes its recording.
+    void recoverTake(const QString& path);
     void showPreferences();
     void showShortcuts();
     void showTour();
@@ -72,10 +75,9 @@ private:
     void refreshTitle();
     void restoreGeometryKept();
     void openTake(const QString& path);
+    void recoverWanted();
     void onSessionOpened();
     void onTakeOpened();
-    void tellMarker(SessionMarker::Finding finding);
-    void tellInterrupted();
     void onFailure(const QString& what, const QString& remedy);
     void onSessionFailure(const QString& message);
     bool mayClose();
@@ -90,9 +92,11 @@ private:
     TopBar* top_bar_;
     SideDocks* docks_;
     Notices* notices_;
+    SessionNotices* session_notices_;
     QStackedWidget* stack_;
     StatusLine* status_;
     JobsPanel* jobs_panel_;
+    QString recovery_wanted_;  ///< path of a take whose session is being opened
 };
 
 }  // namespace noctule::ui

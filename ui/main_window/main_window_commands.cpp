@@ -85,6 +85,8 @@ Page* MainWindow::makePage(Step step) {
         connect(start, &StartPage::openSessionRequested, (*actions_)[Command::kOpenSession],
                 &QAction::trigger);
         connect(start, &StartPage::openRequested, this, &MainWindow::open);
+        connect(start, &StartPage::recoverRequested, this, &MainWindow::recoverTake);
+        connect(start, &StartPage::rebuildRequested, &studio_.session(), &SessionModel::rebuild);
         connect(start, &StartPage::tourRequested, this, &MainWindow::showTour);
         connect(start, &StartPage::putSuitOnRequested, (*actions_)[Command::kPutSuitOn], &QAction::trigger);
         connect(start, &StartPage::newsRequested, (*actions_)[Command::kNews], &QAction::trigger);

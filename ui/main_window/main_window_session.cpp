@@ -10,6 +10,7 @@
 #include <QPushButton>
 
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/session_notices.h"
 #include "ui/main_window/side_docks.h"
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
@@ -20,8 +21,6 @@ namespace noctule::ui {
 namespace {
 
 constexpr const char* kLooseTake = "loose take";
-constexpr const char* kMarkerTopic = "session marker";
-constexpr const char* kInterrupted = "interrupted take";
 
 bool isTake(const QString& path) {
     return path.endsWith(".noctule", Qt::CaseInsensitive);
@@ -30,7 +29,8 @@ bool isTake(const QString& path) {
 QStringList localPaths(const QMimeData& data) {
     QStringList paths;
     for (const QUrl& url : data.urls())
-        if (url.isLocalFile() && (isTake(url.toLocalFile()) || SessionCommands::isSession(url.toLocalFile())))
+        if (url.isLocalFile() &&
+            (isTake(url.toLocalFile()) || SessionCommands::canBeOpened(url.toLocalFile())))
             paths.append(url.toLocalFile());
     return paths;
 }
@@ -42,17 +42,6 @@ void MainWindow::connectStudio() {
     connect(&studio_.session(), &SessionModel::changed, this, &MainWindow::refreshTitle);
     connect(&studio_.session(), &SessionModel::takeAdded, this, [this] { goTo(Step::kReview); });
     connect(&studio_.session(), &SessionModel::failed, this, &MainWindow::onSessionFailure);
-    connect(&studio_.session(), &SessionModel::currentTakeChanged, this, &MainWindow::tellInterrupted);
-    connect(&studio_.session(), &SessionModel::damaged, this, [this](const QString& folder) {
-        notices_->add(
-            {Tone::kWarn,
-             tr("%1 can be rebuilt from its takes").arg(QDir(folder).dirName()),
-             tr("Takes, performers and suits are in the take files; ratings, notes and order are not. The "
-                "damaged session.json is kept beside the new one."),
-             tr("Rebuild session"),
-             [this, folder] { studio_.session().rebuild(folder); },
-             {}});
-    });
     connect(&studio_.take(), &TakeDocument::opened, this, &MainWindow::onTakeOpened);
     connect(&studio_.take(), &TakeDocument::failed, this, &MainWindow::onSessionFailure);
     connect(&studio_, &Studio::failed, this, &MainWindow::onFailure);
@@ -66,7 +55,7 @@ void MainWindow::open(const QString& path) {
         onFailure(tr("%1 is not there").arg(QDir::toNativeSeparators(path)),
                   tr("It may have been moved, or its disk is not connected."));
     } else if (file.isDir()) {
-        if (SessionCommands::isSession(path))
+        if (SessionCommands::canBeOpened(path))
             studio_.session().open(path);
         else
             onFailure(tr("%1 holds no session").arg(file.fileName()),
@@ -90,66 +79,40 @@ void MainWindow::openTake(const QString& path) {
     studio_.session().open(folder, QFileInfo(path).completeBaseName());
 }
 
+void MainWindow::recoverTake(const QString& path) {
+    recovery_wanted_ = QFileInfo(path).absoluteFilePath();
+    openTake(recovery_wanted_);
+}
+
+void MainWindow::recoverWanted() {
+    SessionModel& session = studio_.session();
+    const QFileInfo wanted(std::exchange(recovery_wanted_, {}));
+    const int index = session.session().findTake(wanted.completeBaseName().toStdString());
+    if (index < 0)
+        return;
+    const SessionTake& take = session.session().takes[static_cast<size_t>(index)];
+    const QString path = QString::fromStdString(session.session().pathOf(take).string());
+    if (take.state == TakeState::kRecording && QFileInfo(path) == wanted)
+        session.recover(index);
+}
+
 void MainWindow::onSessionOpened() {
     SessionModel& session = studio_.session();
     const bool open = session.isOpen();
     for (const Command command : {Command::kShowFolder, Command::kCloseSession})
         (*actions_)[command]->setEnabled(open);
-    notices_->remove(kMarkerTopic);
     if (!open) {
         marker_.release();
+        session_notices_->forget();
         goTo(Step::kStart);
         return;
     }
     const QString folder = QString::fromStdString(session.session().folder.string());
-    tellMarker(marker_.mark(folder));
+    const SessionMarker::Finding finding = marker_.mark(folder);
+    recoverWanted();
+    session_notices_->tellMarker(finding);
     recent_.remember(folder);
     goTo(session.session().takes.empty() ? Step::kConnect : Step::kReview);
-}
-
-/// What the marker in the folder says about how the session was left, and whether someone else has it open.
-void MainWindow::tellMarker(SessionMarker::Finding finding) {
-    const Session& session = studio_.session().session();
-    const QString name = QString::fromStdString(session.name);
-    Notice notice{Tone::kWarn, {}, {}, {}, {}, kMarkerTopic};
-    if (finding == SessionMarker::Finding::kInUse) {
-        notice.title = tr("“%1” is open somewhere else as well").arg(name);
-        notice.text =
-            tr("Takes are safe. Of notes and ratings changed in both places the later ones win; close one of "
-               "the two.");
-    } else if (finding == SessionMarker::Finding::kNoMarker) {
-        notice.title = tr("“%1” can be read but not written").arg(name);
-        notice.text =
-            tr("Takes can be reviewed and exported to another place; ratings, notes and results cannot be "
-               "kept. Copy the folder to where you may write.");
-    } else if (finding == SessionMarker::Finding::kLeftBehind) {
-        notice.tone = Tone::kOk;
-        notice.title = tr("“%1” was not closed last time").arg(name);
-        notice.text =
-            tr("The studio ended unexpectedly. All %n take(s) were looked at again; changes were kept up to "
-               "the last second.",
-               nullptr, static_cast<int>(session.takes.size()));
-    }
-    if (!notice.title.isEmpty())
-        notices_->add(notice);
-}
-
-/// A recording that broke off can be finished where it is seen.
-void MainWindow::tellInterrupted() {
-    notices_->remove(kInterrupted);
-    SessionModel& session = studio_.session();
-    const int index = session.isOpen() ? session.currentTake() : -1;
-    if (index < 0)
-        return;
-    const SessionTake& take = session.session().takes[static_cast<size_t>(index)];
-    const QString name = QString::fromStdString(take.name);
-    if (take.state == TakeState::kRecording)
-        notices_->add({Tone::kWarn, tr("The recording of %1 was not ended").arg(name),
-                       tr("What came in until then is safe on disk. Recover checks it and makes a whole take "
-                          "of it; the "
-                          "recording itself is kept in the trash of the session."),
-                       tr("Recover %1").arg(name), [this, index] { studio_.session().recover(index); },
-                       kInterrupted});
 }
 
 void MainWindow::onTakeOpened() {

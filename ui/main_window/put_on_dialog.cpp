@@ -37,6 +37,8 @@ PutOnDialog::PutOnDialog(Studio& studio, QWidget* parent) : QDialog(parent) {
     auto* drawing = new QWidget;
     auto* drawing_column = makeColumn(drawing, {}, 8);
     map_ = new BodyMap(defaultActor(), suitToWear(studio), studio.body());
+    if (!studio.body())
+        studio.whenBodyIsThere(map_, [this, &studio] { map_->setBody(studio.body()); });
     for (int i = 0; i < map_->boardCount(); ++i)
         map_->setBoardState(i, Tone::kNeutral, tr("board %1").arg(i + 1));
     drawing_column->addWidget(map_, 1);

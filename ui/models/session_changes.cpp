@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the operator changes in a session, each with its way back. Takes are remembered by name and performers
 // by place: what lies between a step and its undo has been undone before.
+#include <QDir>
 #include <algorithm>
 
 #include "ui/models/session_command.h"
@@ -181,8 +182,62 @@ void SessionModel::trashTake(int take) {
     const SessionTake trashed = session_->takes[static_cast<size_t>(take)];
     push(
         tr("Move %1 to the trash").arg(QString::fromStdString(trashed.name)),
-        [name = trashed.name](Session& session) { return noctule::trashTake(session, name); },
+        [this, name = trashed.name](Session& session) {
+            const Status may = mayMove(session, name);
+            return may ? noctule::trashTake(session, name) : may;
+        },
         [trashed](Session& session) { return restoreTake(session, trashed); });
+}
+
+std::shared_ptr<void> SessionModel::keepInPlace(const QString& take_path) {
+    std::weak_ptr<void>& kept = kept_[QDir::cleanPath(take_path)];
+    std::shared_ptr<void> token = kept.lock();
+    if (!token)
+        kept = token = std::make_shared<int>();
+    return token;
+}
+
+Status SessionModel::mayMove(const Session& session, const std::string& take) const {
+    const int index = session.findTake(take);
+    if (index < 0)
+        return Done{};
+    const auto& path = session.pathOf(session.takes[static_cast<size_t>(index)]).string();
+    const auto kept = kept_.find(QDir::cleanPath(QString::fromStdString(path)));
+    if (kept == kept_.end() || kept->second.expired())
+        return Done{};
+    return Error{ErrorKind::kUsage, tr("A job works on %1").arg(QString::fromStdString(take)).toStdString(),
+                 tr("Wait until it is done, or cancel it").toStdString()};
+}
+
+Status SessionModel::moveTake(Session& session, const std::string& from, const std::string& to) {
+    if (const Status may = mayMove(session, from); !may)
+        return may;
+    const auto path_of = [&](const std::string& name) {
+        const int index = session.findTake(name);
+        return index < 0 ? QString()
+                         : QString::fromStdString(
+                               session.pathOf(session.takes[static_cast<size_t>(index)]).string());
+    };
+    const QString before = path_of(from);
+    Status renamed = noctule::renameTake(session, from, to);
+    if (!renamed)
+        return renamed;
+    if (current_name_ == from)
+        current_name_ = to;
+    emit takeRenamed(before, path_of(to));
+    return renamed;
+}
+
+void SessionModel::renameTake(int take, const QString& name) {
+    if (!session_ || !isIndex(take, session_->takes.size()))
+        return;
+    const std::string before = session_->takes[static_cast<size_t>(take)].name;
+    const std::string after = takeNameFrom(name.trimmed().toStdString());
+    if (after != before && !name.trimmed().isEmpty())
+        push(
+            tr("Rename %1 to %2").arg(QString::fromStdString(before), QString::fromStdString(after)),
+            [this, before, after](Session& session) { return moveTake(session, before, after); },
+            [this, before, after](Session& session) { return moveTake(session, after, before); });
 }
 
 }  // namespace noctule::ui

@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QSettings>
 
+#include "core/session/take_folder.h"
 #include "ui/models/session_command.h"
 
 namespace noctule::ui {
@@ -101,9 +102,10 @@ void SessionModel::openWith(const QString& title, const QString& folder, const Q
             } else if (found->session) {
                 model->adopt(std::move(*found->session), take);
             } else {
-                emit model->failed(inWords(found->error));
                 if (found->can_rebuild)
-                    emit model->damaged(folder);
+                    emit model->damaged(folder, QString::fromStdString(found->error.message));
+                else
+                    emit model->failed(inWords(found->error));
                 return inWords(found->error);
             }
             return {};
@@ -131,6 +133,7 @@ void SessionModel::leave() {
     session_.reset();
     current_ = -1;
     current_name_.clear();
+    recovering_.clear();
 }
 
 void SessionModel::announce() {
@@ -231,6 +234,8 @@ void SessionModel::recover(int take) {
     if (!session_ || take < 0 || take >= static_cast<int>(session_->takes.size()))
         return;
     const std::string name = session_->takes[static_cast<size_t>(take)].name;
+    if (!recovering_.insert(name).second)
+        return;
     const QString title = tr("Recovering %1").arg(QString::fromStdString(name));
     jobs_.start<Session>(
         title,
@@ -239,19 +244,26 @@ void SessionModel::recover(int take) {
                 return recovered.error();
             return copy;
         },
-        [model = QPointer(this), name](Result<Session> copy) -> QString {
+        [model = QPointer(this), name,
+         kept = keepInPlace(
+             QString::fromStdString(session_->pathOf(session_->takes[static_cast<size_t>(take)]).string()))](
+            Result<Session> copy) -> QString {
             if (!model || !model->session_)
                 return {};
+            model->recovering_.erase(name);
             if (!copy) {
                 model->tell(tr("%1 could not be recovered; its file stays as it is")
                                 .arg(QString::fromStdString(name)),
                             copy.error());
+                emit model->changed();
                 return {};
             }
             if (copy->folder != model->session_->folder)
                 return {};
             for (const SessionTake& known : copy->takes)
                 model->refresh(QString::fromStdString(copy->pathOf(known).string()));
+            emit model->recovered(
+                QString::fromStdString((copy->takesFolder() / (name + kTakeExtension)).string()));
             return tr("%1 is recovered").arg(QString::fromStdString(name));
         });
 }

@@ -9,8 +9,10 @@
 #include <QTimer>
 #include <QUndoStack>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "core/session/session.h"
 #include "ui/jobs/jobs.h"
@@ -55,14 +57,20 @@ public:
     void removePerformer(int index);
     void setCurrentPerformer(const QString& name);
     void trashTake(int take);
+    /// Its file too; what cannot be part of a file's name becomes "_".
+    void renameTake(int take, const QString& name);
 
     // Not undone: files come, nothing goes.
     void importTakes(const QStringList& paths);  ///< a job
     /// Finishes a take whose recording broke off; a job.
     void recover(int take);
+    bool isRecovering(const std::string& take) const { return recovering_.count(take) > 0; }
     /// Looks at a take's file again; one that has come into the folder is added.
     void refresh(const QString& take_path);
     void saveNow();
+
+    /// While the result lives, somebody works on the take's file: it is neither renamed nor trashed.
+    std::shared_ptr<void> keepInPlace(const QString& take_path);
 
 signals:
     void opened();   ///< or closed
@@ -70,8 +78,12 @@ signals:
     void currentTakeChanged(int index);
     void takeAdded(const QString& name);  ///< imported
     void failed(const QString& message);
-    /// Opening failed in a way that rebuild() may mend; comes after failed().
-    void damaged(const QString& folder);
+    /// Opening failed in a way that rebuild() may mend; instead of failed(). `problem` is a sentence without
+    /// its stop and says which takes are safe.
+    void damaged(const QString& folder, const QString& problem);
+    void recovered(const QString& take_path);  ///< another file stands there now
+    /// Comes before changed().
+    void takeRenamed(const QString& old_path, const QString& new_path);
 
 private:
     friend class SessionCommand;
@@ -87,6 +99,8 @@ private:
     void noteChange();
     void followCurrentTake();
     void tell(const QString& what_failed, const Error& error);
+    Status mayMove(const Session& session, const std::string& take) const;
+    Status moveTake(Session& session, const std::string& from, const std::string& to);
 
     Jobs& jobs_;
     SessionSaver saver_;
@@ -95,6 +109,8 @@ private:
     int current_ = -1;
     std::string current_name_;
     QPointer<Job> opening_;
+    std::set<std::string> recovering_;
+    std::map<QString, std::weak_ptr<void>> kept_;  ///< by path
 };
 
 }  // namespace noctule::ui

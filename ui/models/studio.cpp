@@ -21,16 +21,15 @@ QString words(const std::string& text) {
 }
 
 /// assimp reads files of the disk only; the body is part of the program.
-std::shared_ptr<const SkinnedMesh> readBody() {
+Result<SkinnedMesh> readBody() {
     QFile resource(kBody);
     QTemporaryFile file(QDir::temp().filePath("noctule-XXXXXX.glb"));
-    if (!resource.open(QIODevice::ReadOnly) || !file.open())
-        return nullptr;
-    const QByteArray bytes = resource.readAll();
-    if (file.write(bytes) != bytes.size() || !file.flush())
-        return nullptr;
-    auto mesh = readSkinnedMesh(file.fileName().toStdString());
-    return mesh ? std::make_shared<const SkinnedMesh>(std::move(*mesh)) : nullptr;
+    const bool opened = resource.open(QIODevice::ReadOnly) && file.open();
+    const QByteArray bytes = opened ? resource.readAll() : QByteArray();
+    if (!opened || file.write(bytes) != bytes.size() || !file.flush())
+        return Error{ErrorKind::kDisk, Studio::tr("The body could not be unpacked").toStdString(),
+                     Studio::tr("Free some space on the disk; until then a skeleton is shown").toStdString()};
+    return readSkinnedMesh(file.fileName().toStdString());
 }
 
 /// Waits for its turn and still hears Cancel; false: cancelled.
@@ -51,14 +50,39 @@ Studio::Studio(StudioParts parts, QObject* parent)
       parts_(std::move(parts)),
       session_(jobs_),
       take_(jobs_, time_),
+      markers_(jobs_, session_, take_),
       processing_(std::make_shared<std::timed_mutex>()) {
     connect(&session_, &SessionModel::currentTakeChanged, this, &Studio::openTakeUnderReview);
+    connect(&session_, &SessionModel::recovered, this, [this](const QString& path) {
+        if (take_.path() == path)
+            take_.open(path);
+    });
+    connect(&session_, &SessionModel::takeRenamed, this, [this](const QString& before, const QString& now) {
+        if (take_.path() == before)
+            take_.followMove(now);
+    });
+    connect(&markers_, &MarkerEditor::failed, this, &Studio::failed);
+    loadBody();
 }
 
-std::shared_ptr<const SkinnedMesh> Studio::body() {
-    if (!std::exchange(body_looked_for_, true))
-        body_ = readBody();
-    return body_;
+void Studio::loadBody() {
+    jobs_.start<SkinnedMesh>(
+        tr("Loading the body"), [](const JobContext&) { return readBody(); },
+        [this](Result<SkinnedMesh> mesh) -> QString {
+            if (mesh)
+                body_ = std::make_shared<const SkinnedMesh>(std::move(*mesh));
+            body_ended_ = true;
+            emit bodyLoaded();
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+void Studio::whenBodyIsThere(QObject* context, std::function<void()> act) {
+    if (body_ended_)
+        act();
+    else
+        connect(this, &Studio::bodyLoaded, context, std::move(act));
 }
 
 QString Studio::sessionsFolder() const {
@@ -116,7 +140,7 @@ Job* Studio::process(ProcessRequest request) {
                 return JobContext::cancelledError();
             return processTake(request, job);
         },
-        [this, path, take](Result<ProcessSummary> summary) -> QString {
+        [this, path, take, kept = session_.keepInPlace(path)](Result<ProcessSummary> summary) -> QString {
             if (!summary) {
                 if (summary.error().kind != ErrorKind::kCancelled)
                     emit failed(words(summary.error().message), words(summary.error().remedy));

@@ -14,6 +14,7 @@
 #include "core/mesh/skinned_mesh.h"
 #include "core/processing/process_take.h"
 #include "ui/jobs/jobs.h"
+#include "ui/models/marker_editor.h"
 #include "ui/models/selection.h"
 #include "ui/models/session_model.h"
 #include "ui/models/take_document.h"
@@ -42,9 +43,13 @@ public:
     Selection& selection() { return selection_; }
     SessionModel& session() { return session_; }
     TakeDocument& take() { return take_; }
+    MarkerEditor& markers() { return markers_; }
     QSettings& settings() { return settings_; }
-    /// The body that ships with the studio, loaded on first use; null when it cannot be read.
-    std::shared_ptr<const SkinnedMesh> body();
+    /// The body that ships with the studio; null until a job of the start has loaded it, or when it cannot be
+    /// read.
+    std::shared_ptr<const SkinnedMesh> body() const { return body_; }
+    /// Runs `act` as soon as loading the body has ended, at once when it has; not when `context` is gone.
+    void whenBodyIsThere(QObject* context, std::function<void()> act);
 
     /// Where sessions are made unless the operator says otherwise.
     QString sessionsFolder() const;
@@ -59,6 +64,7 @@ public slots:
 
 signals:
     void stepRequested(noctule::ui::Step step);
+    void bodyLoaded();  ///< or not; once
     /// A sentence for the status bar.
     void said(const QString& text);
     /// Something failed: what happened, and what to do.
@@ -72,10 +78,12 @@ private:
     Selection selection_;
     SessionModel session_;
     TakeDocument take_;
+    MarkerEditor markers_;
     void openTakeUnderReview(int index);
+    void loadBody();
 
     std::shared_ptr<const SkinnedMesh> body_;
-    bool body_looked_for_ = false;
+    bool body_ended_ = false;  ///< loading it
     QPointer<Job> virtual_suit_;
     std::shared_ptr<std::timed_mutex> processing_;  ///< a take takes one writer, the machine one filter
 };

@@ -53,6 +53,20 @@ void TakeDocument::close() {
     }
 }
 
+void TakeDocument::followMove(const QString& path) {
+    path_ = path;
+    // What is being read would not find its file.
+    forEachKind([](auto& parts) {
+        std::erase_if(parts, [](const auto& entry) {
+            const bool unfinished = !entry.second.ended;
+            if (unfinished && entry.second.job)
+                entry.second.job->cancel();
+            return unfinished;
+        });
+    });
+    reload(false);
+}
+
 void TakeDocument::reload(bool show_newest) {
     if (!path_.isEmpty())
         loadOverview(path_, show_newest);

@@ -68,6 +68,8 @@ public:
 public slots:
     void open(const QString& path);
     void close();
+    /// The file has another name now.
+    void followMove(const QString& path);
     /// Reads the overview again (after processing, attaching) and keeps the choice of runs where it can; the
     /// newest run is shown when `show_newest`.
     void reload(bool show_newest);

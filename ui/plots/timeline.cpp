@@ -20,10 +20,8 @@ namespace {
 
 // Pixels at 100 percent.
 constexpr double kAbove = 4, kFoot = 9, kFootRow = 16, kBetween = 8, kRuler = 24, kLabels = 20, kOverview = 4,
-                 kBelow = 4, kGripReach = 6, kFlagReach = 9;
+                 kBelow = 4, kGripReach = 6;
 constexpr double kWheelZoom = 1.25;
-/// A marker this near counts as where the cursor stands.
-constexpr double kOnMarker_s = 1e-3;
 
 }  // namespace
 
@@ -34,12 +32,18 @@ Timeline::Timeline(Studio& studio, TimeWindow& window, QWidget* parent)
     setMouseTracking(true);
     setAccessibleName(tr("Timeline"));
     setAccessibleDescription(
-        tr("Left and Right step a frame, with Shift a second; Home and End go to in and out"));
+        tr("Left and Right step a frame, with Shift a second; Home and End go to in and out; F2 names the "
+           "chosen marker, Del deletes it"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     TakeDocument& take = studio.take();
     for (const auto signal :
          {&TakeDocument::opened, &TakeDocument::runsChanged, &TakeDocument::motionChanged})
         connect(&take, signal, this, &Timeline::readTake);
+    connect(&studio.markers(), &MarkerEditor::written, this,
+            [this](const QString& path, const MarkerChange& change) {
+                if (path == studio_.take().path())
+                    chooseWritten(change);
+            });
     connect(&window, &TimeWindow::changed, this, [this] { repaint_.ask(); });
     connect(&studio.time(), &TimeCursor::timeChanged, this, [this] { repaint_.ask(); });
     connect(&studio.time(), &TimeCursor::rangeChanged, this, qOverload<>(&QWidget::update));
@@ -54,8 +58,7 @@ Timeline::Timeline(Studio& studio, TimeWindow& window, QWidget* parent)
 void Timeline::readTake() {
     overview_ = studio_.take().overview();
     contacts_ = overview_ ? studio_.take().contacts() : nullptr;
-    if (!overview_ || chosen_marker_ >= static_cast<int>(overview_->markers.size()))
-        chosen_marker_ = -1;
+    followChosenMarker();
     update();
 }
 
@@ -135,19 +138,6 @@ Timeline::Grip Timeline::gripAt(const QPoint& position) const {
     return Grip::kTime;
 }
 
-int Timeline::markerAt(const QPoint& position) const {
-    const Rows r = rows();
-    if (!overview_ || position.y() < r.ruler.top() - 2 || position.y() > r.ruler.center().y())
-        return -1;
-    const int reach = Theme::get().px(kFlagReach);
-    for (size_t i = 0; i < overview_->markers.size(); ++i) {
-        const double past = position.x() - xOf(overview_->markers[i].t_s);
-        if (past >= -3 && past <= reach)
-            return static_cast<int>(i);
-    }
-    return -1;
-}
-
 QString Timeline::tooltipAt(const QPoint& position) const {
     const Rows r = rows();
     const double t_s = timeAt(position.x());
@@ -198,9 +188,8 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || !overview_)
         return;
     if (const int marker = markerAt(event->pos()); marker >= 0) {
-        chosen_marker_ = marker;
-        studio_.time().setTime(overview_->markers[static_cast<size_t>(marker)].t_s);
-        update();
+        setFocus(Qt::MouseFocusReason);
+        chooseMarker(marker);
         return;
     }
     grip_ = gripAt(event->pos());
@@ -227,8 +216,14 @@ void Timeline::mouseReleaseEvent(QMouseEvent*) {
 }
 
 void Timeline::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton)
+    if (event->button() != Qt::LeftButton)
+        return;
+    if (const int marker = markerAt(event->pos()); marker >= 0) {
+        chooseMarker(marker);
+        nameMarker();
+    } else {
         window_.showAll();
+    }
 }
 
 void Timeline::wheelEvent(QWheelEvent* event) {
@@ -242,6 +237,8 @@ void Timeline::wheelEvent(QWheelEvent* event) {
 
 void Timeline::keyPressEvent(QKeyEvent* event) {
     TimeCursor& time = studio_.time();
+    if (editMarker(*event))
+        return;
     if (stepTime(time, *event))
         window_.reveal(time.time());
     else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal)
@@ -260,27 +257,6 @@ bool Timeline::event(QEvent* event) {
         return true;
     }
     return QWidget::event(event);
-}
-
-void Timeline::goToMarker(int direction) {
-    if (!overview_)
-        return;
-    const double now_s = studio_.time().time();
-    int best = -1;
-    double best_distance_s = studio_.time().duration() + 1;
-    for (size_t i = 0; i < overview_->markers.size(); ++i) {
-        const double distance_s = (overview_->markers[i].t_s - now_s) * direction;
-        if (distance_s > kOnMarker_s && distance_s < best_distance_s) {
-            best = static_cast<int>(i);
-            best_distance_s = distance_s;
-        }
-    }
-    if (best < 0)
-        return;
-    chosen_marker_ = best;
-    studio_.time().setTime(overview_->markers[static_cast<size_t>(best)].t_s);
-    window_.reveal(studio_.time().time());
-    update();
 }
 
 }  // namespace noctule::ui

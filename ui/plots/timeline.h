@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time of the take: contacts of both feet, ruler, in and out as grips, markers as flags, gaps hatched, and
-// the time cursor with its label. A click or drag moves the cursor, grips move in and out. To a screen reader
-// and to the keyboard it is a slider.
+// the time cursor with its label. A click or drag moves the cursor, grips move in and out; a click on a flag
+// chooses its marker, a double click or F2 names it, Del deletes it. To a screen reader and to the keyboard
+// it is a slider.
 #pragma once
 
 #include <QWidget>
@@ -19,6 +20,7 @@ public:
     Timeline(Studio& studio, TimeWindow& window, QWidget* parent = nullptr);
 
     int chosenMarker() const { return chosen_marker_; }  ///< index into overview()->markers, -1: none
+    bool canEditMarker() const;                          ///< the chosen one
     /// "0:17.40 of 0:36": value for screen readers.
     QString valueText() const;
     TimeCursor& time() const { return studio_.time(); }
@@ -26,14 +28,23 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-    /// Middle of a grip, of a flag, or of the ruler at a time; for tests and help.
+    /// Middle of a grip, of the ruler or of a flag at a time; for tests and help.
     QPoint inGrip() const;
     QPoint outGrip() const;
     QPoint rulerPoint(double t_s) const;
+    QPoint flagPoint(double t_s) const;
+    /// F2 and Del on the chosen marker; false: not that key, or none is chosen.
+    bool editMarker(const QKeyEvent& event);
 
 public slots:
     /// Moves the cursor to the next marker after it (1) or the last before it (-1).
     void goToMarker(int direction);
+    /// Opens a field for the chosen marker's name.
+    void nameMarker();
+    void deleteMarker();
+
+signals:
+    void chosenMarkerChanged();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -41,6 +52,7 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     bool event(QEvent* event) override;
@@ -58,6 +70,9 @@ private:
     double timeAt(double x_px) const;
     Grip gripAt(const QPoint& position) const;
     int markerAt(const QPoint& position) const;
+    void chooseMarker(int marker);
+    void chooseWritten(const MarkerChange& change);
+    void followChosenMarker();
     QString tooltipAt(const QPoint& position) const;
     void dragTo(double x_px);
     void readTake();
@@ -68,6 +83,7 @@ private:
     void paintRuler(QPainter& painter, const Rows& rows) const;
     void paintGaps(QPainter& painter, const Rows& rows) const;
     void paintMarkers(QPainter& painter, const Rows& rows) const;
+    void paintMarkerName(QPainter& painter, const Rows& rows, size_t marker) const;
     void paintOverview(QPainter& painter, const Rows& rows) const;
     void paintCursor(QPainter& painter, const Rows& rows) const;
 
@@ -79,6 +95,7 @@ private:
     Grip grip_ = Grip::kNone;
     double grip_offset_px_ = 0;
     int chosen_marker_ = -1;
+    std::optional<UserMarker> chosen_{};  ///< time and name: finds it again when the take has been read anew
 };
 
 }  // namespace noctule::ui

@@ -13,7 +13,8 @@ namespace noctule::ui {
 namespace {
 
 constexpr double kOutside = 0.45;
-constexpr double kGrip = 5, kFlagWidth = 9, kFlagHeight = 7, kTitleLeft = 16;  // pixels at 100 percent
+constexpr double kGrip = 5, kFlagWidth = 9, kFlagHeight = 7, kTitleLeft = 16,
+                 kLeastName = 24;  // pixels at 100 percent
 
 /// A flag that flies to the right of its time.
 QPolygonF flagAt(double x, double y) {
@@ -143,9 +144,33 @@ void Timeline::paintMarkers(QPainter& painter, const Rows& rows) const {
         painter.setPen(line);
         painter.setRenderHint(QPainter::Antialiasing, false);
         painter.drawLine(x, 0, x, rows.ruler.top());
+        paintMarkerName(painter, rows, i);
         painter.setRenderHint(QPainter::Antialiasing);
     }
     painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+/// Beside its flag, as far as the next flag or grip leaves room.
+void Timeline::paintMarkerName(QPainter& painter, const Rows& rows, size_t marker) const {
+    const Theme& theme = Theme::get();
+    const ReviewMarker& named = overview_->markers[marker];
+    const double left = xOf(named.t_s) + theme.px(kFlagWidth + 3);
+    double right = rows.right;
+    for (const ReviewMarker& other : overview_->markers)
+        if (other.t_s > named.t_s)
+            right = std::min(right, xOf(other.t_s));
+    for (const double grip_s : {studio_.time().in(), studio_.time().out()})
+        if (grip_s > named.t_s)
+            right = std::min(right, xOf(grip_s) - theme.px(kGrip));
+    const QFont font = theme.font(TextRole::kCaption);
+    const QRectF area(left, rows.ruler.top(), right - left - theme.px(3), rows.ruler.height() * 0.5);
+    if (named.label.empty() || area.width() < theme.px(kLeastName))
+        return;
+    painter.setFont(font);
+    painter.setPen(static_cast<int>(marker) == chosen_marker_ ? theme.tokens().t1 : theme.tokens().t2);
+    painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
+                     QFontMetrics(font).elidedText(QString::fromStdString(named.label), Qt::ElideRight,
+                                                   static_cast<int>(area.width())));
 }
 
 void Timeline::paintOverview(QPainter& painter, const Rows& rows) const {

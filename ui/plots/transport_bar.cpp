@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/processing/mark_take.h"
 #include "ui/plots/time_keys.h"
 #include "ui/plots/timeline.h"
 #include "ui/style/theme.h"
@@ -175,26 +174,7 @@ void TransportBar::setOut() {
 }
 
 void TransportBar::addMarker() {
-    if (!studio_.take().isOpen())
-        return;
-    const QString path = studio_.take().path();
-    const double t_s = studio_.time().time();
-    const QString time = timeText(t_s, 2);
-    studio_.jobs().start<Done>(
-        tr("Setting a marker at %1").arg(time),
-        [path = path.toStdString(), t_s](const JobContext& job) { return markTake(path, t_s, {}, job); },
-        [&studio = studio_, path, time](Status marked) {
-            if (!marked) {
-                emit studio.failed(QString::fromStdString(marked.error().message),
-                                   QString::fromStdString(marked.error().remedy));
-                return QString();
-            }
-            if (studio.take().path() == path)
-                studio.take().reload(false);
-            emit studio.said(tr("Marker set at %1").arg(time));
-            return QString();
-        },
-        Jobs::Loudness::kQuiet);
+    studio_.markers().add(studio_.time().time());
 }
 
 bool TransportBar::handleKey(const QKeyEvent& event) {
@@ -221,7 +201,7 @@ bool TransportBar::handleKey(const QKeyEvent& event) {
     else if (event.key() == Qt::Key_M)
         addMarker();
     else
-        return false;
+        return timeline_.editMarker(event);
     return true;
 }
 

@@ -21,9 +21,9 @@ class TransportBar : public QWidget {
 public:
     TransportBar(Studio& studio, Timeline& timeline, QWidget* parent = nullptr);
 
-    /// The keys of Review (Space, arrows, Home, End, comma, full stop, M, Ctrl+I, Ctrl+O, Ctrl+L). The page
-    /// calls it from its keyPressEvent, where only those arrive that no text field or list wanted for itself.
-    /// True: done.
+    /// The keys of Review (Space, arrows, Home, End, comma, full stop, M, F2, Del, Ctrl+I, Ctrl+O, Ctrl+L).
+    /// The page calls it from its keyPressEvent, where only those arrive that no text field or list wanted
+    /// for itself. True: done.
     bool handleKey(const QKeyEvent& event);
 
     QSize minimumSizeHint() const override;
@@ -31,7 +31,7 @@ public:
 public slots:
     void setIn();
     void setOut();
-    /// Writes a marker of kind user at the cursor into the take, as a job.
+    /// At the cursor.
     void addMarker();
 
 protected:

@@ -113,6 +113,7 @@ void SceneView::followStudio() {
         layOut();
         refresh();
     });
+    studio_.whenBodyIsThere(this, [this] { refresh(); });
 }
 
 void SceneView::showMessage(const QString& sentence) {

@@ -20,7 +20,11 @@ constexpr double kCentre_m = 0.03;  ///< boards nearer to the middle go to the e
 
 BodyMap::BodyMap(const Actor& actor, const Suit& suit, std::shared_ptr<const SkinnedMesh> mesh,
                  QWidget* parent)
-    : QWidget(parent), suit_(suit), figure_(actor, std::move(mesh)), details_(suit.boards.size()) {
+    : QWidget(parent),
+      actor_(actor),
+      suit_(suit),
+      figure_(actor, std::move(mesh)),
+      details_(suit.boards.size()) {
     setAccessibleName(tr("Boards and sources on the body"));
     addMarkers();
     chooseColumns();
@@ -28,6 +32,18 @@ BodyMap::BodyMap(const Actor& actor, const Suit& suit, std::shared_ptr<const Ski
         arrange();
         updateGeometry();
     });
+}
+
+void BodyMap::setBody(std::shared_ptr<const SkinnedMesh> mesh) {
+    figure_ = BodyFigure(actor_, std::move(mesh));
+    for (Place& place : places_) {
+        const auto index = static_cast<size_t>(place.index);
+        place.at_m =
+            place.is_board ? figure_.board(suit_.boards[index]) : figure_.source(suit_.sources[index]);
+    }
+    arrange();
+    updateGeometry();
+    update();
 }
 
 void BodyMap::addMarkers() {

@@ -23,6 +23,8 @@ public:
     BodyMap(const Actor& actor, const Suit& suit, std::shared_ptr<const SkinnedMesh> mesh,
             QWidget* parent = nullptr);
 
+    /// Another figure below the marks.
+    void setBody(std::shared_ptr<const SkinnedMesh> mesh);
     /// What stands below a board's name, and the tone of its mark and segment.
     void setBoardState(int board, Tone tone, const QString& detail);
     int boardCount() const { return static_cast<int>(suit_.boards.size()); }
@@ -63,6 +65,7 @@ private:
     bool walk(const MapMarker* from, int key);
     void renewFigure();
 
+    Actor actor_;
     Suit suit_;
     BodyFigure figure_;
     std::vector<Place> places_;

@@ -58,6 +58,8 @@ void ConnectPage::showSuit() {
         }
     delete map_;
     map_ = new BodyMap(defaultActor(measures), suit, studio_.body());
+    if (!studio_.body())
+        studio_.whenBodyIsThere(map_, [this] { map_->setBody(studio_.body()); });
     for (int i = 0; i < map_->boardCount(); ++i)
         map_->setBoardState(i, Tone::kNeutral, tr("board %1").arg(i + 1));
     connect(map_, &BodyMap::boardClicked, this,

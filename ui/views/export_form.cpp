@@ -7,14 +7,13 @@
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QScopedValueRollback>
 
 #include "ui/style/words.h"
+#include "ui/views/export_take_list.h"
 #include "ui/views/open_take.h"
 #include "ui/views/review_words.h"
 #include "ui/views/scaled_layout.h"
-#include "ui/views/take_list_model.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/form_rows.h"
@@ -35,6 +34,8 @@ QDoubleSpinBox* makeSeconds(const QString& name) {
     field->setAccessibleName(name);
     return field;
 }
+
+enum class ResultChoice { kLast, kShown, kEach };
 
 template <class T>
 void chooseData(QComboBox* box, const T& value) {
@@ -69,16 +70,9 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
     connect(name_pattern, &QLineEdit::textChanged, this, &ExportForm::read);
     for (QDoubleSpinBox* field : {own_from_, own_to_})
         connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ExportForm::read);
-    connect(takes_, &QListWidget::itemChanged, this, [this] {
-        if (!setting_)
-            emit changed();
-    });
+    connect(takes_, &ExportTakeList::changed, this, &ExportForm::changed);
     connect(try_one_frame, &QPushButton::clicked, this, &ExportForm::tryWanted);
-    connect(&studio.session(), &SessionModel::opened, this, &ExportForm::readTakes);
-    connect(&studio.session(), &SessionModel::changed, this, &ExportForm::readTakes);
     connect(&studio.take(), &TakeDocument::runsChanged, this, &ExportForm::refresh);
-    connect(&Theme::get(), &Theme::changed, this, &ExportForm::readTakes);
-    readTakes();
     setSettings({});
 }
 
@@ -86,13 +80,12 @@ QWidget* ExportForm::makeTakes() {
     auto* part = new QWidget;
     auto* column = makeColumn(part, {}, 8);
     column->addWidget(new SectionHeader(tr("Takes")));
-    takes_ = new QListWidget;
-    takes_->setAccessibleName(tr("Takes to export"));
-    takes_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    takes_ = new ExportTakeList(studio_);
     column->addWidget(takes_);
     auto* rows = new FormRows(kLabels);
-    run->addItem(tr("Last of each take"), false);
-    run->addItem(tr("As shown in Review"), true);
+    run->addItem(tr("Last of each take"), static_cast<int>(ResultChoice::kLast));
+    run->addItem(tr("As shown in Review"), static_cast<int>(ResultChoice::kShown));
+    run->addItem(tr("Chosen for each take"), static_cast<int>(ResultChoice::kEach));
     rows->addRow(tr("Result"), run);
     column->addWidget(rows);
     return part;
@@ -185,6 +178,7 @@ void ExportForm::refresh() {
         chooseData(unit, 1.0);
     }
     angles->setVisible(!is_bvh);
+    takes_->setResultsShown(run->currentData().toInt() == static_cast<int>(ResultChoice::kEach));
     const bool is_open = studio_.session().isOpen();
     const QString folder = is_open ? exportFolder(studio_.session().session(), settings_) : settings_.folder;
     const QFileInfo place(folder);
@@ -198,8 +192,15 @@ void ExportForm::refresh() {
                             : tr("As shown in Review"));
 }
 
-bool ExportForm::usesShownRun() const {
-    return run->currentData().toBool();
+QString ExportForm::resultOf(const QString& take) const {
+    const auto choice = static_cast<ResultChoice>(run->currentData().toInt());
+    if (choice == ResultChoice::kEach)
+        return takes_->chosenResult(take);
+    const TakeDocument& open = studio_.take();
+    const bool is_open = open.isOpen() && openTakeName(studio_) == take;
+    if (choice != ResultChoice::kShown || !is_open || open.shownRun() < 0)
+        return {};
+    return QString::fromStdString(open.overview()->runs[static_cast<size_t>(open.shownRun())].run.name);
 }
 
 void ExportForm::chooseFolder() {
@@ -216,42 +217,12 @@ void ExportForm::chooseFolder() {
     emit changed();
 }
 
-void ExportForm::readTakes() {
-    const QStringList ticked = takes();
-    setting_ = true;
-    takes_->clear();
-    if (studio_.session().isOpen())
-        for (const SessionTake& take : studio_.session().session().takes) {
-            const QString name = QString::fromStdString(take.name);
-            auto* item = new QListWidgetItem(tr("%1   %2").arg(name, timeText(take.duration_s, 0)), takes_);
-            item->setData(Qt::UserRole, name);
-            item->setToolTip(take.processed ? TakeListModel::stateInWords(take)
-                                            : tr("Not processed yet: there is no motion to export."));
-            item->setFlags(take.processed ? Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable
-                                          : Qt::NoItemFlags);
-            item->setCheckState(take.processed && ticked.contains(name) ? Qt::Checked : Qt::Unchecked);
-        }
-    const int rows = std::clamp(takes_->count(), 2, 6);
-    takes_->setFixedHeight(rows * Theme::get().px(28) + 2 * takes_->frameWidth());
-    setting_ = false;
-    emit changed();
-}
-
 QStringList ExportForm::takes() const {
-    QStringList names;
-    for (int row = 0; row < takes_->count(); ++row)
-        if (takes_->item(row)->checkState() == Qt::Checked)
-            names += takes_->item(row)->data(Qt::UserRole).toString();
-    return names;
+    return takes_->ticked();
 }
 
 void ExportForm::setTakes(const QStringList& names) {
-    for (int row = 0; row < takes_->count(); ++row) {
-        QListWidgetItem* item = takes_->item(row);
-        if (item->flags() & Qt::ItemIsEnabled)
-            item->setCheckState(names.contains(item->data(Qt::UserRole).toString()) ? Qt::Checked
-                                                                                    : Qt::Unchecked);
-    }
+    takes_->tick(names);
 }
 
 void ExportForm::setPreview(const QString& words, bool is_problem) {

@@ -11,11 +11,11 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLineEdit;
-class QListWidget;
 
 namespace noctule::ui {
 
 class Button;
+class ExportTakeList;
 class FormRows;
 class Label;
 
@@ -29,8 +29,9 @@ public:
     /// Names of the takes that are ticked, in the order of the session.
     QStringList takes() const;
     void setTakes(const QStringList& names);
-    /// Whether the open take goes out as it is shown, and not with its last result.
-    bool usesShownRun() const;
+    /// Name of the result of a take that goes out; empty: its last.
+    QString resultOf(const QString& take) const;
+    ExportTakeList& takeList() { return *takes_; }
     /// Under the file name: what will be written, or what is wrong with the name.
     void setPreview(const QString& words, bool is_problem);
 
@@ -48,7 +49,6 @@ private:
     QWidget* makeWhat();
     QWidget* makeTakes();
     QWidget* makeWhere();
-    void readTakes();
     void read();
     void refresh();
     void chooseFolder();
@@ -58,7 +58,7 @@ private:
     bool setting_ = false;
     QWidget *own_range_ = nullptr, *unit_row_ = nullptr;
     QDoubleSpinBox *own_from_ = nullptr, *own_to_ = nullptr;
-    QListWidget* takes_ = nullptr;
+    ExportTakeList* takes_ = nullptr;
     Button* folder_ = nullptr;
     Label* preview_ = nullptr;
 };

@@ -108,15 +108,6 @@ void ExportPage::choosePreset(const QString& key) {
     preset_list_->choose(key);
 }
 
-QString ExportPage::runOf(const SessionTake& take) const {
-    const TakeDocument& open = studio_.take();
-    const bool is_open =
-        open.isOpen() && QFileInfo(open.path()).completeBaseName() == QString::fromStdString(take.name);
-    if (!form_->usesShownRun() || !is_open || open.shownRun() < 0)
-        return {};
-    return QString::fromStdString(open.overview()->runs[static_cast<size_t>(open.shownRun())].run.name);
-}
-
 Result<std::vector<ExportJob>> ExportPage::plan() const {
     if (!studio_.session().isOpen())
         return Error{ErrorKind::kUsage, tr("No session is open").toStdString(),
@@ -136,7 +127,8 @@ Result<std::vector<ExportJob>> ExportPage::plan() const {
     for (const SessionTake& take : session.takes) {
         if (!chosen.contains(QString::fromStdString(take.name)))
             continue;
-        auto job = exportJob(session, take, runOf(take), settings, date, taken);
+        auto job = exportJob(session, take, form_->resultOf(QString::fromStdString(take.name)), settings,
+                             date, taken);
         if (!job)
             return job.error();
         jobs.push_back(std::move(*job));

@@ -54,7 +54,6 @@ private:
     void saveCheck();
     void saveOwnPreset();
     void removeOwnPreset(const QString& key);
-    QString runOf(const SessionTake& take) const;
 
     Studio& studio_;
     ExportPresets presets_;

@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include "core/session/placement.h"
 #include "ui/models/studio.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -201,7 +202,9 @@ void NewSessionDialog::accept() {
     if (!session.session().performers.empty()) {
         Performer performer = session.session().performers.front();
         performer.name = performerName().toStdString();
-        performer.measures.height_m = height_m();
+        BodyMeasures measures = performer.measures;
+        measures.height_m = height_m();
+        setMeasures(performer, measures);
         session.changePerformer(0, performer, tr("Name the performer"));
         session.undoStack().clear();  // a new session begins with nothing to undo
     }

@@ -43,6 +43,7 @@ RecentSession lookAt(RecentSession recent, const JobContext& job) {
     const auto session = openSession(recent.folder.toStdString(), job);
     if (!session) {
         found.problem = QString::fromStdString(session.error().message);
+        found.can_rebuild = canRebuildSession(recent.folder.toStdString());
         return found;
     }
     found.name = QString::fromStdString(session->name);
@@ -50,6 +51,8 @@ RecentSession lookAt(RecentSession recent, const JobContext& job) {
     found.left_open = SessionMarker::wasLeftBehind(recent.folder);
     for (const SessionTake& take : session->takes)
         addTake(found, *session, take);
+    if (SessionMarker::isOpenElsewhere(recent.folder))
+        found.interrupted.clear();  // it may be recording
     return found;
 }
 

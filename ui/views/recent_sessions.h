@@ -27,7 +27,8 @@ struct RecentSession {
     // Known once the folder has been looked at:
     bool known = false;
     QString name, performer;
-    QString problem;  ///< a sentence: the folder is not there, session.json is damaged
+    QString problem;           ///< a sentence: the folder is not there, session.json is damaged
+    bool can_rebuild = false;  ///< session.json can be made again from the takes
     int takes = 0, unprocessed = 0, damaged = 0;
     double duration_s = 0;
     QStringList take_names;

@@ -148,7 +148,8 @@ void ReferencePanel::attach(const AttachChoice& choice) {
             attached.summary = *summary;
             return attached;
         },
-        [self = QPointer(this), take_path](Result<Attached> attached) -> QString {
+        [self = QPointer(this), take_path,
+         kept = studio_.session().keepInPlace(studio_.take().path())](Result<Attached> attached) -> QString {
             if (!attached)
                 return {};
             if (self && self->studio_.take().path().toStdString() == take_path)

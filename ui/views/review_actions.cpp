@@ -23,6 +23,7 @@ ReviewActions::ReviewActions(Studio& studio, ReviewPage& page)
     connect(&studio.time(), &TimeCursor::settingsChanged, this, &ReviewActions::refresh);
     connect(&studio.take(), &TakeDocument::opened, this, &ReviewActions::refresh);
     connect(&studio.take(), &TakeDocument::runsChanged, this, &ReviewActions::refresh);
+    connect(&page.center().timeline(), &Timeline::chosenMarkerChanged, this, &ReviewActions::refresh);
     connect(&page.center().scenes(), &SceneArea::sideBySideChanged, this, &ReviewActions::refresh);
     refresh();
 }
@@ -66,6 +67,9 @@ void ReviewActions::addRange() {
     add(tr("Go to out"), Qt::Key_End, [&time] { time.setTime(time.out()); });
     add(tr("In and out at the ends"), {}, [&time] { time.setRange(0, time.duration()); });
     add(tr("Marker here"), Qt::Key_M, [&transport] { transport.addMarker(); });
+    Timeline& timeline = page_.center().timeline();
+    name_marker_ = add(tr("Name marker"), Qt::Key_F2, [&timeline] { timeline.nameMarker(); });
+    delete_marker_ = add(tr("Delete marker"), Qt::Key_Delete, [&timeline] { timeline.deleteMarker(); });
 }
 
 void ReviewActions::addTake() {
@@ -82,6 +86,8 @@ void ReviewActions::refresh() {
     const bool is_open = studio_.take().isOpen();
     for (QAction* action : all_)
         action->setEnabled(is_open);
+    for (QAction* action : {name_marker_, delete_marker_})
+        action->setEnabled(page_.center().timeline().canEditMarker());
     play_->setText(studio_.time().isPlaying() ? tr("Pause") : tr("Play"));
     loop_->setChecked(studio_.time().loops());
     side_by_side_->setChecked(page_.center().scenes().isSideBySide());

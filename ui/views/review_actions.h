@@ -31,6 +31,7 @@ private:
     ReviewPage& page_;
     QList<QAction*> all_;
     QAction *play_ = nullptr, *loop_ = nullptr, *side_by_side_ = nullptr;
+    QAction *name_marker_ = nullptr, *delete_marker_ = nullptr;
 };
 
 }  // namespace noctule::ui

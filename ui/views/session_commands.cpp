@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
+#include "core/session/session.h"
 #include "ui/models/studio.h"
 #include "ui/views/new_session_dialog.h"
 
@@ -19,6 +20,10 @@ QString lastFolder(Studio& studio, const char* key) {
 
 bool SessionCommands::isSession(const QString& folder) {
     return QFileInfo(QDir(folder).filePath("session.json")).isFile();
+}
+
+bool SessionCommands::canBeOpened(const QString& folder) {
+    return isSession(folder) || canRebuildSession(folder.toStdString());
 }
 
 QString SessionCommands::sessionOfTake(const QString& take_path) {

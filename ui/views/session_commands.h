@@ -26,6 +26,8 @@ public:
 
     /// Whether a session lies in the folder.
     static bool isSession(const QString& folder);
+    /// Also where session.json is missing or damaged and can be made again from the takes.
+    static bool canBeOpened(const QString& folder);
     /// The session folder that a take lies in (FOLDER/takes/NAME.noctule), or empty.
     static QString sessionOfTake(const QString& take_path);
 };

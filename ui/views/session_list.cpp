@@ -63,6 +63,8 @@ void RecentSessionModel::setPicture(const QString& folder, const QImage& picture
 SessionStateWords stateWords(const RecentSession& session) {
     if (!session.known)
         return {};
+    if (session.can_rebuild)
+        return {{}, RecentSessionModel::tr("Can be rebuilt from its takes"), Tone::kError};
     if (!session.problem.isEmpty())
         return {{}, session.problem, Tone::kWarn};
     SessionStateWords words;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/session_marker.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QSysInfo>
@@ -29,6 +30,15 @@ bool SessionMarker::wasLeftBehind(const QString& session_folder) {
     if (!QLockFile(path).getLockInfo(&process, &host, &program))
         return true;  // a marker that nobody finished writing
     return host == QSysInfo::machineHostName() && !isAlive(process);
+}
+
+bool SessionMarker::isOpenElsewhere(const QString& session_folder) {
+    qint64 process = 0;
+    QString host, program;
+    if (!QLockFile(markerPath(session_folder)).getLockInfo(&process, &host, &program))
+        return false;
+    const bool is_here = host == QSysInfo::machineHostName();
+    return !is_here || (process != QCoreApplication::applicationPid() && isAlive(process));
 }
 
 SessionMarker::Finding SessionMarker::mark(const QString& session_folder) {

@@ -26,6 +26,8 @@ public:
 
     /// Whether a marker lies in the folder whose process is gone.
     static bool wasLeftBehind(const QString& session_folder);
+    /// Whether another process has it open, here or on another computer.
+    static bool isOpenElsewhere(const QString& session_folder);
 
 private:
     std::unique_ptr<QLockFile> lock_;

@@ -10,6 +10,7 @@
 #include "ui/views/big_button.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/recent_sessions.h"
+#include "ui/views/recovery_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/session_list.h"
 #include "ui/views/take_picture.h"
@@ -199,42 +200,80 @@ void StartPage::askForPictures() {
 
 void StartPage::showInterrupted() {
     while (QLayoutItem* item = cards_->takeAt(0)) {
+        item->widget()->hide();
         item->widget()->deleteLater();
         delete item;
     }
     constexpr int kMost = 3;
     for (const RecentSession& session : recent_.all())
-        if (cards_->count() < kMost && (session.left_open || !session.interrupted.empty()) &&
-            !dismissed_.contains(session.folder))
-            addInterruptedCard(session);
+        if (cards_->count() < kMost && !dismissed_.contains(session.folder))
+            addCard(session);
 }
 
-void StartPage::addInterruptedCard(const RecentSession& session) {
-    QString title, text, action = tr("Open %1").arg(session.name), path = session.folder;
-    if (!session.interrupted.empty()) {
-        const InterruptedTake& take = session.interrupted.front();
-        path = take.path;
-        action = tr("Review %1").arg(take.name);
-        title = take.recovered ? tr("The take %1 was recovered").arg(take.name)
-                               : tr("The take %1 was not ended").arg(take.name);
-        text = tr("Recording in “%1” stopped unexpectedly. %2 are safe on disk; the other takes were not "
-                  "touched.")
-                   .arg(session.name, secondsText(take.duration_s));
-    } else {
-        title = tr("“%1” was not closed").arg(session.name);
-        text = tr(
-            "The studio ended unexpectedly while this session was open. Its %n take(s) are safe; changes to "
-            "notes and ratings were saved up to the last second.",
-            nullptr, session.takes);
-    }
-    auto* card = new ProblemCard(Tone::kWarn, title, text);
-    connect(card->addAction(action), &QPushButton::clicked, this, [this, path] { emit openRequested(path); });
+void StartPage::addCard(const RecentSession& session) {
+    ProblemCard* card = nullptr;
+    if (session.can_rebuild)
+        card = damagedCard(session);
+    else if (!session.interrupted.empty())
+        card = interruptedCard(session);
+    else if (session.left_open)
+        card = leftOpenCard(session);
+    if (!card)
+        return;
     card->setClosable(true);
     connect(card, &ProblemCard::closed, this, [this, folder = session.folder] {
         dismissed_.append(folder);
         showInterrupted();
     });
     cards_->addWidget(card);
+}
+
+ProblemCard* StartPage::interruptedCard(const RecentSession& session) {
+    const InterruptedTake& take = session.interrupted.front();
+    const QString path = take.path;
+    const QString safe =
+        tr("Recording in “%1” stopped unexpectedly. %2 are safe on disk; the other takes were "
+           "not touched.")
+            .arg(session.name, secondsText(take.duration_s));
+    if (take.recovered) {
+        auto* card = new ProblemCard(Tone::kWarn, tr("The take %1 was recovered").arg(take.name), safe);
+        connect(card->addAction(tr("Review %1").arg(take.name)), &QPushButton::clicked, this,
+                [this, path] { emit openRequested(path); });
+        return card;
+    }
+    auto* card = new ProblemCard(Tone::kWarn, tr("The take %1 was not ended").arg(take.name),
+                                 safe + QLatin1Char(' ') + recoverOffer());
+    connect(card->addAction(tr("Recover %1").arg(take.name)), &QPushButton::clicked, this,
+            [this, path] { emit recoverRequested(path); });
+    connect(card->addAction(tr("Open it as it is")), &QPushButton::clicked, this,
+            [this, path] { emit openRequested(path); });
+    return card;
+}
+
+ProblemCard* StartPage::leftOpenCard(const RecentSession& session) {
+    auto* card = new ProblemCard(
+        Tone::kWarn, tr("“%1” was not closed").arg(session.name),
+        tr("The studio ended unexpectedly while this session was open. Its %n take(s) are safe; changes to "
+           "notes and ratings were saved up to the last second.",
+           nullptr, session.takes));
+    connect(card->addAction(tr("Open %1").arg(session.name)), &QPushButton::clicked, this,
+            [this, folder = session.folder] { emit openRequested(folder); });
+    return card;
+}
+
+ProblemCard* StartPage::damagedCard(const RecentSession& session) {
+    auto* card = new ProblemCard(Tone::kError, tr("The list of “%1” is damaged").arg(session.name),
+                                 rebuildOffer(session.problem));
+    connect(card->addAction(tr("Rebuild session")), &QPushButton::clicked, this,
+            [this, folder = session.folder] { emit rebuildRequested(folder); });
+    return card;
+}
+
+QList<ProblemCard*> StartPage::problemCards() const {
+    QList<ProblemCard*> cards;
+    for (int i = 0; i < cards_->count(); ++i)
+        cards.append(qobject_cast<ProblemCard*>(cards_->itemAt(i)->widget()));
+    return cards;
 }
 
 }  // namespace noctule::ui

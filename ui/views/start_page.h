@@ -13,6 +13,7 @@ namespace noctule::ui {
 class BigButton;
 class JobProgress;
 class Label;
+class ProblemCard;
 class RecentSessions;
 class SearchField;
 class SessionList;
@@ -29,11 +30,14 @@ public:
     BigButton* newSessionButton() const { return new_; }
     BigButton* tryButton() const { return try_; }
     SessionList& sessionList() { return *list_; }
+    QList<ProblemCard*> problemCards() const;
 
 signals:
     void newSessionRequested();
     void openSessionRequested();
     void openRequested(const QString& path);  ///< a session's folder or a take
+    void recoverRequested(const QString& take_path);
+    void rebuildRequested(const QString& session_folder);
     void tourRequested();
     void putSuitOnRequested();
     void newsRequested();
@@ -48,7 +52,10 @@ private:
                       void (StartPage::*signal)());
     void tryVirtualSuit();
     void showInterrupted();
-    void addInterruptedCard(const RecentSession& session);
+    void addCard(const RecentSession& session);
+    ProblemCard* interruptedCard(const RecentSession& session);
+    ProblemCard* leftOpenCard(const RecentSession& session);
+    ProblemCard* damagedCard(const RecentSession& session);
     void showRecent();
     void askForPictures();
     void search(const QString& text);

@@ -25,6 +25,21 @@ QSize TakeDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) co
     return {0, Theme::get().px(kRow)};
 }
 
+QWidget* TakeDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                                    const QModelIndex& index) const {
+    QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
+    editor->setAccessibleName(tr("Name of the take"));
+    return editor;
+}
+
+void TakeDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                        const QModelIndex&) const {
+    QRect area = option.rect;
+    area.setLeft(area.left() + Theme::get().px(kInset + kDot));
+    area.setRight(starsArea(option.rect).left() - Theme::get().px(kGap));
+    editor->setGeometry(area);
+}
+
 std::optional<int> TakeDelegate::ratingAt(const QRect& row, const QPoint& position) {
     const QRect stars = starsArea(row);
     if (!stars.contains(position))

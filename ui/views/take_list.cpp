@@ -32,6 +32,7 @@ TakeList::TakeList(Studio& studio, QWidget* parent)
     setItemDelegate(new TakeDelegate(this));
     setFrameShape(NoFrame);
     setUniformItemSizes(true);
+    setEditTriggers(NoEditTriggers);
     setMouseTracking(true);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setAcceptDrops(true);
@@ -64,6 +65,11 @@ void TakeList::openTake(int row) {
         studio_.take().open(path);
 }
 
+void TakeList::rename(int row) {
+    setCurrentIndex(takes_->index(row));
+    edit(takes_->index(row));
+}
+
 QSize TakeList::sizeHint() const {
     const int row = Theme::get().px(28);
     return {Theme::get().px(216), std::clamp(takes_->rowCount(), 3, 10) * row};
@@ -80,6 +86,8 @@ void TakeList::keyPressEvent(QKeyEvent* event) {
         studio_.session().rate(currentIndex().row(), rating);
     else if (plain && event->key() == Qt::Key_Delete && currentIndex().isValid())
         studio_.session().trashTake(currentIndex().row());
+    else if (plain && event->key() == Qt::Key_F2 && currentIndex().isValid())
+        rename(currentIndex().row());
     else if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Left || event->key() == Qt::Key_Right ||
              event->key() == Qt::Key_Home || event->key() == Qt::Key_End ||
              !event->text().trimmed().isEmpty())
@@ -109,6 +117,9 @@ void TakeList::showMenu(const QModelIndex& index, const QPoint& global) {
     QMenu menu(this);
     const int row = index.row();
     menu.addAction(tr("Open"), this, [this, row] { openTake(row); });
+    if (takes_->take(row).state == TakeState::kRecording)
+        menu.addAction(tr("Recover"), this, [this, row] { studio_.session().recover(row); });
+    menu.addAction(tr("Rename"), this, [this, row] { rename(row); })->setShortcut(Qt::Key_F2);
     QMenu* rating = menu.addMenu(tr("Rating"));
     for (int stars = 0; stars <= 5; ++stars) {
         QAction* action = rating->addAction(stars == 0 ? tr("None") : tr("%n stars", nullptr, stars),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The takes of the session: state, name, length and stars. Enter or a double click opens one for review, 0 to
-// 5 rate it, files dropped on it are copied into the session.
+// 5 rate it, F2 renames it, files dropped on it are copied into the session.
 #pragma once
 
 #include <QListView>
@@ -16,6 +16,8 @@ public:
 
     /// Opens a take for review; damaged ones say why not.
     void openTake(int row);
+    /// A field for its name, in place.
+    void rename(int row);
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 

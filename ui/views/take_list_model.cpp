@@ -41,6 +41,7 @@ QVariant TakeListModel::data(const QModelIndex& index, int role) const {
     const SessionTake& take = this->take(index.row());
     switch (role) {
         case Qt::DisplayRole:
+        case Qt::EditRole:
         case kName:
             return QString::fromStdString(take.name);
         case Qt::ToolTipRole:
@@ -61,6 +62,17 @@ QVariant TakeListModel::data(const QModelIndex& index, int role) const {
         default:
             return {};
     }
+}
+
+Qt::ItemFlags TakeListModel::flags(const QModelIndex& index) const {
+    return QAbstractListModel::flags(index) | (index.isValid() ? Qt::ItemIsEditable : Qt::NoItemFlags);
+}
+
+bool TakeListModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (!index.isValid() || role != Qt::EditRole)
+        return false;
+    studio_.session().renameTake(index.row(), value.toString());
+    return true;
 }
 
 Tone TakeListModel::toneOf(const SessionTake& take) {

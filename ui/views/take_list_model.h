@@ -18,6 +18,9 @@ public:
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    /// Renames the take.
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     /// Row of the take that is open for review, -1: none of them.
     int openRow() const;
     const SessionTake& take(int row) const {

@@ -43,6 +43,17 @@ double middle_s(const TimedMotion& motion) {
                : static_cast<double>(motion.frames[motion.frames.size() / 2].time_ns) * 1e-9;
 }
 
+Result<QImage> paintTake(const std::shared_ptr<const SkinnedMesh>& body, const std::string& path,
+                         const QSize& size_px, const QString& cached, const JobContext& job) {
+    const auto motion = lastMotion(path, job);
+    if (!motion)
+        return motion.error();
+    QImage picture = thumbnail(body, *motion, middle_s(*motion), size_px);
+    QDir().mkpath(QFileInfo(cached).path());
+    picture.save(cached);  // kept for next time; without it the picture is only made again
+    return picture;
+}
+
 }  // namespace
 
 void takePicture(Studio& studio, const QString& take_path, const QSize& size_px,
@@ -50,24 +61,19 @@ void takePicture(Studio& studio, const QString& take_path, const QSize& size_px,
     const QString cached = cachePath(take_path, size_px);
     if (const QImage picture(cached); !picture.isNull())
         return done(picture);
-    studio.jobs().start<QImage>(
-        Studio::tr("Picture of %1").arg(QFileInfo(take_path).completeBaseName()),
-        [body = studio.body(), path = take_path.toStdString(), size_px,
-         cached](const JobContext& job) -> Result<QImage> {
-            const auto motion = lastMotion(path, job);
-            if (!motion)
-                return motion.error();
-            const QImage picture = thumbnail(body, *motion, middle_s(*motion), size_px);
-            QDir().mkpath(QFileInfo(cached).path());
-            picture.save(cached);  // kept for next time; without it the picture is only made again
-            return picture;
-        },
-        [done = std::move(done)](Result<QImage> picture) -> QString {
-            if (picture && !picture->isNull())
-                done(*picture);
-            return {};
-        },
-        Jobs::Loudness::kQuiet);
+    studio.whenBodyIsThere(&studio, [&studio, take_path, size_px, cached, done = std::move(done)] {
+        studio.jobs().start<QImage>(
+            Studio::tr("Picture of %1").arg(QFileInfo(take_path).completeBaseName()),
+            [body = studio.body(), path = take_path.toStdString(), size_px, cached](const JobContext& job) {
+                return paintTake(body, path, size_px, cached, job);
+            },
+            [done](Result<QImage> picture) -> QString {
+                if (picture && !picture->isNull())
+                    done(*picture);
+                return {};
+            },
+            Jobs::Loudness::kQuiet);
+    });
 }
 
 }  // namespace noctule::ui

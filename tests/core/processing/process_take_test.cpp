@@ -8,9 +8,8 @@
 
 #include "core/formats/bvh.h"
 #include "core/motion/comparison.h"
-#include "core/simulation/simulate.h"
-#include "core/suit/default_suit.h"
 #include "tests/core/recording/collect.h"
+#include "tests/support/simulated_take.h"
 
 namespace noctule {
 namespace {
@@ -210,20 +209,8 @@ TEST(ProcessTinyTake, RefusesAGivenRootThatTheTakeDoesNotHave) {
 constexpr const char* kMotion = "/usr/share/assimp/models/BVH/01_01.bvh";
 
 void simulate(const std::string& path, simulation::Level level, double duration_s) {
-    simulation::StageRequest stage;
-    stage.clip = toClip(readBvh(kMotion).value()).value();
-    stage.suit = defaultSuit();
-    stage.scenario = simulation::Scenario::nominal();
-    stage.duration_s = duration_s;
-    simulation::TakeRequest take;
-    take.out_path = path;
-    take.level = level;
-    take.name = "simulated";
-    take.created_utc = "2026-01-01T00:00:00Z";
-    take.software = "test";
-    const auto prepared = simulation::prepareStage(stage);
-    ASSERT_TRUE(prepared) << prepared.error().text();
-    const auto written = simulation::writeTake(*prepared, take, {});
+    const Status written = test::writeSimulatedTake(
+        path, {.clip = toClip(readBvh(kMotion).value()).value(), .level = level, .duration_s = duration_s});
     ASSERT_TRUE(written) << written.error().text();
 }
 

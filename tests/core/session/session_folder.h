@@ -11,6 +11,7 @@
 #include "core/recording/take_writer.h"
 #include "core/session/session.h"
 #include "core/suit/default_suit.h"
+#include "tests/support/files.h"
 
 namespace noctule::test {
 
@@ -20,13 +21,8 @@ class SessionFolder : public testing::Test {
 protected:
     using Path = std::filesystem::path;
 
-    void SetUp() override {
-        std::string name = (std::filesystem::temp_directory_path() / "noctule_session_XXXXXX").string();
-        home_ = mkdtemp(name.data());
-    }
     void TearDown() override {
-        std::filesystem::permissions(home_, std::filesystem::perms::owner_all);
-        std::filesystem::remove_all(home_);
+        std::filesystem::permissions(home_, std::filesystem::perms::owner_all);  // so that it can go
     }
 
     Path folder() const { return home_ / "session"; }
@@ -43,6 +39,7 @@ protected:
         return *session;
     }
 
+public:
     static TakeHeader header(const std::string& created_utc) {
         TakeHeader header;
         header.name = "x";
@@ -93,6 +90,7 @@ protected:
         return path;
     }
 
+protected:
     static void addPoseRun(const Path& path) {
         auto take = Take::open(path.string(), Access::kReadWrite);
         ASSERT_TRUE(take);
@@ -107,7 +105,8 @@ protected:
     /// Tests of refused writing mean nothing to the superuser, who may write anywhere.
     static bool mayWriteAnywhere() { return ::geteuid() == 0; }
 
-    Path home_;
+    const Folder home_folder_;
+    const Path home_ = home_folder_.path();
 };
 
 }  // namespace noctule::test

@@ -210,6 +210,41 @@ TEST_F(SessionTakes, DamagedRecordingIsLeftAsItIs) {
     EXPECT_FALSE(isThere(folder() / "trash" / "walk_001.noctule"));
 }
 
+TEST_F(SessionTakes, RenamingMovesTheFileAndKeepsWhatWasSaid) {
+    newSession();
+    makeBrokenOff(takes() / "walk_001.noctule", 2);
+    Session session = opened();
+    session.takes.at(0).rating = 4;
+    ASSERT_TRUE(renameTake(session, "walk_001", "kick"));
+    EXPECT_EQ(session.takes.at(0).name, "kick");
+    EXPECT_EQ(session.takes.at(0).file, "takes/kick.noctule");
+    EXPECT_EQ(session.takes.at(0).rating, 4);
+    EXPECT_FALSE(isThere(takes() / "walk_001.noctule"));
+    EXPECT_TRUE(isThere(takes() / "kick.noctule"));
+    EXPECT_TRUE(isThere(takes() / "kick.noctule-wal")) << "what only the log holds comes along";
+    ASSERT_TRUE(saveSession(session));
+    session = opened();
+    ASSERT_EQ(session.takes.size(), 1u);
+    EXPECT_EQ(session.takes[0].rating, 4);
+}
+
+TEST_F(SessionTakes, RenamingNeverOverwrites) {
+    newSession();
+    for (const char* name : {"a", "b", "c"})
+        makeTake(takes() / (std::string(name) + ".noctule"));
+    Session session = opened();
+    ASSERT_TRUE(trashTake(session, "c"));
+    for (const char* taken : {"b", "c", "", "__", "x/y", "two words"}) {
+        const Status status = renameTake(session, "a", taken);
+        ASSERT_FALSE(status) << taken;
+        EXPECT_EQ(status.error().kind, ErrorKind::kUsage);
+    }
+    EXPECT_TRUE(isThere(takes() / "a.noctule"));
+    EXPECT_GE(session.findTake("a"), 0);
+    EXPECT_EQ(takeNameFrom("two words"), "two_words");
+    EXPECT_TRUE(renameTake(session, "a", "a"));
+}
+
 TEST_F(SessionTakes, RefreshSeesWhatProcessingAdded) {
     newSession();
     makeTake(takes() / "walk_001.noctule");

@@ -13,6 +13,8 @@
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
 #include "ui/style/theme.h"
+#include "ui/views/body_map.h"
+#include "ui/views/connect_page.h"
 #include "ui/views/page.h"
 #include "ui/views/start_page.h"
 #include "ui/widgets/scroll_area.h"
@@ -230,6 +232,25 @@ TEST_F(MainWindowTest, AFailureIsToldOnceAboveThePage) {
     emit studio_->failed("The take could not be processed", "Free some room");
     EXPECT_EQ(window_->notices().titles(), QStringList{"The take could not be processed"});
     EXPECT_TRUE(window_->notices().isVisible());
+}
+
+TEST_F(MainWindowTest, TheBodyComesIntoTheDrawingWhenItIsLoaded) {
+    Studio studio(studio_->parts());
+    EXPECT_FALSE(studio.body()) << "the interface does not wait for it";
+    ConnectPage page(studio);
+    page.resize(900, 700);
+    page.show();
+    page.enter();
+    const auto drawing = [&] { return page.findChild<BodyMap*>()->grab().toImage(); };
+    const QImage without = drawing();
+    int calls = 0;
+    studio.whenBodyIsThere(&page, [&calls] { ++calls; });
+    EXPECT_EQ(calls, 0);
+    ASSERT_TRUE(waitFor([&] { return calls == 1; }));
+    EXPECT_TRUE(studio.body());
+    EXPECT_NE(drawing(), without);
+    studio.whenBodyIsThere(&page, [&calls] { ++calls; });
+    EXPECT_EQ(calls, 2) << "at once";
 }
 
 TEST_F(MainWindowTest, APathThatIsNotThereIsToldByName) {

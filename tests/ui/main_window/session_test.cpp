@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sessions and takes as the window opens them, and what it says about crashes.
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QSysInfo>
 
+#include "core/session/placement.h"
+#include "core/suit/default_suit.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/views/new_session_dialog.h"
 #include "ui/views/recent_sessions.h"
@@ -50,6 +53,23 @@ TEST_F(SessionInWindow, ANewSessionIsAskedForWithNameFolderPerformerAndHeight) {
     EXPECT_EQ(session.current_performer, "Performer 1");
     EXPECT_DOUBLE_EQ(session.performers[0].measures.height_m, 1.75);
     EXPECT_FALSE(studio_->session().undoStack().canUndo());
+}
+
+TEST_F(SessionInWindow, TheSuitOfANewSessionFitsTheHeightThatWasGiven) {
+    NewSessionDialog dialog(*studio_, window_.get());
+    dialog.findChild<QDoubleSpinBox*>()->setValue(1.95);
+    dialog.accept();
+    ASSERT_TRUE(studio_->session().isOpen());
+    const Performer& performer = studio_->session().session().performers.at(0);
+    EXPECT_DOUBLE_EQ(performer.measures.height_m, 1.95);
+    BodyMeasures measures;
+    measures.height_m = 1.95;
+    const Suit fitted = suitOnActor(defaultSuit(), defaultActor(measures)), unfitted = defaultSuit();
+    for (size_t i = 0; i < fitted.boards.size(); ++i)
+        EXPECT_LT((performer.suit.boards[i].p_segment_board_m - fitted.boards[i].p_segment_board_m).norm(),
+                  1e-12);
+    const auto shin = static_cast<size_t>(fitted.findBoard("l_leg"));
+    EXPECT_GT((fitted.boards[shin].p_segment_board_m - unfitted.boards[shin].p_segment_board_m).norm(), 0.01);
 }
 
 TEST_F(SessionInWindow, AFolderWithFilesIsRefusedInPlace) {

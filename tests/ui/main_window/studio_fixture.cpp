@@ -2,8 +2,7 @@
 #include "tests/ui/main_window/studio_fixture.h"
 
 #include "core/formats/bvh.h"
-#include "core/simulation/simulate.h"
-#include "core/suit/default_suit.h"
+#include "tests/support/simulated_take.h"
 #include "ui/style/resources.h"
 #include "ui/style/theme.h"
 #include "ui/views/big_button.h"
@@ -19,23 +18,8 @@ Status makeQuickTake(const std::string& path, const JobContext& job) {
     auto clip = toClip(*document);
     if (!clip)
         return clip.error();
-    simulation::StageRequest request;
-    request.suit = defaultSuit();
-    request.clip = std::move(*clip);
-    request.scenario = simulation::Scenario::nominal();
-    request.rest_seconds = 0.5;
-    request.duration_s = 3;
-    const auto stage = simulation::prepareStage(request);
-    if (!stage)
-        return stage.error();
-    simulation::TakeRequest take;
-    take.out_path = path;
-    take.level = simulation::Level::kReadings;
-    take.name = "sample";
-    take.created_utc = "2026-01-01T00:00:00Z";
-    take.software = "test";
-    const auto summary = simulation::writeTake(*stage, take, job);
-    return summary ? Status(Done{}) : Status(summary.error());
+    return noctule::test::writeSimulatedTake(
+        path, {.clip = std::move(*clip), .duration_s = 3, .rest_seconds = 0.5}, job);
 }
 
 void StudioWindow::SetUp() {

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <thread>
 
+#include "tests/support/files.h"
 #include "tests/ui/support/wait.h"
 
 namespace noctule::ui {
@@ -20,8 +21,6 @@ namespace fs = std::filesystem;
 class StudioTest : public testing::Test {
 protected:
     void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "noctule_studio_XXXXXX").string();
-        home_ = mkdtemp(name.data());
         QSettings().clear();
         studio_ = std::make_unique<Studio>(StudioParts{
             "noctule test", [] { return std::string("2026-03-01T10:00:00Z"); },
@@ -29,10 +28,7 @@ protected:
         studio_->settings().setValue("folders/sessions",
                                      QString::fromStdString((home_ / "sessions").string()));
     }
-    void TearDown() override {
-        studio_.reset();
-        fs::remove_all(home_);
-    }
+    void TearDown() override { studio_.reset(); }
 
     Status makeTake(const std::string& path, const JobContext& job) {
         ++made_;
@@ -48,7 +44,8 @@ protected:
     }
     fs::path sessions() const { return home_ / "sessions"; }
 
-    fs::path home_;
+    const noctule::test::Folder folder_;
+    const fs::path home_ = folder_.path();
     std::atomic<int> made_ = 0;
     std::atomic<bool> hold_ = false;
     std::unique_ptr<Studio> studio_;

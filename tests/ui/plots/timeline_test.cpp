@@ -2,8 +2,10 @@
 #include "ui/plots/timeline.h"
 
 #include <QAccessible>
+#include <QSignalSpy>
 
 #include "tests/ui/plots/plots_fixture.h"
+#include "ui/plots/marker_field.h"
 #include "ui/plots/time_ruler.h"
 #include "ui/plots/transport_bar.h"
 
@@ -37,6 +39,25 @@ protected:
         return bar_->handleKey(event);
     }
     TimeCursor& time() { return studio_->time(); }
+    QUndoStack& undo() { return studio_->session().undoStack(); }
+    /// "0.50 Marker 1", as the document knows them.
+    QStringList markers() const {
+        QStringList markers;
+        for (const ReviewMarker& marker : studio_->take().overview()->markers)
+            markers.append(
+                QString("%1 %2").arg(marker.t_s, 0, 'f', 2).arg(QString::fromStdString(marker.label)));
+        return markers;
+    }
+    bool become(const QStringList& wanted) {
+        return waitFor([&] { return markers() == wanted && studio_->jobs().idle(); });
+    }
+    void setMarkers() {
+        for (const double t_s : {0.5, 1.5}) {
+            time().setTime(t_s);
+            key(Qt::Key_M);
+        }
+        ASSERT_TRUE(become({"0.50 Marker 1", "1.50 Marker 2"})) << markers().join(", ").toStdString();
+    }
 
     static constexpr double kPixel_s = 2.0 / 700;
     std::unique_ptr<TimeWindow> window_;
@@ -113,6 +134,60 @@ TEST_F(TimelineTest, MIsAMarkerInTheTakeAndCommaGoesBackToIt) {
     time().setTime(0);
     EXPECT_TRUE(key(Qt::Key_Period));
     EXPECT_NEAR(time().time(), 0.75, 1e-5);
+}
+
+TEST_F(TimelineTest, MarkersAreNamedWhereTheyStand) {
+    setMarkers();
+    EXPECT_EQ(timeline_->chosenMarker(), 1) << "the one that was set last";
+    QTest::mouseDClick(timeline_.get(), Qt::LeftButton, {}, timeline_->flagPoint(0.5));
+    auto* field = timeline_->findChild<MarkerField*>();
+    ASSERT_TRUE(field);
+    EXPECT_EQ(field->text(), "Marker 1");
+    QTest::keyClicks(field, "jump");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_TRUE(become({"0.50 jump", "1.50 Marker 2"}));
+    EXPECT_EQ(timeline_->chosenMarker(), 0);
+
+    ASSERT_TRUE(waitFor([this] { return !timeline_->findChild<MarkerField*>(); }));
+    EXPECT_TRUE(key(Qt::Key_F2));
+    field = timeline_->findChild<MarkerField*>();
+    ASSERT_TRUE(field);
+    QTest::keyClicks(field, "something else");
+    QTest::keyClick(field, Qt::Key_Escape);
+    EXPECT_TRUE(become({"0.50 jump", "1.50 Marker 2"}));
+    EXPECT_EQ(undo().undoText(), "Name the marker jump");
+}
+
+TEST_F(TimelineTest, MarkersAreDeletedAndAllOfItIsUndone) {
+    setMarkers();
+    timeline_->goToMarker(-1);
+    QTest::keyClick(timeline_.get(), Qt::Key_Delete);
+    ASSERT_TRUE(become({"1.50 Marker 2"}));
+    EXPECT_FALSE(key(Qt::Key_Delete)) << "none is chosen now";
+    undo().undo();
+    ASSERT_TRUE(become({"0.50 Marker 1", "1.50 Marker 2"}));
+    EXPECT_EQ(timeline_->chosenMarker(), 0) << "it is back";
+    for (int i = 0; i < 2; ++i)
+        undo().undo();  // quickly: the file is written in order
+    ASSERT_TRUE(become({}));
+    EXPECT_FALSE(undo().canUndo());
+    for (int i = 0; i < 3; ++i)
+        undo().redo();
+    EXPECT_TRUE(become({"1.50 Marker 2"}));
+}
+
+TEST_F(TimelineTest, AMarkerThatCannotBeWrittenIsToldAndLeavesTheStack) {
+    setMarkers();
+    std::filesystem::rename(path(), path() + ".away");
+    QSignalSpy failed(studio_.get(), &Studio::failed);
+    key(Qt::Key_M);
+    ASSERT_TRUE(waitFor([&] { return failed.count() == 1; }));
+    std::filesystem::rename(path() + ".away", path());
+    EXPECT_EQ(undo().count(), 3);
+    undo().undo();
+    EXPECT_EQ(undo().count(), 2);
+    undo().undo();
+    EXPECT_TRUE(become({"0.50 Marker 1"}));
 }
 
 TEST_F(TimelineTest, KeysOfThePage) {

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, SceneGallery, testing::Values(Scheme::kDark, S
 TEST(Thumbnail, ShowsTheBodySmall) {
     Theme::install(*qApp);
     Studio studio{StudioParts{}};
-    ASSERT_TRUE(studio.body());
+    ASSERT_TRUE(waitFor([&] { return studio.body() != nullptr; }));
     const QImage picture = thumbnail(studio.body(), defaultActor(), QSize(160, 200));
     if (picture.isNull())
         GTEST_SKIP() << "no OpenGL without a window here";

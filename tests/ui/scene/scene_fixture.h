@@ -27,6 +27,7 @@ protected:
             GTEST_SKIP() << SceneCanvas::missing().toStdString();
         studio_ = std::make_unique<Studio>(StudioParts{});
         studio_->settings().clear();
+        ASSERT_TRUE(waitFor([this] { return studio_->body() != nullptr; }));
         makeView();
     }
     void TearDown() override {

@@ -9,6 +9,7 @@
 #include "tests/ui/views/reviewed_session.h"
 #include "ui/views/export_form.h"
 #include "ui/views/export_results_panel.h"
+#include "ui/views/export_take_list.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {
@@ -78,6 +79,28 @@ TEST_F(ExportPageTest, InToOutOfTheTakeIsExported) {
     write();
     EXPECT_EQ(page_->results()->outcomes[0].check.frames, 61U);
     EXPECT_TRUE(page_->results()->outcomes[0].check.ok());
+}
+
+TEST_F(ExportPageTest, EveryTakeMayGoOutWithAResultOfItsOwn) {
+    ProcessRequest gyroscopes_only;
+    gyroscopes_only.take_path = takePath("swing_001").toStdString();
+    gyroscopes_only.tracker.sensors = {false, true, false};
+    studio_->process(gyroscopes_only);
+    ASSERT_TRUE(waitFor([this] { return studio_->take().overview()->runs.size() == 2 && jobsAreDone(); }));
+    const std::string first = studio_->take().overview()->runs[0].run.name;
+
+    page_->form().run->setCurrentIndex(2);  // chosen for each take
+    ExportTakeList& takes = page_->form().takeList();
+    ASSERT_TRUE(waitFor([&] { return takes.resultsOf("swing_001") != nullptr; }));
+    EXPECT_EQ(page_->plan()->front().request.run, "") << "the last";
+    takes.resultsOf("swing_001")->setCurrentIndex(0);
+    EXPECT_EQ(page_->plan()->front().request.run, first);
+    studio_->session().renameTake(0, "kick");
+    ASSERT_TRUE(page_->plan()) << "it stays ticked: " << page_->plan().error().text();
+    EXPECT_EQ(page_->plan()->front().request.run, first) << "and its result chosen";
+    write();
+    ASSERT_FALSE(page_->results()->outcomes[0].error);
+    EXPECT_EQ(page_->results()->outcomes[0].check.run, first);
 }
 
 TEST_F(ExportPageTest, SaysWhatIsInTheWay) {

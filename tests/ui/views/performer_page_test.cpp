@@ -13,11 +13,11 @@
 #include <QTableView>
 #include <QTest>
 #include <QUndoStack>
-#include <filesystem>
 
 #include "core/math/rotation.h"
 #include "core/session/session_json.h"
 #include "core/suit/default_suit.h"
+#include "tests/support/files.h"
 #include "ui/scene/scene_view.h"
 #include "ui/style/theme.h"
 #include "ui/views/length_field.h"
@@ -33,10 +33,8 @@ class PerformerPageTest : public testing::Test {
 protected:
     void SetUp() override {
         Theme::install(*qApp);
-        std::string name = (std::filesystem::temp_directory_path() / "noctule_performer_XXXXXX").string();
-        home_ = mkdtemp(name.data());
         studio_ = std::make_unique<Studio>(StudioParts{"test", [] { return std::string(); }, {}});
-        ASSERT_TRUE(studio_->session().create(QString::fromStdString((home_ / "s").string()), "Test"));
+        ASSERT_TRUE(studio_->session().create(QString::fromStdString(home_.file("s")), "Test"));
         page_ = std::make_unique<PerformerPage>(*studio_);
         page_->leftDock()->resize(248, 800);
         page_->rightDock()->resize(295, 800);
@@ -48,7 +46,6 @@ protected:
         delete page_->rightDock();
         page_.reset();
         studio_.reset();
-        std::filesystem::remove_all(home_);
     }
 
     PerformerEditor& editor() { return page_->editor(); }
@@ -61,7 +58,7 @@ protected:
         return performer().suit.boards[static_cast<size_t>(performer().suit.findBoard(id))];
     }
 
-    std::filesystem::path home_;
+    const noctule::test::Folder home_;
     std::unique_ptr<Studio> studio_;
     std::unique_ptr<PerformerPage> page_;
 };

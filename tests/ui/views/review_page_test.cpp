@@ -143,6 +143,28 @@ TEST_F(ReviewPageTest, StarsAndNotesGoIntoTheSession) {
     EXPECT_EQ(editor.toPlainText(), "");
 }
 
+TEST_F(ReviewPageTest, F2RenamesTheTakeAndTheOpenOneFollows) {
+    TakeList& takes = page_->sidebar().takes();
+    takes.setCurrentIndex(takes.model()->index(0, 0));
+    QTest::keyClick(&takes, Qt::Key_F2);
+    auto* field = takes.findChild<QLineEdit*>();
+    ASSERT_TRUE(field);
+    EXPECT_EQ(field->text(), "swing_001");
+    QTest::keyClicks(field, "big swing");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_TRUE(waitFor([this] { return take().name == "big_swing"; }));
+    EXPECT_EQ(studio_->take().path(), takePath("big_swing"));
+    ASSERT_TRUE(waitFor([this] {
+        return studio_->take().overview()->path == studio_->take().path().toStdString() &&
+               studio_->take().verdict();
+    }));
+    EXPECT_EQ(page_->sidebar().runs().count(), 1);
+    studio_->session().undoStack().undo();
+    EXPECT_EQ(take().name, "swing_001");
+    EXPECT_TRUE(waitFor(
+        [this] { return studio_->take().path() == takePath("swing_001") && studio_->take().verdict(); }));
+}
+
 TEST_F(ReviewPageTest, KeysReachThePageFromItsDocks) {
     const double before_s = studio_->time().time();
     QTest::keyClick(&page_->sidebar().takes(), Qt::Key_Right);

@@ -7,8 +7,7 @@
 
 #include "core/math/rotation.h"
 #include "core/processing/process_take.h"
-#include "core/simulation/simulate.h"
-#include "core/suit/default_suit.h"
+#include "tests/support/simulated_take.h"
 #include "ui/style/theme.h"
 
 namespace noctule::ui::test {
@@ -38,22 +37,7 @@ MotionClip swingingArms() {
 }
 
 Status makeTake(const std::string& path, const JobContext& job) {
-    simulation::StageRequest request;
-    request.suit = defaultSuit();
-    request.clip = swingingArms();
-    request.scenario = simulation::Scenario::nominal();
-    request.rest_seconds = 0.5;
-    const auto stage = simulation::prepareStage(request);
-    if (!stage)
-        return stage.error();
-    simulation::TakeRequest take;
-    take.out_path = path;
-    take.level = simulation::Level::kReadings;
-    take.name = std::filesystem::path(path).stem().string();
-    take.created_utc = kCreated;
-    take.software = "test";
-    const auto written = simulation::writeTake(*stage, take, job);
-    return written ? Status(Done{}) : Status(written.error());
+    return noctule::test::writeSimulatedTake(path, {.clip = swingingArms(), .rest_seconds = 0.5}, job);
 }
 
 /// Made once for all tests.

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/session_notices.h"
+
+#include <QDir>
+
+#include "ui/views/recovery_words.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr const char* kMarkerTopic = "session marker";
+constexpr const char* kInterrupted = "interrupted take";
+constexpr const char* kDamaged = "damaged session";
+
+}  // namespace
+
+SessionNotices::SessionNotices(Studio& studio, Notices& notices, QObject* parent)
+    : QObject(parent), studio_(studio), notices_(notices) {
+    connect(&studio.session(), &SessionModel::damaged, this, &SessionNotices::tellDamaged);
+    connect(&studio.session(), &SessionModel::changed, this, &SessionNotices::tellInterrupted);
+}
+
+void SessionNotices::forget() {
+    notices_.remove(kMarkerTopic);
+    notices_.remove(kInterrupted);
+    in_use_ = false;
+    told_.clear();
+}
+
+void SessionNotices::tellMarker(SessionMarker::Finding finding) {
+    forget();
+    notices_.remove(kDamaged);
+    in_use_ = finding == SessionMarker::Finding::kInUse;
+    const Session& session = studio_.session().session();
+    const QString name = QString::fromStdString(session.name);
+    Notice notice{Tone::kWarn, {}, {}, {}, {}, kMarkerTopic};
+    if (finding == SessionMarker::Finding::kInUse) {
+        notice.title = tr("“%1” is open somewhere else as well").arg(name);
+        notice.text =
+            tr("Takes are safe. Of notes and ratings changed in both places the later ones win; close one of "
+               "the two.");
+    } else if (finding == SessionMarker::Finding::kNoMarker) {
+        notice.title = tr("“%1” can be read but not written").arg(name);
+        notice.text =
+            tr("Takes can be reviewed and exported to another place; ratings, notes and results cannot be "
+               "kept. Copy the folder to where you may write.");
+    } else if (finding == SessionMarker::Finding::kLeftBehind) {
+        notice.tone = Tone::kOk;
+        notice.title = tr("“%1” was not closed last time").arg(name);
+        notice.text =
+            tr("The studio ended unexpectedly. All %n take(s) were looked at again; changes were kept up to "
+               "the last second.",
+               nullptr, static_cast<int>(session.takes.size()));
+    }
+    if (!notice.title.isEmpty())
+        notices_.add(notice);
+    tellInterrupted();
+}
+
+void SessionNotices::tellDamaged(const QString& folder, const QString& problem) {
+    notices_.add({Tone::kError, tr("“%1” cannot be opened as it is").arg(QDir(folder).dirName()),
+                  rebuildOffer(problem), tr("Rebuild session"),
+                  [this, folder] { studio_.session().rebuild(folder); }, kDamaged});
+}
+
+/// Recordings that broke off can be finished as soon as they are seen.
+void SessionNotices::tellInterrupted() {
+    QStringList names;
+    if (studio_.session().isOpen() && !in_use_)
+        for (const SessionTake& take : studio_.session().session().takes)
+            if (take.state == TakeState::kRecording && !studio_.session().isRecovering(take.name))
+                names.append(QString::fromStdString(take.name));
+    if (names == told_)
+        return;
+    told_ = names;
+    if (names.isEmpty())
+        notices_.remove(kInterrupted);
+    else
+        notices_.add(interruptedNotice(names));
+}
+
+Notice SessionNotices::interruptedNotice(const QStringList& names) {
+    const bool one = names.size() == 1;
+    const auto recover = [this, names] {
+        SessionModel& session = studio_.session();
+        for (const QString& name : names)
+            if (session.isOpen())
+                session.recover(session.session().findTake(name.toStdString()));
+    };
+    return {Tone::kWarn,
+            one ? tr("The recording of %1 was not ended").arg(names.first())
+                : tr("%n recordings were not ended", nullptr, names.size()),
+            tr("What came in until then is safe on disk: %1. %2", "names of takes, an offer")
+                .arg(names.join(QStringLiteral(", ")), recoverOffer()),
+            one ? tr("Recover %1").arg(names.first()) : tr("Recover all"),
+            recover,
+            kInterrupted};
+}
+
+}  // namespace noctule::ui

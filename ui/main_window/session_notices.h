@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is told above the page about the session: how it was left, who else has it open, recordings that broke
+// off, a damaged session.json; each with what is safe and the way on.
+#pragma once
+
+#include <QObject>
+
+#include "ui/main_window/notices.h"
+#include "ui/models/studio.h"
+#include "ui/views/session_marker.h"
+
+namespace noctule::ui {
+
+class SessionNotices : public QObject {
+    Q_OBJECT
+public:
+    SessionNotices(Studio& studio, Notices& notices, QObject* parent);
+
+    /// After the session was opened.
+    void tellMarker(SessionMarker::Finding finding);
+    /// After it was closed.
+    void forget();
+
+private:
+    void tellDamaged(const QString& folder, const QString& problem);
+    void tellInterrupted();
+    Notice interruptedNotice(const QStringList& names);
+
+    Studio& studio_;
+    Notices& notices_;
+    bool in_use_ = false;  ///< somewhere else: what is being recorded there is not interrupted
+    QStringList told_{};   ///< takes that the notice was about: a closed one stays closed
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// Markers on the timeline: chosen, walked, named and deleted.
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMenu>
+#include <cmath>
+
+#include "ui/plots/marker_field.h"
+#include "ui/plots/timeline.h"
+#include "ui/style/theme.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr double kFlagReach = 9, kFieldWidth = 160;  // pixels at 100 percent
+/// A marker this near counts as where the cursor stands.
+constexpr double kOnMarker_s = 1e-3;
+/// Nearer than two samples: the same marker, rounded to a sample.
+constexpr double kSameTime_s = 1e-5;
+
+}  // namespace
+
+int Timeline::markerAt(const QPoint& position) const {
+    const Rows r = rows();
+    if (!overview_ || position.y() < r.ruler.top() - 2 || position.y() > r.ruler.center().y())
+        return -1;
+    const int reach = Theme::get().px(kFlagReach);
+    for (size_t i = 0; i < overview_->markers.size(); ++i) {
+        const double past = position.x() - xOf(overview_->markers[i].t_s);
+        if (past >= -3 && past <= reach)
+            return static_cast<int>(i);
+    }
+    return -1;
+}
+
+QPoint Timeline::flagPoint(double t_s) const {
+    return {qRound(xOf(t_s)) + Theme::get().px(kFlagReach / 2), rows().ruler.top() + Theme::get().px(3)};
+}
+
+void Timeline::chooseMarker(int marker) {
+    const ReviewMarker& chosen = overview_->markers[static_cast<size_t>(marker)];
+    chosen_marker_ = marker;
+    chosen_ = UserMarker{chosen.t_s, chosen.label};
+    studio_.time().setTime(chosen.t_s);
+    update();
+    emit chosenMarkerChanged();
+}
+
+/// What was set, named or brought back is the chosen one.
+void Timeline::chooseWritten(const MarkerChange& change) {
+    chosen_ = change.after;
+}
+
+void Timeline::followChosenMarker() {
+    chosen_marker_ = -1;
+    if (overview_ && chosen_)
+        for (size_t i = 0; i < overview_->markers.size(); ++i)
+            if (std::abs(overview_->markers[i].t_s - chosen_->t_s) < kSameTime_s &&
+                overview_->markers[i].label == chosen_->label)
+                chosen_marker_ = static_cast<int>(i);
+    emit chosenMarkerChanged();
+}
+
+bool Timeline::canEditMarker() const {
+    return overview_ && chosen_marker_ >= 0 &&
+           MarkerEditor::isEditable(overview_->markers[static_cast<size_t>(chosen_marker_)]);
+}
+
+void Timeline::nameMarker() {
+    if (!canEditMarker())
+        return;
+    const ReviewMarker& marker = overview_->markers[static_cast<size_t>(chosen_marker_)];
+    window_.reveal(marker.t_s);
+    auto* field = new MarkerField(QString::fromStdString(marker.label), this);
+    const int field_width = std::min(Theme::get().px(kFieldWidth), width());
+    field->resize(field_width, field->sizeHint().height());
+    field->move(std::clamp(qRound(xOf(marker.t_s)), 0, width() - field_width),
+                std::clamp(rows().ruler.top(), 0, std::max(0, height() - field->height())));
+    connect(field, &MarkerField::named, this,
+            [this](const QString& name) { studio_.markers().rename(chosen_marker_, name); });
+    field->show();
+    field->setFocus();
+}
+
+void Timeline::deleteMarker() {
+    if (canEditMarker())
+        studio_.markers().remove(chosen_marker_);
+}
+
+bool Timeline::editMarker(const QKeyEvent& event) {
+    if (!canEditMarker() || event.modifiers() != Qt::NoModifier)
+        return false;
+    if (event.key() == Qt::Key_F2)
+        nameMarker();
+    else if (event.key() == Qt::Key_Delete)
+        deleteMarker();
+    else
+        return false;
+    return true;
+}
+
+void Timeline::contextMenuEvent(QContextMenuEvent* event) {
+    const bool by_keyboard = event->reason() == QContextMenuEvent::Keyboard;
+    const int marker = by_keyboard ? chosen_marker_ : markerAt(event->pos());
+    if (marker < 0)
+        return;
+    chooseMarker(marker);
+    QMenu menu(this);
+    QAction* name = menu.addAction(tr("Name marker"), this, &Timeline::nameMarker);
+    name->setShortcut(Qt::Key_F2);
+    QAction* remove = menu.addAction(tr("Delete marker"), this, &Timeline::deleteMarker);
+    remove->setShortcut(QKeySequence::Delete);
+    for (QAction* action : {name, remove})
+        action->setEnabled(canEditMarker());
+    menu.exec(by_keyboard ? mapToGlobal(flagPoint(overview_->markers[static_cast<size_t>(marker)].t_s))
+                          : event->globalPos());
+}
+
+void Timeline::goToMarker(int direction) {
+    if (!overview_)
+        return;
+    const double now_s = studio_.time().time();
+    int best = -1;
+    double best_distance_s = studio_.time().duration() + 1;
+    for (size_t i = 0; i < overview_->markers.size(); ++i) {
+        const double distance_s = (overview_->markers[i].t_s - now_s) * direction;
+        if (distance_s > kOnMarker_s && distance_s < best_distance_s) {
+            best = static_cast<int>(i);
+            best_distance_s = distance_s;
+        }
+    }
+    if (best < 0)
+        return;
+    chooseMarker(best);
+    window_.reveal(studio_.time().time());
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The takes of the session to tick for an export and, when asked for, the result of each that goes out.
+#pragma once
+
+#include <QTreeWidget>
+#include <map>
+#include <vector>
+
+#include "core/review/take_review.h"
+#include "ui/models/studio.h"
+
+class QComboBox;
+
+namespace noctule::ui {
+
+class ExportTakeList : public QTreeWidget {
+    Q_OBJECT
+public:
+    explicit ExportTakeList(Studio& studio, QWidget* parent = nullptr);
+
+    /// Names of the takes that are ticked, in the order of the session.
+    QStringList ticked() const;
+    void tick(const QStringList& names);
+    /// Whether every take shows its results; they are read anew by a job.
+    void setResultsShown(bool shown);
+    /// Name of the result chosen for a take; empty: its last.
+    QString chosenResult(const QString& take) const { return chosen_.value(take); }
+    /// The choice of a take, for the operator and tests; null until its results are known, or when there is
+    /// one only.
+    QComboBox* resultsOf(const QString& take) const;
+
+signals:
+    void changed();  ///< by the operator, or the takes
+
+private:
+    void readTakes();
+    void readResults();
+    void addTake(const SessionTake& take, bool is_ticked);
+    void addResults(QTreeWidgetItem* item);
+    void followRename(const QString& old_path, const QString& new_path);
+
+    Studio& studio_;
+    bool results_shown_ = false;
+    int ticket_ = 0;                                     ///< what an earlier reading found is dropped
+    std::map<QString, std::vector<ReviewRun>> results_;  ///< by take
+    QMap<QString, QString> chosen_;                      ///< by take
+};
+
+}  // namespace noctule::ui
