@@ -9,11 +9,13 @@
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 
 #include "app/batch/files.h"
 #include "app/batch/program.h"
 #include "app/studio/sample_take.h"
+#include "app/studio/start_clock.h"
 #include "ui/main_window/language.h"
 #include "ui/main_window/look.h"
 #include "ui/main_window/main_window.h"
@@ -38,12 +40,13 @@ bool has_display = false;  ///< the application has been made
 
 /// Qt's own way to say that there is no display is to abort with a core dump; until the application has been
 /// made, a fatal message is ours. Afterwards Qt's warnings go to standard error only when asked for
-/// (NOCTULE_QT_DEBUG=1).
-void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
+/// (NOCTULE_QT_DEBUG=1); categories of our own are silent until a logging rule names them.
+void onQtMessage(QtMsgType type, const QMessageLogContext& context, const QString& text) {
     if (type == QtFatalMsg && !has_display)
         endWithoutDisplay();
     static const bool wanted = qEnvironmentVariableIsSet("NOCTULE_QT_DEBUG");
-    if (!wanted && type != QtFatalMsg)
+    const bool ours = context.category && std::strncmp(context.category, "noctule.", 8) == 0;
+    if (!wanted && !ours && type != QtFatalMsg)
         return;
     std::fprintf(stderr, "noctule: %s\n", text.toLocal8Bit().constData());
     if (type == QtFatalMsg)
@@ -126,6 +129,7 @@ int runStudio(int argc, char** argv) {
     applyLook(studio.settings());
     Windows windows(studio);
     MainWindow& window = windows.show(Step::kStart);
+    logFirstFrame(window);
     if (application.arguments().size() > 1)
         window.open(QFileInfo(application.arguments().at(1)).absoluteFilePath());
     else

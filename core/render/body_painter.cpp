@@ -53,6 +53,22 @@ bool canBeDrawn(const SceneBody& body) {
            body.skin.size() == body.mesh->bones.size() && body.skin.size() <= shaders::kMaxBones;
 }
 
+bool isOutlined(const SceneBody& body) {
+    return body.style == BodyStyle::kOutline && canBeDrawn(body);
+}
+
+void beginBodies() {
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+    glEnable(GL_CULL_FACE);
+}
+
+void endBodies() {
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_FALSE);
+}
+
 void setColor(const GlProgram& program, const Rgba& color) {
     glUniform4f(program.at("color"), color.r, color.g, color.b, color.a);
 }
@@ -138,29 +154,27 @@ void BodyPainter::drawOutline(const SceneBody& body, const ScreenView& view) {
     glCullFace(GL_BACK);
 }
 
-void BodyPainter::draw(const std::vector<SceneBody>& bodies, const ScreenView& view) {
+void BodyPainter::drawSolids(const std::vector<SceneBody>& bodies, const ScreenView& view) {
     forgetDeadMeshes();
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
-    glDepthMask(GL_TRUE);
-    glEnable(GL_CULL_FACE);
-    std::vector<const SceneBody*> solid, outlined;
+    beginBodies();
     for (const SceneBody& body : bodies)
-        if (canBeDrawn(body))
-            (body.style == BodyStyle::kSolid ? solid : outlined).push_back(&body);
-    for (const SceneBody* body : solid)
-        drawSolid(*body, view);
-    for (const SceneBody* body : outlined) {  // each by itself, so that solid bodies do not hide it
-        glClear(GL_DEPTH_BUFFER_BIT);
-        drawOutline(*body, view);
-    }
-    if (!outlined.empty()) {  // later shapes ask what the solid bodies hide
-        glClear(GL_DEPTH_BUFFER_BIT);
-        for (const SceneBody* body : solid)
-            drawDepth(*body, view);
-    }
-    glDisable(GL_CULL_FACE);
-    glDepthMask(GL_FALSE);
+        if (body.style == BodyStyle::kSolid && canBeDrawn(body))
+            drawSolid(body, view);
+    endBodies();
+}
+
+bool BodyPainter::hasOutlines(const std::vector<SceneBody>& bodies) {
+    return std::any_of(bodies.begin(), bodies.end(), isOutlined);
+}
+
+void BodyPainter::drawOutlines(const std::vector<SceneBody>& bodies, const ScreenView& view) {
+    beginBodies();
+    for (const SceneBody& body : bodies)
+        if (isOutlined(body)) {
+            glClear(GL_DEPTH_BUFFER_BIT);
+            drawOutline(body, view);
+        }
+    endBodies();
 }
 
 }  // namespace noctule

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws skinned bodies: solid ones shaded, ghosts as contours. Writes depth, so that what is drawn later
-// knows what the solid bodies hide.
+// Draws skinned bodies: solid ones shaded, ghosts as contours. Solid ones write depth, so that what is drawn
+// later knows what they hide.
 #pragma once
 
 #include <memory>
@@ -15,8 +15,12 @@ class BodyPainter {
 public:
     static Result<std::unique_ptr<BodyPainter>> create();
 
-    /// Depth must be cleared. Bodies with more than shaders::kMaxBones bones or without skin are left out.
-    void draw(const std::vector<SceneBody>& bodies, const ScreenView& view);
+    // Bodies with more than shaders::kMaxBones bones or without skin are left out.
+    /// Depth must be cleared.
+    void drawSolids(const std::vector<SceneBody>& bodies, const ScreenView& view);
+    /// The depth that is bound is cleared for each, so that no body hides another's contours.
+    void drawOutlines(const std::vector<SceneBody>& bodies, const ScreenView& view);
+    static bool hasOutlines(const std::vector<SceneBody>& bodies);
 
 private:
     struct Upload {

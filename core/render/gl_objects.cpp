@@ -80,12 +80,26 @@ void GlTarget::fit(const PictureSize& size, int samples) {
     samples_ = samples;
     color_ = makeRenderbuffer(GL_RGBA8, size, samples);
     depth_ = makeRenderbuffer(GL_DEPTH_COMPONENT24, size, samples);
+    framebuffer_ = makeFramebuffer(depth_);
+    depth_apart_ = {};
+    framebuffer_apart_ = {};
+}
+
+GlName<deleteFramebuffer> GlTarget::makeFramebuffer(GLuint depth) const {
     GLuint name = 0;
     glGenFramebuffers(1, &name);
-    framebuffer_ = GlName<deleteFramebuffer>(name);
-    bind();
+    glBindFramebuffer(GL_FRAMEBUFFER, name);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
+    return GlName<deleteFramebuffer>(name);
+}
+
+void GlTarget::bindApart() {
+    if (!depth_apart_) {
+        depth_apart_ = makeRenderbuffer(GL_DEPTH_COMPONENT24, size_, samples_);
+        framebuffer_apart_ = makeFramebuffer(depth_apart_);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_apart_);
 }
 
 void GlTarget::copyTo(GLuint framebuffer) const {

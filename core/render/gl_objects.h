@@ -73,19 +73,24 @@ private:
     GlProgramName program_;
 };
 
-/// What is drawn into before it is copied to where the picture goes: colour and depth, smoothed or not.
+/// What is drawn into before it is copied to where the picture goes: colour and depth, smoothed or not. A
+/// second depth serves what is drawn into the same colours without being hidden and without hiding; it is
+/// made when it is first asked for.
 class GlTarget {
 public:
     /// Made anew when size or samples differ; samples are capped at what the card can do.
     void fit(const PictureSize& size, int samples);
     void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_); }
+    void bindApart();
     void copyTo(GLuint framebuffer) const;
 
 private:
+    GlName<deleteFramebuffer> makeFramebuffer(GLuint depth) const;
+
     PictureSize size_{0, 0};
     int samples_ = -1;
-    GlName<deleteRenderbuffer> color_, depth_;
-    GlName<deleteFramebuffer> framebuffer_;
+    GlName<deleteRenderbuffer> color_, depth_, depth_apart_;
+    GlName<deleteFramebuffer> framebuffer_, framebuffer_apart_;
 };
 
 }  // namespace noctule

@@ -98,7 +98,12 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const PictureSize&
     if (scene.grid)
         shapes.drawLines(gridLines(*scene.grid), view, Hiding::kNone);
     shapes.drawDiscs(scene.discs, view);
-    parts_->bodies->draw(scene.bodies, view);
+    parts_->bodies->drawSolids(scene.bodies, view);
+    if (BodyPainter::hasOutlines(scene.bodies)) {
+        parts_->target.bindApart();
+        parts_->bodies->drawOutlines(scene.bodies, view);
+        parts_->target.bind();
+    }
 
     std::vector<LineShape> seen_through, hidden;
     for (const SceneLine& bone : scene.bones)

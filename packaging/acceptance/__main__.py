@@ -11,6 +11,7 @@ import time
 import benchmarks
 import blender
 import drift
+import interface
 import long_fuzz
 import sanitizers
 import speed
@@ -22,6 +23,7 @@ FIGURES = {
     "drift": ("Drift over five minutes", drift.figure),
     "benchmarks": ("Benchmarks", benchmarks.figure),
     "speed": ("Speed on one core", speed.figure),
+    "studio": ("The studio: start", interface.figure),
     "blender": ("Exports opened in Blender", blender.figure),
     "sanitizers": ("Unit tests under sanitizers", sanitizers.figure),
     "long-fuzz": ("Damaged inputs", long_fuzz.figure),
@@ -69,12 +71,17 @@ def write_aside(path, text):
 
 
 def run_figure(name, options):
+    """Its section, and what it missed."""
     title, figure = FIGURES[name]
     print(f"== {name}", file=sys.stderr)
     begin = time.monotonic()
-    body = figure(options)
+    missed = None
+    try:
+        body = figure(options)
+    except studio.Missed as error:
+        body, missed = error.text, error
     note = f"Sources {state_of_the_sources()}, {os.cpu_count()} cores, {time.monotonic() - begin:.0f} s: "
-    return f"## {title}\n\n{body.rstrip()}\n\n{note}`packaging/acceptance.sh {name}`\n"
+    return f"## {title}\n\n{body.rstrip()}\n\n{note}`packaging/acceptance.sh {name}`\n", missed
 
 
 def main():
@@ -88,8 +95,11 @@ def main():
     failed = []
     for name in options.names:
         try:
-            results = put_section(results, name, run_figure(name, options))
+            section, missed = run_figure(name, options)
+            results = put_section(results, name, section)
             write_aside(path, results)
+            if missed:
+                raise missed
         except (RuntimeError, OSError, KeyError) as error:
             failed.append(name)
             print(f"{name} failed: {error}", file=sys.stderr)

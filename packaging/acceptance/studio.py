@@ -15,6 +15,14 @@ REAL_MOTIONS = pathlib.Path("/usr/share/assimp/models/BVH")
 MORE_MOTIONS = ROOT.parent / "shared" / "data" / "bvh" / "cmu"
 
 
+class Missed(RuntimeError):
+    """A figure that was measured but not reached; its text is kept all the same."""
+
+    def __init__(self, reasons, text):
+        super().__init__("; ".join(reasons))
+        self.text = f"{text}\nNot reached: {self}.\n"
+
+
 def batch(*arguments):
     """Standard output of `noctule --batch ARGUMENTS`; what goes wrong ends the figure with its message."""
     command = [str(BUILD / "noctule"), "--batch", *map(str, arguments)]
