@@ -10,6 +10,7 @@
 
 #include "core/recording/take.h"
 #include "devices/driver_box/box_conversation.h"
+#include "devices/driver_box/studio_event.h"
 #include "tests/devices/support/box_stream.h"
 #include "tests/support/take_files.h"
 
