@@ -14,6 +14,7 @@ packages=(
     libzstd-dev          # libzstd
     qtbase5-dev          # Qt5
     libqt5svg5-dev       # Qt5: Svg
+    libqt5serialport5-dev # Qt5: SerialPort
     qttools5-dev         # Qt5: LinguistTools
     qttools5-dev-tools   # Qt5: lupdate, lrelease
     libqwt-qt5-dev       # Qt5Qwt6

@@ -33,6 +33,8 @@ NOT_IN_CORE = re.compile(r"std::(jthread|thread|async|cout|cerr|random_device|ti
                          r"|\b(system|steady|high_resolution|utc)_clock\b|\b(gettimeofday|clock_gettime|getenv)\b")
 HEADERS_NOT_IN_CORE = {"thread", "future", "pthread.h", "iostream"}
 ROOM_LINE = re.compile(r"^noctule_library\((\w+)(?:\s+PLAIN)?(?:\s+LINK\s+([^)]*))?\)", re.MULTILINE)
+QT_SCREEN_LIBRARY = re.compile(r"\bQt5::(Gui|Widgets|Svg|OpenGL\w*|PrintSupport)\b")
+QT_OF_BASE = {"Core", "Gui", "Widgets", "Network", "Test"}  # come with the package of Qt5 itself
 FLAGS = re.compile(r"\b(add_compile_options|target_compile_options|CMAKE_CXX_FLAGS)\b")
 # Spelled in pieces, so that this file does not complain about itself.
 FORBIDDEN_WORDS = re.compile(r"\b(TO" r"DO|FIX" r"ME)\b|(?<![\w.])/(wo" r"rk|ro" r"ot|ho" r"me)/\w")
@@ -127,6 +129,8 @@ def check_purity(files, complaints):
     for line in ROOM_LINE.finditer(files.get("devices/CMakeLists.txt", "")):
         if "devices/" + line.group(1).removeprefix("devices_") in PURE and "Qt5" in (line.group(2) or ""):
             complaints.append(f"devices/CMakeLists.txt: {line.group(1)} links Qt")
+    for library in QT_SCREEN_LIBRARY.finditer(files.get("devices/CMakeLists.txt", "")):
+        complaints.append(f"devices/CMakeLists.txt: devices link {library.group(0)}, which belongs to the screen")
 
 
 def check_layers(files, complaints):
@@ -186,6 +190,10 @@ def check_build(files, complaints):
             for modules in re.findall(r"\bpkg_check_modules\(\w+ ([^)]*)\)", text):
                 wanted.update(set(modules.split()) - {"REQUIRED", "IMPORTED_TARGET"})
     installed = set(re.findall(r"^ +\S+ +# (\w+)", files["packaging/dependencies.sh"], re.MULTILINE))
+    components = re.search(r"\bfind_package\(Qt5\b[^)]*\bCOMPONENTS ([^)]*)\)", files["CMakeLists.txt"])
+    parts = set(re.findall(r"^ +\S+ +# Qt5: (\w+)", files["packaging/dependencies.sh"], re.MULTILINE))
+    for name in sorted(set(components.group(1).split() if components else ()) - QT_OF_BASE - parts):
+        complaints.append(f"packaging/dependencies.sh: no package for Qt5's {name}, which the build looks for")
     for name in sorted(wanted - installed):
         complaints.append(f"packaging/dependencies.sh: no package for {name}, which the build looks for")
 
@@ -286,6 +294,11 @@ def broken_trees(files):
         ("Qt linked by the pure link",
          {"devices/CMakeLists.txt": devices.replace("noctule_suit", "noctule_suit Qt5::Core", 1)},
          "devices_driver_box links Qt"),
+        ("Qt of the screen linked by devices",
+         {"devices/CMakeLists.txt": devices.replace("Qt5::Network", "Qt5::Widgets", 1)}, "devices link Qt5::Widgets"),
+        ("Qt of the screen in devices", source("devices/device/a.cpp", "#include <QWidget>"), "belongs to the screen"),
+        ("device includes what it does not link",
+         source("devices/device/a.cpp", '#include "devices/discovery/found_list.h"'), "does not link discovery"),
         ("clock in the pure link", source("devices/driver_box/a.cpp", "auto t = std::chrono::steady_clock::now();"),
          "devices/driver_box uses steady_clock"),
         ("thread in the pure link", source("devices/driver_box/a.cpp", "#include <thread>"), "includes <thread>"),
@@ -294,6 +307,8 @@ def broken_trees(files):
         ("stray file", {"notes.txt": ""}, "notes.txt: does not belong"),
         ("flags elsewhere", {"app/CMakeLists.txt": "add_compile_options(-O3)\n"}, "compiler flags"),
         ("dependency without package", {"CMakeLists.txt": build + "find_package(Ceres REQUIRED)\n"}, "for Ceres"),
+        ("part of Qt without package", {"CMakeLists.txt": build.replace("SerialPort", "Bluetooth", 1)},
+         "for Qt5's Bluetooth"),
         ("module without package", {"CMakeLists.txt": build + "pkg_check_modules(E REQUIRED flite)\n"}, "for flite"),
     ]
 

@@ -43,7 +43,7 @@ std::string comparisonText(const Comparison& c) {
            " poses\n";
 }
 
-std::string textOf(const ReportData& data, const ReportRun& run) {
+std::string evaluationText(const ReportData& data, const ReportRun& run) {
     std::string text = data.take.name + ", run " + run.name + ": sensors " + run.sensors + ", estimator " +
                        run.estimator + ", root " + (run.root_given ? "given" : "free") + "\n";
     if (run.comparison)
@@ -78,7 +78,7 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
     for (const std::string& warning : data->warnings)
         context.console.warn(warning);
     const ReportRun& shown = *data->shownRun();
-    Outcome outcome{evaluationJson(*data, shown), textOf(*data, shown), std::nullopt};
+    Outcome outcome{evaluationJson(*data, shown), evaluationText(*data, shown), std::nullopt};
     if (!report_path.empty()) {
         if (context.cancel.cancelled())
             return JobContext::cancelledError();

@@ -110,7 +110,7 @@ std::string pairsText(const TakeInspection& in) {
     return text + "\n";
 }
 
-std::string textOf(const TakeInspection& in) {
+std::string inspectionText(const TakeInspection& in) {
     std::string text = headText(in) + rowsText(in);
     for (const std::string& missing : in.missing)
         text += line("missing", missing);
@@ -124,7 +124,7 @@ Result<Outcome> runInspect(const VerbContext& context) {
         const auto inspection = inspectTake(take, job);
         if (!inspection)
             return inspection.error();
-        return Outcome{toJson(*inspection), textOf(*inspection), std::nullopt};
+        return Outcome{toJson(*inspection), inspectionText(*inspection), std::nullopt};
     });
 }
 

@@ -48,6 +48,7 @@ Verb evaluateVerb();
 Verb exportVerb();
 Verb inspectVerb();
 Verb attachVerb();
+Verb devicesVerb();
 
 /// {"exit_code", "message", "remedy"}
 nlohmann::json errorJson(const Error& error);

@@ -26,7 +26,7 @@ const std::vector<Verb>& verbs() {
         exportVerb(),
         inspectVerb(),
         attachVerb(),
-        laterVerb("devices", "list the driver boxes that can be reached"),
+        devicesVerb(),
         laterVerb("record", "record a take from a driver box"),
         laterVerb("recover", "save what a broken take still holds"),
         laterVerb("calibrate", "find offsets, zeros and slopes from recordings"),
