@@ -48,6 +48,8 @@ Verb evaluateVerb();
 Verb exportVerb();
 Verb inspectVerb();
 Verb attachVerb();
+Verb recordVerb();
+Verb recoverVerb();
 
 /// {"exit_code", "message", "remedy"}
 nlohmann::json errorJson(const Error& error);

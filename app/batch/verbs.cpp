@@ -26,9 +26,13 @@ const std::vector<Verb>& verbs() {
         exportVerb(),
         inspectVerb(),
         attachVerb(),
+        recoverVerb(),
         laterVerb("devices", "list the driver boxes that can be reached"),
+#ifdef NOCTULE_CAN_RECORD
+        recordVerb(),
+#else
         laterVerb("record", "record a take from a driver box"),
-        laterVerb("recover", "save what a broken take still holds"),
+#endif
         laterVerb("calibrate", "find offsets, zeros and slopes from recordings"),
         laterVerb("check", "compare a still pose with the calibration in force")};
     return all;

@@ -9,8 +9,8 @@
 namespace noctule::test {
 namespace {
 
-const std::vector<std::string> kVerbs = {"simulate", "process", "evaluate", "export", "inspect", "attach"};
-const std::vector<std::string> kLaterVerbs = {"devices", "record", "recover", "calibrate", "check"};
+const std::vector<std::string> kVerbs = {"simulate", "process", "evaluate", "export", "inspect", "attach", "recover"};
+const std::vector<std::string> kLaterVerbs = {"devices", "record", "calibrate", "check"};
 
 /// The environment without a way to a screen, as on a server; as it was afterwards.
 class NoScreen {
