@@ -49,6 +49,8 @@ Verb exportVerb();
 Verb inspectVerb();
 Verb attachVerb();
 Verb devicesVerb();
+Verb recordVerb();
+Verb recoverVerb();
 
 /// {"exit_code", "message", "remedy"}
 nlohmann::json errorJson(const Error& error);

@@ -27,8 +27,8 @@ const std::vector<Verb>& verbs() {
         inspectVerb(),
         attachVerb(),
         devicesVerb(),
-        laterVerb("record", "record a take from a driver box"),
-        laterVerb("recover", "save what a broken take still holds"),
+        recordVerb(),
+        recoverVerb(),
         laterVerb("calibrate", "find offsets, zeros and slopes from recordings"),
         laterVerb("check", "compare a still pose with the calibration in force")};
     return all;

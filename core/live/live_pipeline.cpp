@@ -40,12 +40,14 @@ void LivePipeline::pushBlock(int64_t first_sample, std::span<const int16_t> inte
 
 void LivePipeline::hop(int64_t first_sample, std::span<const int16_t> interleaved) {
     samples_end_ = first_sample + static_cast<int64_t>(interleaved.size()) / board_count_;
-    // A pulse or a temperature counts from the hop of its sample on, however early it was known: a recording
-    // must not know more than the live run did.
-    const int64_t hop_end = (samples_end_ + kHop_samples - 1) / kHop_samples * kHop_samples;
+    // A pulse counts from the hop of its sample on, a temperature from the first hop that begins at its
+    // sample or later, however early they were known: a recording must not know more than the live run did,
+    // which may learn of a temperature in the middle of a hop.
+    const int64_t hop_begin = first_sample / kHop_samples * kHop_samples;
+    const int64_t hop_end = hop_begin + kHop_samples;
     for (; !pulses_.empty() && pulses_.front().sample < hop_end; pulses_.pop_front())
         decoder_->pushPulse(pulses_.front());
-    for (; !statuses_.empty() && statuses_.front().sample < hop_end; statuses_.pop_front())
+    for (; !statuses_.empty() && statuses_.front().sample <= hop_begin; statuses_.pop_front())
         decoder_->pushStatus(statuses_.front());
     decoder_->pushBlock(first_sample, interleaved);
     if (samples_end_ % kHop_samples == 0)

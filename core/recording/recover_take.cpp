@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recording/recover_take.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "core/recording/database.h"
 #include "core/recording/take_copy.h"
 #include "core/recording/take_edit.h"
@@ -58,6 +61,23 @@ Status recoverTake(const std::string& recording, const std::string& recovered_pa
     if (const Status marked = markRecovered(copy->path()); !marked)
         return copy->named(marked.error());
     return copy->publish(false);
+}
+
+bool isBeingWritten(const std::string& recording) {
+    // Every connection holds a shared lock on this byte of the log's index (sqlite3, UNIX_SHM_DMS in
+    // os_unix.c) for as long as it lives.
+    constexpr off_t kConnectionLock = 128;
+    const int file = open((recording + "-shm").c_str(), O_RDWR | O_CLOEXEC);
+    if (file < 0)
+        return false;
+    struct flock lock {};
+    lock.l_type = F_WRLCK;
+    lock.l_whence = SEEK_SET;
+    lock.l_start = kConnectionLock;
+    lock.l_len = 1;
+    const bool held = fcntl(file, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+    close(file);
+    return held;
 }
 
 }  // namespace noctule

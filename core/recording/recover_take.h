@@ -11,6 +11,11 @@
 namespace noctule {
 
 /// kUsage when something stands at `recovered_path`, kUnreadable when the recording is damaged.
+/// A recording that is being written would come out torn: ask isBeingWritten() first.
 Status recoverTake(const std::string& recording, const std::string& recovered_path, const JobContext& job);
+
+/// Whether another process has the take open with its write-ahead log. What this process has open does not
+/// count.
+bool isBeingWritten(const std::string& recording);
 
 }  // namespace noctule

@@ -137,7 +137,21 @@ Status TakeWriter::addBlock(const AdcBlock& block, int board_count, int suit, bo
 Status TakeWriter::commit() {
     if (options_.journal == Journal::kAside)
         return Done{};
-    return file_->execute("COMMIT; BEGIN");
+    const Status committed = file_->execute("COMMIT; BEGIN");
+    if (committed)
+        committed_end_sample_ = end_sample_;
+    return committed;
+}
+
+Status TakeWriter::rollBack() {
+    require(options_.journal == Journal::kWal, "only a recording has something to go back to");
+    dropStatements();
+    end_sample_ = committed_end_sample_;
+    // A full disk may have made SQLite roll back by itself.
+    if (file_->inTransaction())
+        if (const Status back = file_->execute("ROLLBACK"); !back)
+            return back;
+    return file_->execute("BEGIN");
 }
 
 Status TakeWriter::closeFile() {

@@ -39,6 +39,8 @@ public:
 
     /// Makes everything so far safe (kWal); a recorder calls it at least every 200 ms.
     Status commit();
+    /// After a write that failed (kWal): everything since the last commit() is gone, finish() may follow.
+    Status rollBack();
     /// Sets `state` to complete and `sample_count`, and leaves one file under its name.
     Status finish();
     /// Removes what was written.
@@ -54,7 +56,7 @@ private:
     std::unique_ptr<Database> file_;  ///< empty once finished or abandoned
     std::string path_;
     Options options_;
-    int64_t end_sample_ = 0;
+    int64_t end_sample_ = 0, committed_end_sample_ = 0;
     std::vector<std::byte> packed_;
 };
 

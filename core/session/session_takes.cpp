@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cctype>
-#include <cstdio>
 #include <tuple>
 
 #include "core/recording/recover_take.h"
@@ -14,29 +12,6 @@ namespace noctule {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kDefaultBase = "take";
-
-/// What can be part of a file's name everywhere; other letters than ASCII may stay.
-std::string cleanName(const std::string& name) {
-    std::string clean;
-    for (const char c : name) {
-        const auto byte = static_cast<unsigned char>(c);
-        const bool fine = byte >= 0x80 || std::isalnum(byte) || c == '-' || c == '_';
-        clean += fine ? c : '_';
-    }
-    return clean;
-}
-
-/// "walk" of "walk_001" and of "walk".
-std::string baseOf(const std::string& name) {
-    std::string base = cleanName(name);
-    const size_t before_digits = base.find_last_not_of("0123456789");
-    if (before_digits != std::string::npos && before_digits + 1 < base.size() && base[before_digits] == '_')
-        base.erase(before_digits);
-    const bool nothing = base.find_first_not_of('_') == std::string::npos;
-    return nothing ? kDefaultBase : base;
-}
 
 /// Messages name takes as the session does: "takes/walk_001.noctule".
 std::string withoutFolder(std::string text, const fs::path& folder) {
@@ -105,13 +80,7 @@ void sortTakes(Session& session) {
 }
 
 std::string nextTakeName(const Session& session, const std::string& base) {
-    const std::string stem = baseOf(base);
-    for (int number = 1;; ++number) {
-        char digits[16];
-        std::snprintf(digits, sizeof digits, "_%03d", number);
-        if (isNameFree(session, stem + digits))
-            return stem + digits;
-    }
+    return numberedTakeName(base, [&](const std::string& name) { return isNameFree(session, name); });
 }
 
 void refreshTake(const Session& session, SessionTake& take) {
@@ -159,7 +128,7 @@ Result<SessionTake> importTake(Session& session, const fs::path& original, const
         if (const Result<Take> opened = Take::open(original.string()); !opened)
             return opened.error();
     const std::string wanted = original.stem().string();
-    const bool usable = cleanName(wanted) == wanted;
+    const bool usable = cleanTakeName(wanted) == wanted;
     const std::string name = usable && isNameFree(session, wanted) ? wanted : nextTakeName(session, wanted);
     Result<TakeCopy> copy = TakeCopy::make(original.string(), takePath(session, name).string(), job);
     if (!copy)

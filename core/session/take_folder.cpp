@@ -2,6 +2,8 @@
 #include "core/session/take_folder.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstdio>
 #include <system_error>
 
 #include "core/job/atomic_file.h"
@@ -11,6 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kDefaultBase = "take";
 constexpr const char* kBeside[] = {"-wal", "-journal", "-shm"};
 
 fs::path beside(const fs::path& take, const char* ending) {
@@ -53,6 +56,45 @@ fs::path takePath(const Session& session, const std::string& name) {
 bool isNameFree(const Session& session, const std::string& name) {
     return session.findTake(name) < 0 && !isThere(takePath(session, name)) &&
            !isThere(session.trashFolder() / (name + kTakeExtension));
+}
+
+std::string cleanTakeName(const std::string& name) {
+    std::string clean;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool fine = byte >= 0x80 || std::isalnum(byte) || c == '-' || c == '_';
+        clean += fine ? c : '_';
+    }
+    return clean;
+}
+
+std::string takeBaseName(const std::string& name) {
+    std::string base = cleanTakeName(name);
+    const size_t before_digits = base.find_last_not_of("0123456789");
+    if (before_digits != std::string::npos && before_digits + 1 < base.size() && base[before_digits] == '_')
+        base.erase(before_digits);
+    const bool nothing = base.find_first_not_of('_') == std::string::npos;
+    return nothing ? kDefaultBase : base;
+}
+
+std::string numberedTakeName(const std::string& base,
+                             const std::function<bool(const std::string&)>& is_free) {
+    const std::string stem = takeBaseName(base);
+    for (int number = 1;; ++number) {
+        char digits[16];
+        std::snprintf(digits, sizeof digits, "_%03d", number);
+        if (is_free(stem + digits))
+            return stem + digits;
+    }
+}
+
+fs::path nextTakePath(const fs::path& folder, const std::string& base) {
+    const auto isFree = [](const fs::path& path) { return !isThere(path) && !isThere(beside(path, "-wal")); };
+    const std::string name = numberedTakeName(base, [&](const std::string& candidate) {
+        const std::string file = candidate + kTakeExtension;
+        return isFree(folder / file) && isFree(folder.parent_path() / "trash" / file);
+    });
+    return folder / (name + kTakeExtension);
 }
 
 Status moveTakeFiles(const fs::path& from, const fs::path& to) {

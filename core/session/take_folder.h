@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,15 @@ std::filesystem::path takePath(const Session& session, const std::string& name);
 
 /// Whether nothing in the session, its takes/ and its trash/ has the name "walk_001".
 bool isNameFree(const Session& session, const std::string& name);
+
+/// What can be part of a file's name everywhere; other letters than ASCII may stay.
+std::string cleanTakeName(const std::string& name);
+/// "walk" of "walk_001" and of "walk": what stands before a take's number, fit to be part of a file's name.
+std::string takeBaseName(const std::string& name);
+/// "walk_004": the first number whose name is free.
+std::string numberedTakeName(const std::string& base, const std::function<bool(const std::string&)>& is_free);
+/// The same in any folder, and in the trash beside it if it is a session's takes/.
+std::filesystem::path nextTakePath(const std::filesystem::path& folder, const std::string& base);
 
 /// Moves the take and the log beside it, if there is one; kUsage when something is there already. On an error
 /// all stays where it was.

@@ -9,8 +9,9 @@
 namespace noctule::test {
 namespace {
 
-const std::vector<std::string> kVerbs = {"simulate", "process", "evaluate", "export", "inspect", "attach", "devices"};
-const std::vector<std::string> kLaterVerbs = {"record", "recover", "calibrate", "check"};
+const std::vector<std::string> kVerbs = {"simulate", "process", "evaluate", "export", "inspect",
+                                         "attach",   "devices", "record",   "recover"};
+const std::vector<std::string> kLaterVerbs = {"calibrate", "check"};
 
 /// The environment without a way to a screen, as on a server; as it was afterwards.
 class NoScreen {

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "app/batch/files.h"
+#include "app/batch/program.h"
+#include "app/batch/verb.h"
+#include "devices/live/record_take.h"
+
+namespace noctule::batch {
+namespace {
+
+constexpr double kBytesPerMegabyte = 1e6;
+
+Result<StreamRequest> streamRequestOf(const Arguments& arguments) {
+    StreamRequest request;
+    request.take = TakeRequest{};
+    request.take->folder = arguments.text("out-dir");
+    request.take->name = arguments.text("name");
+    request.take->take_kind = arguments.text("kind");
+    request.take->reserve_bytes = std::llround(*arguments.number("reserve-mb") * kBytesPerMegabyte);
+    request.software = softwareName();
+    request.created_utc = utcNow();
+    request.rest_s = *arguments.number("rest-seconds");
+    request.keep_results = arguments.given("keep-results");
+    if (arguments.given("suit")) {
+        auto suit = readSuit(arguments.text("suit"));
+        if (!suit)
+            return suit.error();
+        request.suit = std::move(*suit);
+    }
+    if (arguments.given("calibration")) {
+        auto calibration = readCalibration(arguments.text("calibration"));
+        if (!calibration)
+            return calibration.error();
+        request.calibration = std::move(*calibration);
+    }
+    if (arguments.given("actor")) {
+        auto actor = readActor(arguments.text("actor"));
+        if (!actor)
+            return actor.error();
+        request.take->meta["actor_name"] = actor->name;
+        request.actor = std::move(*actor);
+    }
+    // Without a calibration nothing is known of distances, and poses would mislead.
+    request.process = request.calibration.has_value() || request.keep_results;
+    return request;
+}
+
+nlohmann::json jsonOf(const RecordReport& report) {
+    const RecorderState& recording = *report.stream.recording;
+    nlohmann::json json{
+        {"take", recording.path},
+        {"samples", recording.samples},
+        {"seconds", static_cast<double>(recording.samples) / report.sample_rate_hz},
+        {"lost_samples", recording.lost_samples},
+        {"gaps", recording.gaps},
+        {"interrupted", report.interrupted},
+        {"commits", recording.commits},
+        {"slowest_commit_ms", static_cast<double>(recording.slowest_commit_ns) * 1e-6},
+        {"deepest_queue_s", static_cast<double>(recording.queue.deepest_samples) / report.sample_rate_hz},
+        {"reconnections", report.link.reconnections},
+        {"warnings", report.stream.warnings}};
+    if (const auto& frame = report.stream.frame)
+        json["live"] = {{"poses", frame->poses},
+                        {"latency_median_ms", 1e3 * frame->latency_median_s},
+                        {"latency_p999_ms", 1e3 * frame->latency_p999_s},
+                        {"latency_worst_ms", 1e3 * frame->latency_worst_s},
+                        {"dropped_samples", frame->queue.dropped_samples}};
+    if (const auto& results = report.stream.results)
+        json["run"] = results->run_name;
+    return json;
+}
+
+std::string textOf(const RecordReport& report) {
+    const RecorderState& recording = *report.stream.recording;
+    char text[240];
+    std::snprintf(text, sizeof text, ": %.2f s, %lld samples missing in %lld gaps; slowest commit %.0f ms\n",
+                  static_cast<double>(recording.samples) / report.sample_rate_hz,
+                  static_cast<long long>(recording.lost_samples), static_cast<long long>(recording.gaps),
+                  static_cast<double>(recording.slowest_commit_ns) * 1e-6);
+    std::string all = recording.path + text;
+    if (const auto& frame = report.stream.frame) {
+        std::snprintf(text, sizeof text, "live: %lld poses, %.1f ms late in the median, %.1f ms at 99.9 %%\n",
+                      static_cast<long long>(frame->poses), 1e3 * frame->latency_median_s,
+                      1e3 * frame->latency_p999_s);
+        all += text;
+    }
+    return all;
+}
+
+Result<Outcome> runRecord(const VerbContext& context) {
+    const Arguments& arguments = context.arguments;
+    const auto request = streamRequestOf(arguments);
+    if (!request)
+        return request.error();
+    auto device = makeDevice(arguments.text("device"));
+    if (!device)
+        return device.error();
+    const auto report = recordTake(std::move(*device), *request, arguments.number("seconds"), context.job());
+    if (!report)
+        return report.error();
+    for (const std::string& warning : report->stream.warnings)
+        context.console.warn(warning);
+    Outcome outcome{jsonOf(*report), textOf(*report), std::nullopt};
+    for (const std::optional<Error>& trouble : {report->stream.recording->trouble, report->stream.trouble})
+        if (trouble && !outcome.failure) {
+            context.console.error(*trouble);
+            outcome.json["error"] = errorJson(*trouble);
+            outcome.failure = trouble;
+        }
+    return outcome;
+}
+
+}  // namespace
+
+Verb recordVerb() {
+    Verb verb;
+    verb.name = "record";
+    verb.summary = "record a take from a driver box";
+    verb.example =
+        "noctule --batch record --device tcp://127.0.0.1:41941 --out-dir takes --name walk --seconds 10";
+    verb.options = {
+        text("device", "ADDRESS", "tcp://HOST:PORT, serial:///dev/ttyACM0 or replay:T.noctule").needed(),
+        text("out-dir", "D", "folder of the take; made if it is missing").needed(),
+        text("name", "N", "the take becomes the next free N_###").orElse("take"),
+        number("seconds", "S", 0.01, 1e6, "how long; until Ctrl-C when not given"),
+        choice("kind", {"motion", "jig", "level", "turntable"}, "what is recorded").orElse("motion"),
+        text("suit", "S.json", "the suit as it is worn, matched by serial numbers"),
+        text("calibration", "C.json", "goes into the take; with it poses are made while recording"),
+        text("actor", "A.json", "the performer; goes into the take"),
+        number("rest-seconds", "S", 0, 3600, "the performer holds the rest pose so long at the beginning")
+            .orElse("0"),
+        flag("keep-results", "write the poses made while recording into the take"),
+        number("reserve-mb", "MB", 0, 1e9, "the take ends when no more than this is free on the disk")
+            .orElse("256")};
+    verb.remarks = {
+        "Ctrl-C ends the recording in good order, and the take is complete. A box that restarts and a disk "
+        "that fills up end it too; the exit code is then 5 or 6, and what was recorded is safe."};
+    verb.run = runRecord;
+    return verb;
+}
+
+}  // namespace noctule::batch

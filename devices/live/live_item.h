@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// One thing that a device told, as those who record and those who process take it: in the terms of take files
+// (core/recording/README.md, section 2), sound shared and never copied.
+#pragma once
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "core/acoustics/range.h"
+#include "core/recording/rows.h"
+#include "devices/driver_box/messages.h"
+
+namespace noctule {
+
+struct ArrivedBlock {
+    std::shared_ptr<const link::AdcBlock> sound;
+    int64_t arrived_ns = 0;  ///< of its last byte, std::chrono::steady_clock
+
+    int64_t firstSample() const { return sound->first_sample; }
+    int64_t endSample() const { return sound->first_sample + sound->sampleCount(); }
+};
+
+/// Pulses carry the ids that the take's table will give them.
+using LiveItem = std::variant<ArrivedBlock, std::vector<Pulse>, GapRow, StatusRow, MarkerRow, NoteRow>;
+
+/// Reasons of gap rows.
+inline constexpr const char *kGapOfLink = "link", *kGapOfBox = "box", *kGapOfStudio = "studio",
+                            *kGapOfBoard = "board";
+
+}  // namespace noctule

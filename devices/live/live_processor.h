@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the pipeline on what comes from the suit, on a thread of its own, and publishes what is known now.
+// When it cannot keep up for two seconds it skips the oldest sound; the recording does not.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "core/live/health.h"
+#include "core/live/latency.h"
+#include "core/live/live_pipeline.h"
+#include "devices/live/live_queue.h"
+#include "devices/live/published.h"
+#include "devices/live/result_spool.h"
+
+namespace noctule {
+
+/// The newest of everything, as of `sample`; about 60 a second.
+struct LiveFrame {
+    int64_t sample = 0;
+    std::optional<TimedPose> pose;
+    std::vector<std::optional<RangeMeasurement>> ranges;   ///< source * boards + board
+    std::vector<std::optional<InertialReading>> readings;  ///< per board
+    HealthReport health;
+    double latency_median_s = 0, latency_p999_s = 0, latency_worst_s = 0;
+    int64_t poses = 0;
+    LiveQueue::Depth queue;
+};
+
+struct LivePlan {
+    Suit suit;
+    Calibration calibration;
+    Actor actor;
+    PipelineSettings pipeline;
+    double queue_s = 2;  ///< of sound that may wait
+};
+
+class LiveProcessor {
+public:
+    /// Fails when the suit, its calibration and the actor do not fit. `spool`: keeps all results for the
+    /// take.
+    static Result<std::unique_ptr<LiveProcessor>> start(const LivePlan& plan,
+                                                        std::optional<ResultSpool> spool);
+    /// finish()
+    ~LiveProcessor();
+
+    /// From one thread at a time; never waits for the pipeline.
+    void push(LiveItem item) { queue_.push(std::move(item)); }
+    /// From any thread; never waits for the pipeline.
+    std::shared_ptr<const LiveFrame> latest() const { return published_.get(); }
+    /// Processes what still waits; waits for that.
+    void finish();
+    /// After finish(): all results, if they were kept.
+    std::optional<ResultSpool>& spool() { return spool_; }
+
+private:
+    LiveProcessor(const LivePlan& plan, std::unique_ptr<LivePipeline> pipeline,
+                  std::optional<ResultSpool> spool);
+    void work();
+    void handle(const ArrivedBlock& block);
+    void handle(const std::vector<Pulse>& pulses);
+    void handle(const GapRow& gap);
+    void handle(const StatusRow& status);
+    template <class Other>
+    void handle(const Other&) {}
+    void collect();
+    void measureLatency(const std::vector<TimedPose>& poses);
+    void publish();
+
+    const int sample_rate_hz_;
+    const size_t board_count_;
+    const int64_t latency_from_ns_;  ///< the poses of the rest come all at once when it is over
+    std::unique_ptr<LivePipeline> pipeline_;
+    std::optional<ResultSpool> spool_;
+    LiveQueue queue_;
+    Published<LiveFrame> published_;
+    // Of the thread:
+    HealthMonitor health_;
+    LatencyHistogram latency_;
+    LiveFrame frame_;
+    int64_t publish_at_ = 0;
+    struct Arrival {
+        int64_t end_sample, arrived_ns;
+    };
+    std::deque<Arrival> arrivals_;
+    std::thread thread_;
+};
+
+}  // namespace noctule

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/live/record_take.h"
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+namespace noctule {
+namespace {
+
+constexpr std::chrono::milliseconds kLook{20};
+// The link gives up by itself after 3 s (greeting) and 1 s (STOP, three times); these are for devices that do
+// not keep their word.
+constexpr std::chrono::seconds kGreetingTimeout{10}, kStopTimeout{6};
+
+/// False when the time was over.
+template <class Condition>
+bool waitUntil(std::chrono::seconds timeout, Condition condition) {
+    const auto end = std::chrono::steady_clock::now() + timeout;
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() >= end)
+            return false;
+        std::this_thread::sleep_for(kLook);
+    }
+    return true;
+}
+
+Status greet(LiveSession& session, const std::string& address, const JobContext& job) {
+    session.connect();
+    waitUntil(kGreetingTimeout, [&] {
+        const LinkState link = session.status()->link;
+        return job.cancelled() || link == LinkState::kReady || link == LinkState::kRefused;
+    });
+    const auto status = session.status();
+    if (job.cancelled())
+        return JobContext::cancelledError();
+    if (status->link == LinkState::kReady)
+        return Done{};
+    return status->trouble.value_or(Error{ErrorKind::kDevice, address + ": no driver box answers",
+                                          "Check that it is switched on and that the address is right"});
+}
+
+std::string progressText(const LiveSession& session, double reached_s) {
+    const auto recording = session.recording();
+    char text[160];
+    std::snprintf(text, sizeof text, "Recording %.1f s, %.2f s missing, disk for %.0f min", reached_s,
+                  static_cast<double>(recording->lost_samples) /
+                      static_cast<double>(session.status()->hello->sample_rate_hz),
+                  recording->remaining_s.value_or(0) / 60);
+    return text;
+}
+
+/// Until the time is over, somebody stops it, or it ends by itself.
+bool watch(LiveSession& session, std::optional<double> seconds, const JobContext& job) {
+    const double rate_hz = session.status()->hello->sample_rate_hz;
+    while (session.status()->stream_is_open && !session.recording()->ended) {
+        const double reached_s = static_cast<double>(session.reachedSample()) / rate_hz;
+        if (seconds && reached_s >= *seconds)
+            return false;
+        if (job.cancelled())
+            return true;
+        job.progress(seconds ? reached_s / *seconds : 0, progressText(session, reached_s));
+        std::this_thread::sleep_for(kLook);
+    }
+    return false;
+}
+
+}  // namespace
+
+Result<RecordReport> recordTake(std::unique_ptr<Device> device, const StreamRequest& request,
+                                std::optional<double> seconds, const JobContext& job) {
+    require(request.take.has_value(), "a recording needs a take");
+    const std::string address = device->address();
+    LiveSession session(std::move(device));
+    if (const Status greeted = greet(session, address, job); !greeted)
+        return greeted.error();
+    if (const Status begun = session.begin(request); !begun)
+        return begun.error();
+    RecordReport report;
+    report.sample_rate_hz = session.status()->hello->sample_rate_hz;
+    report.interrupted = watch(session, seconds, job) && seconds.has_value();
+    if (session.status()->stream_is_open) {
+        session.stop();
+        if (!waitUntil(kStopTimeout, [&] { return !session.status()->stream_is_open; }))
+            session.addNote("The driver box did not confirm that it had sent everything.");
+    }
+    report.stream = session.finish();
+    report.link = session.linkStatistics();
+    return report;
+}
+
+}  // namespace noctule

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a recorder writes into: a take file; in tests something slow, full or broken. Used by one thread.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/job/result.h"
+#include "core/recording/take_writer.h"
+#include "devices/live/live_item.h"
+
+namespace noctule {
+
+class TakeSink {
+public:
+    virtual ~TakeSink() = default;
+
+    virtual const std::string& path() const = 0;
+    virtual Status write(const LiveItem& item) = 0;
+    /// Makes safe what was written.
+    virtual Status commit() = 0;
+    /// After a failure: as it was at the last commit().
+    virtual Status rollBack() = 0;
+    /// Leaves one complete file.
+    virtual Status finish() = 0;
+    /// On the disk that it is written to; absent: cannot be told.
+    virtual std::optional<int64_t> freeBytes() const = 0;
+};
+
+/// What is known before the first sample.
+struct TakePlan {
+    std::filesystem::path folder;
+    std::string name = "take";  ///< "walk" becomes the next free walk_###
+    TakeHeader header;          ///< its name and uuid are made
+    Suit suit;
+    std::optional<Calibration> calibration;
+    std::optional<Actor> actor;
+    std::map<std::string, std::string> meta;  ///< performer, actor_name, box_serial, ...
+    std::vector<MarkerRow> markers;
+    bool compress = false;  ///< blocks as zstd: about three quarters of the size
+};
+
+/// Makes the file under its name and commits what is known.
+Result<std::unique_ptr<TakeSink>> makeTakeFile(const TakePlan& plan);
+
+}  // namespace noctule

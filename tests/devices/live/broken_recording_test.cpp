@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings that end as no recording should: the process is killed, the disk is full. What was committed
+// must be there.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/mount.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstring>
+#include <random>
+
+#include "core/recording/recover_take.h"
+#include "devices/live/recorder.h"
+#include "tests/devices/live/made_sound.h"
+#include "tests/support/files.h"
+
+namespace noctule {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Folder;
+using test::kMadeRate_hz;
+
+constexpr int kSuitBoards = 18;
+
+/// How far the killed process had come, in memory that outlives it.
+struct Reached {
+    std::atomic<int64_t> pushed{0}, committed{0};
+};
+
+class SharedReached {
+public:
+    SharedReached()
+        : page_(mmap(nullptr, sizeof(Reached), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)),
+          reached_(new (page_) Reached) {}
+    ~SharedReached() { munmap(page_, sizeof(Reached)); }
+    Reached& operator*() const { return *reached_; }
+    Reached* operator->() const { return reached_; }
+
+private:
+    void* page_;
+    Reached* reached_;
+};
+
+/// Tells after every commit what it made safe.
+class TellingSink : public TakeSink {
+public:
+    TellingSink(std::unique_ptr<TakeSink> file, Reached& reached)
+        : file_(std::move(file)), reached_(reached) {}
+    const std::string& path() const override { return file_->path(); }
+    Status write(const LiveItem& item) override {
+        if (const auto* block = std::get_if<ArrivedBlock>(&item))
+            written_ = block->endSample();
+        return file_->write(item);
+    }
+    Status commit() override {
+        const Status committed = file_->commit();
+        reached_.committed = written_;
+        return committed;
+    }
+    Status rollBack() override { return file_->rollBack(); }
+    Status finish() override { return file_->finish(); }
+    std::optional<int64_t> freeBytes() const override { return file_->freeBytes(); }
+
+private:
+    std::unique_ptr<TakeSink> file_;
+    Reached& reached_;
+    int64_t written_ = 0;
+};
+
+/// In the child: records in real time until it is killed.
+[[noreturn]] void recordForEver(const std::filesystem::path& folder, Reached& reached) {
+    auto file = makeTakeFile(test::madePlan(folder, kSuitBoards));
+    if (!file)
+        _exit(1);
+    RecorderSettings settings;
+    settings.reserve_bytes = 1'000'000;
+    Recorder recorder(std::make_unique<TellingSink>(std::move(*file), reached), settings);
+    const auto begin = std::chrono::steady_clock::now();
+    for (int64_t at = 0, pulse = 0;; at += 600) {
+        if (at % 1200 == 0) {
+            recorder.push(std::vector<Pulse>{{pulse + 1, at, static_cast<int>(pulse % 8)}});
+            ++pulse;
+        }
+        recorder.push(test::madeBlock(at, 600, kSuitBoards));
+        reached.pushed = at + 600;
+        std::this_thread::sleep_until(begin + std::chrono::nanoseconds(at * 1'000'000'000 / kMadeRate_hz));
+    }
+}
+
+TEST(BrokenRecording, KilledTenTimesAtRandomMoments) {
+    const unsigned seed = 20;
+    std::mt19937 random(seed);
+    int64_t most_lost = 0;
+    for (int kill_number = 0; kill_number < 10; ++kill_number) {
+        const Folder folder;
+        const SharedReached reached;
+        const pid_t child = fork();
+        if (child == 0)
+            recordForEver(folder.path(), *reached);
+        const auto alive = std::chrono::milliseconds(300 + random() % 1500);
+        std::this_thread::sleep_for(alive);
+        ASSERT_EQ(kill(child, SIGKILL), 0);
+        int status = 0;
+        waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFSIGNALED(status)) << "the recording ended by itself";
+
+        const std::string broken = folder.file("walk_001.noctule"), safe = folder.file("safe.noctule");
+        EXPECT_EQ(Take::open(broken)->meta().at("state"), "recording");
+        const Status recovered = recoverTake(broken, safe, {});
+        ASSERT_TRUE(recovered) << recovered.error().text();
+        const Result<Take> take = Take::open(safe);
+        ASSERT_TRUE(take) << take.error().text();
+        EXPECT_EQ(take->meta().at("state"), "recovered");
+        const auto found = test::readMadeSound(*take, kSuitBoards);
+        EXPECT_EQ(found.wrong_values, 0);
+        EXPECT_EQ(found.holes, 0);
+        EXPECT_GE(found.end, reached->committed) << "seed " << seed << ", kill " << kill_number;
+        const int64_t lost = reached->pushed - found.end;
+        most_lost = std::max(most_lost, lost);
+        EXPECT_LE(lost, 4 * kMadeRate_hz / 10) << "seed " << seed << ", kill " << kill_number;
+        // A pulse is told before the sound that holds it.
+        EXPECT_NEAR(static_cast<double>(take->pulses()->size()),
+                    static_cast<double>((found.end + 1199) / 1200), 1);
+    }
+    RecordProperty("most_lost_ms", static_cast<int>(most_lost / (kMadeRate_hz / 1000)));
+    std::printf("at most %.0f ms lost\n", static_cast<double>(most_lost) * 1000 / kMadeRate_hz);
+}
+
+/// A disk of its own, gone with the object.
+class SmallDisk {
+public:
+    explicit SmallDisk(int megabytes) {
+        const std::string options = "size=" + std::to_string(megabytes) + "m";
+        mounted_ = mount("tmpfs", folder_.path().c_str(), "tmpfs", 0, options.c_str()) == 0;
+        problem_ = std::strerror(errno);
+    }
+    ~SmallDisk() {
+        if (mounted_)
+            umount2(folder_.path().c_str(), MNT_DETACH);
+    }
+    bool isThere() const { return mounted_; }
+    const std::string& problem() const { return problem_; }
+    const Folder& folder() const { return folder_; }
+
+private:
+    Folder folder_;
+    bool mounted_ = false;
+    std::string problem_;
+};
+
+#define SKIP_WITHOUT(disk) \
+    if (!(disk).isThere()) \
+    GTEST_SKIP() << "a small disk cannot be mounted here (" << (disk).problem() << "); run as root"
+
+/// Ten times as fast as a suit, until the recording ends by itself.
+RecorderState recordUntilItEnds(Recorder& recorder) {
+    for (int64_t at = 0; !recorder.state().ended && at < 60 * kMadeRate_hz; at += 3000) {
+        recorder.push(test::madeBlock(at, 3000, kSuitBoards));
+        std::this_thread::sleep_for(2ms);
+    }
+    return recorder.finish();
+}
+
+TEST(BrokenRecording, EndsInGoodOrderBeforeASmallDiskIsFull) {
+    const SmallDisk disk(96);
+    SKIP_WITHOUT(disk);
+    auto file = makeTakeFile(test::madePlan(disk.folder().path(), kSuitBoards));
+    ASSERT_TRUE(file) << file.error().text();
+    RecorderSettings settings;
+    settings.reserve_bytes = 32'000'000;
+    Recorder recorder(std::move(*file), settings);
+    const RecorderState state = recordUntilItEnds(recorder);
+    ASSERT_TRUE(state.trouble);
+    EXPECT_NE(state.trouble->message.find("are free on the disk"), std::string::npos)
+        << state.trouble->text();
+    EXPECT_EQ(disk.folder().names(), std::vector<std::string>{"walk_001.noctule"});
+    const Result<Take> take = Take::open(state.path);
+    ASSERT_TRUE(take) << take.error().text();
+    EXPECT_EQ(take->meta().at("state"), "complete");
+    const auto found = test::readMadeSound(*take, kSuitBoards);
+    EXPECT_EQ(found.wrong_values, 0);
+    EXPECT_EQ(found.end, state.committed_samples);
+    EXPECT_GT(found.samples * kSuitBoards * 2, 30'000'000);
+}
+
+TEST(BrokenRecording, ADiskThatIsFullAllTheSameKeepsWhatWasCommitted) {
+    const SmallDisk disk(48);
+    SKIP_WITHOUT(disk);
+    auto file = makeTakeFile(test::madePlan(disk.folder().path(), kSuitBoards));
+    ASSERT_TRUE(file) << file.error().text();
+    RecorderSettings settings;
+    settings.reserve_bytes = 0;
+    Recorder recorder(std::move(*file), settings);
+    const RecorderState state = recordUntilItEnds(recorder);
+    ASSERT_TRUE(state.trouble);
+    EXPECT_EQ(state.trouble->kind, ErrorKind::kDisk) << state.trouble->text();
+    EXPECT_NE(state.trouble->message.find("are safe"), std::string::npos) << state.trouble->text();
+
+    const Folder elsewhere;
+    const std::string safe = elsewhere.file("safe.noctule");
+    if (Take::open(state.path)->meta().at("state") == "complete")
+        std::filesystem::copy_file(state.path, safe);
+    else
+        ASSERT_TRUE(recoverTake(state.path, safe, {}));
+    const auto found = test::readMadeSound(*Take::open(safe), kSuitBoards);
+    EXPECT_EQ(found.wrong_values, 0);
+    EXPECT_EQ(found.end, state.committed_samples);
+    EXPECT_GT(found.samples, 0);
+}
+
+}  // namespace
+}  // namespace noctule

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// A take recorded live and the same take processed from its file: identical derived tables.
+#include <gtest/gtest.h>
+
+#include "core/processing/process_take.h"
+#include "devices/live/record_take.h"
+#include "tests/devices/live/fake_device.h"
+
+namespace noctule {
+namespace {
+
+using test::FakeDevice;
+using test::Folder;
+
+StreamRequest requestOfTinyTake(const Folder& folder) {
+    const Take tiny = std::move(Take::open(test::kTinyTake).value());
+    StreamRequest request;
+    request.take = TakeRequest{};
+    request.take->folder = folder.path();
+    request.take->name = "live";
+    request.take->reserve_bytes = 1'000'000;
+    request.calibration = tiny.calibrationInForce()->value;
+    request.actor = tiny.actorInForce()->value;
+    request.rest_s = 0.5;
+    request.keep_results = true;
+    request.software = "test";
+    request.created_utc = "2026-01-01T00:00:00Z";
+    return request;
+}
+
+/// Every row of a query as text, numbers to their last bit.
+std::vector<std::string> rowsOf(const std::string& path, const std::string& query) {
+    std::vector<std::string> rows;
+    sqlite3* handle = nullptr;
+    EXPECT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
+    sqlite3_stmt* select = nullptr;
+    EXPECT_EQ(sqlite3_prepare_v2(handle, query.c_str(), -1, &select, nullptr), SQLITE_OK)
+        << sqlite3_errmsg(handle);
+    while (sqlite3_step(select) == SQLITE_ROW) {
+        std::string row;
+        for (int column = 0; column < sqlite3_column_count(select); ++column) {
+            if (sqlite3_column_type(select, column) == SQLITE_FLOAT) {
+                const double value = sqlite3_column_double(select, column);
+                row.append(reinterpret_cast<const char*>(&value), sizeof value);
+            } else if (const void* bytes = sqlite3_column_blob(select, column)) {
+                row.append(static_cast<const char*>(bytes),
+                           static_cast<size_t>(sqlite3_column_bytes(select, column)));
+            }
+            row += '|';
+        }
+        rows.push_back(row);
+    }
+    sqlite3_finalize(select);
+    sqlite3_close(handle);
+    return rows;
+}
+
+void expectSameResults(const std::string& live, const std::string& from_file) {
+    for (const std::string query :
+         {"SELECT * FROM inertial ORDER BY run,suit,board,frame",
+          "SELECT * FROM range ORDER BY run,pulse,board", "SELECT * FROM pose ORDER BY run,time_ns",
+          "SELECT * FROM derived ORDER BY run", "SELECT * FROM marker", "SELECT * FROM adc_block"}) {
+        const auto a = rowsOf(live, query), b = rowsOf(from_file, query);
+        EXPECT_GT(a.size(), 0u) << query;
+        ASSERT_EQ(a.size(), b.size()) << query;
+        for (size_t i = 0; i < a.size(); ++i)
+            ASSERT_EQ(a[i], b[i]) << query << ", row " << i;
+    }
+}
+
+/// The live take without its results, processed.
+std::string processedFromFile(const Folder& folder, const std::string& live) {
+    const std::string copy = folder.file("from_file.noctule");
+    std::filesystem::copy_file(live, copy);
+    for (const char* table : {"derived", "inertial", "range", "pose"})
+        test::runSql(copy, std::string("DELETE FROM ") + table);
+    ProcessRequest request;
+    request.take_path = copy;
+    request.software = "test";
+    request.created_utc = "2026-01-01T00:00:00Z";
+    const auto processed = processTake(request, {});
+    EXPECT_TRUE(processed) << processed.error().text();
+    return copy;
+}
+
+class LiveResults : public testing::TestWithParam<int> {};
+
+TEST_P(LiveResults, AreThoseOfTheFile) {
+    const Folder folder;
+    auto recorded = recordTake(std::make_unique<FakeDevice>(test::tinyTakeScript(GetParam())),
+                               requestOfTinyTake(folder), std::nullopt, {});
+    ASSERT_TRUE(recorded) << recorded.error().text();
+    ASSERT_TRUE(recorded->stream.recording);
+    EXPECT_FALSE(recorded->stream.recording->trouble);
+    EXPECT_EQ(recorded->stream.recording->lost_samples, 0);
+    for (const std::string& warning : recorded->stream.warnings)
+        ADD_FAILURE() << warning;
+    ASSERT_TRUE(recorded->stream.results);
+    EXPECT_GT(recorded->stream.results->poses, 200);
+    EXPECT_GT(recorded->stream.results->ranges, 100);
+    const std::string live = folder.file("live_001.noctule");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"live_001.noctule"});
+    expectSameResults(live, processedFromFile(folder, live));
+}
+
+TEST_P(LiveResults, AlsoWithHolesAndAnUnpluggedBoard) {
+    const Folder folder;
+    FakeDevice::Script script = test::tinyTakeScript(GetParam());
+    std::vector<link::StudioEvent> holed;
+    for (link::StudioEvent& event : script.events) {
+        auto* block = std::get_if<link::AdcBlock>(&event);
+        if (block && block->first_sample >= 120000 && block->first_sample < 126000) {
+            holed.push_back(link::Gap{block->first_sample, block->sampleCount(), link::GapReason::kLink});
+            continue;
+        }
+        if (block && block->first_sample >= 180000 && block->first_sample < 210000)
+            for (size_t i = 1; i < block->values.size(); i += 2)
+                block->values[i] = 0;
+        holed.push_back(std::move(event));
+    }
+    script.events = std::move(holed);
+    auto recorded = recordTake(std::make_unique<FakeDevice>(std::move(script)), requestOfTinyTake(folder),
+                               std::nullopt, {});
+    ASSERT_TRUE(recorded) << recorded.error().text();
+    ASSERT_TRUE(recorded->stream.results);
+    const std::string live = folder.file("live_001.noctule");
+    const auto boards = rowsOf(live, "SELECT sum(sample_count) FROM gap WHERE reason='board' AND board=1");
+    EXPECT_NEAR(std::stod(boards.at(0)), 30000, GetParam());
+    EXPECT_GE(recorded->stream.recording->lost_samples, 6000 - GetParam());
+    expectSameResults(live, processedFromFile(folder, live));
+}
+
+INSTANTIATE_TEST_SUITE_P(OfBlocks, LiveResults, testing::Values(600, 4096, 757));
+
+TEST(LiveResultsOf, ATakeWithMissingSoundAreNotKept) {
+    const Folder folder;
+    StreamRequest request = requestOfTinyTake(folder);
+    FakeDevice::Script script = test::tinyTakeScript(600);
+    request.take->reserve_bytes = INT64_MAX / 2;  // the disk is "full" at once
+    auto recorded = recordTake(std::make_unique<FakeDevice>(std::move(script)), request, std::nullopt, {});
+    ASSERT_TRUE(recorded) << recorded.error().text();
+    EXPECT_TRUE(recorded->stream.recording->trouble);
+    EXPECT_FALSE(recorded->stream.results);
+    EXPECT_FALSE(recorded->stream.warnings.empty());
+}
+
+}  // namespace
+}  // namespace noctule
