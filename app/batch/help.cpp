@@ -47,14 +47,6 @@ std::string optionEntry(const Option& option) {
     return entry(head, words);
 }
 
-std::string optionList(const std::vector<Option>& options, bool later) {
-    std::string text;
-    for (const Option& option : options)
-        if ((option.kind == Option::Kind::kLater) == later)
-            text += optionEntry(option);
-    return text;
-}
-
 std::string verbList(bool later) {
     std::string text;
     for (const Verb& verb : verbs())
@@ -64,6 +56,14 @@ std::string verbList(bool later) {
 }
 
 }  // namespace
+
+std::string optionList(const std::vector<Option>& options, bool later) {
+    std::string text;
+    for (const Option& option : options)
+        if ((option.kind == Option::Kind::kLater) == later)
+            text += optionEntry(option);
+    return text;
+}
 
 std::string programHelp() {
     return "Noctule: motion capture with a suit of gyroscopes, accelerometers and ultrasound.\n\n"

@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "core/math/rotation.h"
+#include "core/simulation/fade.h"
 
 namespace noctule::simulation {
 namespace {
 
 constexpr int64_t kWindowRows = 1024, kCheckpointRows = 256;
 constexpr double kRowStep_s = 1 / BodyWorld::kRowsPerSecond;
+constexpr double kSlipping_s = 0.5;
 
 Jet constant(double value) {
     return Jet(value);
@@ -23,6 +25,7 @@ BodyWorld::BodyWorld(Performance performance, WornSuit worn, const std::vector<C
     : performance_(std::move(performance)),
       worn_(std::move(worn)),
       soft_tissue_(soft_tissue),
+      slips_(worn_.boards.size()),
       window_(kWindowRows) {
     const Skeleton& skeleton = performance_.coordinates().skeleton();
     for (const Capsule& capsule : capsules)
@@ -94,17 +97,53 @@ void BodyWorld::giveWay(int board, const std::vector<Jet>& coordinates, Vector3<
     r = matrixOf(constant(1), tilt[0], tilt[1], tilt[2]) * r;
 }
 
-Frame<Jet> BodyWorld::boardFrame(int board, const std::vector<Jet>& coordinates,
-                                 const std::vector<Frame<Jet>>& frames, const Vector3<Jet>& wobble_m) const {
+void BodyWorld::slip(int board, double angle_rad, double t_s) {
+    slips_[board].push_back({t_s, angle_rad});
+    for (Row& row : window_)
+        if (static_cast<double>(row.index) * kRowStep_s > t_s)
+            row.index = -1;
+}
+
+void BodyWorld::keepSlips() {
+    for (std::vector<Slip>& slips : slips_)
+        for (Slip& slip : slips)
+            slip.begin_s = std::min(slip.begin_s, -kSlipping_s);
+    for (Row& row : window_)
+        row.index = -1;
+}
+
+/// Towards the next joint, or on from the last one.
+Vector3d BodyWorld::boneOf(int segment) const {
+    const Skeleton& skeleton = performance_.coordinates().skeleton();
+    const Vector3d& bone = skeleton.joint(child_of_[segment] >= 0 ? child_of_[segment] : segment).offset_m;
+    return bone.norm() > 0 ? bone.normalized() : Vector3d(Vector3d::UnitY());
+}
+
+void BodyWorld::slideRound(int board, double t_s, Vector3<Jet>& p, Matrix3<Jet>& r) const {
+    Jet half_angle;
+    for (const Slip& slip : slips_[board])
+        half_angle += fadeWeight<Jet>(t_s - slip.begin_s, kSlipping_s) * (slip.angle_rad / 2);
+    const Vector3d bone = boneOf(worn_.boards[board].segment);
+    const Jet s = sin(half_angle);
+    const Matrix3<Jet> turn = matrixOf(cos(half_angle), s * bone.x(), s * bone.y(), s * bone.z());
+    p = turn * p;
+    r = turn * r;
+}
+
+Frame<Jet> BodyWorld::boardFrame(int board, const Instant& instant, const Vector3<Jet>& wobble_m) const {
     const WornBoard& worn = worn_.boards[board];
     Vector3<Jet> p = worn.p_segment_board_m.cast<Jet>();
     Matrix3<Jet> r = worn.q_segment_board.toRotationMatrix().cast<Jet>();
     if (worn.segment < 0)
         return {r, p};
-    const Frame<Jet>& segment = frames[worn.segment];
+    const Frame<Jet>& segment = instant.frames[worn.segment];
+    const bool slipped = !slips_[board].empty();
+    if (slipped)
+        slideRound(board, instant.t_s, p, r);
     if (!soft_tissue_)
-        return {segment.r * r, segment.p + rotate(segment.r, worn.p_segment_board_m)};
-    giveWay(board, coordinates, p, r);
+        return {segment.r * r,
+                segment.p + (slipped ? segment.r * p : rotate(segment.r, worn.p_segment_board_m))};
+    giveWay(board, instant.coordinates, p, r);
     const double tilt_per_m =
         soft_tissue_->rotation_rad_at_30_m_per_s2 / soft_tissue_->displacement_m_at_30_m_per_s2;
     const Vector3<Jet> tilt = worn.wobble_axis.cast<Jet>().cross(wobble_m) * constant(tilt_per_m / 2);
@@ -179,7 +218,7 @@ void BodyWorld::makeRow(int64_t index) const {
         const Vector3d a = soft_tissue_ ? wobbleAcceleration(w.x_m, w.rate, w.drive) : Vector3d::Zero();
         for (int i = 0; i < 3; ++i)
             wobble_m[i] = Jet(w.x_m[i], w.rate[i], a[i]);
-        const Frame<Jet> board = boardFrame(b, coordinates, frames, wobble_m);
+        const Frame<Jet> board = boardFrame(b, {t_s, coordinates, frames}, wobble_m);
         add(board.p + rotate(board.r, worn_.boards[b].p_board_mic_m));
     }
     const auto onSegment = [&](int segment, const Vector3d& p) {
@@ -270,7 +309,7 @@ BoardMotion BodyWorld::boardMotion(int board, double t_s) const {
     std::vector<Frame<Jet>> frames;
     performance_.at(t_s, coordinates);
     performance_.coordinates().frames(coordinates, frames);
-    const Frame<Jet> frame = boardFrame(board, coordinates, frames, wobbleAt(board, t_s));
+    const Frame<Jet> frame = boardFrame(board, {t_s, coordinates, frames}, wobbleAt(board, t_s));
 
     const Matrix3d r = frame.r.unaryExpr([](const Jet& j) { return j.value; });
     const Matrix3d r_rate = frame.r.unaryExpr([](const Jet& j) { return j.rate; });

@@ -40,6 +40,12 @@ public:
     void capsules(double t_s, std::vector<WorldCapsule>& capsules) const override;
 
     BoardMotion boardMotion(int board, double t_s) const;
+
+    /// The strap gives way: within half a second from t the board turns about its segment's bone by that much
+    /// and stays there. Its gyroscope feels it. What was asked about times after t before is not taken back.
+    void slip(int board, double angle_rad, double t_s);
+    /// All slips so far lie before time 0: the same performer begins again.
+    void keepSlips();
     const Performance& performance() const { return performance_; }
     const WornSuit& worn() const { return worn_; }
 
@@ -56,6 +62,9 @@ private:
         std::vector<Point> points;  ///< microphones, sources, normals, ends of capsules
         std::vector<Wobble> wobbles;
     };
+    struct Slip {
+        double begin_s = 0, angle_rad = 0;
+    };
     struct WornCapsule {
         int segment;
         Vector3d a_m, b_m;
@@ -68,8 +77,15 @@ private:
                      std::vector<Wobble>& wobbles) const;
     Vector3d wobbleAcceleration(const Vector3d& x, const Vector3d& rate, const Vector3d& drive) const;
     Vector3<Jet> wobbleAt(int board, double t_s) const;
-    Frame<Jet> boardFrame(int board, const std::vector<Jet>& coordinates,
-                          const std::vector<Frame<Jet>>& frames, const Vector3<Jet>& wobble_m) const;
+    /// A body at an instant.
+    struct Instant {
+        double t_s = 0;
+        const std::vector<Jet>& coordinates;
+        const std::vector<Frame<Jet>>& frames;
+    };
+    Frame<Jet> boardFrame(int board, const Instant& instant, const Vector3<Jet>& wobble_m) const;
+    void slideRound(int board, double t_s, Vector3<Jet>& p, Matrix3<Jet>& r) const;
+    Vector3d boneOf(int segment) const;
     void giveWay(int board, const std::vector<Jet>& coordinates, Vector3<Jet>& p, Matrix3<Jet>& r) const;
     void angleFeatures(int segment, const std::vector<Jet>& coordinates,
                        Eigen::Matrix<Jet, 6, 1>& features) const;
@@ -79,6 +95,7 @@ private:
     WornSuit worn_;
     std::vector<WornCapsule> capsules_;
     std::optional<SoftTissue> soft_tissue_;
+    std::vector<std::vector<Slip>> slips_;                    ///< per board
     std::vector<int> child_of_;                               ///< per joint its first child or -1
     std::vector<Eigen::Matrix<double, 6, 1>> rest_features_;  ///< per board
     mutable std::vector<Row> window_;

@@ -6,6 +6,7 @@
 
 #include "core/job/contract.h"
 #include "core/math/rotation.h"
+#include "core/simulation/fade.h"
 
 namespace noctule::simulation {
 namespace {
@@ -17,20 +18,6 @@ Spline splineOf(const FittedMotion& motion) {
     for (size_t f = 0; f < motion.rows.size(); ++f)
         rows.row(f) = Eigen::Map<const Eigen::RowVectorXd>(motion.rows[f].data(), rows.cols());
     return Spline(std::move(rows), motion.step_s);
-}
-
-/// 0 to 1 over one fade; first and second derivative vanish at both ends.
-template <class T>
-T fadeWeight(double t_s, double fade_s) {
-    const double x = t_s / fade_s;
-    if (x >= 1)
-        return T(1.0);
-    const double value = x * x * x * (10 + x * (-15 + 6 * x));
-    if constexpr (std::is_same_v<T, double>)
-        return value;
-    else
-        return Jet(value, 30 * x * x * (1 - x) * (1 - x) / fade_s,
-                   60 * x * (1 - x) * (1 - 2 * x) / (fade_s * fade_s));
 }
 
 double headingOf(const Quaterniond& q) {

@@ -160,9 +160,12 @@ Code BoxConversation::set(ByteView payload) {
         (settings.value().enabled_sources && !std::all_of(settings.value().enabled_sources->begin(),
                                                           settings.value().enabled_sources->end(), known)))
         return Code::kBadPayload;
+    const Settings& wish = *settings;
+    if ((!options_.sets_pulses && (wish.pulse_interval_samples || wish.pulse_cycles)) ||
+        (!options_.sets_sources && wish.enabled_sources))
+        return Code::kNotSupported;
     if (streaming_ || !stops_.empty())
         return Code::kNotNow;
-    const Settings& wish = *settings;
     hello_.pulse_interval_samples = wish.pulse_interval_samples.value_or(hello_.pulse_interval_samples);
     hello_.pulse_cycles = wish.pulse_cycles.value_or(hello_.pulse_cycles);
     hello_.name = wish.name.value_or(hello_.name);

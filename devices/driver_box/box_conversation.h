@@ -15,6 +15,8 @@ struct BoxOptions {
     AdcFormat adc_format = AdcFormat::kPlain;  ///< kZstd wants "zstd" among HELLO's features
     double buffer_s = 1.0;             ///< of sound kept when the stream does not take it; at least 0.25
     bool drops_silent_clients = true;  ///< over TCP; a serial line may be silent
+    bool sets_pulses = true;           ///< SET of pulse_interval_samples and pulse_cycles; else code 4
+    bool sets_sources = true;          ///< SET of enabled_sources; else code 4
 };
 
 class BoxConversation {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/batch/stage_request.h"
+
+#include "app/batch/files.h"
+#include "core/suit/default_suit.h"
+
+namespace noctule::batch {
+namespace {
+
+using namespace simulation;
+
+/// A suit that does not fit the performer is named by its file.
+Status checkSuit(const StageRequest& request, const std::string& path) {
+    std::vector<std::string> segments = canonicalJointNames();
+    if (request.actor) {
+        segments.clear();
+        for (const Joint& joint : request.actor->skeleton.joints())
+            segments.push_back(joint.name);
+    }
+    return checkSegments(request.suit, segments, path);
+}
+
+}  // namespace
+
+std::vector<Option> stageOptions() {
+    return {text("motion", "M.bvh", "the motion, with any human hierarchy"),
+            choice("rig", {"rest"}, "no motion: the performer stands in the rest pose")
+                .laterOn({"jig", "level", "turntable"}),
+            choice("scenario", {"ideal", "nominal", "realistic"}, "how good the world is").orElse("nominal"),
+            text("suit", "S.json", "the suit; the one of 18 boards and 8 sources when not given"),
+            text("actor", "A.json", "the performer; one with the motion's measures when not given"),
+            number("rest-seconds", "S", 0, 3600, "rest pose before the motion").orElse("3"),
+            bvhUnitOption()};
+}
+
+Result<StageRequest> stageRequest(const Arguments& arguments, Console& console) {
+    StageRequest request;
+    request.suit = defaultSuit();
+    if (arguments.given("motion")) {
+        auto clip = readMotion(arguments.text("motion"), arguments.text("bvh-unit"), console);
+        if (!clip)
+            return clip.error();
+        request.clip = std::move(*clip);
+    }
+    if (arguments.given("suit")) {
+        auto suit = readSuit(arguments.text("suit"));
+        if (!suit)
+            return suit.error();
+        request.suit = std::move(*suit);
+    }
+    if (arguments.given("actor")) {
+        auto actor = readActor(arguments.text("actor"));
+        if (!actor)
+            return actor.error();
+        request.actor = std::move(*actor);
+    }
+    if (arguments.given("suit"))
+        if (Status fits = checkSuit(request, arguments.text("suit")); !fits)
+            return fits.error();
+    auto scenario = Scenario::named(arguments.text("scenario"));
+    if (!scenario)
+        return scenario.error();
+    request.scenario = *scenario;
+    request.rest_seconds = arguments.number("rest-seconds");
+    request.seed = static_cast<uint64_t>(*arguments.whole("seed"));
+    return request;
+}
+
+}  // namespace noctule::batch

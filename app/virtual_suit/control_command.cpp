@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/virtual_suit/control_command.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+#include "app/batch/option.h"
+
+namespace noctule::virtual_suit {
+namespace {
+
+using Kind = ControlCommand::Kind;
+
+struct Shape {
+    const char* name;
+    Kind kind;
+    size_t boards;
+    const char* number;  ///< its name; null: none
+    double min, max;
+};
+
+constexpr Shape kShapes[] = {
+    {"unplug", Kind::kUnplug, 1, nullptr, 0, 0},       {"plug", Kind::kPlug, 1, nullptr, 0, 0},
+    {"swap", Kind::kSwap, 2, nullptr, 0, 0},           {"slip", Kind::kSlip, 1, "DEGREES", -360, 360},
+    {"drop-bytes", Kind::kDropBytes, 0, "RATE", 0, 1}, {"flip-bits", Kind::kFlipBits, 0, "RATE", 0, 1},
+    {"stall", Kind::kStall, 0, "SECONDS", 0, 3600},    {"cut", Kind::kCut, 0, "SECONDS", 0, 3600},
+    {"battery", Kind::kBattery, 0, "PERCENT", 0, 100}, {"temperature", Kind::kTemperature, 0, "C", -40, 85},
+    {"quit", Kind::kQuit, 0, nullptr, 0, 0},
+};
+
+/// Commands of rigs that this program does not have.
+struct RigWord {
+    const char* name;
+    const char* what;
+};
+constexpr RigWord kRigWords[] = {
+    {"pose", "the performer does what the motion or the take says"},
+    {"side", "no level plate is here, a suit is worn"},
+    {"spin", "no turntable is here, a suit is worn"},
+    {"placement", "no jig is here, a suit is worn"},
+};
+
+std::string shortNumber(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
+Error mistake(const std::string& what, const std::string& remedy) {
+    return {ErrorKind::kUsage, what, remedy};
+}
+
+std::string usageOf(const Shape& shape) {
+    std::string text = shape.name;
+    for (size_t i = 0; i < shape.boards; ++i)
+        text += shape.boards == 1 ? " BOARD" : i == 0 ? " A" : " B";
+    return shape.number ? text + " " + shape.number : text;
+}
+
+std::optional<double> numberIn(const std::string& word) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool whole_word = error == std::errc() && end == word.data() + word.size();
+    return whole_word && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+Result<int> boardNamed(const std::string& word, const Suit& suit) {
+    if (const int index = suit.findBoard(word); index >= 0)
+        return index;
+    const auto number = numberIn(word);
+    const auto count = static_cast<double>(suit.boards.size());
+    if (number && *number == std::floor(*number) && *number >= 1 && *number <= count)
+        return static_cast<int>(*number) - 1;
+    return mistake("no board '" + word + "' in this suit", "Give a number from 1 to " + shortNumber(count) +
+                                                               " or an id such as " + suit.boards[0].id);
+}
+
+Error unknownCommand(const std::string& name) {
+    for (const RigWord& word : kRigWords)
+        if (name == word.name)
+            return mistake(name + " is for rigs", std::string("Not possible: ") + word.what);
+    std::vector<std::string> names;
+    for (const Shape& shape : kShapes)
+        names.emplace_back(shape.name);
+    return mistake("unknown command '" + name + "'", "Did you mean " + batch::nearest(name, names) + "?");
+}
+
+Result<ControlCommand> filledIn(const Shape& shape, const std::vector<std::string>& words, const Suit& suit) {
+    if (words.size() != 1 + shape.boards + (shape.number ? 1 : 0))
+        return mistake("'" + words[0] + "' with " + std::to_string(words.size() - 1) + " values",
+                       "Write " + usageOf(shape));
+    ControlCommand command;
+    command.kind = shape.kind;
+    for (size_t i = 0; i < shape.boards; ++i) {
+        const auto board = boardNamed(words[1 + i], suit);
+        if (!board)
+            return board.error();
+        (i == 0 ? command.board : command.other_board) = *board;
+    }
+    if (command.board >= 0 && command.board == command.other_board)
+        return mistake("both are board " + suit.boards[command.board].id, "Name two boards");
+    if (!shape.number)
+        return command;
+    const auto number = numberIn(words.back());
+    if (!number || *number < shape.min || *number > shape.max)
+        return mistake(words[0] + " cannot be '" + words.back() + "'",
+                       "Give a number from " + shortNumber(shape.min) + " to " + shortNumber(shape.max));
+    command.number = *number;
+    return command;
+}
+
+}  // namespace
+
+Result<ControlCommand> parseControlCommand(std::string_view line, const Suit& suit) {
+    std::istringstream stream{std::string(line)};
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;)
+        words.push_back(word);
+    if (words.empty())
+        return mistake("an empty line", "Write a command, such as quit");
+    const auto shape = std::find_if(std::begin(kShapes), std::end(kShapes),
+                                    [&](const Shape& one) { return words[0] == one.name; });
+    return shape == std::end(kShapes) ? unknownCommand(words[0]) : filledIn(*shape, words, suit);
+}
+
+}  // namespace noctule::virtual_suit

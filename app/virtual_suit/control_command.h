@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// One line of the control port as a value.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/job/result.h"
+#include "core/suit/suit.h"
+
+namespace noctule::virtual_suit {
+
+struct ControlCommand {
+    enum class Kind {
+        kUnplug,
+        kPlug,
+        kSwap,
+        kSlip,
+        kDropBytes,
+        kFlipBits,
+        kStall,
+        kCut,
+        kBattery,
+        kTemperature,
+        kQuit,
+    };
+    Kind kind = Kind::kQuit;
+    int board = -1, other_board = -1;  ///< indices in the suit
+    double number = 0;                 ///< degrees, rate, seconds, percent, degrees Celsius
+};
+
+/// BOARD is an id of the suit or a number from 1. Errors say what is right.
+Result<ControlCommand> parseControlCommand(std::string_view line, const Suit& suit);
+
+}  // namespace noctule::virtual_suit

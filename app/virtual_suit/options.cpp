@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/virtual_suit/options.h"
+
+#include <algorithm>
+
+#include "app/batch/help.h"
+#include "app/batch/stage_request.h"
+#include "app/virtual_suit/announcer.h"
+
+namespace noctule::virtual_suit {
+namespace {
+
+constexpr const char* kDefaultTcp = "127.0.0.1:41941";
+constexpr const char* kExample = "noctule-virtual-suit --rig rest --tcp 127.0.0.1:41941";
+
+const std::vector<batch::Option>& table() {
+    static const std::vector<batch::Option> options = [] {
+        using namespace batch;
+        std::vector<Option> all = stageOptions();
+        for (Option& option : std::vector<Option>{
+                 text("take", "T.noctule", "stream a take made before instead of a simulation"),
+                 flag("loop", "after the end begin again; else silence follows"),
+                 text("tcp", "HOST:PORT",
+                      "listen there, port 0 for any free one (127.0.0.1:41941 when there is no --pty)"),
+                 flag("pty", "offer a serial line too: a pseudo-terminal, whose path is printed"),
+                 flag("announce", "let studios on the network find this box"),
+                 whole("announce-port", "N", 0, 65535, "UDP port of --announce, 0 for any free one")
+                     .orElse(std::to_string(Announcer::kDiscoveryPort)),
+                 number("speed", "N", 0.01, 1000, "seconds of the suit in one second").orElse("1"),
+                 text("control", "HOST:PORT", "listen there for accidents, one a line"),
+                 whole("seed", "N", 0, 9007199254740991, "seed of everything random").orElse("1"),
+                 flag("help", "this text")})
+            all.push_back(option);
+        return all;
+    }();
+    return options;
+}
+
+Error usage(const std::string& what, const std::string& remedy) {
+    return {ErrorKind::kUsage, what, remedy};
+}
+
+/// One of the three sources, and nothing that the others need.
+Status checkSource(const batch::Arguments& arguments) {
+    if (!arguments.operands().empty())
+        return usage("'" + arguments.operands()[0] + "' is no option",
+                     "Write --take " + arguments.operands()[0] + " or --motion " + arguments.operands()[0]);
+    std::vector<std::string> given;
+    for (const char* name : {"motion", "rig", "take"})
+        if (arguments.given(name))
+            given.push_back("--" + std::string(name));
+    if (given.empty())
+        return usage(
+            "nothing to play is given",
+            std::string("Give --motion M.bvh, --rig rest or --take T.noctule, for example: ") + kExample);
+    if (given.size() > 1)
+        return usage(given[0] + " and " + given[1] + " exclude each other", "Give one of them");
+    if (arguments.given("take"))
+        for (const char* name : {"scenario", "suit", "actor", "rest-seconds", "bvh-unit"})
+            if (arguments.given(name))
+                return usage("--" + std::string(name) + " does not go with --take, which is recorded already",
+                             "Leave it out, or play a --motion");
+    if (arguments.given("announce-port") && !arguments.given("announce"))
+        return usage("--announce-port without --announce", "Give --announce too");
+    return Done{};
+}
+
+Status addAddresses(const batch::Arguments& arguments, Options& options) {
+    options.pty = arguments.given("pty");
+    if (arguments.given("tcp") || !options.pty) {
+        const auto tcp = parseAddress(arguments.given("tcp") ? arguments.text("tcp") : kDefaultTcp, "--tcp");
+        if (!tcp)
+            return tcp.error();
+        options.tcp = *tcp;
+    }
+    if (arguments.given("control")) {
+        const auto control = parseAddress(arguments.text("control"), "--control");
+        if (!control)
+            return control.error();
+        options.control = *control;
+    }
+    if (arguments.given("announce") && !options.tcp)
+        return usage("--announce without a TCP port", "Give --tcp HOST:PORT too");
+    if (arguments.given("announce"))
+        options.announce_port = static_cast<quint16>(*arguments.whole("announce-port"));
+    return Done{};
+}
+
+}  // namespace
+
+Result<Options> parseOptions(const std::vector<std::string>& words) {
+    auto arguments = batch::Arguments::parse(words, table());
+    if (!arguments)
+        return arguments.error();
+    if (Status right = checkSource(*arguments); !right)
+        return right.error();
+    Options options{std::move(*arguments)};
+    options.take = options.arguments.text("take");
+    options.loop = options.arguments.given("loop");
+    options.speed = *options.arguments.number("speed");
+    options.seed = static_cast<uint64_t>(*options.arguments.whole("seed"));
+    if (Status right = addAddresses(options.arguments, options); !right)
+        return right.error();
+    return options;
+}
+
+std::string helpText() {
+    return "noctule-virtual-suit: a driver box without hardware, for studios that have none at hand.\n\n"
+           "usage: noctule-virtual-suit --motion M.bvh | --rig rest | --take T.noctule [OPTIONS]\n\n"
+           "options:\n" +
+           batch::optionList(table(), false) +
+           "\nIt prints the addresses that `noctule --batch record --device` takes, then serves one studio "
+           "at\n"
+           "a time until Ctrl-C. The control port takes one command a line and answers ok or error:\n"
+           "  unplug BOARD, plug BOARD, swap A B, slip BOARD DEGREES, drop-bytes RATE, flip-bits RATE,\n"
+           "  stall SECONDS, cut SECONDS, battery PERCENT, temperature C, quit.\n"
+           "BOARD is an id such as l_forearm or a number from 1, RATE a share from 0 to 1.\n"
+           "\nexit codes: 0 ended by quit, 1 internal error, 2 usage, 3 input unreadable, 4 input readable\n"
+           "but not usable, 5 a port cannot be had, 130 ended by Ctrl-C.\n\nexample: " +
+           kExample + "\n";
+}
+
+}  // namespace noctule::virtual_suit

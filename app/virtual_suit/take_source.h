@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// A take made before as a box's sound: the same samples, pulses, holes and measurements. Read ahead in large
+// steps.
+#pragma once
+
+#include <string>
+
+#include "app/virtual_suit/sound_source.h"
+
+namespace noctule::virtual_suit {
+
+/// `loop`: after the end it begins again, with the sample clock going on. Fails (kUnusable) when the take
+/// holds no sound.
+Result<SoundOfSuit> openTakeSource(const std::string& path, bool loop);
+
+}  // namespace noctule::virtual_suit
