@@ -93,8 +93,6 @@ Result<SessionTake> importTake(Session& session, const std::filesystem::path& ta
 void refreshTake(const Session& session, SessionTake& take);
 /// Adds a take that has come into takes/ since the session was opened; its index, or -1 when it is none.
 int addTake(Session& session, const std::filesystem::path& take);
-/// What was typed as a take can be called: what cannot be part of a file's name everywhere becomes "_".
-std::string takeNameFrom(const std::string& typed);
 /// Another name for a take and its file. kUsage when a take of the session or its trash is called so, or none
 /// can be: nothing is overwritten.
 Status renameTake(Session& session, const std::string& name, const std::string& wanted);

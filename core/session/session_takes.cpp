@@ -144,15 +144,11 @@ Result<SessionTake> importTake(Session& session, const fs::path& original, const
     return session.takes[static_cast<size_t>(index)];
 }
 
-std::string takeNameFrom(const std::string& typed) {
-    return cleanName(typed);
-}
-
 Status renameTake(Session& session, const std::string& name, const std::string& wanted) {
     const int index = session.findTake(name);
     if (index < 0)
         return noSuchTake(name);
-    if (cleanName(wanted) != wanted || wanted.find_first_not_of("_-") == std::string::npos)
+    if (cleanTakeName(wanted) != wanted || wanted.find_first_not_of("_-") == std::string::npos)
         return Error{ErrorKind::kUsage, name + ": a take cannot be called \"" + wanted + "\"",
                      "Use letters, digits, hyphens and underscores"};
     if (wanted == name)

@@ -27,7 +27,8 @@ std::filesystem::path takePath(const Session& session, const std::string& name);
 /// Whether nothing in the session, its takes/ and its trash/ has the name "walk_001".
 bool isNameFree(const Session& session, const std::string& name);
 
-/// What can be part of a file's name everywhere; other letters than ASCII may stay.
+/// What was typed as a take's name with "_" for all that cannot be part of a file's name everywhere; other
+/// letters than ASCII may stay.
 std::string cleanTakeName(const std::string& name);
 /// "walk" of "walk_001" and of "walk": what stands before a take's number, fit to be part of a file's name.
 std::string takeBaseName(const std::string& name);

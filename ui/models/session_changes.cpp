@@ -4,6 +4,7 @@
 #include <QDir>
 #include <algorithm>
 
+#include "core/session/take_folder.h"
 #include "ui/models/session_command.h"
 #include "ui/models/session_model.h"
 
@@ -232,7 +233,7 @@ void SessionModel::renameTake(int take, const QString& name) {
     if (!session_ || !isIndex(take, session_->takes.size()))
         return;
     const std::string before = session_->takes[static_cast<size_t>(take)].name;
-    const std::string after = takeNameFrom(name.trimmed().toStdString());
+    const std::string after = cleanTakeName(name.trimmed().toStdString());
     if (after != before && !name.trimmed().isEmpty())
         push(
             tr("Rename %1 to %2").arg(QString::fromStdString(before), QString::fromStdString(after)),

@@ -2,6 +2,7 @@
 // Takes of a session: found, named, imported, moved to the trash and back, recovered.
 #include <fstream>
 
+#include "core/session/take_folder.h"
 #include "tests/core/session/session_folder.h"
 
 namespace noctule::test {
@@ -241,7 +242,7 @@ TEST_F(SessionTakes, RenamingNeverOverwrites) {
     }
     EXPECT_TRUE(isThere(takes() / "a.noctule"));
     EXPECT_GE(session.findTake("a"), 0);
-    EXPECT_EQ(takeNameFrom("two words"), "two_words");
+    EXPECT_EQ(cleanTakeName("two words"), "two_words");
     EXPECT_TRUE(renameTake(session, "a", "a"));
 }
 
