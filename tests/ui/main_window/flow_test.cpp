@@ -61,6 +61,13 @@ TEST_F(Flow, FromTheStartPageToAnExportedFile) {
     EXPECT_EQ(*readWholeFile(in_studio), *readWholeFile(batch.bvh_path));
 }
 
+TEST_F(Flow, ATakeWhoseFullReportWasReadCanBeLeft) {
+    openSampleTake();
+    ASSERT_TRUE(waitFor([this] { return studio_->take().report() && studio_->jobs().idle(); }));
+    studio_->session().setCurrentTake(-1);
+    EXPECT_FALSE(studio_->take().isOpen());
+}
+
 TEST_F(Flow, TwoClicksFromTheStartToAMovingBody) {
     openSampleTake();  // the first click
     ASSERT_TRUE(waitFor([this] { return studio_->take().shownMotion() != nullptr; }));
