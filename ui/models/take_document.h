@@ -49,7 +49,7 @@ public:
     std::shared_ptr<const RangeTable> ranges();                   ///< those that the shown run used
     std::shared_ptr<const PairSummaries> pairSummaries();         ///< of ranges()
     std::shared_ptr<const ReadingTable> readings();
-    std::shared_ptr<const ReportData> report();    ///< of the shown run
+    std::shared_ptr<const ReportData> report();    ///< of the shown run; read after all of the above
     std::shared_ptr<const TakeVerdict> verdict();  ///< of report()
 
     // One curve each, ready to draw at any zoom; of the shown run unless said otherwise. Null until loaded;
@@ -158,6 +158,8 @@ private:
     std::shared_ptr<const TimedMotion> motion(std::optional<int64_t> run);
     std::shared_ptr<const Ranges> rangesWithSummaries();
     std::shared_ptr<const Judged> judged();
+    bool readsForViews() const;
+    void judgeWhenAwaited();
 
     Jobs& jobs_;
     TimeCursor& time_;
@@ -166,6 +168,7 @@ private:
     QPointer<Job> overview_job_;
     std::shared_ptr<const TakeOverview> overview_;
     int shown_ = -1, compared_ = -1;
+    bool report_awaited_ = false;  ///< asked for while what moves and is plotted was still being read
 
     // By number of the run; kReference: the reference.
     Parts<int64_t, TimedMotion> motions_;

@@ -45,16 +45,19 @@ void TakeDocument::motionLoaded() {
     showFrames();
     emit motionChanged();
     emit curvesChanged();
+    judgeWhenAwaited();
 }
 
 void TakeDocument::rangesLoaded() {
     emit rangesChanged();
     emit curvesChanged();
+    judgeWhenAwaited();
 }
 
 void TakeDocument::readingsLoaded() {
     emit readingsChanged();
     emit curvesChanged();
+    judgeWhenAwaited();
 }
 
 void TakeDocument::showFrames() {
@@ -112,9 +115,23 @@ std::shared_ptr<const ReadingTable> TakeDocument::readings() {
         });
 }
 
+bool TakeDocument::readsForViews() const {
+    const auto runs = [](const auto& parts) {
+        return std::any_of(parts.begin(), parts.end(), [](const auto& entry) { return !entry.second.ended; });
+    };
+    return runs(motions_) || runs(ranges_) || runs(readings_);
+}
+
+void TakeDocument::judgeWhenAwaited() {
+    if (report_awaited_ && !readsForViews())
+        judged();
+}
+
+/// Judging reads all of the take once more; what moves and is plotted does not wait for that.
 std::shared_ptr<const TakeDocument::Judged> TakeDocument::judged() {
     const ReviewRun* run = shown();
-    if (!run)
+    report_awaited_ = run && !reports_.contains(run->run.run) && readsForViews();
+    if (!run || report_awaited_)
         return nullptr;
     EvaluateRequest request;
     request.take_path = path_.toStdString();

@@ -106,7 +106,10 @@ void SceneView::followStudio() {
     connect(&take, &TakeDocument::runsChanged, this, renew);
     connect(&take, &TakeDocument::motionChanged, this, renew);
     connect(&take, &TakeDocument::rangesChanged, this, renew);
-    connect(&studio_.time(), &TimeCursor::timeChanged, this, &SceneView::refresh);
+    connect(&studio_.time(), &TimeCursor::timeChanged, this, [this] {
+        if (parts_->canvas)
+            parts_->canvas->refresh(true);  // where the cursor moves once, it mostly moves on
+    });
     connect(&studio_.time(), &TimeCursor::playingChanged, this, &SceneView::refresh);
     connect(&studio_.selection(), &Selection::pairChanged, this, &SceneView::refresh);
     connect(&Theme::get(), &Theme::changed, this, [this] {

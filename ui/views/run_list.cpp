@@ -36,6 +36,9 @@ void RunList::rebuild() {
 
 void RunList::refresh() {
     const TakeDocument& take = studio_.take();
+    const auto overview = take.overview();
+    if (!overview || count() != static_cast<int>(overview->runs.size()))
+        return;  // the rows are of the take before; rebuild() follows
     for (int run = 0; run < count(); ++run) {
         row(run)->setChecked(run == take.shownRun() || run == take.comparedRun());
         row(run)->setState(run == take.shownRun()      ? tr("A")

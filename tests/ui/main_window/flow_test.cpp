@@ -82,6 +82,13 @@ TEST_F(Flow, FromTheStartPageToAnExportedFile) {
               exportedByProgram(unprocessed, process, request, folder_.filePath("batch.bvh").toStdString()));
 }
 
+TEST_F(Flow, ATakeWhoseFullReportWasReadCanBeLeft) {
+    openSampleTake();
+    ASSERT_TRUE(waitFor([this] { return studio_->take().report() && studio_->jobs().idle(); }));
+    studio_->session().setCurrentTake(-1);
+    EXPECT_FALSE(studio_->take().isOpen());
+}
+
 TEST_F(Flow, TwoClicksFromTheStartToAMovingBody) {
     openSampleTake();  // the first click
     ASSERT_TRUE(waitFor([this] { return studio_->take().shownMotion() != nullptr; }));
