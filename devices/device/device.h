@@ -36,9 +36,10 @@ public:
     /// "tcp://10.0.0.7:41941", "serial:///dev/ttyACM0", "replay:/takes/walk_001.noctule"
     virtual const std::string& address() const = 0;
 
-    /// Greeted follows, or Refused. Once only.
+    /// Greeted follows, or Refused. Once only, and before the wishes below.
     virtual void open(Listener listener) = 0;
-    /// Started follows with the first data, or RequestFailed. Samples count from 0.
+    /// Started follows with the first data, or RequestFailed. Samples count from 0. A take that is played
+    /// again comes to its end by itself: then Stopped follows as well.
     virtual void start() = 0;
     /// Stopped follows when all that the device still held has come.
     virtual void stop() = 0;

@@ -83,6 +83,19 @@ TEST_P(BoxDevice, ABoxThatStandsStillIsStalledThenFlowing) {
     EXPECT_EQ(log.count<link::LinkLost>(), 0u);
 }
 
+TEST_P(BoxDevice, ASilentLinkIsLostAndFoundAgain) {
+    begin();
+    ASSERT_TRUE(streams());
+    box->freeze(true);
+    ASSERT_TRUE(log.waitFor<link::LinkLost>());
+    EXPECT_EQ(log.count<link::Stalled>(), 1u);
+    box->freeze(false);
+    ASSERT_TRUE(log.waitFor<link::Resumed>());
+    device->stop();
+    ASSERT_TRUE(log.waitFor<link::Stopped>());
+    EXPECT_EQ(log.expectTinySound(), box->sampledSamples());
+}
+
 TEST_P(BoxDevice, ARefusalSaysThatNobodyAnswers) {
     begin({.answers = false});
     ASSERT_TRUE(log.waitFor<link::Refused>());
@@ -136,6 +149,34 @@ TEST(NobodyThere, IsRefusedInWords) {
     EXPECT_NE(refusalOf("serial:///dev/ttyNoSuchPort").find("devices"), std::string::npos);
     refusalOf("serial:///dev/null");
     refusalOf("tcp://no-such-host.invalid:41941");
+}
+
+TEST(NobodyThere, TheEndDoesNotWaitForAConnection) {
+    for (const char* address : {"tcp://no-such-host.invalid", "tcp://192.0.2.1", "tcp://240.0.0.1"})
+        for (const auto moment : {0ms, 10ms, 100ms}) {
+            EventLog log;
+            auto device = makeDevice(address).value();
+            device->open(log.listener());
+            std::this_thread::sleep_for(moment);
+            const int64_t before_ns = steadyNow_ns();
+            device.reset();
+            EXPECT_LT(steadyNow_ns() - before_ns, 1'000'000'000) << address;
+        }
+}
+
+TEST(NobodyThere, TheEndDoesNotWaitForAPause) {
+    auto box = std::make_unique<TestBox>(TestBox::Options{});
+    EventLog log;
+    auto device = makeDevice(box->address()).value();
+    device->open(log.listener());
+    ASSERT_TRUE(log.waitFor<link::Greeted>());
+    box.reset();
+    ASSERT_TRUE(log.waitFor<link::LinkLost>());
+    ASSERT_TRUE(log.waitFor<link::ConnectWanted>(2)) << "it tries again and again";
+    EXPECT_EQ(log.count<link::Refused>(), 0u);
+    const int64_t before_ns = steadyNow_ns();
+    device.reset();
+    EXPECT_LT(steadyNow_ns() - before_ns, 1'000'000'000);
 }
 
 TEST(NobodyThere, ABusyBoxTurnsTheSecondStudioAway) {

@@ -131,7 +131,7 @@ TEST_P(EveryDevice, IsGoneAtOnceAtAnyMoment) {
         std::this_thread::sleep_for(moment);
         const int64_t before_ns = steadyNow_ns();
         rig.device.reset();
-        EXPECT_LT(steadyNow_ns() - before_ns, 500'000'000) << "after " << moment.count() << " ms";
+        EXPECT_LT(steadyNow_ns() - before_ns, 1'000'000'000) << "after " << moment.count() << " ms";
         const size_t events = rig.log.all().size();
         std::this_thread::sleep_for(30ms);
         EXPECT_EQ(rig.log.all().size(), events) << "an event after the end";

@@ -23,7 +23,7 @@ TEST(ReplayDeviceTest, AsFastAsPossibleNothingIsMissing) {
     Replay replay(kTinyTake);
     const int64_t before_ns = steadyNow_ns();
     ASSERT_TRUE(replay.playsToTheEnd());
-    EXPECT_LT(steadyNow_ns() - before_ns, 1'000'000'000);
+    EXPECT_LT(steadyNow_ns() - before_ns, 1'500'000'000);
     EXPECT_EQ(replay.log.expectTinySound(), TinySound::get().sampleCount());
     EXPECT_EQ(replay.log.lostSamples(), 0);
     size_t pulses = 0;
@@ -37,7 +37,10 @@ TEST(ReplayDeviceTest, KeepsTime) {
     Replay replay(kTinyTake, 2);
     const int64_t before_ns = steadyNow_ns();
     ASSERT_TRUE(replay.playsToTheEnd());
-    EXPECT_NEAR(static_cast<double>(steadyNow_ns() - before_ns) * 1e-9, 302500.0 / 150000 / 2, 0.3);
+    const double passed_s = static_cast<double>(steadyNow_ns() - before_ns) * 1e-9;
+    const double wanted_s = 302500.0 / 150000 / 2;
+    EXPECT_GE(passed_s, wanted_s - 0.001);
+    EXPECT_LE(passed_s, wanted_s + 0.8);
 }
 
 TEST(ReplayDeviceTest, TheStatusOfTheTakeComesAtItsTime) {
