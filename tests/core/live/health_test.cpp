@@ -42,7 +42,7 @@ TEST(Health, OfTheTinyTake) {
     }));
 }
 
-Suit oneBoard() {
+Suit smallestSuit() {
     Suit suit;
     suit.boards.resize(1);
     suit.sources.resize(1);
@@ -51,7 +51,7 @@ Suit oneBoard() {
 
 /// A second of readings of one board whose gyroscope turns to and fro.
 HealthReport afterASecond(double swing_counts, int lost_every) {
-    HealthMonitor health(oneBoard(), 150000);
+    HealthMonitor health(smallestSuit(), 150000);
     health.addBlock(0, std::vector<int16_t>(150000, 5));
     for (int frame = 0; frame < 140; ++frame) {
         InertialReading reading;
@@ -82,7 +82,7 @@ TEST(Health, CountsFramesBitsAndStillness) {
 }
 
 TEST(Health, WhatIsOldIsForgotten) {
-    HealthMonitor health(oneBoard(), 150000);
+    HealthMonitor health(smallestSuit(), 150000);
     std::vector<int16_t> loud(150000, 32767);
     health.addBlock(0, loud);
     health.add(RangeMeasurement{1, 75000, 0, 0, 75400, 0.9, 1, 0.5, 1, 0.002});

@@ -2,7 +2,10 @@
 #include "devices/live/recorder.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cmath>
+#include <fstream>
 #include <random>
 
 #include "tests/devices/live/made_sound.h"
@@ -237,6 +240,38 @@ TEST(Recorder, AFileThatCannotBeCompletedIsNamedWithTheRemedy) {
     const RecorderState state = recorder.finish();
     ASSERT_TRUE(state.trouble);
     EXPECT_NE(state.trouble->remedy.find("recover"), std::string::npos);
+}
+
+int64_t residentBytes() {
+    std::ifstream statm("/proc/self/statm");
+    int64_t size = 0, resident = 0;
+    statm >> size >> resident;
+    return resident * sysconf(_SC_PAGESIZE);
+}
+
+TEST(Recorder, MemoryDoesNotGrowWithTheTakeNorWithADiskThatHangs) {
+    const Folder folder;
+    TroubledSink::Trouble trouble;
+    trouble.first_commit_takes = 3000ms;
+    Recorder recorder(std::make_unique<TroubledSink>(takeFile(folder), trouble), smallReserve());
+    const ArrivedBlock model = madeBlock(0, 600, kBoards);
+    const auto pushMinute = [&](int64_t minute) {
+        for (int64_t at = 0; at < 60 * kMadeRate_hz; at += 600) {
+            link::AdcBlock block = *model.sound;
+            block.first_sample = minute * 60 * kMadeRate_hz + at;
+            recorder.push(ArrivedBlock{std::make_shared<const link::AdcBlock>(std::move(block)), 0});
+        }
+    };
+    pushMinute(0);
+    const int64_t after_one = residentBytes();
+    for (int64_t minute = 1; minute < 5; ++minute)
+        pushMinute(minute);
+    EXPECT_LT(residentBytes() - after_one, 8'000'000) << "1.3 GB of sound were offered since";
+    EXPECT_LE(recorder.state().queue.deepest_samples, 2 * kMadeRate_hz);
+    const RecorderState state = recorder.finish();
+    EXPECT_EQ(state.samples, 5 * 60 * kMadeRate_hz);
+    EXPECT_EQ(state.lost_samples + std::llround(static_cast<double>(state.sound_bytes) / 36), state.samples);
+    EXPECT_LE(state.gaps, 50) << "one after the other makes one";
 }
 
 TEST(Recorder, TellsHowLongTheDiskWillLast) {
