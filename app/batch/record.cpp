@@ -13,7 +13,7 @@ constexpr double kBytesPerMegabyte = 1e6;
 
 Result<StreamRequest> streamRequestOf(const Arguments& arguments) {
     StreamRequest request;
-    request.take = TakeRequest{};
+    request.take = RecordingRequest{};
     request.take->folder = arguments.text("out-dir");
     request.take->name = arguments.text("name");
     request.take->take_kind = arguments.text("kind");
@@ -46,7 +46,7 @@ Result<StreamRequest> streamRequestOf(const Arguments& arguments) {
     return request;
 }
 
-nlohmann::json jsonOf(const RecordReport& report) {
+nlohmann::json recordingJson(const RecordReport& report) {
     const RecorderState& recording = *report.stream.recording;
     nlohmann::json json{
         {"take", recording.path},
@@ -71,7 +71,7 @@ nlohmann::json jsonOf(const RecordReport& report) {
     return json;
 }
 
-std::string textOf(const RecordReport& report) {
+std::string recordingText(const RecordReport& report) {
     const RecorderState& recording = *report.stream.recording;
     char text[240];
     std::snprintf(text, sizeof text, ": %.2f s, %lld samples missing in %lld gaps; slowest commit %.0f ms\n",
@@ -101,7 +101,7 @@ Result<Outcome> runRecord(const VerbContext& context) {
         return report.error();
     for (const std::string& warning : report->stream.warnings)
         context.console.warn(warning);
-    Outcome outcome{jsonOf(*report), textOf(*report), std::nullopt};
+    Outcome outcome{recordingJson(*report), recordingText(*report), std::nullopt};
     for (const std::optional<Error>& trouble : {report->stream.recording->trouble, report->stream.trouble})
         if (trouble && !outcome.failure) {
             context.console.error(*trouble);

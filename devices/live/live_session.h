@@ -39,7 +39,7 @@ struct SessionStatus {
     int64_t reconnections = 0;
 };
 
-struct TakeRequest {
+struct RecordingRequest {
     std::filesystem::path folder;
     std::string name = "take";
     std::string take_kind = "motion";
@@ -49,7 +49,7 @@ struct TakeRequest {
 };
 
 struct StreamRequest {
-    std::optional<TakeRequest> take;
+    std::optional<RecordingRequest> take;
     std::optional<Suit> suit;  ///< as this performer wears it, matched by serial; else as the box says
     std::optional<Calibration> calibration;
     std::optional<Actor> actor;

@@ -15,7 +15,7 @@ using test::Folder;
 StreamRequest requestOfTinyTake(const Folder& folder) {
     const Take tiny = std::move(Take::open(test::kTinyTake).value());
     StreamRequest request;
-    request.take = TakeRequest{};
+    request.take = RecordingRequest{};
     request.take->folder = folder.path();
     request.take->name = "live";
     request.take->reserve_bytes = 1'000'000;

@@ -17,7 +17,7 @@ constexpr int kTwoBoards = 2;
 
 StreamRequest recordingInto(const Folder& folder) {
     StreamRequest request;
-    request.take = TakeRequest{};
+    request.take = RecordingRequest{};
     request.take->folder = folder.path();
     request.take->name = "walk";
     request.take->reserve_bytes = 1'000'000;
