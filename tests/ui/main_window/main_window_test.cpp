@@ -118,7 +118,7 @@ TEST_F(MainWindowTest, FinishedJobsStayUntilTheyWereSeen) {
         "Counting", [](const JobContext&) -> Result<int> { return 3; },
         [](Result<int> value) { return QString("Counted to %1").arg(*value); });
     ASSERT_TRUE(waitFor([&] { return job->state() == Job::State::kDone; }));
-    EXPECT_EQ(window_->statusLine().jobsText(), "1 job(s) finished");
+    EXPECT_EQ(window_->statusLine().jobsText(), "1 job finished");
     window_->jobsPanel().toggle();
     EXPECT_EQ(window_->jobsPanel().rowCount(), 1);
     EXPECT_FALSE(job->seen());
@@ -135,7 +135,7 @@ TEST_F(MainWindowTest, AFailedJobSaysSoInWords) {
         },
         [](Result<int>) { return QString(); });
     ASSERT_TRUE(waitFor([&] { return job->state() == Job::State::kFailed; }));
-    EXPECT_EQ(window_->statusLine().jobsText(), "1 job(s) failed");
+    EXPECT_EQ(window_->statusLine().jobsText(), "1 job failed");
 }
 
 /// Answers the question that closing asks, and tells what it said.
