@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Fresh pictures of every page of the studio, dark and light, at 1280x800, 1440x900 and 1920x1080, into out/screenshots/.
 #   packaging/screenshots.sh [TAKE]    TAKE: a processed take to show; a short simulated one when not given
+# NOCTULE_SCREENSHOT_LANGUAGE=de: in German.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

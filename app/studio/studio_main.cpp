@@ -5,20 +5,17 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QSurfaceFormat>
-#include <QTimer>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <memory>
 
 #include "app/batch/files.h"
 #include "app/batch/program.h"
 #include "app/studio/sample_take.h"
 #include "app/studio/start_clock.h"
-#include "ui/main_window/language.h"
 #include "ui/main_window/look.h"
-#include "ui/main_window/main_window.h"
+#include "ui/main_window/studio_windows.h"
 #include "ui/models/studio.h"
 #include "ui/style/theme.h"
 
@@ -78,34 +75,6 @@ StudioParts parts() {
     return parts;
 }
 
-/// The window is made anew when the language changes: every sentence in it is then in that language.
-class Windows : public QObject {
-public:
-    explicit Windows(Studio& studio) : studio_(studio) {}
-
-    MainWindow& show(Step step) {
-        applyLanguage(studio_.settings());
-        window_ = std::make_unique<MainWindow>(studio_);
-        connect(window_.get(), &MainWindow::languageChanged, this, [this] {
-            QMetaObject::invokeMethod(
-                this, [this] { renew(); }, Qt::QueuedConnection);
-        });
-        window_->goTo(step);
-        window_->show();
-        return *window_;
-    }
-
-private:
-    void renew() {
-        const Step step = window_->step();
-        window_.reset();
-        QTimer::singleShot(0, &show(step), &MainWindow::showPreferences);
-    }
-
-    Studio& studio_;
-    std::unique_ptr<MainWindow> window_;
-};
-
 }  // namespace
 
 int runStudio(int argc, char** argv) {
@@ -127,7 +96,7 @@ int runStudio(int argc, char** argv) {
 
     Studio studio(parts());
     applyLook(studio.settings());
-    Windows windows(studio);
+    StudioWindows windows(studio);
     MainWindow& window = windows.show(Step::kStart);
     logFirstFrame(window);
     if (application.arguments().size() > 1)

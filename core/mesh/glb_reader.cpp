@@ -3,6 +3,7 @@
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <assimp/version.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
@@ -154,6 +155,11 @@ std::map<std::string, std::string> jointOfKnownName() {
 }
 
 }  // namespace
+
+std::string meshReaderVersion() {
+    return std::to_string(aiGetVersionMajor()) + "." + std::to_string(aiGetVersionMinor()) + "." +
+           std::to_string(aiGetVersionPatch());
+}
 
 std::string canonicalJointOf(const std::string& bone) {
     static const std::map<std::string, std::string> joints = jointOfKnownName();

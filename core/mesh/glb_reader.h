@@ -16,6 +16,9 @@ namespace noctule {
 /// skin, or bones that belong to no joint, by name.
 Result<SkinnedMesh> readSkinnedMesh(const std::string& path);
 
+/// Of assimp, which reads it: "5.2.5".
+std::string meshReaderVersion();
+
 /// The canonical joint behind a bone's name, or empty.
 std::string canonicalJointOf(const std::string& bone);
 

@@ -956,7 +956,7 @@
         <translation>%1 anhängen</translation>
     </message>
     <message>
-        <source>Another system's recording of the same performance goes into the take.</source>
+        <source>Another system&apos;s recording of the same performance goes into the take.</source>
         <translation>Die Aufzeichnung derselben Darbietung durch ein anderes System kommt in die Aufnahme.</translation>
     </message>
     <message>
@@ -992,7 +992,7 @@
         <translation>Sie beginnt bei</translation>
     </message>
     <message>
-        <source>Milliseconds of the take's clock; may be negative.</source>
+        <source>Milliseconds of the take&apos;s clock; may be negative.</source>
         <translation>Millisekunden auf der Uhr der Aufnahme; auch negativ.</translation>
     </message>
     <message>
@@ -1225,10 +1225,6 @@
         <translation>Aufnahmen</translation>
     </message>
     <message>
-        <source>Takes to export</source>
-        <translation>Zu exportierende Aufnahmen</translation>
-    </message>
-    <message>
         <source>Last of each take</source>
         <translation>Letztes jeder Aufnahme</translation>
     </message>
@@ -1349,12 +1345,8 @@
         <translation>Ordner für exportierte Dateien</translation>
     </message>
     <message>
-        <source>%1   %2</source>
-        <translation>%1   %2</translation>
-    </message>
-    <message>
-        <source>Not processed yet: there is no motion to export.</source>
-        <translation>Noch nicht verarbeitet: es gibt keine Bewegung zu exportieren.</translation>
+        <source>Chosen for each take</source>
+        <translation>Je Aufnahme gewählt</translation>
     </message>
 </context>
 <context>
@@ -1700,6 +1692,29 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::ExportTakeList</name>
+    <message>
+        <source>Takes to export</source>
+        <translation>Zu exportierende Aufnahmen</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>Not processed yet: there is no motion to export.</source>
+        <translation>Noch nicht verarbeitet: es gibt keine Bewegung zu exportieren.</translation>
+    </message>
+    <message>
+        <source>Result of %1</source>
+        <translation>Ergebnis von %1</translation>
+    </message>
+    <message>
+        <source>Looking at results</source>
+        <translation>Ergebnisse werden angesehen</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::FullReport</name>
     <message>
         <source>Comparing all results</source>
@@ -1980,18 +1995,6 @@
         <translation>Überall</translation>
     </message>
     <message>
-        <source>%1 can be rebuilt from its takes</source>
-        <translation>%1 lässt sich aus den Aufnahmen wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Takes, performers and suits are in the take files; ratings, notes and order are not. The damaged session.json is kept beside the new one.</source>
-        <translation>Aufnahmen, Darsteller und Anzüge stehen in den Aufnahmedateien; Bewertungen, Notizen und Reihenfolge nicht. Die beschädigte session.json bleibt neben der neuen liegen.</translation>
-    </message>
-    <message>
-        <source>Rebuild session</source>
-        <translation>Sitzung wiederherstellen</translation>
-    </message>
-    <message>
         <source>%1 is not there</source>
         <translation>%1 ist nicht da</translation>
     </message>
@@ -2006,45 +2009,6 @@
     <message>
         <source>A session is a folder with a session.json in it. Choose that folder, or make a new session.</source>
         <translation>Eine Sitzung ist ein Ordner mit einer session.json darin. Diesen Ordner wählen oder eine neue Sitzung anlegen.</translation>
-    </message>
-    <message>
-        <source>“%1” is open somewhere else as well</source>
-        <translation>„%1“ ist noch an anderer Stelle geöffnet</translation>
-    </message>
-    <message>
-        <source>Takes are safe. Of notes and ratings changed in both places the later ones win; close one of the two.</source>
-        <translation>Aufnahmen sind sicher. Von Notizen und Bewertungen, die an beiden Stellen geändert werden, gelten die späteren; am besten eine der beiden schließen.</translation>
-    </message>
-    <message>
-        <source>“%1” can be read but not written</source>
-        <translation>„%1“ lässt sich lesen, aber nicht schreiben</translation>
-    </message>
-    <message>
-        <source>Takes can be reviewed and exported to another place; ratings, notes and results cannot be kept. Copy the folder to where you may write.</source>
-        <translation>Aufnahmen lassen sich prüfen und an einen anderen Ort exportieren; Bewertungen, Notizen und Ergebnisse bleiben nicht erhalten. Den Ordner dorthin kopieren, wo Schreiben erlaubt ist.</translation>
-    </message>
-    <message>
-        <source>“%1” was not closed last time</source>
-        <translation>„%1“ wurde letztes Mal nicht geschlossen</translation>
-    </message>
-    <message numerus="yes">
-        <source>The studio ended unexpectedly. All %n take(s) were looked at again; changes were kept up to the last second.</source>
-        <translation>
-            <numerusform>Das Studio wurde unerwartet beendet. Die eine Aufnahme wurde neu geprüft; Änderungen sind bis zur letzten Sekunde erhalten.</numerusform>
-            <numerusform>Das Studio wurde unerwartet beendet. Alle %n Aufnahmen wurden neu geprüft; Änderungen sind bis zur letzten Sekunde erhalten.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The recording of %1 was not ended</source>
-        <translation>Die Aufzeichnung von %1 wurde nicht beendet</translation>
-    </message>
-    <message>
-        <source>What came in until then is safe on disk. Recover checks it and makes a whole take of it; the recording itself is kept in the trash of the session.</source>
-        <translation>Was bis dahin ankam, liegt sicher auf der Platte. Wiederherstellen prüft es und macht eine ganze Aufnahme daraus; die Aufzeichnung selbst bleibt im Papierkorb der Sitzung.</translation>
-    </message>
-    <message>
-        <source>Recover %1</source>
-        <translation>%1 wiederherstellen</translation>
     </message>
     <message>
         <source>%1 belongs to no session</source>
@@ -2116,6 +2080,41 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Legend</source>
         <translation>Legende</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MarkerEditor</name>
+    <message>
+        <source>Marker %1</source>
+        <comment>name of a marker, a number</comment>
+        <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation>%1 setzen</translation>
+    </message>
+    <message>
+        <source>Name the marker %1</source>
+        <translation>Die Marke %1 benennen</translation>
+    </message>
+    <message>
+        <source>Delete the marker %1</source>
+        <translation>Die Marke %1 löschen</translation>
+    </message>
+    <message>
+        <source>Writing a marker into %1</source>
+        <translation>Eine Marke wird in %1 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MarkerField</name>
+    <message>
+        <source>Name of the marker</source>
+        <translation>Name der Marke</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
     </message>
 </context>
 <context>
@@ -2872,6 +2871,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Processed</source>
         <translation>Verarbeitet</translation>
     </message>
+    <message>
+        <source>Can be rebuilt from its takes</source>
+        <translation>Lässt sich aus den Aufnahmen wiederherstellen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RecentSessions</name>
@@ -2922,6 +2925,18 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>A take starts here once a suit is connected.</source>
         <translation>Hier beginnt eine Aufnahme, sobald ein Anzug verbunden ist.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecoveryWords</name>
+    <message>
+        <source>%1. Rebuilding makes a new session.json from what the takes know: performers, suits and the order of recording. Ratings, notes, in and out are not in the takes; a damaged session.json is kept beside the new one.</source>
+        <comment>what is wrong and which takes are safe</comment>
+        <translation>%1. Wiederherstellen legt eine neue session.json aus dem an, was die Aufnahmen wissen: Darsteller, Anzüge und die Reihenfolge der Aufzeichnung. Bewertungen, Notizen, Anfang und Ende stehen nicht in den Aufnahmen; eine beschädigte session.json bleibt neben der neuen erhalten.</translation>
+    </message>
+    <message>
+        <source>Recover checks it and makes a whole take of it; the recording itself is kept in the trash of the session.</source>
+        <translation>Wiederherstellen prüft es und macht eine ganze Aufnahme daraus; die Aufzeichnung selbst bleibt im Papierkorb der Sitzung.</translation>
     </message>
 </context>
 <context>
@@ -3399,6 +3414,14 @@ keine Lücken</translation>
         <source>Pause</source>
         <translation>Pause</translation>
     </message>
+    <message>
+        <source>Name marker</source>
+        <translation>Marke benennen</translation>
+    </message>
+    <message>
+        <source>Delete marker</source>
+        <translation>Marke löschen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ReviewPage</name>
@@ -3620,7 +3643,7 @@ keine Lücken</translation>
         <translation>Entfernungen verfehlen die Haltung um %1</translation>
     </message>
     <message>
-        <source>A board or a source may sit elsewhere than the performer page says, or the source offsets are another box's. Check both, then reprocess.</source>
+        <source>A board or a source may sit elsewhere than the performer page says, or the source offsets are another box&apos;s. Check both, then reprocess.</source>
         <translation>Eine Platine oder Quelle sitzt vielleicht anders, als die Darstellerseite sagt, oder der Quellenversatz gehört zu einer anderen Box. Beides prüfen, dann neu verarbeiten.</translation>
     </message>
     <message>
@@ -3819,6 +3842,65 @@ keine Lücken</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::SceneWords</name>
+    <message>
+        <source>%1, board %2</source>
+        <translation>%1, Platine %2</translation>
+    </message>
+    <message>
+        <source>%1, source %2</source>
+        <translation>%1, Quelle %2</translation>
+    </message>
+    <message>
+        <source>Not heard from source %1</source>
+        <translation>Nicht gehört von Quelle %1</translation>
+    </message>
+    <message>
+        <source>Source %1, confidence %2</source>
+        <translation>Quelle %1, Konfidenz %2</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Result B</source>
+        <translation>Ergebnis B</translation>
+    </message>
+    <message>
+        <source>Result A</source>
+        <translation>Ergebnis A</translation>
+    </message>
+    <message>
+        <source>Body at %1</source>
+        <translation>Körper bei %1</translation>
+    </message>
+    <message>
+        <source>Body at %1, %2 of %3 pairs good</source>
+        <translation>Körper bei %1, %2 von %3 Paaren gut</translation>
+    </message>
+    <message>
+        <source>%1. Chosen: %2</source>
+        <translation>%1. Gewählt: %2</translation>
+    </message>
+    <message>
+        <source>Performer in the rest pose with %1 boards and %2 sources</source>
+        <translation>Darsteller in der Ruhehaltung mit %1 Platinen und %2 Quellen</translation>
+    </message>
+    <message>
+        <source>The body of the take that you open appears here.</source>
+        <translation>Hier erscheint der Körper der geöffneten Aufnahme.</translation>
+    </message>
+    <message>
+        <source>This take has no motion yet. Process it, and the body appears here.</source>
+        <translation>Diese Aufnahme hat noch keine Bewegung. Nach der Verarbeitung erscheint der Körper hier.</translation>
+    </message>
+    <message>
+        <source>The motion has no pose at this time.</source>
+        <translation>Die Bewegung hat zu dieser Zeit keine Haltung.</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::SessionList</name>
     <message>
         <source>Recent sessions</source>
@@ -3925,6 +4007,80 @@ keine Lücken</translation>
     <message>
         <source>%1 is recovered</source>
         <translation>%1 ist wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>A job works on %1</source>
+        <translation>Ein Auftrag arbeitet an %1</translation>
+    </message>
+    <message>
+        <source>Wait until it is done, or cancel it</source>
+        <translation>Warten, bis er fertig ist, oder ihn abbrechen</translation>
+    </message>
+    <message>
+        <source>Rename %1 to %2</source>
+        <translation>%1 in %2 umbenennen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SessionNotices</name>
+    <message>
+        <source>“%1” is open somewhere else as well</source>
+        <translation>„%1“ ist noch an anderer Stelle geöffnet</translation>
+    </message>
+    <message>
+        <source>Takes are safe. Of notes and ratings changed in both places the later ones win; close one of the two.</source>
+        <translation>Aufnahmen sind sicher. Von Notizen und Bewertungen, die an beiden Stellen geändert werden, gelten die späteren; am besten eine der beiden schließen.</translation>
+    </message>
+    <message>
+        <source>“%1” can be read but not written</source>
+        <translation>„%1“ lässt sich lesen, aber nicht schreiben</translation>
+    </message>
+    <message>
+        <source>Takes can be reviewed and exported to another place; ratings, notes and results cannot be kept. Copy the folder to where you may write.</source>
+        <translation>Aufnahmen lassen sich prüfen und an einen anderen Ort exportieren; Bewertungen, Notizen und Ergebnisse bleiben nicht erhalten. Den Ordner dorthin kopieren, wo Schreiben erlaubt ist.</translation>
+    </message>
+    <message>
+        <source>“%1” was not closed last time</source>
+        <translation>„%1“ wurde letztes Mal nicht geschlossen</translation>
+    </message>
+    <message numerus="yes">
+        <source>The studio ended unexpectedly. All %n take(s) were looked at again; changes were kept up to the last second.</source>
+        <translation>
+            <numerusform>Das Studio wurde unerwartet beendet. Die eine Aufnahme wurde neu geprüft; Änderungen sind bis zur letzten Sekunde erhalten.</numerusform>
+            <numerusform>Das Studio wurde unerwartet beendet. Alle %n Aufnahmen wurden neu geprüft; Änderungen sind bis zur letzten Sekunde erhalten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>“%1” cannot be opened as it is</source>
+        <translation>„%1“ lässt sich so nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Rebuild session</source>
+        <translation>Sitzung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>The recording of %1 was not ended</source>
+        <translation>Die Aufzeichnung von %1 wurde nicht beendet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recordings were not ended</source>
+        <translation>
+            <numerusform>Eine Aufzeichnung wurde nicht beendet</numerusform>
+            <numerusform>%n Aufzeichnungen wurden nicht beendet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What came in until then is safe on disk: %1. %2</source>
+        <comment>names of takes, an offer</comment>
+        <translation>Was bis dahin ankam, liegt sicher auf der Platte: %1. %2</translation>
+    </message>
+    <message>
+        <source>Recover %1</source>
+        <translation>%1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Recover all</source>
+        <translation>Alle wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -4048,7 +4204,7 @@ keine Lücken</translation>
     </message>
     <message>
         <source>A folder for takes, calibration and exports</source>
-        <translation>Ein Ordner für Aufnahmen, Kalibrierung, Exporte</translation>
+        <translation>Ordner für Aufnahmen und Exporte</translation>
     </message>
     <message>
         <source>Open session</source>
@@ -4153,6 +4309,22 @@ keine Lücken</translation>
         <source>Start</source>
         <translation>Start</translation>
     </message>
+    <message>
+        <source>Recover %1</source>
+        <translation>%1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open it as it is</source>
+        <translation>So öffnen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>The list of “%1” is damaged</source>
+        <translation>Die Liste von „%1“ ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Rebuild session</source>
+        <translation>Sitzung wiederherstellen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::StatusLine</name>
@@ -4170,17 +4342,17 @@ keine Lücken</translation>
     </message>
     <message>
         <source>%1, %2, complete</source>
-        <comment>a take's file and its size</comment>
+        <comment>a take&apos;s file and its size</comment>
         <translation>%1, %2, vollständig</translation>
     </message>
     <message>
         <source>%1, %2, recovered</source>
-        <comment>a take's file and its size</comment>
+        <comment>a take&apos;s file and its size</comment>
         <translation>%1, %2, wiederhergestellt</translation>
     </message>
     <message>
         <source>%1, %2, not ended</source>
-        <comment>a take's file and its size</comment>
+        <comment>a take&apos;s file and its size</comment>
         <translation>%1, %2, nicht beendet</translation>
     </message>
     <message>
@@ -4293,6 +4465,18 @@ keine Lücken</translation>
         <source>Picture of %1</source>
         <translation>Bild von %1</translation>
     </message>
+    <message>
+        <source>The body could not be unpacked</source>
+        <translation>Der Körper konnte nicht entpackt werden</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk; until then a skeleton is shown</source>
+        <translation>Platz auf der Platte schaffen; bis dahin erscheint ein Skelett</translation>
+    </message>
+    <message>
+        <source>Loading the body</source>
+        <translation>Der Körper wird geladen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::SuitPartsModel</name>
@@ -4316,6 +4500,13 @@ keine Lücken</translation>
     <message>
         <source>Moved</source>
         <translation>Bewegt</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TakeDelegate</name>
+    <message>
+        <source>Name of the take</source>
+        <translation>Name der Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -4410,6 +4601,14 @@ keine Lücken</translation>
         <source>No session is open.</source>
         <translation>Keine Sitzung ist offen.</translation>
     </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::TakeListModel</name>
@@ -4452,10 +4651,6 @@ keine Lücken</translation>
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>Left and Right step a frame, with Shift a second; Home and End go to in and out</source>
-        <translation>Links und Rechts gehen ein Bild weiter, mit Umschalt eine Sekunde; Pos1 und Ende gehen zu Anfang und Ende</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <comment>time of the cursor, length of the take</comment>
         <translation>%1 von %2</translation>
@@ -4489,6 +4684,18 @@ keine Lücken</translation>
         <source>R foot</source>
         <comment>right foot, short</comment>
         <translation>R Fuß</translation>
+    </message>
+    <message>
+        <source>Left and Right step a frame, with Shift a second; Home and End go to in and out; F2 names the chosen marker, Del deletes it</source>
+        <translation>Links und Rechts gehen ein Bild, mit Umschalt eine Sekunde; Pos1 und Ende gehen zu Anfang und Ende; F2 benennt die gewählte Marke, Entf löscht sie</translation>
+    </message>
+    <message>
+        <source>Name marker</source>
+        <translation>Marke benennen</translation>
+    </message>
+    <message>
+        <source>Delete marker</source>
+        <translation>Marke löschen</translation>
     </message>
 </context>
 <context>
@@ -4675,14 +4882,6 @@ keine Lücken</translation>
     <message>
         <source>Open a take first</source>
         <translation>Zuerst eine Aufnahme öffnen</translation>
-    </message>
-    <message>
-        <source>Setting a marker at %1</source>
-        <translation>Marke bei %1 wird gesetzt</translation>
-    </message>
-    <message>
-        <source>Marker set at %1</source>
-        <translation>Marke bei %1 gesetzt</translation>
     </message>
 </context>
 <context>

@@ -95,13 +95,6 @@
 <context>
     <name>noctule::ui::MainWindow</name>
     <message numerus="yes">
-        <source>The studio ended unexpectedly. All %n take(s) were looked at again; changes were kept up to the last second.</source>
-        <translation>
-            <numerusform>The studio ended unexpectedly. Its take was looked at again; changes were kept up to the last second.</numerusform>
-            <numerusform>The studio ended unexpectedly. All %n takes were looked at again; changes were kept up to the last second.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n job(s) are still running</source>
         <translation>
             <numerusform>One job is still running</numerusform>
@@ -206,6 +199,23 @@
         <translation>
             <numerusform>Importing %n take</numerusform>
             <numerusform>Importing %n takes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SessionNotices</name>
+    <message numerus="yes">
+        <source>The studio ended unexpectedly. All %n take(s) were looked at again; changes were kept up to the last second.</source>
+        <translation>
+            <numerusform>The studio ended unexpectedly. Its take was looked at again; changes were kept up to the last second.</numerusform>
+            <numerusform>The studio ended unexpectedly. All %n takes were looked at again; changes were kept up to the last second.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recordings were not ended</source>
+        <translation>
+            <numerusform>One recording was not ended</numerusform>
+            <numerusform>%n recordings were not ended</numerusform>
         </translation>
     </message>
 </context>

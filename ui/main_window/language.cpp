@@ -7,6 +7,12 @@
 #include <QTranslator>
 #include <array>
 
+// A static library's resources reach the program only when they are named; the macro wants the global
+// namespace.
+static void nameTranslations() {
+    Q_INIT_RESOURCE(translations);
+}
+
 namespace noctule::ui {
 namespace {
 
@@ -32,6 +38,7 @@ void chooseLanguage(QSettings& settings, const QString& code) {
 }
 
 void applyLanguage(const QSettings& settings) {
+    nameTranslations();
     const QString code = chosenLanguage(settings);
     const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
     QTranslator &own = installed(0), &qt = installed(1);

@@ -7,6 +7,9 @@
 #include <QCoreApplication>
 #include <nlohmann/json.hpp>
 
+#include "core/mesh/glb_reader.h"
+#include "core/recording/library_versions.h"
+
 namespace noctule::ui {
 namespace {
 
@@ -28,6 +31,10 @@ QString jsonVersion() {
         .arg(NLOHMANN_JSON_VERSION_PATCH);
 }
 
+QString fromCore(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
 }  // namespace
 
 QList<LinkedWork> linkedWorks() {
@@ -36,10 +43,12 @@ QList<LinkedWork> linkedWorks() {
         {"Qwt", QWT_VERSION_STR, "Qwt License 1.0 (LGPL-2.1 with exceptions)", Words::tr("plots"),
          "qwt.sourceforge.io"},
         {"Eigen", eigenVersion(), "MPL-2.0", Words::tr("linear algebra"), "eigen.tuxfamily.org"},
-        {"SQLite", {}, Words::tr("public domain"), Words::tr("take files"), "sqlite.org"},
-        {"zstd", {}, "BSD-3-Clause", Words::tr("compression of takes"), "zstd.net"},
-        {"Open Asset Import Library", {}, "BSD-3-Clause", Words::tr("meshes"), "assimp.org"},
-        {"libepoxy", {}, "MIT", Words::tr("OpenGL"), "github.com/anholt/libepoxy"},
+        {"SQLite", fromCore(sqliteVersion()), Words::tr("public domain"), Words::tr("take files"),
+         "sqlite.org"},
+        {"zstd", fromCore(zstdVersion()), "BSD-3-Clause", Words::tr("compression of takes"), "zstd.net"},
+        {"Open Asset Import Library", fromCore(meshReaderVersion()), "BSD-3-Clause", Words::tr("meshes"),
+         "assimp.org"},
+        {"libepoxy", NOCTULE_EPOXY_VERSION, "MIT", Words::tr("OpenGL"), "github.com/anholt/libepoxy"},
         {"JSON for Modern C++", jsonVersion(), "MIT", Words::tr("settings and documents"),
          "json.nlohmann.me"},
         {"Roboto", {}, "Apache-2.0", Words::tr("typeface"), "fonts.google.com/specimen/Roboto"},

@@ -14,15 +14,19 @@ namespace {
 /// The callout stays clear of the handles.
 constexpr double kHandles_px = 84;
 
-QString say(const char* text, int n = -1) {
-    return QCoreApplication::translate("SceneView", text, nullptr, n);
-}
+struct SceneWords {
+    Q_DECLARE_TR_FUNCTIONS(noctule::ui::SceneWords)
+};
 
 QString boardLine(const Suit& suit, int board) {
-    return say("%1, board %2").arg(boardName(suit.boards[static_cast<size_t>(board)])).arg(board + 1);
+    return SceneWords::tr("%1, board %2")
+        .arg(boardName(suit.boards[static_cast<size_t>(board)]))
+        .arg(board + 1);
 }
 QString sourceLine(const Suit& suit, int source) {
-    return say("%1, source %2").arg(sourcePlace(suit.sources[static_cast<size_t>(source)])).arg(source + 1);
+    return SceneWords::tr("%1, source %2")
+        .arg(sourcePlace(suit.sources[static_cast<size_t>(source)]))
+        .arg(source + 1);
 }
 
 QString pairLine(const ComposedScene& composed, int source, int board) {
@@ -30,8 +34,8 @@ QString pairLine(const ComposedScene& composed, int source, int board) {
         return pair.source == source && pair.board == board;
     });
     if (heard == composed.pairs.end())
-        return say("Not heard from source %1").arg(source + 1);
-    return say("Source %1, confidence %2").arg(source + 1).arg(numberText(heard->confidence, 2));
+        return SceneWords::tr("Not heard from source %1").arg(source + 1);
+    return SceneWords::tr("Source %1, confidence %2").arg(source + 1).arg(numberText(heard->confidence, 2));
 }
 
 }  // namespace
@@ -39,12 +43,12 @@ QString pairLine(const ComposedScene& composed, int source, int board) {
 std::vector<SceneLegend> takeLegends(TakeDocument& take, const ComposedScene& composed,
                                      const SceneLayers& layers) {
     const bool is_reference = take.comparedRun() == TakeDocument::kReference;
-    const QString compared = is_reference ? say("Reference") : say("Result B");
+    const QString compared = is_reference ? SceneWords::tr("Reference") : SceneWords::tr("Result B");
     if (composed.subject == SceneSubject::kCompared)
         return {{compared, false}};
     if (!composed.has_ghost || !layers.has(SceneLayer::kGhost))
         return {};
-    return {{say("Result A"), false}, {compared, true}};
+    return {{SceneWords::tr("Result A"), false}, {compared, true}};
 }
 
 std::optional<SceneCallout> takeCallout(Studio& studio, const ComposedScene& composed) {
@@ -79,13 +83,13 @@ QString takeDescription(Studio& studio, const ComposedScene& composed) {
     if (!composed.hasBody())
         return whyEmpty(studio);
     const QString time = timeText(studio.time().time());
-    QString words = composed.pair_count == 0 ? say("Body at %1").arg(time)
-                                             : say("Body at %1, %2 of %3 pairs good")
+    QString words = composed.pair_count == 0 ? SceneWords::tr("Body at %1").arg(time)
+                                             : SceneWords::tr("Body at %1, %2 of %3 pairs good")
                                                    .arg(time)
                                                    .arg(composed.goodPairs())
                                                    .arg(composed.pair_count);
     if (const auto callout = takeCallout(studio, composed))
-        words = say("%1. Chosen: %2").arg(words, callout->title);
+        words = SceneWords::tr("%1. Chosen: %2").arg(words, callout->title);
     return words;
 }
 
@@ -94,19 +98,19 @@ QString figureDescription(const FigureScene& figure) {
     const int boards = static_cast<int>(figure.suit().boards.size());
     const int sources = static_cast<int>(figure.suit().sources.size());
     const QString words =
-        say("Performer in the rest pose with %1 boards and %2 sources").arg(boards).arg(sources);
-    return callout ? say("%1. Chosen: %2").arg(words, callout->title) : words;
+        SceneWords::tr("Performer in the rest pose with %1 boards and %2 sources").arg(boards).arg(sources);
+    return callout ? SceneWords::tr("%1. Chosen: %2").arg(words, callout->title) : words;
 }
 
 QString whyEmpty(Studio& studio) {
     TakeDocument& take = studio.take();
     if (!take.isOpen())
-        return say("The body of the take that you open appears here.");
+        return SceneWords::tr("The body of the take that you open appears here.");
     if (take.shownRun() == -1)
-        return say("This take has no motion yet. Process it, and the body appears here.");
+        return SceneWords::tr("This take has no motion yet. Process it, and the body appears here.");
     if (!take.shownMotion())
         return take.problem();
-    return say("The motion has no pose at this time.");
+    return SceneWords::tr("The motion has no pose at this time.");
 }
 
 }  // namespace noctule::ui

@@ -37,9 +37,15 @@ QSize BigButton::sizeHint() const {
     const Theme& theme = Theme::get();
     const QFontMetrics title(titleFont()), about(aboutFont());
     const int words = std::max(title.horizontalAdvance(text()), about.horizontalAdvance(about_));
-    const int key = keys_.isEmpty() ? 0 : KeyHint::sizeOf(keys_.toString()).width() + theme.px(kGap);
+    const int key = keyWidth();
     return {theme.px(2 * kPadding + kIcon + kGap) + words + key,
             std::max(theme.px(64), title.height() + about.height() + theme.px(24))};
+}
+
+int BigButton::keyWidth() const {
+    if (keys_.isEmpty())
+        return 0;
+    return KeyHint::sizeOf(keys_.toString(QKeySequence::NativeText)).width() + Theme::get().px(kGap);
 }
 
 QSize BigButton::minimumSizeHint() const {
@@ -78,7 +84,9 @@ void BigButton::paintEvent(QPaintEvent*) {
     painter.drawText(left, top + title.ascent(), text());
     painter.setFont(aboutFont());
     painter.setPen(about_color);
-    painter.drawText(left, top + title.height() + gap + about.ascent(), about_);
+    const int room = width() - left - theme.px(kPadding) - keyWidth();
+    painter.drawText(left, top + title.height() + gap + about.ascent(),
+                     about.elidedText(about_, Qt::ElideRight, room));
 
     if (!keys_.isEmpty()) {
         const QString keys = keys_.toString(QKeySequence::NativeText);

@@ -27,6 +27,7 @@ private:
     QFont titleFont() const;
     QFont aboutFont() const;
     QColor background() const;
+    int keyWidth() const;
 
     QString icon_name_, about_;
     QKeySequence keys_;

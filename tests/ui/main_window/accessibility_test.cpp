@@ -58,6 +58,7 @@ protected:
     /// Texts on labels and buttons have the room that they ask for.
     void expectRoom(Step step) {
         window_->goTo(step);
+        waitFor([this] { return studio_->jobs().idle(); });  // what they find changes texts
         QTest::qWait(50);
         forEachVisible([&](QWidget& widget) {
             if (const auto* label = qobject_cast<QLabel*>(&widget)) {

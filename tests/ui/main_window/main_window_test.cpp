@@ -2,6 +2,7 @@
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <algorithm>
 #include <chrono>
 #include <set>
@@ -9,6 +10,7 @@
 
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/jobs_panel.h"
+#include "ui/main_window/licences.h"
 #include "ui/main_window/side_docks.h"
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
@@ -116,7 +118,7 @@ TEST_F(MainWindowTest, FinishedJobsStayUntilTheyWereSeen) {
         "Counting", [](const JobContext&) -> Result<int> { return 3; },
         [](Result<int> value) { return QString("Counted to %1").arg(*value); });
     ASSERT_TRUE(waitFor([&] { return job->state() == Job::State::kDone; }));
-    EXPECT_EQ(window_->statusLine().jobsText(), "1 job(s) finished");
+    EXPECT_EQ(window_->statusLine().jobsText(), "1 job finished");
     window_->jobsPanel().toggle();
     EXPECT_EQ(window_->jobsPanel().rowCount(), 1);
     EXPECT_FALSE(job->seen());
@@ -133,7 +135,7 @@ TEST_F(MainWindowTest, AFailedJobSaysSoInWords) {
         },
         [](Result<int>) { return QString(); });
     ASSERT_TRUE(waitFor([&] { return job->state() == Job::State::kFailed; }));
-    EXPECT_EQ(window_->statusLine().jobsText(), "1 job(s) failed");
+    EXPECT_EQ(window_->statusLine().jobsText(), "1 job failed");
 }
 
 /// Answers the question that closing asks, and tells what it said.
@@ -251,6 +253,16 @@ TEST_F(MainWindowTest, TheBodyComesIntoTheDrawingWhenItIsLoaded) {
     EXPECT_NE(drawing(), without);
     studio.whenBodyIsThere(&page, [&calls] { ++calls; });
     EXPECT_EQ(calls, 2) << "at once";
+}
+
+TEST_F(MainWindowTest, AboutNamesTheVersionOfEveryLibrary) {
+    const QRegularExpression version("^\\d+\\.\\d+");
+    for (const LinkedWork& work : linkedWorks())
+        if (work.what_for != "typeface") {
+            EXPECT_TRUE(version.match(work.version).hasMatch())
+                << work.name.toStdString() << " " << work.version.toStdString();
+        }
+    EXPECT_TRUE(licencesAsText("noctule 0.1.0").contains("SQLite 3."));
 }
 
 TEST_F(MainWindowTest, APathThatIsNotThereIsToldByName) {

@@ -54,10 +54,15 @@ protected:
         return titles;
     }
     static void click(const QWidget& where, const QString& text) {
-        for (Button* button : where.findChildren<Button*>())
-            if (button->isVisible() && button->text() == text)
-                return QTest::mouseClick(button, Qt::LeftButton);
-        ADD_FAILURE() << "no button " << text.toStdString();
+        Button* found = nullptr;
+        waitFor([&] {
+            for (Button* button : where.findChildren<Button*>())
+                if (button->isVisible() && button->text() == text)
+                    found = button;
+            return found != nullptr;
+        });
+        ASSERT_TRUE(found) << "no button " << text.toStdString();
+        QTest::mouseClick(found, Qt::LeftButton);
     }
     TakeState state(const char* name) const {
         const Session& session = studio_->session().session();

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of every page and dialog, for packaging/screenshots.sh: NOCTULE_SCREENSHOTS names the folder that
-// they go into, NOCTULE_SCREENSHOT_TAKE a take to show instead of the quick one. Without the folder nothing
-// is made.
+// they go into, NOCTULE_SCREENSHOT_TAKE a take to show instead of the quick one, NOCTULE_SCREENSHOT_LANGUAGE
+// another language than English ("de"). Without the folder nothing is made.
 #include <QDir>
 #include <QFileInfo>
 
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/about_dialog.h"
 #include "ui/main_window/jobs_panel.h"
+#include "ui/main_window/language.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/put_on_dialog.h"
 #include "ui/main_window/shortcuts_dialog.h"
@@ -25,6 +26,13 @@ protected:
             GTEST_SKIP() << "NOCTULE_SCREENSHOTS names no folder";
         QDir().mkpath(folder_of_pictures_);
         StudioWindow::SetUp();
+        if (const QString language = qEnvironmentVariable("NOCTULE_SCREENSHOT_LANGUAGE"); !language.isEmpty())
+            speak(language);
+    }
+    void speak(const QString& language) {
+        chooseLanguage(studio_->settings(), language);
+        applyLanguage(studio_->settings());
+        restart();
     }
 
     void save(QWidget& widget, const QString& name) {

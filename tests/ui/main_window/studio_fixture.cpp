@@ -3,6 +3,7 @@
 
 #include "core/formats/bvh.h"
 #include "tests/support/simulated_take.h"
+#include "ui/main_window/language.h"
 #include "ui/style/resources.h"
 #include "ui/style/theme.h"
 #include "ui/views/big_button.h"
@@ -28,6 +29,7 @@ void StudioWindow::SetUp() {
     Theme::get().setScale(1);
     QSettings().clear();
     QSettings().setValue("folders/sessions", home());
+    applyLanguage(QSettings());
     start();
 }
 
@@ -46,6 +48,7 @@ void StudioWindow::start() {
     window_->show();
     QApplication::setActiveWindow(window_.get());
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    ASSERT_TRUE(waitFor([this] { return studio_->body() != nullptr; }));
 }
 
 void StudioWindow::restart() {

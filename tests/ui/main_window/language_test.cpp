@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The language changes while the studio runs: the window is made anew, what is open stays open.
+#include "ui/main_window/language.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QMenuBar>
+#include <QPointer>
+
+#include "tests/ui/main_window/studio_fixture.h"
+#include "ui/main_window/preferences_dialog.h"
+#include "ui/main_window/studio_windows.h"
+#include "ui/main_window/top_bar.h"
+#include "ui/style/words.h"
+
+namespace noctule::ui {
+namespace {
+
+class Language : public test::StudioWindow {
+protected:
+    void SetUp() override {
+        StudioWindow::SetUp();
+        openSampleTake();
+        window_.reset();
+        windows_ = std::make_unique<StudioWindows>(*studio_);
+        windows_->show(Step::kReview);
+    }
+    void TearDown() override {
+        windows_.reset();
+        StudioWindow::TearDown();
+    }
+
+    static PreferencesDialog* preferences() {
+        return qobject_cast<PreferencesDialog*>(QApplication::activeModalWidget());
+    }
+    /// As the operator does it; the preferences that open in the new language are closed again.
+    void choose(const char* code) {
+        const QPointer<MainWindow> before = windows_->window();
+        bool chosen = false, closed = false;
+        QTimer looking;
+        QObject::connect(&looking, &QTimer::timeout, [&] {
+            PreferencesDialog* dialog = preferences();
+            if (dialog && before && !chosen) {
+                chosen = true;
+                QComboBox& box = dialog->language();
+                box.setCurrentIndex(box.findData(code));
+                emit box.activated(box.currentIndex());
+            } else if (dialog && !before) {
+                closed = true;
+                preferences_title_ = dialog->windowTitle();
+                looking.stop();
+                dialog->accept();
+            }
+        });
+        looking.start(20);
+        windows_->window()->showPreferences();
+        ASSERT_TRUE(waitFor([&] { return closed; }));
+    }
+    QString firstMenu() const { return windows_->window()->topBar().menuBar().actions().first()->text(); }
+
+    std::unique_ptr<StudioWindows> windows_;
+    QString preferences_title_;
+};
+
+TEST_F(Language, ChangesAtRunTimeAndKeepsWhatIsOpen) {
+    EXPECT_EQ(firstMenu(), "&File");
+    const QString take = studio_->take().path();
+    choose("de");
+    EXPECT_EQ(preferences_title_, "Einstellungen");
+    EXPECT_EQ(firstMenu(), "&Datei");
+    EXPECT_EQ(windows_->window()->step(), Step::kReview);
+    EXPECT_TRUE(studio_->session().isOpen());
+    EXPECT_EQ(studio_->take().path(), take);
+    EXPECT_EQ(numberText(1.5, 1), "1,5");
+    choose("en");
+    EXPECT_EQ(firstMenu(), "&File");
+    EXPECT_EQ(numberText(1.5, 1), "1.5");
+}
+
+TEST_F(Language, EveryPageSpeaksGerman) {
+    studio_->jobs().clearEnded();  // what was said before stays as it was said
+    choose("de");
+    for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview,
+                            Step::kExport, Step::kPerformer}) {
+        windows_->window()->goTo(step);
+        QCoreApplication::processEvents();
+        for (const QLabel* label : windows_->window()->findChildren<QLabel*>())
+            for (const char* english : {" the ", " of ", " and ", " is ", " are "})
+                EXPECT_FALSE(label->text().contains(english)) << label->text().toStdString();
+    }
+}
+
+}  // namespace
+}  // namespace noctule::ui

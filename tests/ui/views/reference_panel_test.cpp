@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// Another system's recording comes into the take through the screen.
+#include "ui/views/reference_panel.h"
+
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+
+#include "core/processing/export_take.h"
+#include "tests/ui/views/reviewed_session.h"
+#include "ui/views/attach_dialog.h"
+#include "ui/views/choice_row.h"
+#include "ui/widgets/button.h"
+
+namespace noctule::ui {
+namespace {
+
+class ReferencePanelTest : public test::ReviewedSession {
+protected:
+    void SetUp() override {
+        ReviewedSession::SetUp();
+        if (HasFatalFailure())
+            return;
+        panel_ = std::make_unique<ReferencePanel>(*studio_);
+        panel_->resize(248, 160);
+        panel_->show();
+        openTake("swing_001");
+        ExportRequest request;
+        request.take_path = takePath("swing_001").toStdString();
+        request.bvh_path = outsideFile("optical.bvh").toStdString();
+        request.from_s = 1;
+        ASSERT_TRUE(exportTake(request, {}));
+    }
+    void TearDown() override {
+        waitFor([this] { return jobsAreDone(); });
+        panel_.reset();
+        ReviewedSession::TearDown();
+    }
+
+    /// Drops the file and answers the dialog that it opens.
+    void drop(const QString& path, const std::function<void(AttachDialog&)>& answer) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter(QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(panel_.get(), &enter);
+        ASSERT_TRUE(enter.isAccepted());
+        QDropEvent event(QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QTimer waiting;
+        bool answered = false;
+        QObject::connect(&waiting, &QTimer::timeout, [&] {
+            if (auto* dialog = qobject_cast<AttachDialog*>(QApplication::activeModalWidget())) {
+                waiting.stop();
+                answered = true;
+                answer(*dialog);
+            }
+        });
+        waiting.start(20);
+        QApplication::sendEvent(panel_.get(), &event);
+        ASSERT_TRUE(waitFor([&] { return answered; }));
+        ASSERT_TRUE(waitFor([this] { return jobsAreDone(); }));
+    }
+    bool says(const QString& words) const {
+        for (const QLabel* label : panel_->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words))
+                return true;
+        return false;
+    }
+
+    std::unique_ptr<ReferencePanel> panel_;
+};
+
+TEST_F(ReferencePanelTest, ADroppedMotionIsAlignedByItsMovements) {
+    EXPECT_EQ(studio_->take().overview()->reference_kind, "simulated");
+    drop(outsideFile("optical.bvh"), [](AttachDialog& dialog) {
+        EXPECT_TRUE(dialog.as_reference->isChecked());
+        EXPECT_TRUE(dialog.align_auto->isChecked());
+        EXPECT_EQ(dialog.actionButton()->text(), "Replace") << "the take has one already";
+        QTest::mouseClick(dialog.actionButton(), Qt::LeftButton);
+    });
+    ASSERT_TRUE(waitFor([this] { return says("aligned by"); }));
+    EXPECT_TRUE(says("optical"));
+    EXPECT_TRUE(says("joints matched"));
+    EXPECT_NE(studio_->take().overview()->reference_kind, "simulated");
+}
+
+TEST_F(ReferencePanelTest, ItMayBeginAtATimeThatIsGiven) {
+    drop(outsideFile("optical.bvh"), [](AttachDialog& dialog) {
+        dialog.align_given->setChecked(true);
+        dialog.milliseconds->setValue(1000);
+        QTest::mouseClick(dialog.actionButton(), Qt::LeftButton);
+    });
+    EXPECT_TRUE(waitFor([this] { return says("aligned by 1.000"); }));
+}
+
+TEST_F(ReferencePanelTest, ADialogThatIsLeftChangesNothing) {
+    const auto before = studio_->take().overview();
+    drop(outsideFile("optical.bvh"), [](AttachDialog& dialog) { dialog.reject(); });
+    EXPECT_EQ(studio_->take().overview(), before);
+}
+
+}  // namespace
+}  // namespace noctule::ui
