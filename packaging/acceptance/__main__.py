@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 
+import accessibility
 import benchmarks
 import blender
 import drift
@@ -24,6 +25,7 @@ FIGURES = {
     "benchmarks": ("Benchmarks", benchmarks.figure),
     "speed": ("Speed on one core", speed.figure),
     "studio": ("The studio: start, a long take, memory", interface.figure),
+    "accessibility": ("The studio over AT-SPI", accessibility.figure),
     "blender": ("Exports opened in Blender", blender.figure),
     "sanitizers": ("Unit tests under sanitizers", sanitizers.figure),
     "long-fuzz": ("Damaged inputs", long_fuzz.figure),

@@ -83,8 +83,8 @@ def waiting(missed):
         busy = f"{run['busy_ms']:.1f}" if "busy_ms" in run else ""
         rows.append([name, f"{run['real_time']:.1f}", f"{run['worst_ms']:.1f}", busy, limit])
     head = ["what", "mean, ms", "worst, ms", "computed by the interface, ms", "limit of the mean"]
-    return (f"### A take of {LONG_TAKE_S // 60} minutes\n\nFrom the click to a body that moves and plots that show; from "
-            "a move of the cursor to the painted 3D view and plots, window 1440 x 900.\n\n" +
+    return (f"### A take of {LONG_TAKE_S // 60} minutes\n\nFrom the click to a body that moves and plots that show; "
+            "from a move of the cursor to the painted 3D view and plots, window 1440 x 900.\n\n" +
             studio.markdown_table(head, rows))
 
 
