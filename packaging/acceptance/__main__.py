@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 
+import accessibility
 import benchmarks
 import blender
 import drift
@@ -23,7 +24,8 @@ FIGURES = {
     "drift": ("Drift over five minutes", drift.figure),
     "benchmarks": ("Benchmarks", benchmarks.figure),
     "speed": ("Speed on one core", speed.figure),
-    "studio": ("The studio: start", interface.figure),
+    "studio": ("The studio: start, a long take, memory", interface.figure),
+    "accessibility": ("The studio over AT-SPI", accessibility.figure),
     "blender": ("Exports opened in Blender", blender.figure),
     "sanitizers": ("Unit tests under sanitizers", sanitizers.figure),
     "long-fuzz": ("Damaged inputs", long_fuzz.figure),
@@ -39,6 +41,8 @@ def parse_options():
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="programs at a time")
     parser.add_argument("--fuzz-inputs", type=int, default=20000, metavar="N")
     parser.add_argument("--fuzz-seed", type=int, default=1, metavar="N")
+    parser.add_argument("--studio-rounds", type=int, default=interface.ROUNDS_PER_HOUR, metavar="N",
+                        help="of drive_studio, each what is done in a minute; at least 4")
     parser.add_argument("--check", action="store_true", help="only look at the arguments")
     options = parser.parse_args()
     names = list(FIGURES) if "all" in options.names else options.names

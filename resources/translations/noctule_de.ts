@@ -5055,4 +5055,11 @@ keine Lücken</translation>
         <translation>d. MMMM yyyy</translation>
     </message>
 </context>
+<context>
+    <name>noctule::ui::SearchField</name>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+</context>
 </TS>

@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTimer>
+#include <QWindow>
 #include <algorithm>
 #include <clocale>
 
@@ -123,10 +124,12 @@ bool StudioStage::hasBodyAndPlots() {
     if (!take.isOpen() || !take.shownMotion() || panels.empty() || panels.front()->lanes().empty())
         return false;
     const auto& lanes = panels.front()->lanes();
-    return std::all_of(lanes.begin(), lanes.end(), [](PlotLane* lane) {
+    const bool reads = take.isLoading();
+    return std::all_of(lanes.begin(), lanes.end(), [reads](PlotLane* lane) {
         const auto& curves = lane->content().curves;
-        return !curves.empty() &&
-               std::all_of(curves.begin(), curves.end(), [](const LaneCurve& curve) { return curve.value; });
+        if (curves.empty())  // there are none in the take, or they come yet
+            return !reads;
+        return std::all_of(curves.begin(), curves.end(), [](const LaneCurve& curve) { return curve.value; });
     });
 }
 

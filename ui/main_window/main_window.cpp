@@ -112,6 +112,7 @@ Page& MainWindow::page(Step step) {
     Page*& page = pages_[step];
     if (!page) {
         page = makePage(step);
+        page->setAccessibleName(page->title());  // a page can take the focus itself
         stack_->addWidget(page);
     }
     return *page;

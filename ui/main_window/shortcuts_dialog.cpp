@@ -75,6 +75,7 @@ void ShortcutsDialog::addGroup(const QString& title, const QList<QPair<QString, 
     auto* group = new QTreeWidgetItem(table_, {title});
     group->setFont(0, Theme::get().font(TextRole::kBody, true));
     group->setFlags(Qt::ItemIsEnabled);
+    group->setData(1, Qt::AccessibleTextRole, title);
     for (const auto& [text, keys] : rows)
         new QTreeWidgetItem(group, {text, keys});
     group->setExpanded(true);

@@ -64,6 +64,15 @@ QString SuitPartsModel::movedText(SuitPart part) const {
     return offset->angle_rad >= kTurned_rad ? degreesText(offset->angle_rad, 0) : QString();
 }
 
+QString SuitPartsModel::spokenText(SuitPart part, int column) const {
+    const Suit& suit = editor_.performer().suit;
+    if (column == kName)
+        return part.kind == SuitPart::Kind::kBoard ? boardTitle(suit, part.index)
+                                                   : sourceTitle(suit, part.index);
+    const QString written = text(part, column);
+    return written.isEmpty() ? millimetresText(0, 0) : written;  // an empty cell: not moved
+}
+
 QString SuitPartsModel::text(SuitPart part, int column) const {
     const Suit& suit = editor_.performer().suit;
     const auto at = static_cast<size_t>(part.index);
@@ -83,17 +92,13 @@ QVariant SuitPartsModel::data(const QModelIndex& index, int role) const {
     const SuitPart part = partAt(index.row());
     if (part.kind == SuitPart::Kind::kNone)
         return {};
-    const Suit& suit = editor_.performer().suit;
-    const bool is_board = part.kind == SuitPart::Kind::kBoard;
     switch (role) {
         case Qt::DisplayRole:
             return text(part, index.column());
         case Qt::TextAlignmentRole:
             return int(Qt::AlignVCenter | (index.column() == kName ? Qt::AlignLeft : Qt::AlignRight));
         case Qt::AccessibleTextRole:
-            return index.column() == kName
-                       ? is_board ? boardTitle(suit, part.index) : sourceTitle(suit, part.index)
-                       : text(part, index.column());
+            return spokenText(part, index.column());
         case Qt::ForegroundRole:
             return Theme::get().tokens().*(index.column() == kName ? &Tokens::t1 : &Tokens::t2);
         default:

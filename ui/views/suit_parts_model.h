@@ -29,6 +29,7 @@ public:
 private:
     void refresh();
     QString text(SuitPart part, int column) const;
+    QString spokenText(SuitPart part, int column) const;
     QString movedText(SuitPart part) const;
 
     PerformerEditor& editor_;

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QKeyEvent>
+#include <QToolButton>
 
 #include "ui/style/theme.h"
 
@@ -12,7 +13,10 @@ SearchField::SearchField(const QString& placeholder, QWidget* parent) : QLineEdi
     setPlaceholderText(placeholder);
     setAccessibleName(placeholder);
     setClearButtonEnabled(true);
+    for (auto* clear_button : findChildren<QToolButton*>())
+        clear_button->setAccessibleName(tr("Clear"));
     glass_ = addAction(QIcon(), QLineEdit::LeadingPosition);
+    glass_->setText(placeholder);
     pause_.setSingleShot(true);
     pause_.setInterval(150);
     connect(this, &QLineEdit::textChanged, &pause_, qOverload<>(&QTimer::start));
