@@ -2539,6 +2539,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
 <context>
     <name>noctule::ui::PlotPanel</name>
     <message>
+        <source>More plots</source>
+        <translation>Weitere Kurven</translation>
+    </message>
+    <message>
         <source>Open a take to see its curves.</source>
         <translation>Eine Aufnahme öffnen, um ihre Kurven zu sehen.</translation>
     </message>
