@@ -74,7 +74,7 @@ TEST(VirtualSuit, ATakeArrivesBitForBitOverTcp) {
     const link::Hello hello = studio.all<link::Greeted>()[0].hello;
     EXPECT_EQ(hello.serial, "NB-000777");
     EXPECT_EQ(hello.boardCount(), 2);
-    ASSERT_FALSE(studio.all<link::BoxStatus>().empty());
+    ASSERT_TRUE(studio.runUntil([&] { return studio.count<link::BoxStatus>() > 0; }));
     const link::BoxStatus status = studio.all<link::BoxStatus>()[0];
     EXPECT_NEAR(*status.temperature_c, 22.7, 0.1);
     EXPECT_EQ(status.battery_percent, 85.0F);
