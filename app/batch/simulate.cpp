@@ -69,7 +69,7 @@ Result<Outcome> runSimulate(const VerbContext& context) {
         return stage.error();
     if (context.cancel.cancelled())
         return JobContext::cancelledError();
-    TakeRequest take;
+    simulation::TakeRequest take;
     take.out_path = out;
     take.level = arguments.text("level") == "readings" ? Level::kReadings : Level::kSignal;
     take.overwrite = overwrite;

@@ -11,6 +11,7 @@ constexpr int64_t kMillisecond_ns = 1'000'000, kSecond_ns = 1'000'000'000;
 constexpr int kSampling_ms = 4, kIdle_ms = 50;
 constexpr int64_t kMeasureEvery_ns = 500 * kMillisecond_ns;
 constexpr int64_t kLastsWhenLow_ns = 60 * kSecond_ns;
+constexpr double kBattery_percent = 92;
 constexpr double kAhead_s = 0.4, kBuffer_s = 1;
 
 int64_t nowNs() {
@@ -55,6 +56,8 @@ DriverBox::DriverBox(SoundOfSuit sound, const BoxSettings& settings)
       faults_(settings.seed) {
     timer_.setTimerType(Qt::PreciseTimer);
     QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { tick(); });
+    if (!instruments_.read(0, nowNs()).battery_percent)
+        instruments_.setBattery(kBattery_percent, nowNs());
     measure(nowNs());
     timer_.start(kIdle_ms);
 }

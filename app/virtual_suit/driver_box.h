@@ -34,6 +34,8 @@ public:
     std::function<void(const std::string&)> tell = [](const std::string&) {};
 
     const link::Hello& hello() const { return conversation_->hello(); }
+    /// Before that nobody should be let in: START wants sound within a second.
+    bool isReady() { return maker_.isReady(); }
     bool isBusy() const { return client_ != nullptr; }
     Status execute(const ControlCommand& command);
     /// The client is told, and gone when this returns.

@@ -3,8 +3,10 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <exception>
+#include <thread>
 
 #include "app/batch/stage_request.h"
 #include "app/virtual_suit/announcer.h"
@@ -21,6 +23,7 @@ namespace {
 
 constexpr double kDay_s = 86400;
 constexpr int kLookForCancel_ms = 50;
+constexpr std::chrono::milliseconds kLookForSound{10};
 
 int failed(const Error& error) {
     std::string text = error.text();
@@ -61,6 +64,13 @@ public:
     Program(const Options& options, SoundOfSuit sound)
         : options_(options), box_(std::move(sound), {options.speed, options.seed, options.tcp.has_value()}) {
         box_.tell = tellLine;
+    }
+
+    /// False: cancelled.
+    bool waitForSound(const CancelFlag& cancel) {
+        while (!box_.isReady() && !cancel.cancelled())
+            std::this_thread::sleep_for(kLookForSound);
+        return !cancel.cancelled();
     }
 
     /// Every way to the box.
@@ -168,6 +178,8 @@ int runChecked(const std::vector<std::string>& words, const CancelFlag& cancel) 
     if (!sound)
         return failed(sound.error());
     Program program(*options, std::move(*sound));
+    if (!program.waitForSound(cancel))
+        return static_cast<int>(ErrorKind::kCancelled);
     if (Status open = program.open(); !open)
         return failed(open.error());
     return program.run(cancel);

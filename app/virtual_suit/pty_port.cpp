@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <stdlib.h>
+#include <sys/inotify.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -52,12 +53,14 @@ Result<std::unique_ptr<PtyPort>> PtyPort::open(PortOwner& owner) {
 
 PtyPort::PtyPort(int descriptor, const std::string& path, PortOwner& owner)
     : descriptor_(descriptor),
+      closings_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)),
       path_(path),
       owner_(owner),
       readable_(descriptor, QSocketNotifier::Read),
       writable_(descriptor, QSocketNotifier::Write) {
     readable_.setEnabled(false);
     writable_.setEnabled(false);
+    inotify_add_watch(closings_, path_.c_str(), IN_CLOSE);
     QObject::connect(&readable_, &QSocketNotifier::activated, &readable_, [this] { read(); });
     QObject::connect(&writable_, &QSocketNotifier::activated, &writable_, [this] { writeOn(); });
 }
@@ -65,7 +68,16 @@ PtyPort::PtyPort(int descriptor, const std::string& path, PortOwner& owner)
 PtyPort::~PtyPort() {
     readable_.setEnabled(false);
     writable_.setEnabled(false);
+    ::close(closings_);
     ::close(descriptor_);
+}
+
+bool PtyPort::otherEndWasClosed() {
+    std::array<char, 4096> events;
+    bool any = false;
+    while (::read(closings_, events.data(), events.size()) > 0)
+        any = true;
+    return any;
 }
 
 bool PtyPort::otherEndIsOpen() const {
@@ -74,10 +86,11 @@ bool PtyPort::otherEndIsOpen() const {
 }
 
 void PtyPort::poll() {
-    if (open_ == otherEndIsOpen())
+    const bool is_another = otherEndWasClosed(), is_open = otherEndIsOpen();
+    if (open_ && (is_another || !is_open))
+        otherEndClosed();
+    if (open_ || !is_open)
         return;
-    if (open_)
-        return otherEndClosed();
     open_ = true;
     readable_.setEnabled(true);
     has_client_ = reachable_ && owner_.clientCame(*this);
@@ -93,9 +106,12 @@ void PtyPort::otherEndClosed() {
 }
 
 void PtyPort::read() {
+    poll();
+    if (!open_)
+        return;
     std::array<uint8_t, 4096> bytes;
     const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
-    if (count < 0 && errno == EIO && open_)
+    if (count < 0 && errno == EIO)
         return otherEndClosed();
     if (count <= 0 || !reachable_)
         return;

@@ -29,11 +29,13 @@ public:
 private:
     PtyPort(int descriptor, const std::string& path, PortOwner& owner);
     bool otherEndIsOpen() const;
+    bool otherEndWasClosed();
     void read();
     void writeOn();
     void otherEndClosed();
 
     int descriptor_;
+    int closings_;  ///< tells of them even when another opening has followed at once
     std::string path_;
     PortOwner& owner_;
     QSocketNotifier readable_, writable_;

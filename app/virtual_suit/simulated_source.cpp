@@ -20,7 +20,8 @@ public:
 
     Status restart() override {
         stage_.world->keepSlips();
-        sampler_ = std::make_unique<SignalSampler>(*stage_.world, stage_.scenario, stage_.truth);
+        sampler_ = std::make_unique<SignalSampler>(*stage_.world, stage_.scenario, stage_.truth, room_);
+        room_ = sampler_->room();
         next_sample_ = next_pulse_ = 0;
         return Done{};
     }
@@ -64,6 +65,7 @@ private:
     }
 
     Stage stage_;
+    std::optional<Room> room_;  ///< takes seconds to find in a long performance
     std::unique_ptr<SignalSampler> sampler_;
     int64_t next_sample_ = 0, next_pulse_ = 0;
 };

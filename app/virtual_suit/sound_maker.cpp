@@ -54,6 +54,11 @@ std::optional<SoundBlock> SoundMaker::next(int64_t due_samples) {
     return block;
 }
 
+bool SoundMaker::isReady() {
+    const std::lock_guard lock(mutex_);
+    return !made_.empty() || trouble_;
+}
+
 bool SoundMaker::ended() {
     const std::lock_guard lock(mutex_);
     return end_sample_ && handed_over_ > *end_sample_;

@@ -28,6 +28,8 @@ public:
     /// Done with the source between two blocks.
     void ask(std::function<void(SoundSource&)> wish);
 
+    /// Something is made: the first block of a simulation may take seconds.
+    bool isReady();
     bool isSimulated() const { return simulated_; }
     /// The source's last block has been handed over.
     bool ended();

@@ -13,6 +13,8 @@ namespace {
 constexpr int64_t kWindowRows = 1024, kCheckpointRows = 256;
 constexpr double kRowStep_s = 1 / BodyWorld::kRowsPerSecond;
 constexpr double kSlipping_s = 0.5;
+/// After 2 s a wobble has forgotten how it began, by twenty orders of magnitude.
+constexpr int64_t kForgottenRows = 500;
 
 Jet constant(double value) {
     return Jet(value);
@@ -188,7 +190,7 @@ void BodyWorld::moveWobbles(int64_t index, const std::vector<Frame<Jet>>& frames
     }
 }
 
-void BodyWorld::makeRow(int64_t index) const {
+void BodyWorld::makeRow(int64_t index, bool settled) const {
     const double t_s = static_cast<double>(index) * kRowStep_s;
     std::vector<Jet> coordinates;
     std::vector<Frame<Jet>> frames;
@@ -200,10 +202,10 @@ void BodyWorld::makeRow(int64_t index) const {
         if (const auto checkpoint = checkpoints_.find(index); checkpoint != checkpoints_.end()) {
             wobbles = checkpoint->second;
         } else {
-            if (index > 0)
+            if (index > 0 && window_[(index - 1) % kWindowRows].index == index - 1)
                 wobbles = window_[(index - 1) % kWindowRows].wobbles;
             moveWobbles(index, frames, wobbles);
-            if (index % kCheckpointRows == 0)
+            if (settled && index % kCheckpointRows == 0)
                 checkpoints_[index] = wobbles;
         }
     }
@@ -241,13 +243,18 @@ const BodyWorld::Row& BodyWorld::row(int64_t index) const {
     const Row& wanted = window_[index % kWindowRows];
     if (wanted.index == index)
         return wanted;
+    const auto isKnown = [&](int64_t k) {
+        return k == 0 || window_[(k - 1) % kWindowRows].index == k - 1 || checkpoints_.contains(k);
+    };
     int64_t from = index;
-    if (soft_tissue_)  // the oscillators must be led here from the nearest known state
-        while (from > 0 && window_[(from - 1) % kWindowRows].index != from - 1 &&
-               !checkpoints_.contains(from))
+    if (soft_tissue_)  // the oscillators must be led here from the nearest known state, or from far enough
+        while (!isKnown(from) && index - from < kForgottenRows)
             --from;
-    for (; from <= index; ++from)
-        makeRow(from);
+    const bool settled = !soft_tissue_ || isKnown(from);
+    for (int64_t k = from; k <= index; ++k)
+        makeRow(k, settled || k == index);
+    for (int64_t k = from; k < index && !settled; ++k)
+        window_[k % kWindowRows].index = -1;
     return wanted;
 }
 

@@ -72,7 +72,7 @@ private:
     };
 
     const Row& row(int64_t index) const;
-    void makeRow(int64_t index) const;
+    void makeRow(int64_t index, bool settled) const;
     void moveWobbles(int64_t index, const std::vector<Frame<Jet>>& frames,
                      std::vector<Wobble>& wobbles) const;
     Vector3d wobbleAcceleration(const Vector3d& x, const Vector3d& rate, const Vector3d& drive) const;

@@ -6,11 +6,12 @@
 
 namespace noctule::simulation {
 
-SignalSampler::SignalSampler(const BodyWorld& world, const Scenario& scenario, const HiddenTruth& truth)
+SignalSampler::SignalSampler(const BodyWorld& world, const Scenario& scenario, const HiddenTruth& truth,
+                             const std::optional<Room>& room)
     : sound_(world, scenario.sound,
              {static_cast<double>(scenario.sample_rate_hz), truth.air.speedOfSound_m_per_s(),
               scenario.schedule()},
-             truth.seed) {
+             truth.seed, room) {
     for (int b = 0; b < world.boardCount(); ++b) {
         const InertialTruth& inertia = truth.inertia[b];
         auto stream = std::make_shared<BoardStream>(world, b, inertia, scenario.sample_rate_hz, truth.seed);

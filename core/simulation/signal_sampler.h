@@ -11,8 +11,11 @@ namespace noctule::simulation {
 
 class SignalSampler {
 public:
-    /// `world` must outlive the sampler.
-    SignalSampler(const BodyWorld& world, const Scenario& scenario, const HiddenTruth& truth);
+    /// `world` must outlive the sampler. `room`: of another sampler of the same, for a quicker beginning.
+    SignalSampler(const BodyWorld& world, const Scenario& scenario, const HiddenTruth& truth,
+                  const std::optional<Room>& room = {});
+
+    const Room& room() const { return sound_.room(); }
 
     /// The next `count` samples of all boards, sample-interleaved; valid until the next call.
     std::span<const int16_t> next(int64_t count);

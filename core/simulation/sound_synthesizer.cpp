@@ -42,13 +42,14 @@ struct SoundSynthesizer::Emission {
 };
 
 SoundSynthesizer::SoundSynthesizer(const World& world, const SoundScenario& scenario,
-                                   const SoundConditions& conditions, uint64_t seed)
+                                   const SoundConditions& conditions, uint64_t seed,
+                                   const std::optional<Room>& room)
     : world_(world),
       scenario_(scenario),
       conditions_(conditions),
       medium_(mediumOf(scenario, conditions)),
       truth_(drawSoundTruth(scenario, world.sourceCount(), world.boardCount(), seed)),
-      room_(world, scenario, seed),
+      room_(room ? *room : Room(world, scenario, seed)),
       microphones_(world),
       noise_({scenario.acoustic_noise_counts, scenario.low_frequency_noise_counts}, conditions.sample_rate_hz,
              world.boardCount(), seed),

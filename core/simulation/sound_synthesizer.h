@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/simulation/sound_click.h"
@@ -30,9 +31,9 @@ struct SoundConditions {
 
 class SoundSynthesizer {
 public:
-    /// `world` must outlive the synthesizer.
+    /// `world` must outlive the synthesizer. `room`: of another one with the same world, scenario and seed.
     SoundSynthesizer(const World& world, const SoundScenario& scenario, const SoundConditions& conditions,
-                     uint64_t seed);
+                     uint64_t seed, const std::optional<Room>& room = {});
 
     /// Adds the sound of `count` samples from `first_sample` to `interleaved` (count x boards). Calls follow
     /// each other without a hole from sample 0 on; the result does not depend on how they divide the time.

@@ -50,6 +50,8 @@ public:
         posix_spawn_file_actions_destroy(&actions);
     }
     void send(int signal) const { kill(pid_, signal); }
+    /// Written so far.
+    std::string out() const { return readBytes(outputs_.file("out")); }
     Ran wait() {
         int status = 0;
         waitpid(pid_, &status, 0);

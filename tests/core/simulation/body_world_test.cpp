@@ -134,5 +134,40 @@ TEST(BodyWorld, SuitThatNamesAnUnknownSegmentIsRefused) {
     EXPECT_NE(worn.error().message.find("Tail"), std::string::npos);
 }
 
+TEST(BodyWorld, ASlippedBoardHasTurnedAboutTheBoneAndFeltIt) {
+    for (const Scenario& scenario : {Scenario::nominal(), Scenario::realistic()}) {
+        BodyWorld world = makeWorld(madeMotion(), scenario, {.rest_seconds = 1});
+        const BodyWorld firm = makeWorld(madeMotion(), scenario, {.rest_seconds = 1});
+        constexpr int kBoard = 9;
+        world.microphone(kBoard, 2.2);  // rows of later times exist already
+        world.slip(kBoard, 0.4, 2.0);
+        for (const double t : {1.9, 2.1, 2.25, 2.4, 2.6, 4.0}) {
+            const BoardMotion exact = world.boardMotion(kBoard, t),
+                              differences = byDifferences(world, kBoard, t);
+            EXPECT_LT((exact.gyro_rad_per_s - differences.gyro_rad_per_s).norm(), 2e-3) << t;
+            const Vector3d mic =
+                exact.p_world_board_m + exact.q_world_board * world.worn().boards[kBoard].p_board_mic_m;
+            EXPECT_LT((world.microphone(kBoard, t) - mic).norm(), 2e-5) << t;
+            const double turned =
+                exact.q_world_board.angularDistance(firm.boardMotion(kBoard, t).q_world_board);
+            EXPECT_NEAR(turned, t <= 2 ? 0 : t >= 2.5 ? 0.4 : turned, 1e-9) << t;
+        }
+        world.keepSlips();
+        EXPECT_NEAR(world.boardMotion(kBoard, 0).q_world_board.angularDistance(
+                        firm.boardMotion(kBoard, 0).q_world_board),
+                    0.4, 1e-9);
+    }
+}
+
+TEST(BodyWorld, FarAheadIsTheSameAsStepByStep) {
+    const BodyWorld far = makeWorld(madeMotion(), Scenario::realistic(), {.duration_s = 60});
+    const BodyWorld near = makeWorld(madeMotion(), Scenario::realistic(), {.duration_s = 60});
+    const Vector3d ahead = far.microphone(9, 50);
+    for (double t = 0; t < 50; t += 0.5)
+        near.microphone(9, t);
+    EXPECT_LT((near.microphone(9, 50) - ahead).norm(), 1e-15);
+    EXPECT_LT((near.microphone(9, 48.9) - far.microphone(9, 48.9)).norm(), 1e-15);
+}
+
 }  // namespace
 }  // namespace noctule::simulation

@@ -300,5 +300,16 @@ TEST(Box, RandomBytesNeverBreakIt) {
     EXPECT_GT(client.box.statistics().frames, 5000);
 }
 
+TEST(BoxConversation, ABoxWhosePulsesAreFixedSaysSo) {
+    BoxOptions options;
+    options.sets_pulses = options.sets_sources = false;
+    Client client(options);
+    for (const char* wish :
+         {R"({"pulse_interval_samples":900})", R"({"pulse_cycles":8})", R"({"enabled_sources":[0]})"})
+        EXPECT_EQ(client.answer(Type::kSet, bytesOf(wish)), Code::kNotSupported) << wish;
+    EXPECT_EQ(client.answer(Type::kSet, bytesOf(R"({"name":"x"})")), Code::kOk);
+    EXPECT_EQ(client.box.hello().pulse_interval_samples, testHello().pulse_interval_samples);
+}
+
 }  // namespace
 }  // namespace noctule::link
