@@ -19,7 +19,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kTopBarHeight = 52, kFoldBelow = 1180;
+constexpr int kTopBarHeight = 52, kFoldBelow = 1180, kMark = 60;
 constexpr std::array kSteps{Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview, Step::kExport};
 
 }  // namespace
@@ -112,7 +112,10 @@ void TopBar::showStep(Step step) {
 }
 
 void TopBar::foldWhereNarrow() {
-    const bool fold = width() < Theme::get().px(kFoldBelow) && !steps_->isHidden();
+    // The steps stand in the centre; in some languages the menus need more than what is left beside them.
+    const int beside = (width() - steps_->sizeHint().width()) / 2 - Theme::get().px(kMark);
+    const bool narrow = width() < Theme::get().px(kFoldBelow) || menus_->sizeHint().width() > beside;
+    const bool fold = narrow && !steps_->isHidden();
     menus_->setVisible(!fold);
     folded_->setVisible(fold);
     const int sides = 2 * (record_->sizeHint().width() + suit_->sizeHint().width() + Theme::get().px(36));

@@ -77,6 +77,20 @@ TEST_F(Language, ChangesAtRunTimeAndKeepsWhatIsOpen) {
     EXPECT_EQ(numberText(1.5, 1), "1.5");
 }
 
+TEST_F(Language, NoMenuIsCutOff) {
+    choose("de");
+    MainWindow& window = *windows_->window();
+    for (const int width : {1200, 1280, 1360, 1440, 1600}) {
+        window.resize(width, 800);
+        QTest::qWait(50);
+        const QMenuBar& menus = window.topBar().menuBar();
+        EXPECT_TRUE(window.topBar().isFolded() ||
+                    menus.actionGeometry(menus.actions().last()).right() <= menus.width())
+            << width;
+    }
+    EXPECT_FALSE(window.topBar().isFolded()) << "there is room for them";
+}
+
 TEST_F(Language, EveryPageSpeaksGerman) {
     studio_->jobs().clearEnded();  // what was said before stays as it was said
     choose("de");
