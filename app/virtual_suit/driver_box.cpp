@@ -2,7 +2,8 @@
 #include "app/virtual_suit/driver_box.h"
 
 #include <algorithm>
-#include <chrono>
+
+#include "app/virtual_suit/clock.h"
 
 namespace noctule::virtual_suit {
 namespace {
@@ -13,12 +14,6 @@ constexpr int64_t kMeasureEvery_ns = 500 * kMillisecond_ns;
 constexpr int64_t kLastsWhenLow_ns = 60 * kSecond_ns;
 constexpr double kBattery_percent = 92;
 constexpr double kAhead_s = 0.4, kBuffer_s = 1;
-
-int64_t nowNs() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
 
 link::Hello completed(link::Hello hello) {
     hello.model = "Noctule driver box";
@@ -242,72 +237,6 @@ std::string DriverBox::nameOf(int board) const {
 
 void DriverBox::report(link::Code code, const std::string& text) {
     conversation_->report({code, conversation_->nextSample(), text});
-}
-
-Status DriverBox::plug(int board, bool connected) {
-    if (!(connected ? wiring_.plug(board) : wiring_.unplug(board)))
-        return Error{ErrorKind::kUsage, nameOf(board) + " is " + (connected ? "plugged in" : "unplugged"),
-                     "Nothing to do"};
-    report(connected ? link::Code::kBoardFound : link::Code::kBoardLost,
-           nameOf(board) + (connected ? " answers again" : " does not answer"));
-    return Done{};
-}
-
-Status DriverBox::slip(int board, double degrees) {
-    if (!maker_.isSimulated())
-        return Error{ErrorKind::kUsage, "nothing can slip in a take made before",
-                     "Use --motion or --rig rest"};
-    if (hello().suit.boards[board].segment.empty())
-        return Error{ErrorKind::kUsage, nameOf(board) + " is fixed in the room", "Choose one that is worn"};
-    constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
-    maker_.ask([board, angle_rad = degrees * kRadiansPerDegree](SoundSource& source) {
-        source.slip(board, angle_rad);
-    });
-    return Done{};
-}
-
-Status DriverBox::execute(const ControlCommand& command) {
-    using Kind = ControlCommand::Kind;
-    const int64_t now_ns = nowNs();
-    const auto until_ns = now_ns + static_cast<int64_t>(command.number * kSecond_ns);
-    Status done = Done{};
-    switch (command.kind) {
-        case Kind::kUnplug:
-        case Kind::kPlug:
-            done = plug(command.board, command.kind == Kind::kPlug);
-            break;
-        case Kind::kSwap:
-            wiring_.swap(command.board, command.other_board);
-            break;
-        case Kind::kSlip:
-            return slip(command.board, command.number);
-        case Kind::kDropBytes:
-            faults_.setDropRate(command.number);
-            break;
-        case Kind::kFlipBits:
-            faults_.setFlipRate(command.number);
-            break;
-        case Kind::kStall:
-            stalled_until_ns_ = until_ns;
-            break;
-        case Kind::kCut:
-            loseClient("the cable was cut");
-            cut_until_ns_ = until_ns;
-            for (const auto& port : ports_)
-                port->setReachable(false);
-            break;
-        case Kind::kBattery:
-            instruments_.setBattery(command.number, now_ns);
-            break;
-        case Kind::kTemperature:
-            instruments_.setTemperature(command.number);
-            break;
-        case Kind::kQuit:
-            break;
-    }
-    measure(now_ns);
-    pump();
-    return done;
 }
 
 }  // namespace noctule::virtual_suit

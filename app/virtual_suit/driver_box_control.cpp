@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the control port may do to a box.
+#include "app/virtual_suit/clock.h"
+#include "app/virtual_suit/driver_box.h"
+#include "core/math/conventions.h"
+
+namespace noctule::virtual_suit {
+
+Status DriverBox::plug(int board, bool connected) {
+    if (!(connected ? wiring_.plug(board) : wiring_.unplug(board)))
+        return Error{ErrorKind::kUsage, nameOf(board) + " is " + (connected ? "plugged in" : "unplugged"),
+                     "Nothing to do"};
+    report(connected ? link::Code::kBoardFound : link::Code::kBoardLost,
+           nameOf(board) + (connected ? " answers again" : " does not answer"));
+    return Done{};
+}
+
+Status DriverBox::slip(int board, double degrees) {
+    if (!maker_.isSimulated())
+        return Error{ErrorKind::kUsage, "nothing can slip in a take made before",
+                     "Use --motion or --rig rest"};
+    if (hello().suit.boards[board].segment.empty())
+        return Error{ErrorKind::kUsage, nameOf(board) + " is fixed in the room", "Choose one that is worn"};
+    maker_.ask([board, angle_rad = radians(degrees)](SoundSource& source) { source.slip(board, angle_rad); });
+    return Done{};
+}
+
+Status DriverBox::execute(const ControlCommand& command) {
+    using Kind = ControlCommand::Kind;
+    const int64_t now_ns = nowNs();
+    const auto until_ns = now_ns + static_cast<int64_t>(command.number * 1e9);
+    Status done = Done{};
+    switch (command.kind) {
+        case Kind::kUnplug:
+        case Kind::kPlug:
+            done = plug(command.board, command.kind == Kind::kPlug);
+            break;
+        case Kind::kSwap:
+            wiring_.swap(command.board, command.other_board);
+            break;
+        case Kind::kSlip:
+            return slip(command.board, command.number);
+        case Kind::kDropBytes:
+            faults_.setDropRate(command.number);
+            break;
+        case Kind::kFlipBits:
+            faults_.setFlipRate(command.number);
+            break;
+        case Kind::kStall:
+            stalled_until_ns_ = until_ns;
+            break;
+        case Kind::kCut:
+            loseClient("the cable was cut");
+            cut_until_ns_ = until_ns;
+            for (const auto& port : ports_)
+                port->setReachable(false);
+            break;
+        case Kind::kBattery:
+            instruments_.setBattery(command.number, now_ns);
+            break;
+        case Kind::kTemperature:
+            instruments_.setTemperature(command.number);
+            break;
+        case Kind::kQuit:
+            break;
+    }
+    measure(now_ns);
+    pump();
+    return done;
+}
+
+}  // namespace noctule::virtual_suit
