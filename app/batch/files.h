@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "app/batch/arguments.h"
 #include "app/batch/console.h"
 #include "core/body/actor.h"
 #include "core/motion/clip.h"
@@ -11,9 +12,6 @@
 #include "core/suit/suit.h"
 
 namespace noctule::batch {
-
-class Arguments;
-struct Option;
 
 /// "--bvh-unit", for verbs that read BVH files.
 Option bvhUnitOption();
@@ -24,6 +22,19 @@ Result<MotionClip> readMotion(const std::string& path, const std::string& bvh_un
 Result<Suit> readSuit(const std::string& path);
 Result<Actor> readActor(const std::string& path);
 Result<Calibration> readCalibration(const std::string& path);
+
+/// Reads the file that an option names into `into`, which stays as it is when the option was not given.
+template <class Value, class Into>
+Status readGiven(const Arguments& arguments, const char* option, Result<Value> (*read)(const std::string&),
+                 Into& into) {
+    if (!arguments.given(option))
+        return Done{};
+    Result<Value> value = read(arguments.text(option));
+    if (!value)
+        return value.error();
+    into = std::move(*value);
+    return Done{};
+}
 
 /// Refuses an output that stands in the way before long work begins; an empty path is none.
 Status checkOutputs(const std::vector<std::string>& paths, bool overwrite);

@@ -44,18 +44,10 @@ Result<ProcessRequest> requestOf(const Arguments& arguments) {
                          "Add --estimator paper, or leave it out"};
         request.tracker.paper_process_sigma_rad_per_s2 = *sigma;
     }
-    if (arguments.given("calibration")) {
-        auto calibration = readCalibration(arguments.text("calibration"));
-        if (!calibration)
-            return calibration.error();
-        request.calibration = std::move(*calibration);
-    }
-    if (arguments.given("actor")) {
-        auto actor = readActor(arguments.text("actor"));
-        if (!actor)
-            return actor.error();
-        request.actor = std::move(*actor);
-    }
+    if (const Status read = readGiven(arguments, "calibration", readCalibration, request.calibration); !read)
+        return read.error();
+    if (const Status read = readGiven(arguments, "actor", readActor, request.actor); !read)
+        return read.error();
     request.run_name = arguments.text("run-name");
     request.software = softwareName();
     request.created_utc = utcNow();

@@ -22,25 +22,14 @@ Result<StreamRequest> streamRequestOf(const Arguments& arguments) {
     request.created_utc = utcNow();
     request.rest_s = *arguments.number("rest-seconds");
     request.keep_results = arguments.given("keep-results");
-    if (arguments.given("suit")) {
-        auto suit = readSuit(arguments.text("suit"));
-        if (!suit)
-            return suit.error();
-        request.suit = std::move(*suit);
-    }
-    if (arguments.given("calibration")) {
-        auto calibration = readCalibration(arguments.text("calibration"));
-        if (!calibration)
-            return calibration.error();
-        request.calibration = std::move(*calibration);
-    }
-    if (arguments.given("actor")) {
-        auto actor = readActor(arguments.text("actor"));
-        if (!actor)
-            return actor.error();
-        request.take->meta["actor_name"] = actor->name;
-        request.actor = std::move(*actor);
-    }
+    if (const Status read = readGiven(arguments, "suit", readSuit, request.suit); !read)
+        return read.error();
+    if (const Status read = readGiven(arguments, "calibration", readCalibration, request.calibration); !read)
+        return read.error();
+    if (const Status read = readGiven(arguments, "actor", readActor, request.actor); !read)
+        return read.error();
+    if (request.actor)
+        request.take->meta["actor_name"] = request.actor->name;
     // Without a calibration nothing is known of distances, and poses would mislead.
     request.process = request.calibration.has_value() || request.keep_results;
     return request;

@@ -42,18 +42,10 @@ Result<StageRequest> stageRequest(const Arguments& arguments, Console& console) 
             return clip.error();
         request.clip = std::move(*clip);
     }
-    if (arguments.given("suit")) {
-        auto suit = readSuit(arguments.text("suit"));
-        if (!suit)
-            return suit.error();
-        request.suit = std::move(*suit);
-    }
-    if (arguments.given("actor")) {
-        auto actor = readActor(arguments.text("actor"));
-        if (!actor)
-            return actor.error();
-        request.actor = std::move(*actor);
-    }
+    if (const Status read = readGiven(arguments, "suit", readSuit, request.suit); !read)
+        return read.error();
+    if (const Status read = readGiven(arguments, "actor", readActor, request.actor); !read)
+        return read.error();
     if (arguments.given("suit"))
         if (Status fits = checkSuit(request, arguments.text("suit")); !fits)
             return fits.error();

@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "core/recording/take.h"
+#include "devices/device/take_hello.h"
 
 namespace noctule::virtual_suit {
 namespace {
@@ -124,19 +125,6 @@ Result<TakeContent> contentOf(Take take) {
     return content;
 }
 
-link::Hello helloOf(const Take& take, const Suit& suit) {
-    const TakeHeader& header = take.header();
-    link::Hello hello;
-    const auto serial = take.meta().find("box_serial");
-    hello.serial = serial == take.meta().end() || serial->second.empty() ? kSerialOfTakes : serial->second;
-    hello.sample_rate_hz = static_cast<int>(header.sample_rate_hz);
-    hello.pulse_interval_samples = static_cast<int>(header.pulse_interval_samples);
-    hello.pulse_cycles = static_cast<int>(header.pulse_cycles);
-    hello.drive_hz = header.drive_hz;
-    hello.suit = suit;
-    return hello;
-}
-
 /// What stood in the take's status then; in a later lap the same again.
 Measurements measured(const std::vector<StatusRow>& rows, int64_t sample) {
     const auto later = std::upper_bound(rows.begin(), rows.end(), sample,
@@ -159,7 +147,7 @@ Result<SoundOfSuit> openTakeSource(const std::string& path, bool loop) {
     const auto rows = take->statusRows();
     if (!rows)
         return rows.error();
-    link::Hello hello = helloOf(*take, *suit);
+    link::Hello hello = helloOf(*take, *suit, kSerialOfTakes);
     auto content = contentOf(std::move(*take));
     if (!content)
         return content.error();

@@ -2,7 +2,8 @@
 #include "devices/device/take_player.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "devices/device/take_hello.h"
 
 namespace noctule {
 
@@ -67,17 +68,10 @@ Status TakePlayer::loadHello() {
     if (suit->boards.empty())
         return unplayable(take_, "its suit has no boards", "Choose another take");
     const TakeHeader& header = take_.header();
-    const auto serial = take_.meta().find("box_serial");
-    hello_.serial = serial != take_.meta().end() && !serial->second.empty() ? serial->second : header.uuid;
-    if (hello_.serial.empty())
-        hello_.serial = header.name.empty() ? "take" : header.name;
+    const std::string name = header.name.empty() ? "take" : header.name;
+    hello_ = helloOf(take_, *suit, header.uuid.empty() ? name : header.uuid);
     hello_.model = "take";
     hello_.name = header.name;
-    hello_.sample_rate_hz = static_cast<int>(*rate_hz);
-    hello_.pulse_interval_samples = static_cast<int>(header.pulse_interval_samples);
-    hello_.pulse_cycles = static_cast<int>(std::lround(header.pulse_cycles));
-    hello_.drive_hz = header.drive_hz;
-    hello_.suit = std::move(*suit);
     return Done{};
 }
 

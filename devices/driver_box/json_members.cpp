@@ -92,30 +92,27 @@ int JsonMembers::integer(const char* name, int fallback, int lowest, int highest
     return whole(find(name), name, fallback, lowest, highest);
 }
 
+const Json& JsonMembers::array(const char* name, size_t most) {
+    static const Json kNone = Json::array();
+    const Json* found = find(name);
+    if (!found || (found->is_array() && found->size() <= most))
+        return found ? *found : kNone;
+    bad(name);
+    return kNone;
+}
+
 std::vector<int> JsonMembers::integers(const char* name, int lowest, int highest, size_t most) {
     std::vector<int> values;
-    const Json* found = find(name);
-    if (!found)
-        return values;
-    if (!found->is_array() || found->size() > most)
-        bad(name);
-    else
-        for (const Json& entry : *found)
-            values.push_back(whole(&entry, name, lowest, lowest, highest));
+    for (const Json& entry : array(name, most))
+        values.push_back(whole(&entry, name, lowest, lowest, highest));
     return values;
 }
 
 std::vector<std::string> JsonMembers::texts(const char* name, size_t most) {
     std::vector<std::string> values;
-    const Json* found = find(name);
-    if (!found)
-        return values;
-    if (!found->is_array() || found->size() > most)
-        bad(name);
-    else
-        for (const Json& entry : *found)
-            if (entry.is_string())
-                values.push_back(entry.get<std::string>());
+    for (const Json& entry : array(name, most))
+        if (entry.is_string())
+            values.push_back(entry.get<std::string>());
     return values;
 }
 

@@ -46,6 +46,8 @@ public:
 
 private:
     const nlohmann::json* find(const char* name) const;
+    /// Empty when missing, and when it is none or longer than `most`, which is bad.
+    const nlohmann::json& array(const char* name, size_t most);
     double checked(const nlohmann::json* value, const char* name, double fallback, double lowest,
                    double highest);
     int whole(const nlohmann::json* value, const char* name, int fallback, int lowest, int highest);

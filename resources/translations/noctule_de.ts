@@ -1062,8 +1062,8 @@
         <translation>Nichts zu kalibrieren</translation>
     </message>
     <message>
-        <source>Calibration needs a suit, and the link to it is not part of this version.</source>
-        <translation>Zum Kalibrieren gehört ein Anzug, und die Verbindung zu ihm ist in dieser Version noch nicht enthalten.</translation>
+        <source>Calibration needs a suit, and the studio does not connect to one yet.</source>
+        <translation>Kalibrieren braucht einen Anzug, und das Studio verbindet sich noch mit keinem.</translation>
     </message>
     <message>
         <source>Four wizards that recognise by themselves when a step is done, and that end with a verdict in numbers and words.</source>
@@ -1163,8 +1163,8 @@
         <translation>Kein Anzug verbunden</translation>
     </message>
     <message>
-        <source>The link to the driver box is not part of this version.</source>
-        <translation>Die Verbindung zur Steuerbox ist in dieser Version noch nicht enthalten.</translation>
+        <source>The studio does not connect to driver boxes yet; noctule --batch devices and record do.</source>
+        <translation>Das Studio verbindet sich noch nicht mit Steuerboxen; noctule --batch devices und record tun es.</translation>
     </message>
     <message>
         <source>Driver boxes found on USB and in the network, and the virtual suit as one of them.</source>
@@ -2902,8 +2902,8 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Nichts zum Aufnehmen</translation>
     </message>
     <message>
-        <source>Recording from a suit arrives with the link to the driver box.</source>
-        <translation>Das Aufnehmen von einem Anzug kommt mit der Verbindung zur Steuerbox.</translation>
+        <source>The studio does not record from a suit yet; noctule --batch record does.</source>
+        <translation>Das Studio nimmt noch nicht vom Anzug auf; noctule --batch record tut es.</translation>
     </message>
     <message>
         <source>The body live in three dimensions, with every ray between source and board.</source>

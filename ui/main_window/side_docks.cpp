@@ -49,7 +49,9 @@ SideDocks::SideDocks(QMainWindow& window, QSettings& settings)
       window_(window),
       settings_(settings),
       left_(makeSide(Qt::LeftDockWidgetArea, "left", tr("Left panel"))),
-      right_(makeSide(Qt::RightDockWidgetArea, "right", tr("Right panel"))) {}
+      right_(makeSide(Qt::RightDockWidgetArea, "right", tr("Right panel"))) {
+    connect(&Theme::get(), &Theme::changed, this, &SideDocks::makeRoom);
+}
 
 SideDocks::Side SideDocks::makeSide(Qt::DockWidgetArea area, const QString& name, const QString& words) {
     Side side{};
@@ -138,12 +140,20 @@ void SideDocks::reset() {
         if (used)
             window_.resizeDocks({side.dock}, {theme.px(width)}, Qt::Horizontal);
     };
-    // Large type on a small screen: the page itself needs the room, and the View menu brings the dock back.
-    const bool has_room = window_.width() >= theme.px(kLeastForBothDocks);
-    place(left_, Qt::LeftDockWidgetArea, page_->leftDock() && (has_room || !page_->rightDock()),
+    place(left_, Qt::LeftDockWidgetArea, page_->leftDock() && hasRoomForBoth(),
           narrow ? kLeftNarrow : kLeftWidth);
     place(right_, Qt::RightDockWidgetArea, page_->rightDock() != nullptr,
           narrow ? kRightNarrow : kRightWidth);
+}
+
+bool SideDocks::hasRoomForBoth() const {
+    return !page_->leftDock() || !page_->rightDock() ||
+           window_.width() >= Theme::get().px(kLeastForBothDocks);
+}
+
+void SideDocks::makeRoom() {
+    if (page_ && !hasRoomForBoth() && !left_.dock->isFloating() && !right_.dock->isHidden())
+        left_.dock->hide();
 }
 
 void SideDocks::release(Page& page) {

@@ -44,6 +44,9 @@ private:
     Side makeSide(Qt::DockWidgetArea area, const QString& name, const QString& words);
     void fill(const Side& side, QWidget* content, const QString& title);
     void restore();
+    bool hasRoomForBoth() const;
+    /// With large type on a small screen the page itself needs the room; the View menu brings the dock back.
+    void makeRoom();
     QString key() const;
 
     QMainWindow& window_;

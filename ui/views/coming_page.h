@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A step whose devices are not part of this version: what the step will show, and what can be done instead
+// A step whose devices the studio does not use yet: what the step will show, and what can be done instead
 // now. The drawing stands in the centre, the words and buttons in the right dock.
 #pragma once
 

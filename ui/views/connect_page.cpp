@@ -18,7 +18,7 @@ ConnectPage::ConnectPage(Studio& studio, QWidget* parent)
           studio,
           {tr("Connect"),
            tr("No suit is connected"),
-           tr("The link to the driver box is not part of this version."),
+           tr("The studio does not connect to driver boxes yet; noctule --batch devices and record do."),
            {tr("Driver boxes found on USB and in the network, and the virtual suit as one of them."),
             tr("Every board and source on the drawing with its state: what arrives, what is faint, what fell "
                "silent, and what to do about it."),

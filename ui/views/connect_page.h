@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Step Connect: the suit on the body. Devices are not part of this version; the drawing shows where boards
+// Step Connect: the suit on the body. The studio does not use devices yet; the drawing shows where boards
 // and sources of the performer's suit sit, and choosing one says it in words.
 #pragma once
 

@@ -62,7 +62,7 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
     column->addWidget(makeWhat());
     column->addWidget(new Divider);
     column->addWidget(makeWhere());
-    column->addStretch();
+    column->addStretch(1);
     for (QComboBox* box : {range, frames, root, unit})
         connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
     connect(run, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);

@@ -41,7 +41,7 @@ RecordPage::RecordPage(Studio& studio, QWidget* parent)
           studio,
           {tr("Record"),
            tr("Nothing to record from"),
-           tr("Recording from a suit arrives with the link to the driver box."),
+           tr("The studio does not record from a suit yet; noctule --batch record does."),
            {tr("The body live in three dimensions, with every ray between source and board."),
             tr("A clock and how much of the take is on disk, a countdown, markers and notes while it runs."),
             tr("Levels of each board, and a word when something slips or falls silent.")},
