@@ -128,6 +128,7 @@ void StudioConversation::start(int64_t now_ns) {
             Type::kStart, trouble("no box is ready to start", "Connect, or stop the running take first")});
     } else if (box_streams_for_nobody_) {
         state_ = State::kClearing;
+        start_wanted_ = true;
         request(Type::kStop, {}, now_ns);
     } else {
         sendStart(now_ns);
@@ -148,6 +149,8 @@ void StudioConversation::stop(int64_t now_ns) {
         state_ = State::kStopping;
         last_sound_ns_ = now_ns;
         request(Type::kStop, {}, now_ns);
+    } else if (state_ == State::kClearing) {
+        start_wanted_ = false;
     } else if (take_ && state_ != State::kStopping) {
         // Without a link: the box will be found streaming for nobody.
         finishTake();
@@ -189,18 +192,18 @@ void StudioConversation::expireRequests(int64_t now_ns) {
 
 void StudioConversation::requestFailed(Type type, const Error& why) {
     const bool was_clearing = state_ == State::kClearing && type == Type::kStop;
+    const bool was_stopping =
+        type == Type::kStop && (state_ == State::kStopping || (was_clearing && !start_wanted_));
     const bool was_starting = state_ == State::kStarting && type == Type::kStart;
     // A box that does not start may begin later, one that does not stop goes on: STOP comes before the next
     // START.
     if (type == Type::kStop || was_starting)
         box_streams_for_nobody_ = true;
-    if (was_clearing || was_starting)
+    if (was_clearing || was_starting || was_stopping)
         state_ = State::kIdle;
-    events_.push_back(RequestFailed{was_clearing ? Type::kStart : type, why});
-    if (state_ == State::kStopping && type == Type::kStop) {
-        state_ = State::kIdle;
+    events_.push_back(RequestFailed{was_clearing && start_wanted_ ? Type::kStart : type, why});
+    if (was_stopping)
         finishTake();
-    }
 }
 
 uint32_t StudioConversation::send(Type type, ByteView payload) {

@@ -121,6 +121,7 @@ private:
     Bytes hello_payload_;
     std::optional<Error> greeting_error_;  ///< of a HELLO that could not be read
     bool box_streams_for_nobody_ = false;
+    bool start_wanted_ = false;  ///< of kClearing: START follows
     std::optional<OpenTake> take_;
     std::optional<SampleSequence> sequence_;
     int64_t losses_at_last_block_ = 0, unknown_versions_when_opened_ = 0;

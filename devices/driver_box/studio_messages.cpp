@@ -97,9 +97,9 @@ void StudioConversation::handleAck(const Ack& ack, int64_t now_ns) {
         start_acknowledged_ns_ = now_ns;
     } else if (*type == Type::kStop) {
         box_streams_for_nobody_ = false;
-        if (state_ == State::kClearing)
+        if (state_ == State::kClearing && start_wanted_)
             return sendStart(now_ns);
-        if (state_ == State::kStopping) {
+        if (state_ == State::kStopping || state_ == State::kClearing) {
             state_ = State::kIdle;
             finishTake();
         }

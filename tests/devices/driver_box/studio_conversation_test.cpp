@@ -197,6 +197,45 @@ TEST(Studio, StopsAForeignStreamBeforeStart) {
     EXPECT_EQ(countOf<Gap>(link.events), 0u);
 }
 
+/// A box that streams for nobody, START wished and STOP sent; gives STOP's sequence number.
+uint32_t clearForStart(Scripted& link) {
+    link.open();
+    link.hello(true);
+    link.studio.start(link.now_ns);
+    link.collect();
+    EXPECT_EQ(link.studio.state(), State::kClearing);
+    return link.sent.back().second;
+}
+
+TEST(Studio, AStopBeforeTheForeignStreamHasEndedStartsNothing) {
+    Scripted link;
+    const uint32_t clearing = clearForStart(link);
+    link.studio.stop(link.now_ns);
+    link.adc(1'000'600);
+    EXPECT_EQ(countOf<Stopped>(link.events), 0u);
+    link.ack(clearing);
+    EXPECT_EQ(countOf<Stopped>(link.events), 1u);
+    EXPECT_EQ(link.sentOf(Type::kStart), 0u);
+    EXPECT_EQ(link.sentOf(Type::kStop), 1u);
+    EXPECT_EQ(countOf<AdcBlock>(link.events), 0u);
+    EXPECT_EQ(link.studio.state(), State::kIdle);
+    link.studio.start(link.now_ns);
+    link.collect();
+    EXPECT_EQ(link.sent.back().first, Type::kStart) << "the next start is free";
+}
+
+TEST(Studio, AStopOfAForeignStreamThatIsNeverAnsweredEndsTheWish) {
+    Scripted link;
+    clearForStart(link);
+    link.studio.stop(link.now_ns);
+    link.waitWithStatus_ms(3000);
+    ASSERT_EQ(countOf<RequestFailed>(link.events), 1u);
+    EXPECT_EQ(eventsOf<RequestFailed>(link.events)[0].type, Type::kStop);
+    EXPECT_EQ(countOf<Stopped>(link.events), 1u);
+    EXPECT_EQ(link.sentOf(Type::kStart), 0u);
+    EXPECT_EQ(link.studio.state(), State::kIdle);
+}
+
 TEST(Studio, StopWaitsWhileTheBoxSendsWhatItHolds) {
     Scripted link;
     link.startTake();
