@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/files.h"
 
-#include <ctime>
 #include <filesystem>
 
 #include "app/batch/option.h"
@@ -74,15 +73,6 @@ Status checkOutputs(const std::vector<std::string>& paths, bool overwrite) {
 
 Status writeJson(const std::string& path, const nlohmann::json& json, bool overwrite) {
     return writeFileAtomically(path, json.dump(2) + "\n", overwrite);
-}
-
-std::string utcNow() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-    return text;
 }
 
 std::string takeName(const std::string& path) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What verbs read and write beside takes: motions, JSON documents, the clock on the wall.
+// What verbs read and write beside takes: motions and JSON documents.
 #pragma once
 
 #include <string>
@@ -39,9 +39,6 @@ Status readGiven(const Arguments& arguments, const char* option, Result<Value> (
 /// Refuses an output that stands in the way before long work begins; an empty path is none.
 Status checkOutputs(const std::vector<std::string>& paths, bool overwrite);
 Status writeJson(const std::string& path, const nlohmann::json& json, bool overwrite);
-
-/// Now, ISO 8601 with Z.
-std::string utcNow();
 
 /// "walk_001" of "takes/walk_001.noctule".
 std::string takeName(const std::string& path);

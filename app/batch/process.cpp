@@ -8,6 +8,7 @@
 #include "app/batch/takes.h"
 #include "core/processing/process_take.h"
 #include "core/recording/take_copy.h"
+#include "devices/device/clock.h"
 
 namespace noctule::batch {
 namespace {

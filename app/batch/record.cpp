@@ -4,6 +4,7 @@
 #include "app/batch/files.h"
 #include "app/batch/program.h"
 #include "app/batch/verb.h"
+#include "devices/device/clock.h"
 #include "devices/live/record_take.h"
 
 namespace noctule::batch {

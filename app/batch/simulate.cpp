@@ -6,6 +6,7 @@
 #include "app/batch/stage_request.h"
 #include "app/batch/verb.h"
 #include "core/math/conventions.h"
+#include "devices/device/clock.h"
 
 namespace noctule::batch {
 namespace {

@@ -10,10 +10,10 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "app/batch/files.h"
 #include "app/batch/program.h"
 #include "app/studio/sample_take.h"
 #include "app/studio/start_clock.h"
+#include "devices/device/clock.h"
 #include "ui/main_window/look.h"
 #include "ui/main_window/studio_windows.h"
 #include "ui/models/studio.h"
@@ -68,9 +68,9 @@ void chooseSurface() {
 StudioParts parts() {
     StudioParts parts;
     parts.software = batch::softwareName();
-    parts.utc_now = batch::utcNow;
+    parts.utc_now = utcNow;
     parts.make_sample_take = [software = parts.software](const std::string& path, const JobContext& job) {
-        return makeSampleTake(path, batch::utcNow(), software, job);
+        return makeSampleTake(path, utcNow(), software, job);
     };
     return parts;
 }

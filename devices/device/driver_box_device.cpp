@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/device/driver_box_device.h"
 
-#include <chrono>
-
 #include "core/job/contract.h"
+#include "devices/device/clock.h"
 
 namespace noctule {
-
-namespace {
-
-int64_t steadyNow_ns() {
-    return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
 
 DriverBoxDevice::DriverBoxDevice(std::string address, std::unique_ptr<ByteLink> link)
     : address_(std::move(address)), link_(std::move(link)), conversation_(address_) {}
@@ -75,10 +66,8 @@ void DriverBoxDevice::begin() {
 /// The box must not stream on for nobody; whether it hears this is its luck.
 void DriverBoxDevice::end() {
     ticks_.reset();
-    if (conversation_.takeIsOpen()) {
-        conversation_.stop(steadyNow_ns());
-        link_->write(conversation_.takeBytes());
-    }
+    conversation_.stop(steadyNow_ns());
+    link_->write(conversation_.takeBytes());
     link_.reset();
 }
 

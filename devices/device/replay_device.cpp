@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/job/contract.h"
+#include "devices/device/clock.h"
 
 namespace noctule {
 
@@ -60,11 +61,16 @@ bool ReplayDevice::closing() const {
 
 void ReplayDevice::tell(link::StudioEvent event) {
     if (!closing())
-        listener_({std::move(event), SteadyClock::now().time_since_epoch() / std::chrono::nanoseconds(1)});
+        listener_({std::move(event), steadyNow_ns()});
 }
 
 void ReplayDevice::refuse(link::Type type, const std::string& why, const std::string& remedy) {
     tell(link::RequestFailed{type, {ErrorKind::kDevice, address_ + ": " + why, remedy}});
+}
+
+void ReplayDevice::refuseAsTake(link::Type type) {
+    refuse(type, "a take that is played again can neither be set nor light up",
+           "Connect a driver box for that");
 }
 
 void ReplayDevice::run() {
@@ -107,8 +113,7 @@ void ReplayDevice::serve(const TakePlayer& player) {
         } else if (wish->kind == Wish::Kind::kStart) {
             play(player);
         } else if (wish->kind == Wish::Kind::kRefuse) {
-            refuse(wish->refused, "a take that is played again can neither be set nor light up",
-                   "Connect a driver box for that");
+            refuseAsTake(wish->refused);
         }
     }
 }
@@ -150,8 +155,7 @@ bool ReplayDevice::waitWhilePlaying(Time until) {
         if (wish->kind == Wish::Kind::kStart)
             refuse(link::Type::kStart, "the take is being played already", "Stop it first");
         else
-            refuse(wish->refused, "a take that is played again can neither be set nor light up",
-                   "Connect a driver box for that");
+            refuseAsTake(wish->refused);
     }
     return !closing();
 }

@@ -44,6 +44,7 @@ private:
     /// Serves wishes until then; false when the play shall end.
     bool waitWhilePlaying(Time until);
     void refuse(link::Type type, const std::string& why, const std::string& remedy);
+    void refuseAsTake(link::Type type);
     void tell(link::StudioEvent event);
     bool closing() const;
 

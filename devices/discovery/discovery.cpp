@@ -3,12 +3,12 @@
 
 #include <QSerialPortInfo>
 #include <atomic>
-#include <chrono>
 #include <filesystem>
 #include <mutex>
 #include <set>
 
 #include "devices/device/address.h"
+#include "devices/device/clock.h"
 #include "devices/device/device.h"
 #include "devices/device/loop_thread.h"
 #include "devices/discovery/found_list.h"
@@ -20,10 +20,6 @@ namespace {
 
 constexpr int kLookEvery_ms = 500;
 constexpr int kProbeTime_ms = 1400;
-
-int64_t discoveryNow_ns() {
-    return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 FoundDevice serialPort(const std::string& path) {
     FoundDevice port;
@@ -72,7 +68,7 @@ private:
     void begin() {
         lan_ = std::make_unique<LanSearch>(
             options_.udp_port, [this](const link::Announcement& announcement, const std::string& host) {
-                tell(list_.announced(announcement, host, discoveryNow_ns()));
+                tell(list_.announced(announcement, host, steadyNow_ns()));
             });
         look_ = std::make_unique<QTimer>();
         QObject::connect(look_.get(), &QTimer::timeout, look_.get(), [this] { look(); });
@@ -86,7 +82,7 @@ private:
     }
 
     void look() {
-        tell(list_.forgetSilent(discoveryNow_ns()));
+        tell(list_.forgetSilent(steadyNow_ns()));
         std::vector<FoundDevice> ports = options_.serial_ports ? usbPorts() : std::vector<FoundDevice>();
         std::error_code ignored;
         for (const std::string& path : probed_paths_)

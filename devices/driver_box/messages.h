@@ -52,7 +52,7 @@ std::string nameOf(Code code);
 /// Two years at 150 kHz, as in takes; what lies beyond is damage.
 inline constexpr int64_t kHighestSample = 10'000'000'000'000;
 inline constexpr int kMaxBlockSamples = 4096, kUsualBlockSamples = 600;
-inline constexpr int kMaxBoards = 32, kMaxSources = 32;
+inline constexpr int kMaxBoards = 32;
 inline constexpr size_t kMaxPingBytes = 64;
 inline constexpr uint16_t kAllBoardsOff = 0xFFFF;
 

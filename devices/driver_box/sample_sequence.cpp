@@ -5,10 +5,6 @@
 
 namespace noctule::link {
 
-const char* nameOf(GapReason reason) {
-    return reason == GapReason::kLink ? "link" : reason == GapReason::kBox ? "box" : "studio";
-}
-
 SampleSequence::SampleSequence(int board_count, int sample_rate_hz)
     : board_count_(board_count),
       farthest_(kFarthest_s * sample_rate_hz),

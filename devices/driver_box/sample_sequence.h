@@ -11,10 +11,8 @@
 
 namespace noctule::link {
 
-/// Who lost it. `board`, which takes know as well, is not for gaps of all boards.
-enum class GapReason { kLink, kBox, kStudio };
-/// As takes have it: "link", "box", "studio".
-const char* nameOf(GapReason reason);
+/// Who lost it. Takes know `board` and `studio` as well, which are not the link's to tell.
+enum class GapReason { kLink, kBox };
 
 struct Gap {
     int64_t first_sample = 0;

@@ -17,7 +17,6 @@ namespace noctule {
 
 struct RecorderSettings {
     int sample_rate_hz = 150000;
-    int board_count = 18;
     /// The take ends while this much is still free: SQLite needs some of it (16 MB) to make one file, and a
     /// system with a full disk is no good to anybody.
     int64_t reserve_bytes = 256'000'000;

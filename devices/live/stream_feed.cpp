@@ -2,7 +2,8 @@
 #include "devices/live/stream_feed.h"
 
 #include <algorithm>
-#include <ctime>
+
+#include "devices/device/clock.h"
 
 namespace noctule {
 namespace {
@@ -11,15 +12,6 @@ namespace {
 /// box tells only once a second that one has gone; a rule on the samples alone gives the same gaps from
 /// file.)
 constexpr int64_t kFewestSilentSamples = 64;
-
-std::string nowUtc() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-    return text;
-}
 
 bool isSilent(const link::AdcBlock& block, size_t board) {
     for (size_t i = board; i < block.values.size(); i += static_cast<size_t>(block.board_count))
@@ -138,7 +130,7 @@ void StreamFeed::addNote(const std::string& text) {
 }
 
 void StreamFeed::handNote(const std::string& text) {
-    hand(NoteRow{nowUtc(), text});
+    hand(NoteRow{utcNow(), text});
 }
 
 }  // namespace noctule

@@ -7,7 +7,7 @@
 namespace noctule::link {
 namespace {
 
-constexpr int64_t kSecond_ns = 1'000'000'000;
+constexpr int64_t kOneSecond_ns = 1'000'000'000;
 const FrameReader::Sink kIgnore = [](const Frame&) {};
 
 std::vector<uint32_t> sequencesOf(FrameReader& reader, const Bytes& bytes, int64_t now_ns = 0) {
@@ -92,7 +92,7 @@ TEST(FrameReader, EveryFlippedBitAndEveryCutIsNoticed) {
             FrameReader reader;
             EXPECT_TRUE(sequencesOf(reader, {golden.bytes.begin(), golden.bytes.begin() + length}).empty());
             // The rest of the cut frame never comes; after its time the next frame is found.
-            EXPECT_EQ(sequencesOf(reader, next, kSecond_ns), std::vector<uint32_t>{1}) << length;
+            EXPECT_EQ(sequencesOf(reader, next, kOneSecond_ns), std::vector<uint32_t>{1}) << length;
         }
     }
 }
@@ -166,9 +166,9 @@ TEST(FrameReader, FramesInsideAFrameThatNeverEndsComeOutAfterASecond) {
     EXPECT_TRUE(sequencesOf(reader, cut).empty());
     int found = 0;
     const FrameReader::Sink count = [&](const Frame&) { ++found; };
-    reader.idle(kSecond_ns - 1, count);
+    reader.idle(kOneSecond_ns - 1, count);
     EXPECT_EQ(found, 0);
-    reader.idle(kSecond_ns, count);
+    reader.idle(kOneSecond_ns, count);
     EXPECT_EQ(found, 2);
     EXPECT_EQ(reader.statistics().skipped_bytes, 100);
     EXPECT_EQ(reader.heldBytes(), 0u);
@@ -212,7 +212,7 @@ TEST(FrameReader, HundredThousandMutations) {
     for (int i = 0; i < 100'000; ++i) {
         const Bytes stream = mutatedStream(random, frames);
         pushed += static_cast<int64_t>(stream.size());
-        now_ns += random() % 20 == 0 ? kSecond_ns : 1000;
+        now_ns += random() % 20 == 0 ? kOneSecond_ns : 1000;
         reader.push(stream, now_ns, [&](const Frame& frame) {
             ++found;
             ASSERT_LE(frame.payload.size(), kMaxPayloadBytes);

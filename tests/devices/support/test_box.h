@@ -4,21 +4,17 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <mutex>
 #include <thread>
 
 #include "core/recording/take.h"
+#include "devices/device/clock.h"
 #include "devices/driver_box/box_conversation.h"
 #include "devices/driver_box/studio_event.h"
 #include "tests/devices/support/box_stream.h"
 #include "tests/support/take_files.h"
 
 namespace noctule::test {
-
-inline int64_t steadyNow_ns() {
-    return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// The tiny take as a box would say it.
 struct TinySound {
