@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/live/live_processor.h"
 
-#include <chrono>
 #include <cmath>
+
+#include "devices/device/clock.h"
 
 namespace noctule {
 namespace {
-
-using ProcessorClock = std::chrono::steady_clock;
 
 constexpr auto kIdle = std::chrono::milliseconds(200);
 constexpr int kFramesPublishedPerSecond = 60;
@@ -58,15 +57,24 @@ void LiveProcessor::finish() {
 void LiveProcessor::work() {
     try {
         while (!queue_.drained())
-            if (const auto item = queue_.pop(ProcessorClock::now() + kIdle))
+            if (const auto item = queue_.pop(std::chrono::steady_clock::now() + kIdle))
                 std::visit([this](const auto& one) { handle(one); }, *item);
         pipeline_->finish();
         collect();
         publish();
-    } catch (const std::exception&) {
-        queue_.abandon();  // the recording goes on; the screen shows that nothing moves
-        spool_.reset();
+    } catch (const std::exception& mistake) {
+        endWith(mistake.what());
     }
+}
+
+/// The recording goes on.
+void LiveProcessor::endWith(const char* why) {
+    queue_.abandon();
+    spool_.reset();
+    frame_.trouble = Error{ErrorKind::kInternal,
+                           "processing has ended by a mistake of this program (" + std::string(why) + ")",
+                           "What is recorded is complete; process the take, and report the mistake"};
+    published_.set(frame_);
 }
 
 void LiveProcessor::handle(const ArrivedBlock& block) {
@@ -121,9 +129,7 @@ void LiveProcessor::collect() {
 }
 
 void LiveProcessor::measureLatency(const std::vector<TimedPose>& poses) {
-    const int64_t now_ns =
-        std::chrono::duration_cast<std::chrono::nanoseconds>(ProcessorClock::now().time_since_epoch())
-            .count();
+    const int64_t now_ns = steadyNow_ns();
     for (const TimedPose& timed : poses) {
         if (timed.time_ns < latency_from_ns_)
             continue;

@@ -28,6 +28,7 @@ struct LiveFrame {
     double latency_median_s = 0, latency_p999_s = 0, latency_worst_s = 0;
     int64_t poses = 0;
     LiveQueue::Depth queue;
+    std::optional<Error> trouble;  ///< nothing moves any more, and why
 };
 
 struct LivePlan {
@@ -69,6 +70,7 @@ private:
     void collect();
     void measureLatency(const std::vector<TimedPose>& poses);
     void publish();
+    void endWith(const char* why);
 
     const int sample_rate_hz_;
     const size_t board_count_;

@@ -26,7 +26,7 @@ void LiveSession::connect() {
 
 void LiveSession::stop() {
     change([](SessionStatus& s) {
-        if (s.stream_is_open)
+        if (s.stream_is_open && s.link != LinkState::kLost)
             s.link = LinkState::kStopping;
     });
     device_->stop();
@@ -43,15 +43,22 @@ void LiveSession::onEvent(DeviceEvent event) {
         open->take(std::move(event));
 }
 
-void LiveSession::endStream(std::optional<Error> why) {
+/// `link`: as it is from then on.
+void LiveSession::endStream(const std::optional<Error>& why, LinkState link) {
     if (const auto open = feed())
         open->flush();
     change([&](SessionStatus& s) {
-        s.stream_is_open = false;
-        s.link = LinkState::kReady;
-        if (why)
+        if (why && (s.stream_is_open || link == LinkState::kRefused))
             s.trouble = why;
+        s.stream_is_open = false;
+        if (s.link != LinkState::kRefused)
+            s.link = link;
     });
+}
+
+/// A lost link stays lost until the box has greeted again.
+LinkState LiveSession::linkWithoutStream() const {
+    return status()->link == LinkState::kLost ? LinkState::kLost : LinkState::kReady;
 }
 
 void LiveSession::follow(const link::StudioEvent& event) {
@@ -81,17 +88,16 @@ void LiveSession::follow(const link::StudioEvent& event) {
             ++s.reconnections;
         });
     } else if (std::get_if<link::Stopped>(&event)) {
-        endStream(std::nullopt);
+        endStream(std::nullopt, linkWithoutStream());
     } else if (const auto* ended = std::get_if<link::TakeEnded>(&event)) {
-        endStream(ended->why);
+        endStream(ended->why, LinkState::kReady);
     } else if (const auto* failed = std::get_if<link::RequestFailed>(&event)) {
         if (failed->type == link::Type::kStart)
-            endStream(failed->why);
+            endStream(failed->why, linkWithoutStream());
         else
             change([&](SessionStatus& s) { s.last_message = failed->why.text(); });
     } else if (const auto* refused = std::get_if<link::Refused>(&event)) {
-        endStream(refused->why);
-        change([](SessionStatus& s) { s.link = LinkState::kRefused; });
+        endStream(refused->why, LinkState::kRefused);
     } else if (const auto* error = std::get_if<link::BoxError>(&event)) {
         change([&](SessionStatus& s) { s.last_message = nameOf(error->code) + ": " + error->text; });
     } else if (const auto* status = std::get_if<link::BoxStatus>(&event)) {
@@ -112,6 +118,15 @@ void LiveSession::addNote(const std::string& text) {
 std::shared_ptr<const LiveFrame> LiveSession::latest() const {
     const std::lock_guard lock(mutex_);
     return stream_ && stream_->processor ? stream_->processor->latest() : nullptr;
+}
+
+std::optional<Error> LiveSession::processingTrouble() const {
+    const std::lock_guard lock(mutex_);
+    return stream_ ? stream_->processingTrouble() : std::nullopt;
+}
+
+std::optional<Error> LiveSession::Stream::processingTrouble() const {
+    return processor ? processor->latest()->trouble : not_processed;
 }
 
 std::optional<RecorderState> LiveSession::recording() const {

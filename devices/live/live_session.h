@@ -33,8 +33,8 @@ struct SessionStatus {
     LinkState link = LinkState::kClosed;
     std::optional<link::Hello> hello;
     bool stream_is_open = false;   ///< from begin() to the last sample
-    std::optional<Error> trouble;  ///< why the last stream ended unasked, or none began, or the link is lost
-    std::string last_message;      ///< of the box, for the operator
+    std::optional<Error> trouble;  ///< why the last stream ended unasked or none began, or no box answers
+    std::string last_message;      ///< for the operator: of the box, or why the link was lost
     std::vector<uint16_t> board_flags;  ///< link::kBoardConnected ...
     int64_t reconnections = 0;
 };
@@ -92,6 +92,8 @@ public:
     std::shared_ptr<const SessionStatus> status() const { return status_.get(); }
     /// Null without processing.
     std::shared_ptr<const LiveFrame> latest() const;
+    /// Why nothing is processed, or nothing any more, although that was asked for.
+    std::optional<Error> processingTrouble() const;
     /// Absent without a take.
     std::optional<RecorderState> recording() const;
     int64_t reachedSample() const;
@@ -103,13 +105,17 @@ private:
         std::shared_ptr<Recorder> recorder;
         std::shared_ptr<LiveProcessor> processor;
         std::shared_ptr<StreamFeed> feed;
+        std::optional<Error> not_processed;  ///< although it was asked for
         std::vector<std::string> warnings;
+
+        std::optional<Error> processingTrouble() const;
     };
     void onEvent(DeviceEvent event);
     template <class Change>
     void change(Change change);
     void follow(const link::StudioEvent& event);
-    void endStream(std::optional<Error> why);
+    void endStream(const std::optional<Error>& why, LinkState link);
+    LinkState linkWithoutStream() const;
     std::shared_ptr<StreamFeed> feed() const;
     Result<std::shared_ptr<Recorder>> makeRecorder(const StreamRequest& request, const link::Hello& hello,
                                                    const Suit& suit);

@@ -75,18 +75,16 @@ Result<std::shared_ptr<Recorder>> LiveSession::makeRecorder(const StreamRequest&
         return file.error();
     RecorderSettings settings;
     settings.sample_rate_hz = hello.sample_rate_hz;
-    settings.board_count = hello.boardCount();
     settings.reserve_bytes = request.take->reserve_bytes;
     return std::make_shared<Recorder>(std::move(*file), settings);
 }
 
 void LiveSession::startProcessor(Stream& stream, const link::Hello& hello, const Suit& suit) {
-    const auto warn = [&](const Error& why) {
-        stream.warnings.push_back("Nothing is processed live: " + why.text() + ".");
-    };
     const auto plan = livePlanOf(stream.request, hello, suit);
-    if (!plan)
-        return warn(plan.error());
+    if (!plan) {
+        stream.not_processed = plan.error();
+        return;
+    }
     std::optional<ResultSpool> spool;
     if (stream.request.keep_results && stream.request.take) {
         auto made = ResultSpool::make(stream.request.take->folder);
@@ -96,9 +94,10 @@ void LiveSession::startProcessor(Stream& stream, const link::Hello& hello, const
             stream.warnings.push_back(made.error().text() + ".");
     }
     auto started = LiveProcessor::start(*plan, std::move(spool));
-    if (!started)
-        return warn(started.error());
-    stream.processor = std::move(*started);
+    if (started)
+        stream.processor = std::move(*started);
+    else
+        stream.not_processed = started.error();
 }
 
 Status LiveSession::begin(const StreamRequest& request) {
@@ -170,7 +169,8 @@ StreamResult LiveSession::finish() {
         stream.swap(stream_);
         s.stream_is_open = false;
         started_ = false;
-        if (stream && s.link != LinkState::kRefused && s.link != LinkState::kClosed)
+        if (stream && s.link != LinkState::kRefused && s.link != LinkState::kClosed &&
+            s.link != LinkState::kLost)
             s.link = LinkState::kReady;
         result.trouble = stream ? s.trouble : std::nullopt;
     });
@@ -185,6 +185,8 @@ StreamResult LiveSession::finish() {
         if (result.recording)
             keepResults(*stream, result);
     }
+    if (const auto trouble = stream->processingTrouble())
+        result.warnings.push_back("Nothing is processed live: " + trouble->text() + ".");
     return result;
 }
 

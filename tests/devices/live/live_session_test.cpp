@@ -204,5 +204,20 @@ TEST(LiveSession, WithoutACalibrationThatFitsItRecordsAllTheSame) {
     EXPECT_EQ(report->stream.recording->samples, 60000);
 }
 
+TEST(LiveSession, SaysAtOnceThatNothingIsProcessedAndWhy) {
+    FakeDevice::Script script = scriptOf(test::madeEvents(0, 60000, kTwoBoards));
+    script.hello.suit.boards[0].segment = "Tail";
+    LiveSession session(std::make_unique<FakeDevice>(std::move(script)));
+    session.connect();
+    ASSERT_TRUE(soon([&] { return session.status()->link == LinkState::kReady; }));
+    EXPECT_FALSE(session.processingTrouble());
+    ASSERT_TRUE(session.begin({}));
+    ASSERT_TRUE(session.processingTrouble());
+    EXPECT_NE(session.processingTrouble()->text().find("Tail"), std::string::npos)
+        << session.processingTrouble()->text();
+    session.finish();
+    EXPECT_FALSE(session.processingTrouble());
+}
+
 }  // namespace
 }  // namespace noctule

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// A device that says what a test lets it say, when it lets it, on the test's own thread.
+#pragma once
+
+#include <chrono>
+
+#include "devices/device/clock.h"
+#include "tests/devices/live/made_sound.h"
+
+namespace noctule::test {
+
+class HandDevice : public Device {
+public:
+    const std::string& address() const override { return address_; }
+    void open(Listener listener) override { listener_ = std::move(listener); }
+    void start() override { ++starts; }
+    void stop() override { ++stops; }
+    void identify(const link::Identify& identify) override { identified.push_back(identify); }
+    void set(const link::Settings& wanted) override { settings.push_back(wanted); }
+    link::LinkStatistics statistics() const override { return {}; }
+
+    void tell(link::StudioEvent event) { listener_({std::move(event), steadyNow_ns()}); }
+    void tell(const std::vector<link::StudioEvent>& events) {
+        for (const link::StudioEvent& event : events)
+            tell(event);
+    }
+
+    int starts = 0, stops = 0;
+    std::vector<link::Identify> identified;
+    std::vector<link::Settings> settings;
+
+private:
+    std::string address_ = "hand://box";
+    Listener listener_;
+};
+
+}  // namespace noctule::test
