@@ -2,38 +2,22 @@
 // Wires the parts: without `--batch` the studio opens, with it a job runs without a display.
 #include <QCoreApplication>
 #include <clocale>
-#include <csignal>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 #include "app/batch/help.h"
 #include "app/batch/program.h"
+#include "app/batch/signals.h"
 #include "app/studio/studio_main.h"
 
 namespace {
 
-noctule::CancelFlag cancel_flag;
-
-void onSignal(int) {
-    cancel_flag.cancel();
-}
-
-/// Ctrl-C and a polite kill end the job tidily; a reader that goes away is an error of writing.
-void handleSignals() {
-    struct sigaction action {};
-    action.sa_handler = onSignal;
-    action.sa_flags = SA_RESTART;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        sigaction(signal, &action, nullptr);
-    std::signal(SIGPIPE, SIG_IGN);
-}
-
 int runBatch(int argc, char** argv, const std::vector<std::string>& words) {
-    handleSignals();
+    const noctule::CancelFlag& cancel = noctule::batch::cancelOnSignals();
     QCoreApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's; files and JSON are the same everywhere
-    return noctule::batch::runBatch({words.begin() + 1, words.end()}, cancel_flag);
+    return noctule::batch::runBatch({words.begin() + 1, words.end()}, cancel);
 }
 
 }  // namespace

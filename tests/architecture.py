@@ -61,55 +61,43 @@ def sources(files, folder):
             SOURCE_SUFFIXES}
 
 
-def linked_rooms(files, layer, complaints):
-    """{room of the layer: all its rooms that it may include}, from the noctule_library lines."""
-    lines = f"{layer}/CMakeLists.txt"
-    prefix = "" if layer == "core" else f"{layer}_"
+def library_of(layer, room):
+    """The library's name without noctule_: math, devices_driver_box, ui_views."""
+    return room if layer == "core" else f"{layer}_{room}"
+
+
+def reached_libraries(files, complaints):
+    """{library: all libraries whose headers it may include}, from the noctule_library lines."""
     reach = {}
-    for line in ROOM_LINE.finditer(files.get(lines, "")):
-        room = line.group(1).removeprefix(prefix)
-        links = re.findall(rf"\bnoctule_{prefix}(\w+)", line.group(2) or "")
-        for link in links:
-            if link not in reach:
-                complaints.append(f"{lines}: {room} links {link}, which does not stand above it")
-        reach[room] = {room}.union(*(reach.get(link, {link}) for link in links))
-        if layer == "core" and room != APART and APART in reach[room]:
-            complaints.append(f"{lines}: {room} links {APART}")
+    for layer in ("core", "devices", "ui"):
+        lines = f"{layer}/CMakeLists.txt"
+        for line in ROOM_LINE.finditer(files.get(lines, "")):
+            library = line.group(1)
+            links = re.findall(r"\bnoctule_(\w+)", line.group(2) or "")
+            for link in links:
+                if link not in reach:
+                    complaints.append(f"{lines}: {library} links {link}, which does not stand above it")
+            reach[library] = {library}.union(*(reach.get(link, {link}) for link in links))
+            if library != APART and APART in reach[library]:
+                complaints.append(f"{lines}: {library} links {APART}")
     return reach
 
 
-def check_core_rooms_of_devices(files, complaints):
-    """Rooms of devices include the rooms of core that they link, and what these reach."""
-    core = linked_rooms(files, "core", [])
-    reach = {}
-    for line in ROOM_LINE.finditer(files.get("devices/CMakeLists.txt", "")):
-        links = line.group(2) or ""
-        reach[line.group(1).removeprefix("devices_")] = set().union(
-            *(core.get(room, set()) for room in re.findall(r"\bnoctule_(?!devices_)(\w+)", links)),
-            *(reach.get(room, set()) for room in re.findall(r"\bnoctule_devices_(\w+)", links)))
-    for path, text in sources(files, "devices").items():
-        for header in INCLUDE.findall(text):
-            target = re.match(r"core/(\w+)/", header)
-            room = path.split("/")[1]
-            if target and room in reach and target.group(1) not in reach[room]:
-                complaints.append(f"{path}: devices/{room} does not link {target.group(1)}, but includes {header}")
-
-
 def check_rooms(files, complaints):
-    check_core_rooms_of_devices(files, complaints)
+    reach = reached_libraries(files, complaints)
     for layer in ("core", "devices", "ui"):
-        reach = linked_rooms(files, layer, complaints)
         for path, text in sources(files, layer).items():
             room = path.split("/")[1]
-            if room not in reach:
+            library = library_of(layer, room)
+            if library not in reach:
                 complaints.append(f"{path}: {layer}/CMakeLists.txt has no line for the room {room}")
                 continue
             for header in INCLUDE.findall(text):
-                target = re.match(rf"{layer}/(\w+)/", header)
+                target = re.match(r"(core|devices|ui)/(\w+)/", header)
                 if room == APART and header == ESTIMATORS_KINEMATICS:
                     complaints.append(f"{path}: {APART} includes the estimator's kinematics")
-                if target and target.group(1) not in reach[room]:
-                    complaints.append(f"{path}: {room} does not link {target.group(1)}, but includes {header}")
+                if target and library_of(*target.groups()) not in reach[library]:
+                    complaints.append(f"{path}: {room} does not link {target.group(2)}, but includes {header}")
                 if layer != "core" and header.startswith(f"core/{APART}/"):
                     complaints.append(f"{path}: {layer} knows {APART}")
 

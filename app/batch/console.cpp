@@ -17,8 +17,11 @@ bool writeAll(const std::string& text) {
 
 }  // namespace
 
-Console::Console(bool quiet, bool json)
-    : quiet_(quiet), json_(json), shows_progress_(!quiet && isatty(STDERR_FILENO) == 1) {}
+Console::Console(bool quiet, bool json, std::string program)
+    : program_(std::move(program)),
+      quiet_(quiet),
+      json_(json),
+      shows_progress_(!quiet && isatty(STDERR_FILENO) == 1) {}
 
 void Console::eraseProgress() {
     if (line_open_)
@@ -39,7 +42,7 @@ void Console::error(const Error& error) {
     std::string text = error.text();
     if (!text.ends_with('.') && !text.ends_with('?'))
         text += '.';
-    std::fprintf(stderr, "noctule: %s\n", text.c_str());
+    std::fprintf(stderr, "%s: %s\n", program_.c_str(), text.c_str());
 }
 
 bool Console::print(const std::string& text) {

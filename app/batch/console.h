@@ -13,7 +13,8 @@ namespace noctule::batch {
 
 class Console : public ProgressSink {
 public:
-    Console(bool quiet, bool json);
+    /// `program`: who speaks in errors.
+    Console(bool quiet, bool json, std::string program = "noctule");
 
     void warn(const std::string& sentence);
     void error(const Error& error);  ///< also when quiet
@@ -29,6 +30,7 @@ public:
 private:
     void eraseProgress();
 
+    std::string program_;
     bool quiet_, json_, shows_progress_;
     bool line_open_ = false;
     std::chrono::steady_clock::time_point next_ = {};

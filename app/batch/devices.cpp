@@ -12,36 +12,21 @@ using Contact = FoundDevice::Contact;
 
 constexpr auto kLookEvery = std::chrono::milliseconds(20);
 
-bool isAnyAsked(const std::vector<FoundDevice>& devices) {
-    for (const FoundDevice& device : devices)
-        if (device.contact == Contact::kAsking)
-            return true;
-    return false;
-}
-
 /// Looks for as long as was asked, and until every probed port has answered or not.
 Result<std::vector<FoundDevice>> lookAround(const VerbContext& context) {
     DiscoveryOptions options;
-    options.udp_port = static_cast<uint16_t>(context.arguments.whole("port").value_or(kDiscoveryPort));
+    options.udp_port = static_cast<uint16_t>(*context.arguments.whole("port"));
+    options.probe_serial_ports = context.arguments.given("probe");
     Discovery discovery(options);
-    const double wait_s = context.arguments.number("wait").value_or(0);
+    const double wait_s = *context.arguments.number("wait");
     const auto begin = std::chrono::steady_clock::now();
-    bool probed = !context.arguments.given("probe");
     while (true) {
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-        const auto devices = discovery.found();
         if (context.cancel.cancelled())
             return JobContext::cancelledError();
-        if (passed.count() >= wait_s && probed && !isAnyAsked(devices))
-            return devices;
-        context.job().progress(std::min(1.0, passed.count() / wait_s), "looking for devices");
-        if (!probed && passed.count() >= wait_s / 2) {
-            probed = true;
-            for (const FoundDevice& device : devices)
-                if (device.contact == Contact::kNotAsked)
-                    discovery.probe(device.address).ok();
-            std::this_thread::sleep_for(kLookEvery);
-        }
+        if (passed.count() >= wait_s && discovery.isSettled())
+            return discovery.found();
+        context.job().progress(wait_s > 0 ? passed.count() / wait_s : 1, "looking for devices");
         std::this_thread::sleep_for(kLookEvery);
     }
 }
@@ -124,7 +109,8 @@ Verb devicesVerb() {
     verb.options = {
         number("wait", "S", 0, 3600, "seconds to look around").orElse("2"),
         flag("probe", "also ask the serial ports of USB devices, which sends them a few bytes"),
-        whole("port", "N", 1, 65535, "UDP port at which boxes listen").orElse(std::to_string(kDiscoveryPort)),
+        whole("port", "N", 1, 65535, "UDP port at which boxes listen")
+            .orElse(std::to_string(link::kDiscoveryPort)),
     };
     verb.remarks = {"Finding nothing is no error: the exit code is 0 and the list is empty."};
     verb.run = runDevices;

@@ -11,17 +11,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct BrokenTake {
+enum class Condition { kFinished, kBrokeOff, kBeingRecorded, kUnreadable };
+
+struct Candidate {
     std::string path;
-    bool named = false;  ///< on the command line, not found in a folder
+    bool is_named = false;  ///< on the command line, not found in a folder
+    Condition condition = Condition::kFinished;
+    std::optional<Error> error{};  ///< why it is unreadable
 };
 
-bool brokeOff(const std::string& path) {
-    const Result<Take> take = Take::open(path);
-    if (!take)
-        return isThere(path + "-wal");
-    const auto state = take->meta().find("state");
-    return state != take->meta().end() && state->second == "recording";
+bool isRecording(const Take& take) {
+    const auto state = take.meta().find("state");
+    return state != take.meta().end() && state->second == "recording";
+}
+
+Candidate lookAt(const std::string& path, bool is_named) {
+    Candidate candidate{path, is_named};
+    {
+        const Result<Take> take = Take::open(path);
+        if (take && !isRecording(*take))
+            return candidate;
+        if (!take && !isThere(path + "-wal")) {
+            candidate.condition = Condition::kUnreadable;
+            candidate.error = take.error();
+            return candidate;
+        }
+    }
+    candidate.condition = isBeingWritten(path) ? Condition::kBeingRecorded : Condition::kBrokeOff;
+    return candidate;
 }
 
 /// "takes/walk_001_recovered.noctule"
@@ -30,71 +47,75 @@ std::string recoveredPath(const std::string& path) {
     return (take.parent_path() / (take.stem().string() + "_recovered" + kTakeExtension)).string();
 }
 
-/// Of folders the takes that broke off, also those in takes/ of a session's folder.
-Result<std::vector<BrokenTake>> brokenTakes(const std::vector<std::string>& operands) {
-    std::vector<BrokenTake> found;
+/// All that are named; of folders, also in takes/ of a session's folder, those that are not finished.
+Result<std::vector<Candidate>> candidates(const std::vector<std::string>& operands) {
+    std::vector<Candidate> found;
     for (const std::string& operand : operands) {
         std::error_code ignored;
         if (!fs::is_directory(operand, ignored)) {
             if (!isThere(operand))
                 return Error{ErrorKind::kUnreadable, operand + ": there is no such file or folder",
                              "Check the path"};
-            found.push_back({operand, true});
+            found.push_back(lookAt(operand, true));
             continue;
         }
         for (const fs::path& folder : {fs::path(operand), fs::path(operand) / "takes"})
             for (const std::string& file : takeFilesIn(folder))
-                if (brokeOff((folder / file).string()))
-                    found.push_back({(folder / file).string(), false});
+                if (Candidate take = lookAt((folder / file).string(), false);
+                    take.condition == Condition::kBrokeOff || take.condition == Condition::kBeingRecorded)
+                    found.push_back(std::move(take));
     }
     return found;
 }
 
-nlohmann::json lengthOf(const std::string& path) {
-    const Result<Take> take = Take::open(path);
-    const auto samples = take.ok() ? take->sampleCount() : Result<int64_t>(take.error());
-    const auto rate_hz = take.ok() ? take->sampleRate_hz() : Result<int64_t>(take.error());
-    if (!samples || !rate_hz)
-        return nullptr;
-    return static_cast<double>(*samples) / static_cast<double>(*rate_hz);
+Outcome leftAlone(const Candidate& take, const std::string& state, const std::string& why) {
+    return {{{"take", take.path}, {"state", state}}, take.path + ": " + why + "\n", std::nullopt};
 }
 
-Result<Outcome> recoverOne(const BrokenTake& broken, const JobContext& job) {
-    const std::string& path = broken.path;
-    const std::string target = recoveredPath(path);
-    if (!brokeOff(path)) {
-        if (const Result<Take> take = Take::open(path); !take)
-            return take.error();
-        return Outcome{{{"take", path}, {"state", "finished"}},
-                       path + ": is finished, there is nothing to recover\n",
-                       std::nullopt};
-    }
-    if (!broken.named && isThere(target))
-        return Outcome{{{"take", path}, {"state", "recovered before"}, {"recovered", target}},
-                       path + ": was recovered before, see " + target + "\n",
-                       std::nullopt};
-    if (isBeingWritten(path))
-        return Error{ErrorKind::kUsage, path + ": is being recorded right now",
-                     "Stop the recording first, then there is nothing to recover"};
+Result<Outcome> recoverNow(const std::string& path, const std::string& target, const JobContext& job) {
     if (const Status recovered = recoverTake(path, target, job); !recovered)
         return recovered.error();
-    const nlohmann::json duration_s = lengthOf(target);
+    nlohmann::json duration_s;
     char seconds[32] = "";
-    if (duration_s.is_number())
-        std::snprintf(seconds, sizeof seconds, "%.2f s", duration_s.get<double>());
+    if (const Result<Take> take = Take::open(target); take && take->duration_s()) {
+        duration_s = *take->duration_s();
+        std::snprintf(seconds, sizeof seconds, "%.2f s ", *take->duration_s());
+    }
     return Outcome{
         {{"take", path}, {"state", "recovered"}, {"recovered", target}, {"duration_s", duration_s}},
-        path + ": " + seconds + " recovered into " + target + "; the recording is as it was\n",
+        path + ": " + seconds + "recovered into " + target + "; the recording is as it was\n",
         std::nullopt};
 }
 
+Result<Outcome> recoverOne(const Candidate& take, const JobContext& job) {
+    const std::string target = recoveredPath(take.path);
+    switch (take.condition) {
+        case Condition::kFinished:
+            return leftAlone(take, "finished", "is finished, there is nothing to recover");
+        case Condition::kUnreadable:
+            return *take.error;
+        case Condition::kBeingRecorded:
+            if (take.is_named)
+                return Error{ErrorKind::kUsage, take.path + ": is being recorded right now",
+                             "Stop the recording first, then there is nothing to recover"};
+            return leftAlone(take, "being recorded", "is being recorded right now and was left alone");
+        case Condition::kBrokeOff:
+            break;
+    }
+    if (take.is_named || !isThere(target))
+        return recoverNow(take.path, target, job);
+    Outcome before = leftAlone(take, "recovered before", "was recovered before, see " + target);
+    before.json["recovered"] = target;
+    return before;
+}
+
 Result<Outcome> runRecover(const VerbContext& context) {
-    const auto takes = brokenTakes(context.arguments.operands());
+    const auto takes = candidates(context.arguments.operands());
     if (!takes)
         return takes.error();
     Outcome all{{{"takes", nlohmann::json::array()}}, "", std::nullopt};
-    for (const BrokenTake& broken : *takes) {
-        const Result<Outcome> one = recoverOne(broken, context.job());
+    for (const Candidate& take : *takes) {
+        const Result<Outcome> one = recoverOne(take, context.job());
         if (one) {
             all.json["takes"].push_back(one->json);
             all.text += one->text;
@@ -103,7 +124,7 @@ Result<Outcome> runRecover(const VerbContext& context) {
         if (takes->size() == 1 || one.error().kind == ErrorKind::kCancelled)
             return one.error();
         context.console.error(one.error());
-        all.json["takes"].push_back({{"take", broken.path}, {"error", errorJson(one.error())}});
+        all.json["takes"].push_back({{"take", take.path}, {"error", errorJson(one.error())}});
         if (!all.failure)
             all.failure = one.error();
     }
@@ -124,7 +145,8 @@ Verb recoverVerb() {
     verb.example = "noctule --batch recover session/takes/walk_003.noctule";
     verb.remarks = {
         "The result is NAME_recovered.noctule beside the recording, which stays as it is with its -wal. Of a "
-        "folder all recordings that broke off are recovered, also those in its takes/."};
+        "folder all recordings that broke off are recovered, also those in its takes/; one that is being "
+        "recorded is left alone."};
     verb.run = runRecover;
     return verb;
 }

@@ -4,17 +4,9 @@
 #include <QNetworkDatagram>
 #include <QNetworkInterface>
 
-#include "devices/driver_box/frame.h"
-#include "devices/driver_box/messages.h"
+#include "devices/driver_box/discovery.h"
 
 namespace noctule::virtual_suit {
-namespace {
-
-constexpr const char* kQuestion = "NOCTULE-DISCOVER";
-const QString kGroup = QStringLiteral("239.255.41.94");
-
-}  // namespace
-
 Result<std::unique_ptr<Announcer>> Announcer::open(quint16 port, bool only_this_machine, Announce announce) {
     std::unique_ptr<Announcer> announcer(new Announcer(only_this_machine, std::move(announce)));
     // Several boxes of one machine answer side by side.
@@ -35,20 +27,25 @@ Announcer::Announcer(bool only_this_machine, Announce announce)
 
 /// On every interface that can; broadcasts and questions to this address alone come without it.
 void Announcer::joinGroup() {
+    const QHostAddress group(QString::fromLatin1(link::kDiscoveryGroup.data()));
     for (const QNetworkInterface& one : QNetworkInterface::allInterfaces())
         if (one.flags().testFlag(QNetworkInterface::IsUp))
-            socket_.joinMulticastGroup(QHostAddress(kGroup), one);
+            socket_.joinMulticastGroup(group, one);
 }
 
 void Announcer::read() {
     while (socket_.hasPendingDatagrams()) {
         const QNetworkDatagram question = socket_.receiveDatagram();
-        if (question.data() != kQuestion || (only_this_machine_ && !question.senderAddress().isLoopback()))
+        const QByteArray bytes = question.data();
+        const link::ByteView words{reinterpret_cast<const uint8_t*>(bytes.constData()),
+                                   static_cast<size_t>(bytes.size())};
+        if (!link::isDiscoveryQuestion(words) ||
+            (only_this_machine_ && !question.senderAddress().isLoopback()))
             continue;
-        const link::Bytes frame =
-            link::encodeFrame(static_cast<uint8_t>(link::Type::kAnnounce), 0, link::toPayload(announce_()));
-        socket_.writeDatagram(reinterpret_cast<const char*>(frame.data()), static_cast<qint64>(frame.size()),
-                              question.senderAddress(), static_cast<quint16>(question.senderPort()));
+        const link::Bytes answer = link::announcementDatagram(announce_());
+        socket_.writeDatagram(reinterpret_cast<const char*>(answer.data()),
+                              static_cast<qint64>(answer.size()), question.senderAddress(),
+                              static_cast<quint16>(question.senderPort()));
     }
 }
 

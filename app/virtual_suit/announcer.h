@@ -13,7 +13,6 @@ namespace noctule::virtual_suit {
 
 class Announcer {
 public:
-    static constexpr quint16 kDiscoveryPort = 41940;
     using Announce = std::function<link::Announcement()>;
 
     /// `only_this_machine`: nobody else could connect, so nobody else is answered. Port 0: the system

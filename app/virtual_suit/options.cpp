@@ -5,7 +5,7 @@
 
 #include "app/batch/help.h"
 #include "app/batch/stage_request.h"
-#include "app/virtual_suit/announcer.h"
+#include "devices/driver_box/discovery.h"
 
 namespace noctule::virtual_suit {
 namespace {
@@ -25,7 +25,7 @@ const std::vector<batch::Option>& table() {
                  flag("pty", "offer a serial line too: a pseudo-terminal, whose path is printed"),
                  flag("announce", "let studios on the network find this box"),
                  whole("announce-port", "N", 0, 65535, "UDP port of --announce, 0 for any free one")
-                     .orElse(std::to_string(Announcer::kDiscoveryPort)),
+                     .orElse(std::to_string(link::kDiscoveryPort)),
                  number("speed", "N", 0.01, 1000, "seconds of the suit in one second").orElse("1"),
                  text("control", "HOST:PORT", "listen there for accidents, one a line"),
                  whole("seed", "N", 0, 9007199254740991, "seed of everything random").orElse("1"),
@@ -65,9 +65,9 @@ Status checkSource(const batch::Arguments& arguments) {
     return Done{};
 }
 
-Status addAddresses(const batch::Arguments& arguments, Options& options) {
-    options.pty = arguments.given("pty");
-    if (arguments.given("tcp") || !options.pty) {
+Status addAddresses(Options& options) {
+    const batch::Arguments& arguments = options.arguments;
+    if (arguments.given("tcp") || !options.pty()) {
         const auto tcp = parseAddress(arguments.given("tcp") ? arguments.text("tcp") : kDefaultTcp, "--tcp");
         if (!tcp)
             return tcp.error();
@@ -95,11 +95,7 @@ Result<Options> parseOptions(const std::vector<std::string>& words) {
     if (Status right = checkSource(*arguments); !right)
         return right.error();
     Options options{std::move(*arguments)};
-    options.take = options.arguments.text("take");
-    options.loop = options.arguments.given("loop");
-    options.speed = *options.arguments.number("speed");
-    options.seed = static_cast<uint64_t>(*options.arguments.whole("seed"));
-    if (Status right = addAddresses(options.arguments, options); !right)
+    if (Status right = addAddresses(options); !right)
         return right.error();
     return options;
 }

@@ -12,13 +12,15 @@
 namespace noctule::virtual_suit {
 
 struct Options {
-    batch::Arguments arguments;  ///< whom to dress: those of `simulate`
-    std::string take{};          ///< empty: a simulation
+    batch::Arguments arguments;  ///< those of `simulate` and a box's own
     std::optional<Address> tcp{}, control{};
-    bool pty = false, loop = false;
     std::optional<quint16> announce_port{};
-    double speed = 1;
-    uint64_t seed = 1;
+
+    std::string take() const { return arguments.text("take"); }  ///< empty: a simulation
+    bool loop() const { return arguments.given("loop"); }
+    bool pty() const { return arguments.given("pty"); }
+    double speed() const { return *arguments.number("speed"); }
+    uint64_t seed() const { return static_cast<uint64_t>(*arguments.whole("seed")); }
 };
 
 /// kUsage names the mistake.

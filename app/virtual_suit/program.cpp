@@ -17,6 +17,7 @@
 #include "app/virtual_suit/simulated_source.h"
 #include "app/virtual_suit/take_source.h"
 #include "app/virtual_suit/tcp_port.h"
+#include "devices/driver_box/discovery.h"
 
 namespace noctule::virtual_suit {
 namespace {
@@ -26,10 +27,7 @@ constexpr int kLookForCancel_ms = 50;
 constexpr std::chrono::milliseconds kLookForSound{10};
 
 int failed(const Error& error) {
-    std::string text = error.text();
-    if (!text.ends_with('.') && !text.ends_with('?'))
-        text += '.';
-    std::fprintf(stderr, "noctule-virtual-suit: %s\n", text.c_str());
+    batch::Console(false, false, "noctule-virtual-suit").error(error);
     return static_cast<int>(error.kind);
 }
 
@@ -45,13 +43,13 @@ void tellLine(const std::string& text) {
 
 /// Nobody who stands in the rest pose is ever done.
 Result<SoundOfSuit> openSound(const Options& options) {
-    if (!options.take.empty())
-        return openTakeSource(options.take, options.loop);
+    if (!options.take().empty())
+        return openTakeSource(options.take(), options.loop());
     batch::Console console(false, false);
     auto request = batch::stageRequest(options.arguments, console);
     if (!request)
         return request.error();
-    if (options.loop || !request->clip)
+    if (options.loop() || !request->clip)
         request->duration_s = kDay_s;
     auto stage = simulation::prepareStage(*request);
     if (!stage)
@@ -62,7 +60,8 @@ Result<SoundOfSuit> openSound(const Options& options) {
 class Program {
 public:
     Program(const Options& options, SoundOfSuit sound)
-        : options_(options), box_(std::move(sound), {options.speed, options.seed, options.tcp.has_value()}) {
+        : options_(options),
+          box_(std::move(sound), {options.speed(), options.seed(), options.tcp.has_value()}) {
         box_.tell = tellLine;
     }
 
@@ -107,7 +106,7 @@ private:
     }
 
     Status openPty() {
-        if (!options_.pty)
+        if (!options_.pty())
             return Done{};
         auto port = PtyPort::open(box_);
         return port ? add(std::move(*port)) : port.error();
@@ -122,25 +121,14 @@ private:
     Status openAnnouncer() {
         if (!options_.announce_port)
             return Done{};
-        auto announcer = Announcer::open(*options_.announce_port, tcp_.host.isLoopback(),
-                                         [this] { return announcement(); });
+        auto announcer = Announcer::open(*options_.announce_port, tcp_.host.isLoopback(), [this] {
+            return link::announcementOf(box_.hello(), tcp_.port, box_.isBusy());
+        });
         if (!announcer)
             return announcer.error();
         announcer_ = std::move(*announcer);
         printLine("announce: udp " + std::to_string(announcer_->port()));
         return Done{};
-    }
-
-    link::Announcement announcement() const {
-        const link::Hello& hello = box_.hello();
-        return {hello.serial,
-                hello.name,
-                hello.model,
-                tcp_.port,
-                hello.sample_rate_hz,
-                hello.boardCount(),
-                static_cast<int>(hello.suit.sources.size()),
-                box_.isBusy()};
     }
 
     Status openControl() {

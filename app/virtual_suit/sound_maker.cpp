@@ -54,6 +54,11 @@ std::optional<SoundBlock> SoundMaker::next(int64_t due_samples) {
     return block;
 }
 
+bool SoundMaker::hasNext() {
+    const std::lock_guard lock(mutex_);
+    return !made_.empty();
+}
+
 bool SoundMaker::isReady() {
     const std::lock_guard lock(mutex_);
     return !made_.empty() || trouble_;

@@ -25,6 +25,8 @@ public:
     void restart();
     /// The next block if it is made and ends at `due_samples` or before. Never waits.
     std::optional<SoundBlock> next(int64_t due_samples);
+    /// The next block is made, and only not due yet.
+    bool hasNext();
     /// Done with the source between two blocks.
     void ask(std::function<void(SoundSource&)> wish);
 

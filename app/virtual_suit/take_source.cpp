@@ -16,6 +16,7 @@ constexpr const char* kSerialOfTakes = "NB-800000";
 
 struct TakeContent {
     Take take;
+    int suit_id = 1;
     int board_count = 0;
     int64_t sample_count = 0, read_ahead_samples = 0;
     std::vector<link::Pulse> pulses;
@@ -66,11 +67,12 @@ private:
     Status readAhead() {
         const int64_t first = read_to_;
         read_to_ += content_.read_ahead_samples;
-        return content_.take.forEachBlock(1, {first, read_to_ - 1}, [&](const AdcBlock& block) {
-            if (block.first_sample >= first)  // else it was read before
-                cut(block);
-            return true;
-        });
+        return content_.take.forEachBlock(content_.suit_id, {first, read_to_ - 1},
+                                          [&](const AdcBlock& block) {
+                                              if (block.first_sample >= first)  // else it was read before
+                                                  cut(block);
+                                              return true;
+                                          });
     }
 
     /// Into the pieces that a box sends: whole ones of kUsualBlockSamples where the take has no seam.
@@ -100,13 +102,14 @@ Error noSound(const std::string& path, const std::string& why) {
             "Only takes with sound can be played; `noctule --batch simulate --level signal` makes one"};
 }
 
-Result<TakeContent> contentOf(Take take) {
+/// `source_count`: pulses of any other source are not of this suit.
+Result<TakeContent> contentOf(Take take, int suit_id, size_t source_count) {
     const std::string path = take.path();
     if (take.level() != TakeLevel::kSignal)
         return noSound(path, "holds readings and no sound");
-    const auto samples = take.sampleCount();
-    const auto boards = take.boardCount();
-    const auto pulses = take.pulses();
+    const auto samples = take.sampleCount(suit_id);
+    const auto boards = take.boardCount(suit_id);
+    const auto pulses = take.pulses(suit_id);
     const auto rate_hz = take.sampleRate_hz();
     for (const std::optional<Error>& error : {samples ? std::nullopt : std::optional(samples.error()),
                                               boards ? std::nullopt : std::optional(boards.error()),
@@ -116,12 +119,11 @@ Result<TakeContent> contentOf(Take take) {
             return *error;
     if (*samples == 0)
         return noSound(path, "holds no sound");
-    TakeContent content{std::move(take), *boards, *samples, 0, {}};
+    TakeContent content{std::move(take), suit_id, *boards, *samples, 0, {}};
     content.read_ahead_samples = static_cast<int64_t>(kReadAhead_s * static_cast<double>(*rate_hz));
     for (const Pulse& pulse : *pulses)
-        content.pulses.push_back({pulse.sample, pulse.source});
-    std::stable_sort(content.pulses.begin(), content.pulses.end(),
-                     [](const link::Pulse& a, const link::Pulse& b) { return a.sample < b.sample; });
+        if (pulse.source < static_cast<int>(source_count))
+            content.pulses.push_back({pulse.sample, pulse.source});
     return content;
 }
 
@@ -141,14 +143,16 @@ Result<SoundOfSuit> openTakeSource(const std::string& path, bool loop) {
     auto take = Take::open(path);
     if (!take)
         return take.error();
-    const auto suit = take->suit();
+    const std::vector<int> suits = take->suitIds();
+    const int suit_id = suits.empty() ? 1 : suits.front();
+    const auto suit = take->suit(suit_id);
     if (!suit)
         return suit.error();
-    const auto rows = take->statusRows();
+    const auto rows = take->statusRows(suit_id);
     if (!rows)
         return rows.error();
     link::Hello hello = helloOf(*take, *suit, kSerialOfTakes);
-    auto content = contentOf(std::move(*take));
+    auto content = contentOf(std::move(*take), suit_id, suit->sources.size());
     if (!content)
         return content.error();
     if (content->board_count != hello.boardCount())

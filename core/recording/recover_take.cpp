@@ -2,7 +2,10 @@
 #include "core/recording/recover_take.h"
 
 #include <fcntl.h>
+#include <sys/wait.h>
 #include <unistd.h>
+
+#include <cerrno>
 
 #include "core/recording/database.h"
 #include "core/recording/take_copy.h"
@@ -63,21 +66,36 @@ Status recoverTake(const std::string& recording, const std::string& recovered_pa
     return copy->publish(false);
 }
 
-bool isBeingWritten(const std::string& recording) {
-    // Every connection holds a shared lock on this byte of the log's index (sqlite3, UNIX_SHM_DMS in
-    // os_unix.c) for as long as it lives.
+namespace {
+
+/// In a child process: whether somebody, the parent too, has a connection to the log's index. Only what a
+/// signal handler may do is done here.
+[[noreturn]] void lookForConnection(const char* index) {
+    // Every connection holds a shared lock on this byte (sqlite3, UNIX_SHM_DMS in os_unix.c) as long as it
+    // lives.
     constexpr off_t kConnectionLock = 128;
-    const int file = open((recording + "-shm").c_str(), O_RDWR | O_CLOEXEC);
-    if (file < 0)
-        return false;
     struct flock lock {};
     lock.l_type = F_WRLCK;
     lock.l_whence = SEEK_SET;
     lock.l_start = kConnectionLock;
     lock.l_len = 1;
-    const bool held = fcntl(file, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
-    close(file);
-    return held;
+    const int file = open(index, O_RDWR | O_CLOEXEC);
+    _exit(file >= 0 && fcntl(file, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK ? 1 : 0);
+}
+
+}  // namespace
+
+/// A process that closes a file gives up all its locks on it, those of its SQLite connections too, and does
+/// not see its own. Hence a child asks: it inherits no locks, so it has none to lose.
+bool isBeingWritten(const std::string& recording) {
+    const std::string index = recording + "-shm";
+    const pid_t child = fork();
+    if (child == 0)
+        lookForConnection(index.c_str());
+    int status = 0;
+    while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return child < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0;
 }
 
 }  // namespace noctule

@@ -14,8 +14,8 @@ namespace noctule {
 /// A recording that is being written would come out torn: ask isBeingWritten() first.
 Status recoverTake(const std::string& recording, const std::string& recovered_path, const JobContext& job);
 
-/// Whether another process has the take open with its write-ahead log. What this process has open does not
-/// count.
+/// Whether anybody, this process included, has the take open with its write-ahead log; yes when that cannot
+/// be found out. Safe to ask about a take that this process is writing.
 bool isBeingWritten(const std::string& recording);
 
 }  // namespace noctule

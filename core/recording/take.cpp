@@ -221,6 +221,14 @@ Result<int64_t> Take::sampleCount(int suit) const {
     return std::clamp<int64_t>(end->value_or(0), 0, kLastSample);
 }
 
+Result<double> Take::duration_s(int suit) const {
+    const auto samples = sampleCount(suit);
+    const auto rate_hz = sampleRate_hz();
+    if (!samples || !rate_hz)
+        return samples ? rate_hz.error() : samples.error();
+    return static_cast<double>(*samples) / static_cast<double>(*rate_hz);
+}
+
 Result<std::vector<std::string>> Take::missingParts() const {
     std::vector<std::string> missing;
     if (header_.sample_rate_hz == 0)

@@ -52,6 +52,8 @@ public:
     Result<int> sourceCount(int suit = 1) const;
     /// One after the last sample, from meta or else from the blocks; 0 when there are none.
     Result<int64_t> sampleCount(int suit = 1) const;
+    /// Error: the rate is missing.
+    Result<double> duration_s(int suit = 1) const;
 
     Result<std::vector<DocumentRow>> calibrations() const;
     Result<std::vector<DocumentRow>> actors() const;

@@ -30,10 +30,8 @@ void readFrom(const Take& file, SessionTake& take) {
     take.created_utc = file.header().created_utc;
     if (take.performer.empty())
         take.performer = text("performer");
-    const auto rate_hz = file.sampleRate_hz();
-    const auto samples = file.sampleCount();
-    if (rate_hz.ok() && samples.ok())
-        take.duration_s = static_cast<double>(*samples) / static_cast<double>(*rate_hz);
+    if (const auto duration_s = file.duration_s(); duration_s.ok())
+        take.duration_s = *duration_s;
     const auto runs = file.derivedRuns();
     take.processed = runs.ok() && std::any_of(runs->begin(), runs->end(),
                                               [](const DerivedRun& run) { return run.kind == "pose"; });

@@ -90,9 +90,11 @@ std::string numberedTakeName(const std::string& base,
 
 fs::path nextTakePath(const fs::path& folder, const std::string& base) {
     const auto isFree = [](const fs::path& path) { return !isThere(path) && !isThere(beside(path, "-wal")); };
+    // "takes", "takes/" and "." all stand in the folder that holds the trash.
+    const fs::path trash = fs::absolute(folder / "").lexically_normal().parent_path().parent_path() / "trash";
     const std::string name = numberedTakeName(base, [&](const std::string& candidate) {
         const std::string file = candidate + kTakeExtension;
-        return isFree(folder / file) && isFree(folder.parent_path() / "trash" / file);
+        return isFree(folder / file) && isFree(trash / file);
     });
     return folder / (name + kTakeExtension);
 }

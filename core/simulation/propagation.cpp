@@ -172,6 +172,17 @@ double blockingRadius(const WorldCapsule& capsule, const Vector3d& from, const V
 
 }  // namespace
 
+Medium mediumOf(const SoundScenario& scenario, double speed_of_sound_m_per_s) {
+    return {.speed_of_sound_m_per_s = speed_of_sound_m_per_s,
+            .absorption_db_per_m = scenario.absorption_db_per_m,
+            .directivity = scenario.directivity,
+            .occlusion = scenario.occlusion,
+            .late_path = scenario.late_path,
+            .behind_source_db = scenario.behind_source_db,
+            .late_path_db = scenario.late_path_db,
+            .late_path_db_per_cm = scenario.late_path_db_per_cm};
+}
+
 double pistonDirectivity(double ka, double cos_angle, double behind_source_db) {
     if (cos_angle < 0)
         return gainFromDb(behind_source_db);

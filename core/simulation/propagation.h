@@ -22,6 +22,9 @@ struct Medium {
     double late_path_db_per_cm = -4;  ///< ... and for every centimetre of detour
 };
 
+struct SoundScenario;
+Medium mediumOf(const SoundScenario& scenario, double speed_of_sound_m_per_s);
+
 /// Source and microphone at one instant.
 struct PathEnds {
     Vector3d source_m, normal;  ///< normal: unit vector of the source's axis

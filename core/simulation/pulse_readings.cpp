@@ -17,19 +17,6 @@ double astrayShare(double snr) {
     return std::min(1.0, 0.035 * std::exp((8 - snr) / 2.4));
 }
 
-Medium mediumOf(const SoundScenario& sound, double speed_of_sound_m_per_s) {
-    Medium medium;
-    medium.speed_of_sound_m_per_s = speed_of_sound_m_per_s;
-    medium.absorption_db_per_m = sound.absorption_db_per_m;
-    medium.directivity = sound.directivity;
-    medium.occlusion = sound.occlusion;
-    medium.late_path = sound.late_path;
-    medium.behind_source_db = sound.behind_source_db;
-    medium.late_path_db = sound.late_path_db;
-    medium.late_path_db_per_cm = sound.late_path_db_per_cm;
-    return medium;
-}
-
 }  // namespace
 
 PulseReadings::PulseReadings(const World& world, const Scenario& scenario, const HiddenTruth& truth)

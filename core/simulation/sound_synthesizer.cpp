@@ -14,17 +14,6 @@ constexpr double kFaintest_counts = 0.2;
 /// Apart from the pulse's beginning, the flight is solved for what is emitted this much later.
 constexpr double kLater_s = 5e-4;
 
-Medium mediumOf(const SoundScenario& scenario, const SoundConditions& conditions) {
-    return {.speed_of_sound_m_per_s = conditions.speed_of_sound_m_per_s,
-            .absorption_db_per_m = scenario.absorption_db_per_m,
-            .directivity = scenario.directivity,
-            .occlusion = scenario.occlusion,
-            .late_path = scenario.late_path,
-            .behind_source_db = scenario.behind_source_db,
-            .late_path_db = scenario.late_path_db,
-            .late_path_db_per_cm = scenario.late_path_db_per_cm};
-}
-
 /// Drops the first `count` values of what is under way.
 void advance(std::vector<float>& samples, size_t count) {
     samples.erase(samples.begin(),
@@ -47,7 +36,7 @@ SoundSynthesizer::SoundSynthesizer(const World& world, const SoundScenario& scen
     : world_(world),
       scenario_(scenario),
       conditions_(conditions),
-      medium_(mediumOf(scenario, conditions)),
+      medium_(mediumOf(scenario, conditions.speed_of_sound_m_per_s)),
       truth_(drawSoundTruth(scenario, world.sourceCount(), world.boardCount(), seed)),
       room_(room ? *room : Room(world, scenario, seed)),
       microphones_(world),

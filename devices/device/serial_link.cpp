@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "devices/driver_box/discovery.h"
+
 namespace noctule {
 
 namespace {
@@ -23,7 +25,7 @@ std::string serialRemedy(QSerialPort::SerialPortError error) {
 void SerialLink::open() {
     close();
     port_ = new QSerialPort(QString::fromStdString(path_));
-    port_->setBaudRate(kBaudRate);
+    port_->setBaudRate(link::kSerialBaud);
     if (!port_->open(QIODevice::ReadWrite))
         return ended(port_->error());
     port_->setDataTerminalReady(true);  // a pseudo-terminal has none

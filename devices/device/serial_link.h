@@ -11,8 +11,6 @@ namespace noctule {
 
 class SerialLink : public ByteLink {
 public:
-    static constexpr int kBaudRate = 3'000'000;
-
     /// A path: "/dev/ttyACM0".
     explicit SerialLink(std::string path) : path_(std::move(path)) {}
     ~SerialLink() override { close(); }

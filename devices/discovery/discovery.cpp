@@ -19,7 +19,7 @@ namespace noctule {
 namespace {
 
 constexpr int kLookEvery_ms = 500;
-constexpr int kProbeTime_ms = 1400;
+constexpr int kProbe_ms = link::kSerialProbes * link::kSerialProbe_ms;
 
 FoundDevice serialPort(const std::string& path) {
     FoundDevice port;
@@ -44,7 +44,7 @@ std::vector<FoundDevice> usbPorts() {
 
 }  // namespace
 
-/// All but found() and probe() run on the thread.
+/// All but found(), isSettled() and probe() run on the thread.
 class Discovery::Search {
 public:
     Search(const DiscoveryOptions& options, Listener listener)
@@ -60,11 +60,22 @@ public:
         const std::lock_guard lock(mutex_);
         return found_;
     }
+    bool isSettled() const { return unsettled_ == 0; }
     void probe(const DeviceAddress& address) {
-        thread_.post([this, address] { beginProbe(address); });
+        ++unsettled_;
+        thread_.post([this, address] {
+            beginProbe(address);
+            --unsettled_;
+        });
     }
 
 private:
+    /// A device that was opened to hear who is there.
+    struct Probe {
+        int number = 0;  ///< what an earlier one of the same address does too late is void
+        std::unique_ptr<Device> device;
+    };
+
     void begin() {
         lan_ = std::make_unique<LanSearch>(
             options_.udp_port, [this](const link::Announcement& announcement, const std::string& host) {
@@ -74,6 +85,7 @@ private:
         QObject::connect(look_.get(), &QTimer::timeout, look_.get(), [this] { look(); });
         look_->start(kLookEvery_ms);
         look();
+        --unsettled_;
     }
     void end() {
         probes_.clear();
@@ -84,11 +96,18 @@ private:
     void look() {
         tell(list_.forgetSilent(steadyNow_ns()));
         std::vector<FoundDevice> ports = options_.serial_ports ? usbPorts() : std::vector<FoundDevice>();
+        const std::vector<FoundDevice> seen = ports;
         std::error_code ignored;
         for (const std::string& path : probed_paths_)
             if (std::filesystem::exists(path, ignored))
                 ports.push_back(serialPort(path));
         tell(list_.setPorts(ports));
+        if (!options_.probe_serial_ports)
+            return;
+        for (const FoundDevice& port : seen)
+            if (const auto address = readDeviceAddress(port.address);
+                address && !probed_paths_.contains(address->path))
+                beginProbe(*address);
     }
 
     void beginProbe(const DeviceAddress& address) {
@@ -101,23 +120,26 @@ private:
         if (address.kind == DeviceAddress::Kind::kSerial)
             probed_paths_.insert(address.path);
         tell(list_.probing(text));
-        Device& probe = *(probes_[text] = std::move(*device));
-        probe.open([this, text](const DeviceEvent& event) {
+        ++unsettled_;
+        const int number = ++probe_number_;
+        Probe& probe = probes_[text] = {number, std::move(*device)};
+        probe.device->open([this, text, number](const DeviceEvent& event) {
             if (const auto* greeted = std::get_if<link::Greeted>(&event.event))
-                thread_.post([this, text, hello = greeted->hello] { endProbe(text, hello); });
+                thread_.post([this, text, number, hello = greeted->hello] { endProbe(text, number, hello); });
             else if (std::holds_alternative<link::Refused>(event.event))
-                thread_.post([this, text] { endProbe(text, std::nullopt); });
+                thread_.post([this, text, number] { endProbe(text, number, std::nullopt); });
         });
-        QTimer::singleShot(kProbeTime_ms, look_.get(), [this, text, number = ++probe_number_] {
-            if (numbers_[text] == number)
-                endProbe(text, std::nullopt);
-        });
-        numbers_[text] = probe_number_;
+        QTimer::singleShot(kProbe_ms, look_.get(),
+                           [this, text, number] { endProbe(text, number, std::nullopt); });
     }
 
-    void endProbe(const std::string& address, const std::optional<link::Hello>& hello) {
-        if (probes_.erase(address) > 0)
-            tell(list_.probed(address, hello));
+    void endProbe(const std::string& address, int number, const std::optional<link::Hello>& hello) {
+        const auto probe = probes_.find(address);
+        if (probe == probes_.end() || probe->second.number != number)
+            return;
+        probes_.erase(probe);
+        tell(list_.probed(address, hello));
+        --unsettled_;
     }
 
     void tell(bool changed) {
@@ -139,9 +161,9 @@ private:
     std::set<std::string> probed_paths_;
     std::unique_ptr<LanSearch> lan_;
     std::unique_ptr<QTimer> look_;
-    std::map<std::string, std::unique_ptr<Device>> probes_;
-    std::map<std::string, int> numbers_;  ///< of the last probe of an address: an older one's timer is void
+    std::map<std::string, Probe> probes_;  ///< by address
     int probe_number_ = 0;
+    std::atomic<int> unsettled_ = 1;  ///< the first look, and probes under way
 
     mutable std::mutex mutex_;
     std::vector<FoundDevice> found_;
@@ -156,6 +178,10 @@ Discovery::~Discovery() = default;
 
 std::vector<FoundDevice> Discovery::found() const {
     return search_->found();
+}
+
+bool Discovery::isSettled() const {
+    return search_->isSettled();
 }
 
 Status Discovery::probe(const std::string& address) {

@@ -11,14 +11,14 @@
 
 #include "core/job/result.h"
 #include "devices/discovery/found_device.h"
+#include "devices/driver_box/discovery.h"
 
 namespace noctule {
 
-inline constexpr uint16_t kDiscoveryPort = 41940;
-
 struct DiscoveryOptions {
-    uint16_t udp_port = kDiscoveryPort;  ///< where boxes listen
+    uint16_t udp_port = link::kDiscoveryPort;  ///< where boxes listen
     bool serial_ports = true;
+    bool probe_serial_ports = false;  ///< each as soon as it is seen
 };
 
 class Discovery {
@@ -33,6 +33,8 @@ public:
     ~Discovery();
 
     std::vector<FoundDevice> found() const;
+    /// The serial ports have been looked for, and every probe asked for so far has ended.
+    bool isSettled() const;
 
     /// Asks at an address who is there, within 1.4 s; the list tells. Serial ports and pseudo-terminals that
     /// are not in the list join it. kUsage for what is no address. Not for a device that is open.

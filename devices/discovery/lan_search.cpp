@@ -5,21 +5,14 @@
 #include <QNetworkInterface>
 #include <QNetworkProxy>
 
-#include "devices/driver_box/frame.h"
-#include "devices/driver_box/messages.h"
+#include "devices/driver_box/discovery.h"
 
 namespace noctule {
-
-namespace {
-
-constexpr std::string_view kQuestion = "NOCTULE-DISCOVER";
-
-}  // namespace
 
 LanSearch::LanSearch(uint16_t port, Listener listener) : port_(port), listener_(std::move(listener)) {
     socket_.setProxy(QNetworkProxy::NoProxy);
     socket_.bind(QHostAddress(QHostAddress::AnyIPv4));
-    socket_.setSocketOption(QAbstractSocket::MulticastTtlOption, 1);
+    socket_.setSocketOption(QAbstractSocket::MulticastTtlOption, link::kDiscoveryTtl);
     QObject::connect(&socket_, &QUdpSocket::readyRead, &socket_, [this] { hear(); });
     QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { ask(); });
     ask();
@@ -27,7 +20,7 @@ LanSearch::LanSearch(uint16_t port, Listener listener) : port_(port), listener_(
 
 /// An interface that cannot send (no address, no route) is no error: the box may be at another.
 void LanSearch::ask() {
-    static const QHostAddress kGroup(QStringLiteral("239.255.41.94"));
+    static const QHostAddress kGroup(QString::fromLatin1(link::kDiscoveryGroup.data()));
     for (const QNetworkInterface& interface : QNetworkInterface::allInterfaces()) {
         if (!interface.flags().testFlag(QNetworkInterface::IsRunning))
             continue;
@@ -41,11 +34,12 @@ void LanSearch::ask() {
     }
     ask(QHostAddress::Broadcast);
     ask(QHostAddress::LocalHost);  // a virtual suit on this computer, with or without a network
-    timer_.start(++asked_ < kFirstCount ? kFirstEvery_ms : kThenEvery_ms);
+    timer_.start(++asked_ < link::kDiscoveryQuestions ? link::kDiscoveryEvery_ms : kThenEvery_ms);
 }
 
 void LanSearch::ask(const QHostAddress& address) {
-    socket_.writeDatagram(kQuestion.data(), static_cast<qint64>(kQuestion.size()), address, port_);
+    socket_.writeDatagram(link::kDiscoveryQuestion.data(),
+                          static_cast<qint64>(link::kDiscoveryQuestion.size()), address, port_);
 }
 
 void LanSearch::hear() {
@@ -53,15 +47,10 @@ void LanSearch::hear() {
         const QNetworkDatagram datagram = socket_.receiveDatagram();
         const QByteArray bytes = datagram.data();
         const std::string host = datagram.senderAddress().toString().toStdString();
-        link::FrameReader reader;
-        reader.push({reinterpret_cast<const uint8_t*>(bytes.constData()), static_cast<size_t>(bytes.size())},
-                    0, [&](const link::Frame& frame) {
-                        if (static_cast<link::Type>(frame.header.type) != link::Type::kAnnounce)
-                            return;
-                        const auto announcement = link::readAnnouncement(frame.payload, host);
-                        if (announcement)
-                            listener_(*announcement, host);
-                    });
+        const auto announcement = link::readAnnouncementDatagram(
+            {reinterpret_cast<const uint8_t*>(bytes.constData()), static_cast<size_t>(bytes.size())}, host);
+        if (announcement)
+            listener_(*announcement, host);
     }
 }
 

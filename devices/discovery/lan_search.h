@@ -15,7 +15,7 @@ namespace noctule {
 
 class LanSearch {
 public:
-    static constexpr int kFirstEvery_ms = 300, kFirstCount = 3, kThenEvery_ms = 1000;
+    static constexpr int kThenEvery_ms = 1000;
 
     /// `host`: the sender's address.
     using Listener = std::function<void(const link::Announcement&, const std::string& host)>;

@@ -41,6 +41,7 @@ TEST(Devices, FindingNothingIsNoErrorAndSaysWhatToDo) {
     for (const char* word : {"No device", "Switch", "noctule-virtual-suit"})
         EXPECT_NE(text.out.find(word), std::string::npos) << text.out;
     EXPECT_TRUE(text.err.empty()) << text.err;
+    EXPECT_EQ(batch(devicesAt(1, {"--wait", "0", "--probe"})).exit_code, 0);
 }
 
 TEST(Devices, ItsOptionsAreChecked) {

@@ -75,6 +75,23 @@ TEST(Recover, AFolderAndASession) {
     EXPECT_EQ(batch({"recover", empty.path().string(), "--json"}).json()["takes"].size(), 0u);
 }
 
+TEST(Recover, OneThatIsBeingRecordedIsLeftAloneInAFolder) {
+    Folder folder;
+    const std::string open = folder.file("open.noctule");
+    makeBrokenTake(open);
+    makeBrokenTake(folder.file("walk_001.noctule"));
+    const OpenElsewhere recording(open);
+    const Ran ran = batch({"recover", folder.path().string(), "--json"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const auto takes = ran.json()["takes"];
+    ASSERT_EQ(takes.size(), 2u);
+    EXPECT_EQ(takes[0], (nlohmann::json{{"take", open}, {"state", "being recorded"}}));
+    EXPECT_EQ(takes[1]["state"], "recovered");
+    EXPECT_FALSE(std::filesystem::exists(folder.file("open_recovered.noctule")));
+    const Ran text = batch({"recover", folder.path().string()});
+    EXPECT_NE(text.out.find("open.noctule: is being recorded right now"), std::string::npos) << text.out;
+}
+
 TEST(Recover, WhatCannotBeRecoveredIsNamed) {
     Folder folder;
     expectRefusal({"recover", folder.file("none.noctule")}, 3, {"none.noctule"});

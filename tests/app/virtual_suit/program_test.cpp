@@ -201,6 +201,25 @@ TEST(VirtualSuit, AStallFillsTheBuffersAndDropsTheOldest) {
     expectTinyTake(studio, true);
 }
 
+TEST(VirtualSuit, AHoleInATakeTakesItsTime) {
+    const Folder folder;
+    const std::string path = tinyTake(folder);
+    runSql(path, "DELETE FROM adc_block WHERE first_sample BETWEEN 60000 AND 209999");
+    runSql(path, "UPDATE meta SET value='8' WHERE key='source_count'");
+    runSql(path, "UPDATE pulse SET source=7 WHERE id=(SELECT min(id) FROM pulse)");
+    RunningSuit suit({"--take", path});
+    TestStudio studio(tcp(suit));
+    ASSERT_TRUE(studio.start());
+    const int64_t begun_ns = nowNs();
+    ASSERT_TRUE(studio.runUntil([&] { return studio.samples() >= 300'000; }, 8)) << studio.samples();
+    EXPECT_NEAR(static_cast<double>(nowNs() - begun_ns) * 1e-9, 2, 0.5);
+    const auto gaps = studio.all<link::Gap>();
+    ASSERT_EQ(gaps.size(), 1u);
+    EXPECT_GE(gaps[0].sample_count, 140'000);
+    for (const link::Pulse& pulse : studio.pulses())
+        EXPECT_LT(pulse.source, 2) << "the suit has two sources";
+}
+
 TEST(VirtualSuit, AClientThatDoesNotReadNeverStallsTheSampling) {
     RunningSuit suit({"--rig", "rest", "--scenario", "ideal"});
     TestStudio studio(tcp(suit));

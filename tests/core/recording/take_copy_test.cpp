@@ -90,6 +90,19 @@ TEST_F(TakeCopies, RecoveredTakeIsWholeAndTheRecordingUntouched) {
     EXPECT_EQ(again.error().kind, ErrorKind::kUsage);
 }
 
+TEST_F(TakeCopies, AskingWhetherATakeIsBeingWrittenHarmsNoWriterOfThisProcess) {
+    breakOff("walk.noctule");
+    EXPECT_FALSE(isBeingWritten(path("walk.noctule")));
+    EXPECT_FALSE(isBeingWritten(path("none.noctule")));
+    auto take = TakeWriter::create(path("now.noctule"), header(), {false, TakeWriter::Journal::kWal});
+    ASSERT_TRUE(take);
+    ASSERT_TRUE(take->commit());
+    for (int i = 0; i < 2; ++i)
+        EXPECT_TRUE(isBeingWritten(path("now.noctule"))) << "a lock that was lost the first time, if not now";
+    ASSERT_TRUE(take->finish());
+    EXPECT_FALSE(isBeingWritten(path("now.noctule")));
+}
+
 TEST_F(TakeCopies, DamagedRecordingGivesNoTake) {
     breakOff("walk.noctule");
     ASSERT_TRUE(Take::open(path("walk.noctule"), Access::kReadWrite));  // SQLite brings the log into the file

@@ -63,6 +63,13 @@ TEST_F(SessionTakes, NextNameLooksAtFolderTrashAndList) {
     EXPECT_EQ(nextTakeName(session, "Grüße"), "Grüße_001");
 }
 
+TEST_F(SessionTakes, TheTrashBesideAFolderIsFoundHoweverTheFolderIsWritten) {
+    newSession();
+    makeTake(folder() / "trash" / "walk_001.noctule");
+    for (const Path& written : {takes(), takes() / "", takes() / ".", folder() / "trash" / ".." / "takes"})
+        EXPECT_EQ(nextTakePath(written, "walk").filename(), "walk_002.noctule") << written;
+}
+
 TEST_F(SessionTakes, ImportCopiesAndNeverOverwrites) {
     Session session = newSession();
     const Path original = makeTake(home_ / "elsewhere" / "walk_001.noctule", kCreated, "Ada");

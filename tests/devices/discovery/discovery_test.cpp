@@ -2,6 +2,7 @@
 #include "devices/discovery/discovery.h"
 
 #include <condition_variable>
+#include <map>
 
 #include "tests/devices/support/answerer.h"
 #include "tests/devices/support/test_box.h"
@@ -95,6 +96,31 @@ TEST(DiscoveryTest, ANamedTerminalIsProbedOnWish) {
     EXPECT_EQ(found.sources, 2);
     box.reset();
     EXPECT_TRUE(watch.waitFor(none, 5)) << "its path is gone";
+}
+
+void waitUntilSettled(const Discovery& discovery) {
+    for (int i = 0; i < 500 && !discovery.isSettled(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(discovery.isSettled());
+}
+
+TEST(DiscoveryTest, ItIsSettledWhenEveryProbeHasEnded) {
+    const TestBox box({.pty = true}), mute({.pty = true, .answers = false});
+    Discovery discovery({1, false});
+    waitUntilSettled(discovery);
+    EXPECT_TRUE(discovery.found().empty());
+    for (int round = 0; round < 2; ++round) {
+        ASSERT_TRUE(discovery.probe(box.address()));
+        ASSERT_TRUE(discovery.probe(mute.address()));
+        ASSERT_TRUE(discovery.probe(mute.address())) << "twice is once";
+        EXPECT_FALSE(discovery.isSettled());
+        waitUntilSettled(discovery);
+        std::map<std::string, Contact> contacts;
+        for (const FoundDevice& device : discovery.found())
+            contacts[device.address] = device.contact;
+        EXPECT_EQ(contacts, (std::map<std::string, Contact>{{box.address(), Contact::kAnswers},
+                                                            {mute.address(), Contact::kSilent}}));
+    }
 }
 
 TEST(DiscoveryTest, AProbeThatNobodyAnswersEndsSilent) {
