@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""All unit tests of the core under every check of the asan-ubsan preset."""
+"""All unit tests of the core and of the devices under every check of the asan-ubsan preset."""
 import os
 import re
 import subprocess
@@ -20,9 +20,9 @@ def run(*command):
 
 def figure(options):
     run("cmake", "--preset", "asan-ubsan")
-    targets = re.findall(r"^(test_core_\w+): phony$", run("ninja", "-C", "build/asan-ubsan", "-t", "targets", "all"),
+    targets = re.findall(r"^(test_(?:core|devices)_\w+): phony$", run("ninja", "-C", "build/asan-ubsan", "-t", "targets", "all"),
                          re.MULTILINE)
     run("cmake", "--build", "--preset", "asan-ubsan", "--parallel", str(options.jobs), "--target", *targets)
     summary = run("ctest", "--preset", "asan-ubsan", "--parallel", str(options.jobs), "--no-tests=error",
-                  "--tests-regex", "^core_")
+                  "--tests-regex", "^(core|devices)_")
     return re.search(r"\d+% tests passed.*", summary).group(0) + f" ({len(targets)} programs).\n"
