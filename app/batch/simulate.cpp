@@ -106,7 +106,7 @@ Result<Outcome> runSimulate(const VerbContext& context) {
 Verb simulateVerb() {
     Verb verb;
     verb.name = "simulate";
-    verb.summary = "make the take that a suit worn on a recorded motion would have recorded";
+    verb.summary = "make the take that a suit worn on a recorded motion, or on a rig, would have recorded";
     verb.example =
         "noctule --batch simulate --motion /usr/share/assimp/models/BVH/01_01.bvh --out hops_001.noctule";
     verb.options = {

@@ -13,8 +13,9 @@ def figure(options):
             ("link, bytes of a stream", "test_devices_driver_box", "FuzzLink.BytesOfAStream"),
             ("link, payloads to the studio", "test_devices_driver_box", "FuzzLink.PayloadsToTheStudio"),
             ("link, payloads to the box", "test_devices_driver_box", "FuzzLink.PayloadsToTheBox"),
-            ("takes", "test_core_session", "FuzzTake.DamagedFiles"),
-            ("JSON documents", "test_core_session", "FuzzJson.DamagedDocuments")):
+            ("takes", "test_core_recording", "FuzzTake.DamagedFiles"),
+            ("JSON of takes", "test_core_recording", "FuzzJson.DamagedDocuments"),
+            ("JSON of sessions", "test_core_session", "FuzzSession.DamagedDocuments")):
         found = built_tests.run(program, cases, "damaged inputs|could be opened", NOCTULE_FUZZ_INPUTS=count, **in_memory)
         text += f"{what}:\n\n{found}\n"
     return text
