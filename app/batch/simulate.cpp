@@ -5,6 +5,7 @@
 #include "app/batch/program.h"
 #include "app/batch/stage_request.h"
 #include "app/batch/verb.h"
+#include "core/job/atomic_file.h"
 #include "core/math/conventions.h"
 #include "devices/device/clock.h"
 
@@ -51,15 +52,18 @@ Result<Outcome> runSimulate(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     const bool overwrite = arguments.given("overwrite");
     const std::string out = arguments.text("out"), calibration_out = arguments.text("calibration-out"),
-                      truth_out = arguments.text("truth-out");
-    if (Status free = checkOutputs({out, calibration_out, truth_out}, overwrite); !free)
+                      truth_out = arguments.text("truth-out"),
+                      digitizer_out = arguments.text("digitizer-out");
+    if (Status free = checkOutputs({out, calibration_out, truth_out, digitizer_out}, overwrite); !free)
         return free.error();
     if (arguments.given("motion") == arguments.given("rig"))
-        return Error{
-            ErrorKind::kUsage,
-            std::string("simulate needs ") + (arguments.given("rig") ? "one of --motion and --rig, not both"
-                                                                     : "--motion M.bvh or --rig rest"),
-            "`noctule --batch simulate --help` shows an example"};
+        return Error{ErrorKind::kUsage,
+                     std::string("simulate needs ") +
+                         (arguments.given("rig") ? "one of --motion and --rig, not both"
+                                                 : "--motion M.bvh or --rig rest, jig, level or turntable"),
+                     "`noctule --batch simulate --help` shows an example"};
+    if (!digitizer_out.empty() && arguments.text("rig") != nameOf(RigKind::kJig))
+        return Error{ErrorKind::kUsage, "--digitizer-out is for the jig", "Give --rig jig, or leave it out"};
     auto request = stageRequest(arguments, context.console);
     if (!request)
         return request.error();
@@ -88,6 +92,13 @@ Result<Outcome> runSimulate(const VerbContext& context) {
     if (!truth_out.empty())
         if (Status written = writeJson(truth_out, stage->truthJson(), overwrite); !written)
             return written.error();
+    if (!digitizer_out.empty())
+        if (Status written = writeFileAtomically(
+                digitizer_out,
+                digitizerCsv(*stage->rig, stage->suit, stage->scenario.rigs.digitizer_sigma_m, request->seed),
+                overwrite);
+            !written)
+            return written.error();
     return outcome(context, *stage, *summary);
 }
 
@@ -96,7 +107,7 @@ Result<Outcome> runSimulate(const VerbContext& context) {
 Verb simulateVerb() {
     Verb verb;
     verb.name = "simulate";
-    verb.summary = "make the take that a suit worn on a recorded motion would have recorded";
+    verb.summary = "make the take that a suit worn on a recorded motion, or on a rig, would have recorded";
     verb.example =
         "noctule --batch simulate --motion /usr/share/assimp/models/BVH/01_01.bvh --out hops_001.noctule";
     verb.options = {
@@ -106,7 +117,7 @@ Verb simulateVerb() {
         number("duration", "S", 0.1, 86400, "of the whole take; a longer one repeats the motion"),
         text("calibration-out", "C.json", "write what a laboratory would know of this suit"),
         text("truth-out", "F.json", "write every hidden value"),
-        later("digitizer-out", "D.csv", "measured points of the jig")};
+        text("digitizer-out", "D.csv", "write what a digitizer measures on the jig")};
     const std::vector<Option> stage = stageOptions();
     verb.options.insert(verb.options.begin(), stage.begin(), stage.end());
     verb.run = runSimulate;

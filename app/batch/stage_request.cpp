@@ -20,12 +20,20 @@ Status checkSuit(const StageRequest& request, const std::string& path) {
     return checkSegments(request.suit, segments, path);
 }
 
+std::optional<RigKind> rigNamed(const std::string& name) {
+    for (const RigKind kind : {RigKind::kJig, RigKind::kLevelPlate, RigKind::kTurntable})
+        if (name == nameOf(kind))
+            return kind;
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Option> stageOptions() {
     return {text("motion", "M.bvh", "the motion, with any human hierarchy"),
-            choice("rig", {"rest"}, "no motion: the performer stands in the rest pose")
-                .laterOn({"jig", "level", "turntable"}),
+            choice("rig", {"rest", "jig", "level", "turntable"},
+                   "no motion: the performer stands in the rest pose, or nobody wears the suit, it is on a "
+                   "rig of calibration"),
             choice("scenario", {"ideal", "nominal", "realistic"}, "how good the world is").orElse("nominal"),
             text("suit", "S.json", "the suit; the one of 18 boards and 8 sources when not given"),
             text("actor", "A.json", "the performer; one with the motion's measures when not given"),
@@ -36,6 +44,14 @@ std::vector<Option> stageOptions() {
 Result<StageRequest> stageRequest(const Arguments& arguments, Console& console) {
     StageRequest request;
     request.suit = defaultSuit();
+    request.rig = rigNamed(arguments.text("rig"));
+    if (request.rig)
+        for (const char* name : {"actor", "rest-seconds"})
+            if (arguments.given(name))
+                return Error{ErrorKind::kUsage,
+                             "--" + std::string(name) + " does not go with --rig " + arguments.text("rig") +
+                                 ", where nobody wears the suit",
+                             "Leave it out, or take --rig rest"};
     if (arguments.given("motion")) {
         auto clip = readMotion(arguments.text("motion"), arguments.text("bvh-unit"), console);
         if (!clip)
@@ -46,7 +62,7 @@ Result<StageRequest> stageRequest(const Arguments& arguments, Console& console) 
         return read.error();
     if (const Status read = readGiven(arguments, "actor", readActor, request.actor); !read)
         return read.error();
-    if (arguments.given("suit"))
+    if (arguments.given("suit") && !request.rig)
         if (Status fits = checkSuit(request, arguments.text("suit")); !fits)
             return fits.error();
     auto scenario = Scenario::named(arguments.text("scenario"));

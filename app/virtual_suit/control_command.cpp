@@ -19,29 +19,29 @@ struct Shape {
     const char* name;
     Kind kind;
     size_t boards;
+    const char* word;    ///< what it names: a pose, a side; null: none
     const char* number;  ///< its name; null: none
     double min, max;
 };
 
-constexpr Shape kShapes[] = {
-    {"unplug", Kind::kUnplug, 1, nullptr, 0, 0},       {"plug", Kind::kPlug, 1, nullptr, 0, 0},
-    {"swap", Kind::kSwap, 2, nullptr, 0, 0},           {"slip", Kind::kSlip, 1, "DEGREES", -360, 360},
-    {"drop-bytes", Kind::kDropBytes, 0, "RATE", 0, 1}, {"flip-bits", Kind::kFlipBits, 0, "RATE", 0, 1},
-    {"stall", Kind::kStall, 0, "SECONDS", 0, 3600},    {"cut", Kind::kCut, 0, "SECONDS", 0, 3600},
-    {"battery", Kind::kBattery, 0, "PERCENT", 0, 100}, {"temperature", Kind::kTemperature, 0, "C", -40, 85},
-    {"quit", Kind::kQuit, 0, nullptr, 0, 0},
-};
+constexpr double kFastest_rpm = 200;
 
-/// Commands of rigs that this program does not have.
-struct RigWord {
-    const char* name;
-    const char* what;
-};
-constexpr RigWord kRigWords[] = {
-    {"pose", "the performer does what the motion or the take says"},
-    {"side", "no level plate is here, a suit is worn"},
-    {"spin", "no turntable is here, a suit is worn"},
-    {"placement", "no jig is here, a suit is worn"},
+constexpr Shape kShapes[] = {
+    {"unplug", Kind::kUnplug, 1, nullptr, nullptr, 0, 0},
+    {"plug", Kind::kPlug, 1, nullptr, nullptr, 0, 0},
+    {"swap", Kind::kSwap, 2, nullptr, nullptr, 0, 0},
+    {"slip", Kind::kSlip, 1, nullptr, "DEGREES", -360, 360},
+    {"pose", Kind::kPose, 0, "NAME", nullptr, 0, 0},
+    {"side", Kind::kSide, 0, "SIDE", nullptr, 0, 0},
+    {"spin", Kind::kSpin, 0, "SIDE", "RPM", -kFastest_rpm, kFastest_rpm},
+    {"placement", Kind::kPlacement, 0, nullptr, "N", 1, 100},
+    {"drop-bytes", Kind::kDropBytes, 0, nullptr, "RATE", 0, 1},
+    {"flip-bits", Kind::kFlipBits, 0, nullptr, "RATE", 0, 1},
+    {"stall", Kind::kStall, 0, nullptr, "SECONDS", 0, 3600},
+    {"cut", Kind::kCut, 0, nullptr, "SECONDS", 0, 3600},
+    {"battery", Kind::kBattery, 0, nullptr, "PERCENT", 0, 100},
+    {"temperature", Kind::kTemperature, 0, nullptr, "C", -40, 85},
+    {"quit", Kind::kQuit, 0, nullptr, nullptr, 0, 0},
 };
 
 std::string shortNumber(double value) {
@@ -58,6 +58,8 @@ std::string usageOf(const Shape& shape) {
     std::string text = shape.name;
     for (size_t i = 0; i < shape.boards; ++i)
         text += shape.boards == 1 ? " BOARD" : i == 0 ? " A" : " B";
+    if (shape.word)
+        text += std::string(" ") + shape.word;
     return shape.number ? text + " " + shape.number : text;
 }
 
@@ -80,17 +82,31 @@ Result<int> boardNamed(const std::string& word, const Suit& suit) {
 }
 
 Error unknownCommand(const std::string& name) {
-    for (const RigWord& word : kRigWords)
-        if (name == word.name)
-            return mistake(name + " is for rigs", std::string("Not possible: ") + word.what);
     std::vector<std::string> names;
     for (const Shape& shape : kShapes)
         names.emplace_back(shape.name);
     return mistake("unknown command '" + name + "'", "Did you mean " + batch::nearest(name, names) + "?");
 }
 
+/// "+x", "-x", "x" of any axis.
+Status readSide(const std::string& word, ControlCommand& command) {
+    for (const simulation::RigSide side : simulation::allRigSides())
+        if (word == side.name() || "+" + word == side.name()) {
+            command.side = side;
+            return Done{};
+        }
+    return mistake("no side '" + word + "'", "Give the axis that points up: +x, -x, +y, -y, +z or -z");
+}
+
+Status readPose(const std::string& word, ControlCommand& command) {
+    if (std::find(std::begin(kPoses), std::end(kPoses), word) == std::end(kPoses))
+        return mistake("no pose '" + word + "'", "Choose rest, t or sit");
+    command.pose = word;
+    return Done{};
+}
+
 Result<ControlCommand> filledIn(const Shape& shape, const std::vector<std::string>& words, const Suit& suit) {
-    if (words.size() != 1 + shape.boards + (shape.number ? 1 : 0))
+    if (words.size() != 1 + shape.boards + (shape.word ? 1 : 0) + (shape.number ? 1 : 0))
         return mistake("'" + words[0] + "' with " + std::to_string(words.size() - 1) + " values",
                        "Write " + usageOf(shape));
     ControlCommand command;
@@ -103,12 +119,17 @@ Result<ControlCommand> filledIn(const Shape& shape, const std::vector<std::strin
     }
     if (command.board >= 0 && command.board == command.other_board)
         return mistake("both are board " + suit.boards[command.board].id, "Name two boards");
+    if (shape.word)
+        if (Status read = (shape.kind == Kind::kPose ? readPose : readSide)(words[1], command); !read)
+            return read.error();
     if (!shape.number)
         return command;
     const auto number = numberIn(words.back());
     if (!number || *number < shape.min || *number > shape.max)
         return mistake(words[0] + " cannot be '" + words.back() + "'",
                        "Give a number from " + shortNumber(shape.min) + " to " + shortNumber(shape.max));
+    if (shape.kind == Kind::kPlacement && *number != std::floor(*number))
+        return mistake("no placement '" + words.back() + "'", "Give a whole number");
     command.number = *number;
     return command;
 }

@@ -6,9 +6,12 @@
 #include <string_view>
 
 #include "core/job/result.h"
+#include "core/simulation/rig_world.h"
 #include "core/suit/suit.h"
 
 namespace noctule::virtual_suit {
+
+inline constexpr const char* kPoses[] = {"rest", "t", "sit"};
 
 struct ControlCommand {
     enum class Kind {
@@ -16,6 +19,10 @@ struct ControlCommand {
         kPlug,
         kSwap,
         kSlip,
+        kPose,
+        kSide,
+        kSpin,
+        kPlacement,
         kDropBytes,
         kFlipBits,
         kStall,
@@ -26,7 +33,9 @@ struct ControlCommand {
     };
     Kind kind = Kind::kQuit;
     int board = -1, other_board = -1;  ///< indices in the suit
-    double number = 0;                 ///< degrees, rate, seconds, percent, degrees Celsius
+    double number = 0;  ///< degrees, rate, seconds, percent, degrees Celsius, turns a minute, placement
+    simulation::RigSide side{};  ///< of the boards, upwards
+    std::string pose{};          ///< one of kPoses
 };
 
 /// BOARD is an id of the suit or a number from 1. Errors say what is right.

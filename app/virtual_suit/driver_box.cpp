@@ -32,8 +32,7 @@ link::BoxOptions optionsOf(const SoundOfSuit& sound, const BoxSettings& settings
     link::BoxOptions options;
     options.buffer_s = secondsOfSuit(kBuffer_s, settings.speed);
     options.drops_silent_clients = settings.drops_silent_clients;
-    options.sets_pulses = sound.source->isSimulated();
-    options.sets_sources = false;
+    options.sets_pulses = options.sets_sources = sound.source->isSimulated();
     return options;
 }
 

@@ -60,7 +60,7 @@ private:
     void powerOn();
 
     Status plug(int board, bool connected);
-    Status slip(int board, double degrees);
+    Status changeWorld(const ControlCommand& command);
     std::string nameOf(int board) const;
     void report(link::Code code, const std::string& text);
 

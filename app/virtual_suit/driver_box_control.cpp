@@ -2,7 +2,6 @@
 // What the control port may do to a box.
 #include "app/virtual_suit/clock.h"
 #include "app/virtual_suit/driver_box.h"
-#include "core/math/conventions.h"
 
 namespace noctule::virtual_suit {
 
@@ -15,13 +14,10 @@ Status DriverBox::plug(int board, bool connected) {
     return Done{};
 }
 
-Status DriverBox::slip(int board, double degrees) {
-    if (!maker_.isSimulated())
-        return Error{ErrorKind::kUsage, "nothing can slip in a take made before",
-                     "Use --motion or --rig rest"};
-    if (hello().suit.boards[board].segment.empty())
-        return Error{ErrorKind::kUsage, nameOf(board) + " is fixed in the room", "Choose one that is worn"};
-    maker_.ask([board, angle_rad = radians(degrees)](SoundSource& source) { source.slip(board, angle_rad); });
+Status DriverBox::changeWorld(const ControlCommand& command) {
+    if (Status able = maker_.accepts(command); !able)
+        return able;
+    maker_.ask([command](SoundSource& source) { source.obey(command); });
     return Done{};
 }
 
@@ -39,7 +35,11 @@ Status DriverBox::execute(const ControlCommand& command) {
             wiring_.swap(command.board, command.other_board);
             break;
         case Kind::kSlip:
-            return slip(command.board, command.number);
+        case Kind::kPose:
+        case Kind::kSide:
+        case Kind::kSpin:
+        case Kind::kPlacement:
+            return changeWorld(command);
         case Kind::kDropBytes:
             faults_.setDropRate(command.number);
             break;

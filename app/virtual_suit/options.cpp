@@ -52,7 +52,9 @@ Status checkSource(const batch::Arguments& arguments) {
     if (given.empty())
         return usage(
             "nothing to play is given",
-            std::string("Give --motion M.bvh, --rig rest or --take T.noctule, for example: ") + kExample);
+            std::string("Give --motion M.bvh, --rig rest, jig, level or turntable, or --take T.noctule, for "
+                        "example: ") +
+                kExample);
     if (given.size() > 1)
         return usage(given[0] + " and " + given[1] + " exclude each other", "Give one of them");
     if (arguments.given("take"))
@@ -102,15 +104,17 @@ Result<Options> parseOptions(const std::vector<std::string>& words) {
 
 std::string helpText() {
     return "noctule-virtual-suit: a driver box without hardware, for studios that have none at hand.\n\n"
-           "usage: noctule-virtual-suit --motion M.bvh | --rig rest | --take T.noctule [OPTIONS]\n\n"
+           "usage: noctule-virtual-suit --motion M.bvh | --rig RIG | --take T.noctule [OPTIONS]\n\n"
            "options:\n" +
            batch::optionList(table(), false) +
            "\nIt prints the addresses that `noctule --batch record --device` takes, then serves one studio "
            "at\n"
            "a time until Ctrl-C. The control port takes one command a line and answers ok or error:\n"
            "  unplug BOARD, plug BOARD, swap A B, slip BOARD DEGREES, drop-bytes RATE, flip-bits RATE,\n"
-           "  stall SECONDS, cut SECONDS, battery PERCENT, temperature C, quit.\n"
-           "BOARD is an id such as l_forearm or a number from 1, RATE a share from 0 to 1.\n"
+           "  stall SECONDS, cut SECONDS, battery PERCENT, temperature C, quit; pose rest|t|sit (rig rest),\n"
+           "  side SIDE (rig level), spin SIDE RPM (rig turntable, 0 stops it), placement N (rig jig).\n"
+           "BOARD is an id such as l_forearm or a number from 1, RATE a share from 0 to 1,\n"
+           "SIDE the boards' axis that points up: +x, -x, +y, -y, +z or -z.\n"
            "\nexit codes: 0 ended by quit, 1 internal error, 2 usage, 3 input unreadable, 4 input readable\n"
            "but not usable, 5 a port cannot be had, 130 ended by Ctrl-C.\n\nexample: " +
            kExample + "\n";

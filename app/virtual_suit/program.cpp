@@ -41,7 +41,7 @@ void tellLine(const std::string& text) {
     std::fprintf(stderr, "%s\n", text.c_str());
 }
 
-/// Nobody who stands in the rest pose is ever done.
+/// Neither one who stands in the rest pose nor a rig is ever done.
 Result<SoundOfSuit> openSound(const Options& options) {
     if (!options.take().empty())
         return openTakeSource(options.take(), options.loop());
@@ -49,6 +49,7 @@ Result<SoundOfSuit> openSound(const Options& options) {
     auto request = batch::stageRequest(options.arguments, console);
     if (!request)
         return request.error();
+    request->rig_is_operated = true;
     if (options.loop() || !request->clip)
         request->duration_s = kDay_s;
     auto stage = simulation::prepareStage(*request);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <numbers>
 
+#include "core/math/rotation.h"
 #include "core/simulation/signal_sampler.h"
 
 namespace noctule::virtual_suit {
@@ -12,14 +14,70 @@ namespace {
 using namespace simulation;
 
 /// Later than anything that has been asked about: echoes and readings of the present block.
-constexpr double kSlipAfter_s = 0.1;
+constexpr double kSoon_s = 0.1;
+
+Error notHere(const std::string& what, const std::string& option) {
+    return {ErrorKind::kUsage, what, "Start noctule-virtual-suit with " + option};
+}
+
+/// Whether a performer, or the rig, can do that.
+Status wornAccepts(const ControlCommand& command, const Stage& stage) {
+    using Kind = ControlCommand::Kind;
+    if (command.kind == Kind::kSlip && stage.suit.boards[command.board].segment.empty())
+        return Error{ErrorKind::kUsage,
+                     "board " + stage.suit.boards[command.board].id + " is fixed in the room",
+                     "Choose one that is worn"};
+    if (command.kind == Kind::kPose && !stage.motion.rows.empty())
+        return notHere("the performer does what the motion says", "--rig rest");
+    return command.kind == Kind::kSlip || command.kind == Kind::kPose
+               ? Status(Done{})
+               : notHere("the suit is worn, there is no rig to move", "--rig level, turntable or jig");
+}
+
+Status rigAccepts(const ControlCommand& command, const RigWorld& rig) {
+    using Kind = ControlCommand::Kind;
+    switch (command.kind) {
+        case Kind::kSide:
+            return rig.kind() == RigKind::kLevelPlate ? Status(Done{})
+                                                      : notHere("no level plate is here", "--rig level");
+        case Kind::kSpin:
+            return rig.kind() == RigKind::kTurntable ? Status(Done{})
+                                                     : notHere("no turntable is here", "--rig turntable");
+        case Kind::kPlacement:
+            if (rig.kind() != RigKind::kJig)
+                return notHere("no jig is here", "--rig jig");
+            if (command.number > rig.placementCount())
+                return Error{ErrorKind::kUsage, "the jig has no such placement",
+                             "Give a number from 1 to " + std::to_string(rig.placementCount())};
+            return Done{};
+        default:
+            return notHere("nobody wears the suit", "--motion or --rig rest");
+    }
+}
+
+/// Seated: thighs forward, shins down; all else as in the rest pose.
+Pose poseNamed(const std::string& name, const Actor& actor) {
+    Pose pose = actor.skeleton.zeroPose();
+    if (name == "t")
+        return pose;
+    pose.q_parent_joint = actor.rest_q_parent_joint;
+    const double bent_rad = std::numbers::pi / 2;
+    for (int j = 0; name == "sit" && j < actor.skeleton.size(); ++j) {
+        const std::string& joint = actor.skeleton.joint(j).name;
+        if (joint.ends_with("UpLeg"))
+            pose.q_parent_joint[j] = axisAngle(Vector3d::UnitX(), -bent_rad);
+        else if (joint.ends_with("Leg"))
+            pose.q_parent_joint[j] = axisAngle(Vector3d::UnitX(), bent_rad);
+    }
+    return pose;
+}
 
 class SimulatedSource : public SoundSource {
 public:
     explicit SimulatedSource(Stage stage) : stage_(std::move(stage)) {}
 
     Status restart() override {
-        stage_.world->keepSlips();
+        stage_.world->beginAgain();
         sampler_ = std::make_unique<SignalSampler>(*stage_.world, stage_.scenario, stage_.truth, room_);
         room_ = sampler_->room();
         next_sample_ = next_pulse_ = 0;
@@ -39,9 +97,22 @@ public:
     }
 
     bool isSimulated() const override { return true; }
-    void slip(int board, double angle_rad) override {
-        const double now_s = static_cast<double>(next_sample_) / stage_.scenario.sample_rate_hz;
-        stage_.world->slip(board, angle_rad, now_s + kSlipAfter_s);
+    Status accepts(const ControlCommand& command) const override {
+        return stage_.rig ? rigAccepts(command, *stage_.rig) : wornAccepts(command, stage_);
+    }
+    void obey(const ControlCommand& command) override {
+        using Kind = ControlCommand::Kind;
+        const double soon_s = static_cast<double>(next_sample_) / stage_.scenario.sample_rate_hz + kSoon_s;
+        if (command.kind == Kind::kSlip)
+            stage_.body->slip(command.board, radians(command.number), soon_s);
+        else if (command.kind == Kind::kPose)
+            stage_.body->takePose(poseNamed(command.pose, stage_.mover), soon_s);
+        else if (command.kind == Kind::kSide)
+            stage_.rig->layOn(command.side, soon_s);
+        else if (command.kind == Kind::kSpin)
+            stage_.rig->spin(command.side, command.number, soon_s);
+        else if (command.kind == Kind::kPlacement)
+            stage_.rig->place(static_cast<int>(command.number) - 1, soon_s);
     }
     void set(const link::Settings& settings) override {
         Scenario& scenario = stage_.scenario;
@@ -49,13 +120,15 @@ public:
             scenario.pulse_interval_s =
                 static_cast<double>(*settings.pulse_interval_samples) / scenario.sample_rate_hz;
         scenario.pulse_cycles = settings.pulse_cycles.value_or(scenario.pulse_cycles);
+        if (settings.enabled_sources)
+            scenario.enabled_sources = settings.enabled_sources;
     }
 
 private:
     void addPulses(SoundBlock& block) {
-        if (stage_.world->sourceCount() == 0)
-            return;
         const PulseSchedule schedule = stage_.scenario.schedule();
+        if (schedule.isSilent(stage_.world->sourceCount()))
+            return;
         for (;; ++next_pulse_) {
             const Pulse pulse = schedule.pulse(next_pulse_, stage_.world->sourceCount());
             if (pulse.sample >= block.end())

@@ -33,6 +33,7 @@ public:
     /// Something is made: the first block of a simulation may take seconds.
     bool isReady();
     bool isSimulated() const { return simulated_; }
+    Status accepts(const ControlCommand& command) const { return source_->accepts(command); }
     /// The source's last block has been handed over.
     bool ended();
     /// Once each.

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/virtual_suit/control_command.h"
 #include "app/virtual_suit/instruments.h"
 #include "core/job/result.h"
 #include "devices/driver_box/hello.h"
@@ -30,11 +31,13 @@ public:
     /// In rising order; a hole is a gap. Nothing: all has been played.
     virtual Result<std::optional<SoundBlock>> next() = 0;
 
-    /// Whether slip() and set() do anything.
+    /// Whether set() and obey() do anything.
     virtual bool isSimulated() const = 0;
-    /// The board turns on its limb, soon.
-    virtual void slip(int /*board*/, double /*angle_rad*/) {}
-    /// From the next restart on: interval and cycles of pulses.
+    /// Whether there is anything to obey this command: a strap to slip, a plate to turn. From any thread.
+    virtual Status accepts(const ControlCommand& command) const = 0;
+    /// What it accepts happens soon, and is still so after a restart.
+    virtual void obey(const ControlCommand& /*command*/) {}
+    /// From the next restart on: interval, cycles and sources of pulses.
     virtual void set(const link::Settings& /*settings*/) {}
 };
 

@@ -56,6 +56,10 @@ public:
     }
 
     bool isSimulated() const override { return false; }
+    Status accepts(const ControlCommand&) const override {
+        return Error{ErrorKind::kUsage, "nothing can slip or be turned in a take made before",
+                     "Use --motion or --rig"};
+    }
 
 private:
     void rewind() {

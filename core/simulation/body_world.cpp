@@ -101,17 +101,28 @@ void BodyWorld::giveWay(int board, const std::vector<Jet>& coordinates, Vector3<
 
 void BodyWorld::slip(int board, double angle_rad, double t_s) {
     slips_[board].push_back({t_s, angle_rad});
+    forgetRowsAfter(t_s);
+}
+
+void BodyWorld::takePose(const Pose& pose, double t_s) {
+    performance_.takePose(pose, t_s);
+    forgetRowsAfter(t_s);
+}
+
+void BodyWorld::forgetRowsAfter(double t_s) {
     for (Row& row : window_)
         if (static_cast<double>(row.index) * kRowStep_s > t_s)
             row.index = -1;
+    std::erase_if(checkpoints_,
+                  [&](const auto& entry) { return static_cast<double>(entry.first) * kRowStep_s > t_s; });
 }
 
-void BodyWorld::keepSlips() {
+void BodyWorld::beginAgain() {
     for (std::vector<Slip>& slips : slips_)
         for (Slip& slip : slips)
             slip.begin_s = std::min(slip.begin_s, -kSlipping_s);
-    for (Row& row : window_)
-        row.index = -1;
+    performance_.keepPose();
+    forgetRowsAfter(-1);
 }
 
 /// Towards the next joint, or on from the last one.
@@ -316,19 +327,7 @@ BoardMotion BodyWorld::boardMotion(int board, double t_s) const {
     std::vector<Frame<Jet>> frames;
     performance_.at(t_s, coordinates);
     performance_.coordinates().frames(coordinates, frames);
-    const Frame<Jet> frame = boardFrame(board, {t_s, coordinates, frames}, wobbleAt(board, t_s));
-
-    const Matrix3d r = frame.r.unaryExpr([](const Jet& j) { return j.value; });
-    const Matrix3d r_rate = frame.r.unaryExpr([](const Jet& j) { return j.rate; });
-    const Matrix3d spin = r.transpose() * r_rate;  // [omega]x in the board's frame
-    BoardMotion motion;
-    motion.q_world_board = Quaterniond(r);
-    motion.p_world_board_m = values(frame.p);
-    motion.gyro_rad_per_s = {(spin(2, 1) - spin(1, 2)) / 2, (spin(0, 2) - spin(2, 0)) / 2,
-                             (spin(1, 0) - spin(0, 1)) / 2};
-    motion.accel_m_per_s2 =
-        r.transpose() * (accelerations(frame.p) + Vector3d(0, kStandardGravity_m_per_s2, 0));
-    return motion;
+    return motionOf(boardFrame(board, {t_s, coordinates, frames}, wobbleAt(board, t_s)));
 }
 
 }  // namespace noctule::simulation

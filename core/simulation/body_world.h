@@ -9,20 +9,12 @@
 #include <map>
 
 #include "core/simulation/performance.h"
-#include "core/simulation/world.h"
+#include "core/simulation/suit_world.h"
 #include "core/simulation/worn_suit.h"
 
 namespace noctule::simulation {
 
-/// What a perfect board measures, in its own frame.
-struct BoardMotion {
-    Quaterniond q_world_board = Quaterniond::Identity();
-    Vector3d p_world_board_m = Vector3d::Zero();
-    Vector3d gyro_rad_per_s = Vector3d::Zero();
-    Vector3d accel_m_per_s2 = Vector3d::Zero();  ///< specific force: acceleration minus gravity
-};
-
-class BodyWorld : public World {
+class BodyWorld : public SuitWorld {
 public:
     static constexpr double kRowsPerSecond = 250;
 
@@ -39,13 +31,14 @@ public:
     int sourceSegment(int source) const override { return worn_.sources[source].segment; }
     void capsules(double t_s, std::vector<WorldCapsule>& capsules) const override;
 
-    BoardMotion boardMotion(int board, double t_s) const;
+    BoardMotion boardMotion(int board, double t_s) const override;
 
     /// The strap gives way: within half a second from t the board turns about its segment's bone by that much
     /// and stays there. Its gyroscope feels it. What was asked about times after t before is not taken back.
     void slip(int board, double angle_rad, double t_s);
-    /// All slips so far lie before time 0: the same performer begins again.
-    void keepSlips();
+    /// The performer, who has no motion to follow, goes into another pose within kPosing_s.
+    void takePose(const Pose& pose, double t_s);
+    void beginAgain() override;
     const Performance& performance() const { return performance_; }
     const WornSuit& worn() const { return worn_; }
 
@@ -90,6 +83,7 @@ private:
     void angleFeatures(int segment, const std::vector<Jet>& coordinates,
                        Eigen::Matrix<Jet, 6, 1>& features) const;
     Vector3d point(size_t index, double t_s) const;
+    void forgetRowsAfter(double t_s);
 
     Performance performance_;
     WornSuit worn_;

@@ -52,7 +52,7 @@ AxisCalibration asCalibrated(const AxisCalibration& truth, double matrix_error, 
     return found;
 }
 
-InertialSensor::InertialSensor(const BodyWorld& world, int board, const InertialTruth& truth,
+InertialSensor::InertialSensor(const SuitWorld& world, int board, const InertialTruth& truth,
                                int sample_rate_hz, uint64_t seed, int64_t first_frame)
     : world_(world),
       board_(board),
@@ -89,7 +89,7 @@ std::array<double, 6> InertialSensor::next() {
     return counts;
 }
 
-BoardStream::BoardStream(const BodyWorld& world, int board, const InertialTruth& truth, int sample_rate_hz,
+BoardStream::BoardStream(const SuitWorld& world, int board, const InertialTruth& truth, int sample_rate_hz,
                          uint64_t seed)
     : sensor_(world, board, truth, sample_rate_hz, seed, kFirstFrame - kWarmUpFrames),
       encoder_(false, truth.first_counter) {
@@ -107,7 +107,7 @@ LineBits BoardStream::next(int& counter) {
     return encoder_.encode(reading);
 }
 
-BoardReadings::BoardReadings(const BodyWorld& world, int board, const InertialTruth& truth,
+BoardReadings::BoardReadings(const SuitWorld& world, int board, const InertialTruth& truth,
                              const Scenario& scenario, uint64_t seed)
     : board_(board), sensor_(world, board, truth, scenario.sample_rate_hz, seed, 0) {
     if (!scenario.codec)

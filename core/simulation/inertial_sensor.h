@@ -7,8 +7,9 @@
 
 #include "core/inertial/frame_decoder.h"
 #include "core/inertial/frame_encoder.h"
-#include "core/simulation/body_world.h"
 #include "core/simulation/random.h"
+#include "core/simulation/scenario.h"
+#include "core/simulation/suit_world.h"
 #include "core/suit/calibration.h"
 
 namespace noctule::simulation {
@@ -36,7 +37,7 @@ AxisCalibration asCalibrated(const AxisCalibration& truth, double matrix_error, 
 class InertialSensor {
 public:
     /// `world` must outlive the sensor. The first frame asked for is `first_frame`, perhaps negative.
-    InertialSensor(const BodyWorld& world, int board, const InertialTruth& truth, int sample_rate_hz,
+    InertialSensor(const SuitWorld& world, int board, const InertialTruth& truth, int sample_rate_hz,
                    uint64_t seed, int64_t first_frame);
 
     double sampleOf(int64_t frame) const;
@@ -55,7 +56,7 @@ private:
     };
     static Chip makeChip(const ChipTruth& truth, uint64_t seed, const std::string& name, int board);
 
-    const BodyWorld& world_;
+    const SuitWorld& world_;
     int board_;
     double sample_rate_hz_, phase_samples_;
     Chip gyro_, accel_;
@@ -66,7 +67,7 @@ private:
 /// before the take, so that the coder has settled.
 class BoardStream {
 public:
-    BoardStream(const BodyWorld& world, int board, const InertialTruth& truth, int sample_rate_hz,
+    BoardStream(const SuitWorld& world, int board, const InertialTruth& truth, int sample_rate_hz,
                 uint64_t seed);
 
     static constexpr int64_t kFirstFrame = -1;  ///< the one under way at sample 0
@@ -82,7 +83,7 @@ private:
 /// Inertial rows of one board at readings level: through the codec, or unrounded where the scenario has none.
 class BoardReadings {
 public:
-    BoardReadings(const BodyWorld& world, int board, const InertialTruth& truth, const Scenario& scenario,
+    BoardReadings(const SuitWorld& world, int board, const InertialTruth& truth, const Scenario& scenario,
                   uint64_t seed);
 
     /// The row of the next frame, from 0 on.

@@ -78,8 +78,7 @@ Calibration laboratoryCalibration(const Suit& suit, const Scenario& scenario, co
     return calibration;
 }
 
-nlohmann::json toJson(const HiddenTruth& truth, const Suit& suit, const Scenario& scenario,
-                      const WornSuit& worn, const Actor& moving_actor) {
+nlohmann::json toJson(const HiddenTruth& truth, const Suit& suit, const Scenario& scenario) {
     Json boards = Json::array(), sources = Json::array();
     for (size_t b = 0; b < suit.boards.size(); ++b)
         boards.push_back({{"id", suit.boards[b].id},
@@ -87,9 +86,7 @@ nlohmann::json toJson(const HiddenTruth& truth, const Suit& suit, const Scenario
                           {"accel", axesJson(truth.inertia[b].accel)},
                           {"phase_samples", truth.inertia[b].phase_samples},
                           {"board_gain_db", truth.sound.boards[b].gain_db},
-                          {"mic_delay_s", truth.sound.boards[b].mic_delay_s},
-                          {"p_segment_board_m", json::fromVector(worn.boards[b].p_segment_board_m)},
-                          {"q_segment_board", json::fromQuaternion(worn.boards[b].q_segment_board)}});
+                          {"mic_delay_s", truth.sound.boards[b].mic_delay_s}});
     for (size_t s = 0; s < suit.sources.size(); ++s) {
         const SourceTruth& source = truth.sound.sources[s];
         sources.push_back(
@@ -99,8 +96,7 @@ nlohmann::json toJson(const HiddenTruth& truth, const Suit& suit, const Scenario
              {"resonance_hz", source.resonance_hz},
              {"q", source.q},
              {"source_gain_db", source.gain_db},
-             {"ka", source.ka},
-             {"p_segment_source_m", json::fromVector(worn.sources[s].p_segment_source_m)}});
+             {"ka", source.ka}});
     }
     return {{"format", "noctule-truth"},
             {"version", 1},
@@ -111,8 +107,17 @@ nlohmann::json toJson(const HiddenTruth& truth, const Suit& suit, const Scenario
             {"temperature_error_c", truth.air.thermometer_error_c},
             {"speed_of_sound_m_per_s", truth.air.speedOfSound_m_per_s()},
             {"boards", boards},
-            {"sources", sources},
-            {"actor", noctule::toJson(moving_actor)}};
+            {"sources", sources}};
+}
+
+void addWorn(nlohmann::json& truth, const WornSuit& worn, const Actor& moving_actor) {
+    for (size_t b = 0; b < worn.boards.size(); ++b) {
+        truth["boards"][b]["p_segment_board_m"] = json::fromVector(worn.boards[b].p_segment_board_m);
+        truth["boards"][b]["q_segment_board"] = json::fromQuaternion(worn.boards[b].q_segment_board);
+    }
+    for (size_t s = 0; s < worn.sources.size(); ++s)
+        truth["sources"][s]["p_segment_source_m"] = json::fromVector(worn.sources[s].p_segment_source_m);
+    truth["actor"] = noctule::toJson(moving_actor);
 }
 
 }  // namespace noctule::simulation

@@ -23,8 +23,9 @@ HiddenTruth drawHiddenTruth(const Suit& suit, const Scenario& scenario, uint64_t
 
 Calibration laboratoryCalibration(const Suit& suit, const Scenario& scenario, const HiddenTruth& truth);
 
-/// Every hidden value, named as in scenarios.json and in the calibration JSON.
-nlohmann::json toJson(const HiddenTruth& truth, const Suit& suit, const Scenario& scenario,
-                      const WornSuit& worn, const Actor& moving_actor);
+/// Every hidden value of suit and air, named as in scenarios.json and in the calibration JSON.
+nlohmann::json toJson(const HiddenTruth& truth, const Suit& suit, const Scenario& scenario);
+/// Where boards and sources really sit on whom.
+void addWorn(nlohmann::json& truth, const WornSuit& worn, const Actor& moving_actor);
 
 }  // namespace noctule::simulation

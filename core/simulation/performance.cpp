@@ -94,9 +94,38 @@ void Performance::motionAt(double t_s, std::vector<T>& row) const {
 }
 
 template <class T>
+void Performance::posedAt(double t_s, std::vector<T>& row) const {
+    row.assign(rest_row_.begin(), rest_row_.end());
+    for (const Posing& posing : posings_) {
+        if (t_s <= posing.begin_s)
+            return;
+        const std::vector<T> from = row, to(posing.row.begin(), posing.row.end());
+        coordinates_.blend(from, to, fadeWeight<T>(t_s - posing.begin_s, kPosing_s), row);
+    }
+}
+
+void Performance::takePose(const Pose& pose, double t_s) {
+    require(motion_.columns() == 0, "a performer with a motion follows it");
+    Pose standing = pose;
+    standing.p_world_root = {rest_row_[0], 0, rest_row_[2]};
+    std::vector<double> row = coordinates_.fromPose(standing);
+    row[1] -= lowestPoint(coordinates_, row);
+    coordinates_.continueFrom(posings_.empty() ? rest_row_ : posings_.back().row, row);
+    posings_.push_back({t_s, std::move(row)});
+}
+
+void Performance::keepPose() {
+    if (!posings_.empty())
+        rest_row_ = posings_.back().row;
+    posings_.clear();
+}
+
+template <class T>
 void Performance::at(double t_s, std::vector<T>& row) const {
     const double moving_s = t_s - rest_seconds_;
-    if (moving_s <= 0 || motion_.columns() == 0) {
+    if (motion_.columns() == 0) {
+        posedAt(t_s, row);
+    } else if (moving_s <= 0) {
         row.assign(rest_row_.begin(), rest_row_.end());
     } else if (moving_s >= transition_s_) {
         motionAt(moving_s, row);

@@ -36,6 +36,13 @@ public:
 
     Pose pose(double t_s) const;
 
+    /// Without a motion: from the pose of the moment into another one within kPosing_s, standing where the
+    /// performer stands, lowest point on the floor.
+    void takePose(const Pose& pose, double t_s);
+    /// The pose that was taken last is that of the beginning.
+    void keepPose();
+    static constexpr double kPosing_s = 1.5;
+
 private:
     /// Turn about the vertical and horizontal shift that lets a repetition go on where the one before ended.
     struct Placement {
@@ -43,6 +50,14 @@ private:
         Vector3d p = Vector3d::Zero();
     };
 
+    /// Rows of coordinates and when the performer begins to go over into them.
+    struct Posing {
+        double begin_s = 0;
+        std::vector<double> row;
+    };
+
+    template <class T>
+    void posedAt(double t_s, std::vector<T>& row) const;
     void placeRepetitions();
     template <class T>
     void motionAt(double t_s, std::vector<T>& row) const;
@@ -51,6 +66,7 @@ private:
 
     Coordinates coordinates_;
     std::vector<double> rest_row_;
+    std::vector<Posing> posings_;
     Spline motion_;
     std::vector<Placement> repetitions_;
     double rest_seconds_ = 0, duration_s_ = 0;

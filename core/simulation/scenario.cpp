@@ -58,7 +58,8 @@ Scenario Scenario::realistic() {
 }
 
 PulseSchedule Scenario::schedule() const {
-    return {static_cast<int>(std::lround(pulse_interval_s * sample_rate_hz)), pulse_cycles, drive_hz};
+    return {static_cast<int>(std::lround(pulse_interval_s * sample_rate_hz)), pulse_cycles, drive_hz,
+            enabled_sources};
 }
 
 Result<Scenario> Scenario::named(const std::string& name) {

@@ -26,6 +26,15 @@ struct SoftTissue {
     double axial_twist_lag = 0.1;  ///< share of the axial twist that a board on forearm or thigh misses
 };
 
+/// The rigs of calibration.
+struct RigScenario {
+    int jig_placements = 6;
+    Bounds jig_range_m{0.3, 0.9};  ///< of the distances between sources and boards
+    double digitizer_sigma_m = 5e-5;
+    double turntable_rpm = 45, turntable_speed_error = 0.0008;      ///< relative, constant in a take
+    double turntable_tilt_deg = 0.3, level_plate_error_deg = 0.05;  ///< about each horizontal axis
+};
+
 struct Scenario {
     std::string name = "ideal";
 
@@ -34,6 +43,7 @@ struct Scenario {
     double pulse_interval_s = 0.008;
     int pulse_cycles = 10;
     double drive_hz = 40000;
+    std::optional<std::vector<int>> enabled_sources;  ///< none: all of them, in turn
     PulseSchedule schedule() const;
     double motion_low_pass_hz = 7;
     double rest_seconds = 3;
@@ -70,6 +80,8 @@ struct Scenario {
     // Root as another system measures it
     double external_root_rate_hz = 120;
     double external_root_sigma_position_m = 0.0005, external_root_sigma_rotation_rad = 0.0017;
+
+    RigScenario rigs;
 
     static Scenario ideal();
     static Scenario nominal();

@@ -6,7 +6,7 @@
 
 namespace noctule::simulation {
 
-SignalSampler::SignalSampler(const BodyWorld& world, const Scenario& scenario, const HiddenTruth& truth,
+SignalSampler::SignalSampler(const SuitWorld& world, const Scenario& scenario, const HiddenTruth& truth,
                              const std::optional<Room>& room)
     : sound_(world, scenario.sound,
              {static_cast<double>(scenario.sample_rate_hz), truth.air.speedOfSound_m_per_s(),

@@ -12,7 +12,7 @@ namespace noctule::simulation {
 class SignalSampler {
 public:
     /// `world` must outlive the sampler. `room`: of another sampler of the same, for a quicker beginning.
-    SignalSampler(const BodyWorld& world, const Scenario& scenario, const HiddenTruth& truth,
+    SignalSampler(const SuitWorld& world, const Scenario& scenario, const HiddenTruth& truth,
                   const std::optional<Room>& room = {});
 
     const Room& room() const { return sound_.room(); }

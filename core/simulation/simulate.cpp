@@ -63,16 +63,10 @@ private:
         const std::pair<const char*, std::string> meta[] = {
             {"level", request_.level == Level::kSignal ? "signal" : "readings"},
             {"sample_count", std::to_string(samples_)},
-            {"actor_name", stage_.actor.name},
-            {"reference_kind", "simulated"},
             {"x_scenario", stage_.scenario.name},
-            {"x_seed", std::to_string(stage_.truth.seed)},
-            {"x_rest_seconds", std::to_string(stage_.world->performance().rest_seconds())}};
+            {"x_seed", std::to_string(stage_.truth.seed)}};
         for (const auto& [key, value] : meta)
             if (Status done = take_.setMeta(key, value); !done)
-                return done;
-        if (stage_.scenario.bone_scale > 0 || stage_.scenario.unreduced_motion)
-            if (Status done = take_.setMeta("reference_actor", noctule::toJson(stage_.mover).dump()); !done)
                 return done;
         Calibration calibration = stage_.calibration;
         calibration.created_utc = request_.created_utc;
@@ -80,13 +74,47 @@ private:
             return done.error();
         if (auto done = take_.addCalibration(calibration); !done)
             return done.error();
+        return stage_.body ? writePerformer() : writeStations();
+    }
+
+    Status writePerformer() {
+        const double rest_s = stage_.body->performance().rest_seconds();
+        const std::pair<const char*, std::string> meta[] = {{"actor_name", stage_.actor.name},
+                                                            {"reference_kind", "simulated"},
+                                                            {"x_rest_seconds", std::to_string(rest_s)}};
+        for (const auto& [key, value] : meta)
+            if (Status done = take_.setMeta(key, value); !done)
+                return done;
+        if (stage_.scenario.bone_scale > 0 || stage_.scenario.unreduced_motion)
+            if (Status done = take_.setMeta("reference_actor", noctule::toJson(stage_.mover).dump()); !done)
+                return done;
         if (auto done = take_.addActor(stage_.actor, request_.created_utc); !done)
             return done.error();
         if (Status done = take_.addMarker({0, "rest", "begin"}); !done)
             return done;
-        const double rest_s = std::min(stage_.world->performance().rest_seconds(), duration());
-        const auto rest_end = static_cast<int64_t>(rest_s * static_cast<double>(rate_hz_));
-        return take_.addMarker({std::min(samples_ - 1, rest_end), "rest", "end"});
+        return take_.addMarker({sampleAt(std::min(rest_s, duration())), "rest", "end"});
+    }
+
+    Status writeStations() {
+        const bool jig = stage_.rig->kind() == RigKind::kJig;
+        if (stage_.rig->kind() == RigKind::kTurntable) {
+            char rpm[32];
+            std::snprintf(rpm, sizeof rpm, "%g", stage_.scenario.rigs.turntable_rpm);
+            if (Status done = take_.setMeta("turntable_rpm", rpm); !done)
+                return done;
+        }
+        for (const RigStation& station : stage_.stations)
+            for (const bool begins : {true, false})
+                if (Status done =
+                        take_.addMarker({sampleAt(begins ? station.begin_s : station.end_s),
+                                         jig ? "placement" : "position", begins ? station.label : ""});
+                    !done)
+                    return done;
+        return Done{};
+    }
+
+    int64_t sampleAt(double t_s) const {
+        return std::min(samples_ - 1, static_cast<int64_t>(t_s * static_cast<double>(rate_hz_)));
     }
 
     Status writeStatus() {
@@ -105,10 +133,12 @@ private:
     }
 
     Status writeTruth() {
+        if (!stage_.body)
+            return Done{};
         const int64_t frames = static_cast<int64_t>(duration() * kReferencePerSecond);
         for (int64_t f = 0; f <= frames; ++f) {
             const double t_s = static_cast<double>(f) / kReferencePerSecond;
-            if (Status done = take_.addReference({timeNs(t_s), stage_.world->performance().pose(t_s), {}});
+            if (Status done = take_.addReference({timeNs(t_s), stage_.body->performance().pose(t_s), {}});
                 !done)
                 return done;
             if (f % 1400 == 0 && job_.cancelled())
@@ -119,13 +149,13 @@ private:
 
     Status writeExternalRoot() {
         const Scenario& s = stage_.scenario;
-        if (!request_.external_root)
+        if (!request_.external_root || !stage_.body)
             return Done{};
         Random random(stage_.truth.seed, "external root");
         const int64_t frames = static_cast<int64_t>(duration() * s.external_root_rate_hz);
         for (int64_t f = 0; f <= frames; ++f) {
             const double t_s = static_cast<double>(f) / s.external_root_rate_hz;
-            const Pose pose = stage_.world->performance().pose(t_s);
+            const Pose pose = stage_.body->performance().pose(t_s);
             ExternalRootRow row;
             row.time_ns = timeNs(t_s);
             row.p_world_root = pose.p_world_root + random.gaussianVector(s.external_root_sigma_position_m);
@@ -153,9 +183,12 @@ private:
     }
 
     Status writePulses() {
+        const PulseSchedule schedule = stage_.scenario.schedule();
+        if (schedule.isSilent(stage_.world->sourceCount()))
+            return Done{};
         for (int64_t k = 0;; ++k) {
-            const Pulse pulse = stage_.scenario.schedule().pulse(k, stage_.world->sourceCount());
-            if (stage_.world->sourceCount() == 0 || pulse.sample >= samples_)
+            const Pulse pulse = schedule.pulse(k, stage_.world->sourceCount());
+            if (pulse.sample >= samples_)
                 return Done{};
             if (auto id = take_.addPulse(pulse.sample, pulse.source); !id)
                 return id.error();
@@ -194,7 +227,7 @@ private:
             finder->soundSpeed().add(row);
         PulseReadings readings(*stage_.world, stage_.scenario, stage_.truth);
         std::vector<PulseDetection> detections;
-        for (int64_t k = 0; stage_.world->sourceCount() > 0; ++k) {
+        for (int64_t k = 0; !schedule.isSilent(stage_.world->sourceCount()); ++k) {
             Pulse pulse = schedule.pulse(k, stage_.world->sourceCount());
             if (pulse.sample + schedule.interval_samples > samples_)
                 break;
@@ -247,6 +280,8 @@ Result<SimulationSummary> writeTake(const Stage& stage, const TakeRequest& reque
     header.pulse_interval_samples = stage.scenario.schedule().interval_samples;
     header.pulse_cycles = stage.scenario.pulse_cycles;
     header.drive_hz = stage.scenario.drive_hz;
+    if (stage.rig)
+        header.take_kind = nameOf(stage.rig->kind());
     TakeWriter::Options options;
     options.overwrite = request.overwrite;
     Result<TakeWriter> take = TakeWriter::create(request.out_path, header, options);

@@ -7,8 +7,10 @@
 
 #include "core/job/job.h"
 #include "core/motion/clip.h"
+#include "core/simulation/body_world.h"
 #include "core/simulation/laboratory.h"
 #include "core/simulation/motion_fit.h"
+#include "core/simulation/rig_world.h"
 
 namespace noctule::simulation {
 
@@ -20,6 +22,8 @@ struct StageRequest {
     std::optional<double> rest_seconds;  ///< none: the scenario's
     double duration_s = 0;               ///< of the whole take; 0: the motion once; a longer one repeats it
     uint64_t seed = 1;
+    std::optional<RigKind> rig{};  ///< the suit is not worn, it is on a rig: without clip and actor
+    bool rig_is_operated = false;  ///< by hand while time goes on; else it runs through a whole calibration
 };
 
 /// Performer, suit and all hidden draws, before anything is sampled. The virtual suit starts here too.
@@ -28,13 +32,16 @@ struct Stage {
     Scenario scenario;
     Actor actor;  ///< whom the studio believes in
     Actor mover;  ///< who really moves: in realistic other bones, and every joint free
-    std::unique_ptr<BodyWorld> world;
+    std::unique_ptr<SuitWorld> world;
+    BodyWorld* body = nullptr;  ///< the world when the suit is worn
+    RigWorld* rig = nullptr;    ///< the world when it is on a rig
+    std::vector<RigStation> stations;
     HiddenTruth truth;
     Calibration calibration;  ///< what a laboratory would know
     FittedMotion motion;      ///< quality of the fit; no rows without a clip
 
     int64_t sampleCount() const;
-    nlohmann::json truthJson() const { return toJson(truth, suit, scenario, world->worn(), mover); }
+    nlohmann::json truthJson() const;
 };
 Result<Stage> prepareStage(const StageRequest& request);
 

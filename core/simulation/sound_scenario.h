@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/acoustics/range.h"
@@ -20,15 +21,22 @@ inline double gainFromDb(double db) {
     return std::pow(10.0, db / 20);
 }
 
-/// Round robin: pulse k starts at sample k * interval and comes from source k mod source count.
+/// Round robin: pulse k starts at sample k * interval and comes from source k mod source count, or from the
+/// next of those that are enabled.
 struct PulseSchedule {
     int interval_samples = 1200;
     int cycles = 10;
     double drive_hz = 40000;
+    std::optional<std::vector<int>> enabled_sources{};  ///< none: all
 
-    /// The pulse as the driver box logs it; `id` is `index`.
+    bool isSilent(int source_count) const {
+        return source_count == 0 || (enabled_sources && enabled_sources->empty());
+    }
+    /// The pulse as the driver box logs it; `id` is `index`. Not of a silent schedule.
     Pulse pulse(int64_t index, int source_count) const {
-        return {index, index * interval_samples, static_cast<int>(index % source_count)};
+        const int turn = static_cast<int>(
+            index % (enabled_sources ? static_cast<int64_t>(enabled_sources->size()) : source_count));
+        return {index, index * interval_samples, enabled_sources ? (*enabled_sources)[turn] : turn};
     }
 };
 

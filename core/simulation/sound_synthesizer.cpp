@@ -73,7 +73,7 @@ void SoundSynthesizer::renderInterval() {
     const auto boards = static_cast<size_t>(world_.boardCount());
     const auto length = static_cast<size_t>(conditions_.schedule.interval_samples);
     microphones_.forgetBefore(static_cast<double>(next_sample_) / conditions_.sample_rate_hz);
-    if (world_.sourceCount() > 0)
+    if (!conditions_.schedule.isSilent(world_.sourceCount()))
         addPulse(conditions_.schedule.pulse(intervals_, world_.sourceCount()));
     addClicks();
     interval_.resize(length * boards);

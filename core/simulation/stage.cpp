@@ -7,6 +7,7 @@ namespace noctule::simulation {
 namespace {
 
 constexpr double kRestRigSeconds = 10;
+constexpr double kShortestStation_s = 0.5, kMostStations = 6;
 
 Result<Actor> believedActor(const StageRequest& request) {
     if (request.actor)
@@ -28,7 +29,46 @@ Status checkTiming(double rest_seconds, const StageRequest& request) {
     return Done{};
 }
 
+void drawTruth(Stage& stage, const StageRequest& request) {
+    stage.truth = drawHiddenTruth(request.suit, request.scenario, request.seed);
+    stage.calibration = laboratoryCalibration(request.suit, request.scenario, stage.truth);
+}
+
+Result<Stage> prepareRig(const StageRequest& request) {
+    const RigScenario& rigs = request.scenario.rigs;
+    const RigKind kind = *request.rig;
+    const double duration_s = request.duration_s > 0 ? request.duration_s : usualDuration_s(kind, rigs);
+    const double station_s = stationLength_s(kind, rigs, duration_s);
+    if (!request.rig_is_operated && station_s < kShortestStation_s)
+        return Error{ErrorKind::kUsage,
+                     "A calibration on the " + std::string(nameOf(kind)) + " rig does not fit into " +
+                         std::to_string(duration_s) + " s",
+                     "Give at least " +
+                         std::to_string(static_cast<int>(
+                             std::ceil(duration_s + (kShortestStation_s - station_s) * kMostStations))) +
+                         " seconds"};
+    Stage stage;
+    stage.suit = request.suit;
+    stage.scenario = request.scenario;
+    auto rig = std::make_unique<RigWorld>(kind, request.suit, rigs, request.seed, duration_s);
+    if (!request.rig_is_operated)
+        stage.stations = runThrough(*rig, rigs, station_s);
+    stage.rig = rig.get();
+    stage.world = std::move(rig);
+    drawTruth(stage, request);
+    return stage;
+}
+
 }  // namespace
+
+nlohmann::json Stage::truthJson() const {
+    nlohmann::json json = toJson(truth, suit, scenario);
+    if (body)
+        addWorn(json, body->worn(), mover);
+    if (rig)
+        json.update(rig->truthJson(scenario.rigs, suit));
+    return json;
+}
 
 int64_t Stage::sampleCount() const {
     return static_cast<int64_t>(std::floor(world->duration_s() * scenario.sample_rate_hz));
@@ -40,6 +80,8 @@ Result<Stage> prepareStage(const StageRequest& request) {
     Status sensible = checkTiming(timing.rest_seconds, request);
     if (!sensible)
         return sensible.error();
+    if (request.rig)
+        return prepareRig(request);
     Result<Actor> actor = believedActor(request);
     if (!actor)
         return actor.error();
@@ -65,12 +107,13 @@ Result<Stage> prepareStage(const StageRequest& request) {
         return worn.error();
 
     const Coordinates coordinates(stage.mover.skeleton);
-    stage.world = std::make_unique<BodyWorld>(
+    auto body = std::make_unique<BodyWorld>(
         Performance(coordinates, heldRestRow(coordinates, stage.mover, scenario, request.seed),
                     request.clip ? &stage.motion : nullptr, timing),
         std::move(*worn), stage.mover.capsules, scenario.soft_tissue);
-    stage.truth = drawHiddenTruth(request.suit, scenario, request.seed);
-    stage.calibration = laboratoryCalibration(request.suit, scenario, stage.truth);
+    stage.body = body.get();
+    stage.world = std::move(body);
+    drawTruth(stage, request);
     return stage;
 }
 

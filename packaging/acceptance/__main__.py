@@ -12,7 +12,9 @@ import accessibility
 import benchmarks
 import blender
 import drift
+import fuzz
 import interface
+import kills
 import long_fuzz
 import sanitizers
 import speed
@@ -27,6 +29,8 @@ FIGURES = {
     "studio": ("The studio: start, a long take, memory", interface.figure),
     "accessibility": ("The studio over AT-SPI", accessibility.figure),
     "blender": ("Exports opened in Blender", blender.figure),
+    "kills": ("Recordings that are killed, without power, with every fault", kills.figure),
+    "fuzz": ("Damaged bytes into every reader", fuzz.figure),
     "sanitizers": ("Unit tests under sanitizers", sanitizers.figure),
     "long-fuzz": ("Damaged inputs", long_fuzz.figure),
 }
@@ -39,6 +43,8 @@ def parse_options():
                         help="the paper estimator's second process sigma; default: the best of "
                              f"{', '.join(map(str, table1.SIGMAS_TO_TRY))}")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="programs at a time")
+    parser.add_argument("--kills", type=int, default=200, metavar="N", help="and as many power failures")
+    parser.add_argument("--damaged-inputs", type=int, default=1_000_000, metavar="N", help="of fuzz, each reader")
     parser.add_argument("--fuzz-inputs", type=int, default=20000, metavar="N")
     parser.add_argument("--fuzz-seed", type=int, default=1, metavar="N")
     parser.add_argument("--studio-rounds", type=int, default=interface.ROUNDS_PER_HOUR, metavar="N",

@@ -49,7 +49,7 @@ void addRoots(Recording& r) {
     simulation::Random random(1, "external root");
     for (int frame = 0; frame < static_cast<int>(kSeconds * s.external_root_rate_hz); ++frame) {
         const double time_s = frame / s.external_root_rate_hz;
-        const Pose pose = r.stage.world->performance().pose(time_s);
+        const Pose pose = r.stage.body->performance().pose(time_s);
         const Quaterniond error = expQuaternion(random.gaussianVector(s.external_root_sigma_rotation_rad));
         r.roots.push_back({time_s,
                            pose.p_world_root + random.gaussianVector(s.external_root_sigma_position_m),

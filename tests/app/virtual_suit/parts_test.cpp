@@ -178,17 +178,36 @@ TEST(ControlCommand, EveryCommandIsUnderstood) {
     EXPECT_EQ(parsed("battery 100").number, 100);
     EXPECT_EQ(parsed("temperature -10").number, -10);
     EXPECT_EQ(parsed("quit").kind, Kind::kQuit);
+    EXPECT_EQ(parsed("pose sit").pose, "sit");
+    EXPECT_EQ(parsed("side -z").side, (simulation::RigSide{2, -1}));
+    EXPECT_EQ(parsed("spin x -33.3").side, (simulation::RigSide{0, +1}));
+    EXPECT_EQ(parsed("spin x -33.3").number, -33.3);
+    EXPECT_EQ(parsed("placement 6").number, 6);
 }
 
 TEST(ControlCommand, MistakesAreNamedWithWhatIsRight) {
     const Suit suit = defaultSuit();
     const std::pair<const char*, const char*> mistakes[] = {
-        {"", "empty"},          {"unplg 1", "unplug"},      {"unplug", "unplug BOARD"},
-        {"unplug 19", "'19'"},  {"unplug 0", "from 1"},     {"unplug l_hnd", "l_hnd"},
-        {"unplug 1.5", "1.5"},  {"swap 1", "swap A B"},     {"swap 2 2", "two boards"},
-        {"stall x", "'x'"},     {"stall -1", "'-1'"},       {"drop-bytes 2", "from 0 to 1"},
-        {"battery nan", "nan"}, {"quit now", "quit"},       {"pose sit", "rigs"},
-        {"side +x", "plate"},   {"spin y 45", "turntable"}, {"placement 2", "jig"},
+        {"", "empty"},
+        {"unplg 1", "unplug"},
+        {"unplug", "unplug BOARD"},
+        {"unplug 19", "'19'"},
+        {"unplug 0", "from 1"},
+        {"unplug l_hnd", "l_hnd"},
+        {"unplug 1.5", "1.5"},
+        {"swap 1", "swap A B"},
+        {"swap 2 2", "two boards"},
+        {"stall x", "'x'"},
+        {"stall -1", "'-1'"},
+        {"drop-bytes 2", "from 0 to 1"},
+        {"battery nan", "nan"},
+        {"quit now", "quit"},
+        {"pose lie", "sit"},
+        {"side w", "'w'"},
+        {"spin y", "spin SIDE RPM"},
+        {"spin y 1000", "-200 to 200"},
+        {"placement 0", "from 1"},
+        {"placement 1.5", "whole"},
     };
     for (const auto& [line, named] : mistakes) {
         const auto command = parseControlCommand(line, suit);
@@ -224,6 +243,7 @@ public:
         return std::optional(block);
     }
     bool isSimulated() const override { return false; }
+    Status accepts(const ControlCommand&) const override { return Done{}; }
 
 private:
     int64_t next_sample_ = 0;

@@ -309,6 +309,43 @@ TEST(VirtualSuit, ASimulatedBoardSlips) {
     EXPECT_EQ(studio.conversation.statistics().frames.losses(), 0);
 }
 
+TEST(VirtualSuit, RigsObeyTheirCommandsAndNoOthers) {
+    const struct {
+        const char* rig;
+        std::vector<std::string> obeyed, refused;
+    } rigs[] = {
+        {"level", {"side +x", "side -z"}, {"spin y 45", "placement 2", "pose t", "slip 1 5"}},
+        {"turntable", {"spin x 45", "spin -x 33.3", "spin x 0"}, {"side +x", "placement 2", "pose t"}},
+        {"jig", {"placement 6", "placement 1"}, {"placement 7", "side +x", "spin y 45"}},
+        {"rest", {"pose sit", "pose t", "pose rest"}, {"side +x", "spin y 45", "placement 1"}},
+    };
+    for (const auto& rig : rigs) {
+        RunningSuit suit({"--rig", rig.rig, "--scenario", "ideal"});
+        TestStudio studio(tcp(suit));
+        ASSERT_TRUE(studio.start());
+        for (const std::string& command : rig.obeyed)
+            EXPECT_EQ(suit.tell(command), "ok") << rig.rig;
+        for (const std::string& command : rig.refused)
+            EXPECT_TRUE(suit.tell(command).starts_with("error ")) << rig.rig << ": " << command;
+        ASSERT_TRUE(studio.runUntil([&] { return studio.samples() > 150'000; })) << rig.rig;
+        EXPECT_EQ(studio.conversation.statistics().frames.losses(), 0);
+    }
+}
+
+TEST(VirtualSuit, OnlyEnabledSourcesPulse) {
+    RunningSuit suit({"--rig", "jig", "--scenario", "ideal"});
+    TestStudio studio(tcp(suit));
+    ASSERT_TRUE(studio.greet());
+    link::Settings settings;
+    settings.enabled_sources = {{6, 1}};
+    studio.conversation.set(settings, nowNs());
+    ASSERT_TRUE(studio.start());
+    ASSERT_TRUE(studio.runUntil([&] { return studio.pulses().size() > 20; }));
+    const auto pulses = studio.pulses();
+    for (size_t i = 0; i < pulses.size(); ++i)
+        EXPECT_EQ(pulses[i], (link::Pulse{static_cast<int64_t>(i) * 1200, i % 2 == 0 ? 6 : 1}));
+}
+
 TEST(VirtualSuit, EndsOnCtrlCAndOnQuit) {
     for (const bool quit : {true, false}) {
         RunningSuit suit({"--take", kTinyTake});
@@ -334,7 +371,8 @@ TEST(VirtualSuitUsage, MistakesAreNamed) {
     };
     const Mistake mistakes[] = {
         {{}, 2, "--take"},
-        {{"--rig", "jig"}, 2, "rest"},
+        {{"--rig", "jib"}, 2, "jig"},
+        {{"--rig", "jig", "--actor", "x"}, 2, "--actor"},
         {{"--rig", "rest", "--take", "x"}, 2, "--take"},
         {{"--take", "x", "--scenario", "ideal"}, 2, "--scenario"},
         {{"--rig", "rest", "--tcp", "41941"}, 2, "41941"},

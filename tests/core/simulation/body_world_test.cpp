@@ -152,11 +152,33 @@ TEST(BodyWorld, ASlippedBoardHasTurnedAboutTheBoneAndFeltIt) {
                 exact.q_world_board.angularDistance(firm.boardMotion(kBoard, t).q_world_board);
             EXPECT_NEAR(turned, t <= 2 ? 0 : t >= 2.5 ? 0.4 : turned, 1e-9) << t;
         }
-        world.keepSlips();
+        world.beginAgain();
         EXPECT_NEAR(world.boardMotion(kBoard, 0).q_world_board.angularDistance(
                         firm.boardMotion(kBoard, 0).q_world_board),
                     0.4, 1e-9);
     }
+}
+
+TEST(BodyWorld, APoseIsTakenSmoothlyFeltAndKept) {
+    const Actor actor = defaultActor();
+    const Coordinates coordinates(actor.skeleton);
+    const Scenario scenario = Scenario::ideal();
+    BodyWorld world(Performance(coordinates, heldRestRow(coordinates, actor, scenario, 1), nullptr,
+                                {.rest_seconds = 60, .duration_s = 60}),
+                    wear(defaultSuit(), actor.skeleton, scenario, 1).value(), actor.capsules, std::nullopt);
+    const int board = defaultSuit().findBoard("l_forearm");
+    const Vector3d before = world.microphone(board, 3);
+    world.takePose(actor.skeleton.zeroPose(), 1);
+    EXPECT_EQ(world.boardMotion(board, 1).gyro_rad_per_s.norm(), 0);
+    EXPECT_GT((world.microphone(board, 3) - before).norm(), 0.2) << "arms go up into the T";
+    EXPECT_EQ(world.boardMotion(board, 1 + Performance::kPosing_s).gyro_rad_per_s.norm(), 0);
+    Quaterniond felt = world.boardMotion(board, 1).q_world_board;
+    for (int i = 0; i < 1500; ++i)
+        felt = felt * expQuaternion(world.boardMotion(board, 1 + (i + 0.5) * 1e-3).gyro_rad_per_s * 1e-3);
+    EXPECT_LT(angleBetween(felt, world.boardMotion(board, 3).q_world_board), 1e-5);
+    const Vector3d in_t = world.microphone(board, 3);
+    world.beginAgain();
+    EXPECT_LT((world.microphone(board, 0) - in_t).norm(), 1e-12);
 }
 
 TEST(BodyWorld, FarAheadIsTheSameAsStepByStep) {

@@ -121,6 +121,20 @@ TEST(Scenario, NestedNumbersEqualThePublishedTable) {
     EXPECT_FALSE(Scenario::ideal().sound.late_path);
 }
 
+TEST(Scenario, RigsEqualThePublishedTable) {
+    const Json common = published()["common"];
+    for (const Scenario& scenario : {Scenario::ideal(), Scenario::nominal(), Scenario::realistic()}) {
+        const RigScenario& rigs = scenario.rigs;
+        EXPECT_EQ(common["jig"]["placements"], rigs.jig_placements);
+        EXPECT_EQ(common["jig"]["range_m"], rigs.jig_range_m);
+        EXPECT_EQ(common["jig"]["digitizer_sigma_m"], rigs.digitizer_sigma_m);
+        EXPECT_EQ(common["turntable"]["rpm"], rigs.turntable_rpm);
+        EXPECT_EQ(common["turntable"]["speed_error"], rigs.turntable_speed_error);
+        EXPECT_EQ(common["turntable"]["tilt_deg"], rigs.turntable_tilt_deg);
+        EXPECT_EQ(common["level_plate_error_deg"], rigs.level_plate_error_deg);
+    }
+}
+
 TEST(Scenario, SoftTissueEqualsThePublishedTable) {
     const Json soft = published()["realistic"]["soft_tissue"];
     const SoftTissue s = Scenario::realistic().soft_tissue.value();

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Damaged bytes into the link's parser, the reader of takes and the readers of JSON, inside one process each."""
+import os
+
+import built_tests
+
+
+def figure(options):
+    count = str(options.damaged_inputs)
+    in_memory = {"TMPDIR": "/dev/shm"} if os.access("/dev/shm", os.W_OK) else {}
+    text = ""
+    for what, program, cases in (
+            ("link, bytes of a stream", "test_devices_driver_box", "FuzzLink.BytesOfAStream"),
+            ("link, payloads to the studio", "test_devices_driver_box", "FuzzLink.PayloadsToTheStudio"),
+            ("link, payloads to the box", "test_devices_driver_box", "FuzzLink.PayloadsToTheBox"),
+            ("takes", "test_core_recording", "FuzzTake.DamagedFiles"),
+            ("JSON of takes", "test_core_recording", "FuzzJson.DamagedDocuments"),
+            ("JSON of sessions", "test_core_session", "FuzzSession.DamagedDocuments")):
+        found = built_tests.run(program, cases, "damaged inputs|could be opened", NOCTULE_FUZZ_INPUTS=count, **in_memory)
+        text += f"{what}:\n\n{found}\n"
+    return text
