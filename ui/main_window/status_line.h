@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "ui/main_window/storage.h"
+#include "ui/models/storage.h"
 #include "ui/models/studio.h"
 
 namespace noctule::ui {
@@ -44,6 +44,7 @@ private:
     void showStorage(const Storage& storage);
     void lookAtStorage();
     QString sessionWords() const;
+    QString suitWords() const;
 
     Studio& studio_;
     QLabel* safe_;
