@@ -1120,7 +1120,7 @@
     </message>
     <message>
         <source>confidence</source>
-        <translation>Vertrauen</translation>
+        <translation>Konfidenz</translation>
     </message>
     <message>
         <source>Turning rate, 5 s</source>
@@ -2161,7 +2161,7 @@
     </message>
     <message>
         <source>confidence now, source by board</source>
-        <translation>Vertrauen jetzt, Quelle zu Platine</translation>
+        <translation>Konfidenz jetzt, Quelle zu Platine</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -2186,7 +2186,7 @@
     <message>
         <source>%1: confidence %2, distance %3</source>
         <comment>a pair</comment>
-        <translation>%1: Vertrauen %2, Abstand %3</translation>
+        <translation>%1: Konfidenz %2, Abstand %3</translation>
     </message>
     <message>
         <source>Choose a cell to read it here.</source>
