@@ -282,6 +282,11 @@ bool BodyMap::eventFilter(QObject* watched, QEvent* event) {
                           event->type() == QEvent::MouseButtonRelease;
     if (of_mouse && movable_)
         return drag(qobject_cast<MapMarker*>(watched), *static_cast<QMouseEvent*>(event));
+    const int key = event->type() == QEvent::KeyPress ? static_cast<QKeyEvent*>(event)->key() : 0;
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+        static_cast<QAbstractButton*>(watched)->click();
+        return true;
+    }
     if (event->type() == QEvent::KeyPress)
         if (walk(qobject_cast<MapMarker*>(watched), static_cast<QKeyEvent*>(event)->key()))
             return true;
