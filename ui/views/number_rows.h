@@ -33,6 +33,7 @@ private:
         QString icon_name;
         Label *name, *value;
         BarMeter* bar;
+        Tone tone = Tone::kNeutral;
     };
     QVBoxLayout* column_;
     std::vector<Row> rows_;
