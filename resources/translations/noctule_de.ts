@@ -950,6 +950,66 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::AssignPanel</name>
+    <message>
+        <source>Find by moving</source>
+        <translation>Durch Bewegen finden</translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>Zuordnen</translation>
+    </message>
+    <message>
+        <source>Worn by</source>
+        <translation>Getragen von</translation>
+    </message>
+    <message>
+        <source>Assign boards</source>
+        <translation>Platinen zuordnen</translation>
+    </message>
+    <message>
+        <source>Body part of the board that was found</source>
+        <translation>Körperteil der gefundenen Platine</translation>
+    </message>
+    <message>
+        <source>Performer 1</source>
+        <translation>Darsteller 1</translation>
+    </message>
+    <message>
+        <source>Performers belong to a session. The first take makes one by date.</source>
+        <translation>Darsteller gehören zu einer Sitzung. Die erste Aufnahme legt eine nach dem Datum an.</translation>
+    </message>
+    <message>
+        <source>%1, suit “%2”</source>
+        <comment>height, name</comment>
+        <translation>%1, Anzug „%2“</translation>
+    </message>
+    <message>
+        <source>Stop finding</source>
+        <translation>Suche beenden</translation>
+    </message>
+    <message>
+        <source>Connect a suit first</source>
+        <translation>Zuerst einen Anzug verbinden</translation>
+    </message>
+    <message>
+        <source>Drag a board onto a body part, or press Find and move the limb.</source>
+        <translation>Eine Platine auf einen Körperteil ziehen, oder Finden drücken und das Glied bewegen.</translation>
+    </message>
+    <message>
+        <source>Move one limb, the end of it most, and keep all others still.</source>
+        <translation>Ein Glied bewegen, sein Ende am meisten, und alle anderen ruhig halten.</translation>
+    </message>
+    <message>
+        <source>Board %1 moves. Which body part is it?</source>
+        <translation>Platine %1 bewegt sich. Welcher Körperteil ist es?</translation>
+    </message>
+    <message>
+        <source>Swap boards %1 and %2</source>
+        <translation>Platinen %1 und %2 tauschen</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::AttachDialog</name>
     <message>
         <source>Attach %1</source>
@@ -1037,6 +1097,73 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::BoardCard</name>
+    <message>
+        <source>Turning rate of the last five seconds</source>
+        <translation>Drehrate der letzten fünf Sekunden</translation>
+    </message>
+    <message>
+        <source>Acceleration of the last five seconds</source>
+        <translation>Beschleunigung der letzten fünf Sekunden</translation>
+    </message>
+    <message>
+        <source>Blink</source>
+        <translation>Blinken</translation>
+    </message>
+    <message>
+        <source>Chosen board</source>
+        <translation>Gewählte Platine</translation>
+    </message>
+    <message>
+        <source>Pulses heard</source>
+        <translation>Gehörte Pulse</translation>
+    </message>
+    <message>
+        <source>confidence</source>
+        <translation>Konfidenz</translation>
+    </message>
+    <message>
+        <source>Turning rate, 5 s</source>
+        <translation>Drehrate, 5 s</translation>
+    </message>
+    <message>
+        <source>Acceleration, 5 s</source>
+        <translation>Beschleunigung, 5 s</translation>
+    </message>
+    <message>
+        <source>No board is chosen</source>
+        <translation>Keine Platine ist gewählt</translation>
+    </message>
+    <message>
+        <source>Choose a board on the body or in the pairs to see what arrives from it.</source>
+        <translation>Eine Platine am Körper oder in den Paaren wählen, um zu sehen, was von ihr ankommt.</translation>
+    </message>
+    <message>
+        <source>Board %1, %2</source>
+        <comment>number, body part</comment>
+        <translation>Platine %1, %2</translation>
+    </message>
+    <message>
+        <source>Its serial number is not known</source>
+        <translation>Ihre Seriennummer ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Serial %1</source>
+        <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>Blink board %1</source>
+        <translation>Platine %1 blinken lassen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 frames a second, %n bit error(s)</source>
+        <translation>
+            <numerusform>%1 von %2 Rahmen je Sekunde, %n Bitfehler</numerusform>
+            <numerusform>%1 von %2 Rahmen je Sekunde, %n Bitfehler</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::BodyMap</name>
     <message>
         <source>Boards and sources on the body</source>
@@ -1060,10 +1187,6 @@
     <message>
         <source>Nothing to calibrate</source>
         <translation>Nichts zu kalibrieren</translation>
-    </message>
-    <message>
-        <source>Calibration needs a suit, and the studio does not connect to one yet.</source>
-        <translation>Kalibrieren braucht einen Anzug, und das Studio verbindet sich noch mit keinem.</translation>
     </message>
     <message>
         <source>Four wizards that recognise by themselves when a step is done, and that end with a verdict in numbers and words.</source>
@@ -1125,6 +1248,10 @@
         <source>Stand still for 3 seconds; each time the suit is put on</source>
         <translation>3 Sekunden still stehen; bei jedem Anlegen des Anzugs</translation>
     </message>
+    <message>
+        <source>Calibration’s wizards are not part of this version.</source>
+        <translation>Die Assistenten der Kalibrierung sind nicht Teil dieser Version.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ComingPage</name>
@@ -1159,30 +1286,6 @@
         <translation>Verbinden</translation>
     </message>
     <message>
-        <source>No suit is connected</source>
-        <translation>Kein Anzug verbunden</translation>
-    </message>
-    <message>
-        <source>The studio does not connect to driver boxes yet; noctule --batch devices and record do.</source>
-        <translation>Das Studio verbindet sich noch nicht mit Steuerboxen; noctule --batch devices und record tun es.</translation>
-    </message>
-    <message>
-        <source>Driver boxes found on USB and in the network, and the virtual suit as one of them.</source>
-        <translation>Steuerboxen, die an USB und im Netz gefunden wurden, und der virtuelle Anzug als eine davon.</translation>
-    </message>
-    <message>
-        <source>Every board and source on the drawing with its state: what arrives, what is faint, what fell silent, and what to do about it.</source>
-        <translation>Jede Platine und Quelle auf der Zeichnung mit ihrem Zustand: was ankommt, was schwach ist, was verstummt ist und was dagegen hilft.</translation>
-    </message>
-    <message>
-        <source>Whether a pair of boards is swapped, and how many source-board pairs are good.</source>
-        <translation>Ob zwei Platinen vertauscht sind und wie viele Paare aus Quelle und Platine gut sind.</translation>
-    </message>
-    <message>
-        <source>Takes from elsewhere can be reviewed, processed and exported, and the virtual suit makes one now.</source>
-        <translation>Aufnahmen von anderswo lassen sich prüfen, verarbeiten und exportieren, und der virtuelle Anzug macht sofort eine.</translation>
-    </message>
-    <message>
         <source>Performer and suit</source>
         <translation>Darsteller und Anzug</translation>
     </message>
@@ -1191,12 +1294,171 @@
         <translation>Anzug anlegen</translation>
     </message>
     <message>
-        <source>Choose a board or a source to see where it sits.</source>
-        <translation>Eine Platine oder Quelle wählen, um zu sehen, wo sie sitzt.</translation>
-    </message>
-    <message>
         <source>board %1</source>
         <translation>Platine %1</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Readiness</source>
+        <translation>Bereitschaft</translation>
+    </message>
+    <message>
+        <source>Look for devices again</source>
+        <translation>Erneut nach Geräten suchen</translation>
+    </message>
+    <message>
+        <source>Blink the chosen board</source>
+        <translation>Gewählte Platine blinken lassen</translation>
+    </message>
+    <message>
+        <source>Go on without the chosen board</source>
+        <translation>Ohne die gewählte Platine weitermachen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n board(s) hear it well</source>
+        <translation>
+            <numerusform>%n Platine hört sie gut</numerusform>
+            <numerusform>%n Platinen hören sie gut</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a board first.</source>
+        <translation>Zuerst eine Platine wählen.</translation>
+    </message>
+    <message>
+        <source>Board %1 works; there is nothing to go on without.</source>
+        <translation>Platine %1 arbeitet; es gibt nichts, worauf zu verzichten wäre.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::DevicesPanel</name>
+    <message>
+        <source>No driver box is found. Switch one on, or connect it by USB.</source>
+        <translation>Keine Steuerbox ist gefunden. Eine einschalten oder über USB anschließen.</translation>
+    </message>
+    <message>
+        <source>Other address or port</source>
+        <translation>Andere Adresse oder Schnittstelle</translation>
+    </message>
+    <message>
+        <source>Address or port of a driver box</source>
+        <translation>Adresse oder Schnittstelle einer Steuerbox</translation>
+    </message>
+    <message>
+        <source>Ask</source>
+        <translation>Anfragen</translation>
+    </message>
+    <message>
+        <source>In the network tcp://ADDRESS:PORT, at a serial port serial:///dev/ttyACM0.</source>
+        <translation>Im Netz tcp://ADRESSE:PORT, an einer seriellen Schnittstelle serial:///dev/ttyACM0.</translation>
+    </message>
+    <message>
+        <source>Driver box on USB</source>
+        <translation>Steuerbox an USB</translation>
+    </message>
+    <message>
+        <source>Driver box on the network</source>
+        <translation>Steuerbox im Netz</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>where a device is; what it has</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n board(s)</source>
+        <translation>
+            <numerusform>%n Platine</numerusform>
+            <numerusform>%n Platinen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not here</source>
+        <translation>nicht da</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>is being connected</source>
+        <translation>wird verbunden</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>antwortet nicht</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>asking</source>
+        <translation>wird gefragt</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>%1: no driver box answers</source>
+        <comment>an address</comment>
+        <translation>%1: keine Steuerbox antwortet</translation>
+    </message>
+    <message>
+        <source>Ask again</source>
+        <translation>Erneut anfragen</translation>
+    </message>
+    <message>
+        <source>A serial port; a driver box may hang there</source>
+        <translation>Eine serielle Schnittstelle; eine Steuerbox kann daran hängen</translation>
+    </message>
+    <message>
+        <source>busy</source>
+        <translation>belegt</translation>
+    </message>
+    <message>
+        <source>Another studio uses it</source>
+        <translation>Ein anderes Studio benutzt sie</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Virtual suit</source>
+        <translation>Virtueller Anzug</translation>
+    </message>
+    <message>
+        <source>A simulated performer, no hardware</source>
+        <translation>Ein simulierter Darsteller, ohne Geräte</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Its motion is being prepared, once</source>
+        <translation>Seine Bewegung wird vorbereitet, einmal</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>startet</translation>
     </message>
 </context>
 <context>
@@ -1892,6 +2154,93 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::LivePairs</name>
+    <message>
+        <source>Pairs</source>
+        <translation>Paare</translation>
+    </message>
+    <message>
+        <source>confidence now, source by board</source>
+        <translation>Konfidenz jetzt, Quelle zu Platine</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>number and place of a source</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 good</source>
+        <comment>pairs</comment>
+        <translation>%1 gut</translation>
+    </message>
+    <message>
+        <source>%1: the board sends nothing</source>
+        <comment>a pair</comment>
+        <translation>%1: die Platine sendet nichts</translation>
+    </message>
+    <message>
+        <source>%1: not heard</source>
+        <comment>a pair</comment>
+        <translation>%1: nicht gehört</translation>
+    </message>
+    <message>
+        <source>%1: confidence %2, distance %3</source>
+        <comment>a pair</comment>
+        <translation>%1: Konfidenz %2, Abstand %3</translation>
+    </message>
+    <message>
+        <source>Choose a cell to read it here.</source>
+        <translation>Eine Zelle wählen, um sie hier zu lesen.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::LiveSuit</name>
+    <message>
+        <source>Disconnecting %1</source>
+        <translation>%1 wird getrennt</translation>
+    </message>
+    <message>
+        <source>Starting the recording</source>
+        <translation>Die Aufnahme beginnt</translation>
+    </message>
+    <message>
+        <source>Looking at %1</source>
+        <translation>%1 wird angesehen</translation>
+    </message>
+    <message>
+        <source>No suit is connected. Connect one first.</source>
+        <translation>Kein Anzug ist verbunden. Zuerst einen verbinden.</translation>
+    </message>
+    <message>
+        <source>The driver box has not answered yet. Wait a moment.</source>
+        <translation>Die Steuerbox hat noch nicht geantwortet. Einen Moment warten.</translation>
+    </message>
+    <message>
+        <source>A take is being recorded already.</source>
+        <translation>Es wird schon aufgenommen.</translation>
+    </message>
+    <message>
+        <source>The take before is being saved. Wait a moment.</source>
+        <translation>Die Aufnahme davor wird gesichert. Einen Moment warten.</translation>
+    </message>
+    <message>
+        <source>The driver box does not answer. Connect it again.</source>
+        <translation>Die Steuerbox antwortet nicht. Sie erneut verbinden.</translation>
+    </message>
+    <message>
+        <source>The link to the driver box is broken. Recording can begin when it is back.</source>
+        <translation>Die Verbindung zur Steuerbox ist unterbrochen. Die Aufnahme kann beginnen, wenn sie wieder da ist.</translation>
+    </message>
+    <message>
+        <source>There is no session to record into, and none could be made. Make one first.</source>
+        <translation>Es gibt keine Sitzung für die Aufnahme, und keine konnte angelegt werden. Zuerst eine anlegen.</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gesichert</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::MadeWithPanel</name>
     <message>
         <source>Recorded</source>
@@ -2066,6 +2415,15 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>New to Noctule?</source>
         <translation>Neu bei Noctule?</translation>
     </message>
+    <message>
+        <source>%1/%2 boards</source>
+        <comment>there, of all</comment>
+        <translation>%1/%2 Platinen</translation>
+    </message>
+    <message>
+        <source>Looking</source>
+        <translation>Schaut nach</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::MapLegend</name>
@@ -2080,6 +2438,18 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Legend</source>
         <translation>Legende</translation>
+    </message>
+    <message>
+        <source>board, sound and motion arrive</source>
+        <translation>Platine, Schall und Bewegung kommen an</translation>
+    </message>
+    <message>
+        <source>board, nothing arrives</source>
+        <translation>Platine, nichts kommt an</translation>
+    </message>
+    <message>
+        <source>source, sends a pulse every 64 ms</source>
+        <translation>Quelle, sendet alle 64 ms einen Puls</translation>
     </message>
 </context>
 <context>
@@ -2244,16 +2614,20 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Noch nicht</translation>
     </message>
     <message>
-        <source>The link to a driver box, calibration wizards and recording. Connect, Calibrate and Record say what they will do and what to do meanwhile.</source>
-        <translation>Die Verbindung zu einer Steuerbox, Assistenten zum Kalibrieren und das Aufnehmen. Verbinden, Kalibrieren und Aufnehmen sagen, was sie tun werden und was inzwischen geht.</translation>
-    </message>
-    <message>
         <source>Export to FBX and glTF, video, and reading of optical markers.</source>
         <translation>Export nach FBX und glTF, Video und das Lesen optischer Marker.</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Driver boxes are found on USB and in the network; Connect says whether the suit is ready and what to do about it.</source>
+        <translation>Steuerboxen werden an USB und im Netz gefunden; Verbinden sagt, ob der Anzug bereit ist und was zu tun ist.</translation>
+    </message>
+    <message>
+        <source>Calibration wizards. Calibrate says what they will do and what to do meanwhile.</source>
+        <translation>Assistenten der Kalibrierung. Kalibrieren sagt, was sie tun werden und was bis dahin zu tun ist.</translation>
     </message>
 </context>
 <context>
@@ -2748,6 +3122,22 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::PulseBars</name>
+    <message>
+        <source>Pulses heard</source>
+        <translation>Gehörte Pulse</translation>
+    </message>
+    <message>
+        <source>source %1: not heard</source>
+        <translation>Quelle %1: nicht gehört</translation>
+    </message>
+    <message>
+        <source>source %1: %2</source>
+        <comment>number, confidence</comment>
+        <translation>Quelle %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::PutOnDialog</name>
     <message>
         <source>Put the suit on</source>
@@ -2831,6 +3221,324 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
             <numerusform>%n von 5 Sternen</numerusform>
             <numerusform>%n von 5 Sternen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReadinessPanel</name>
+    <message>
+        <source>Boards</source>
+        <translation>Platinen</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Quellen</translation>
+    </message>
+    <message>
+        <source>Good pairs</source>
+        <translation>Gute Paare</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>Batterie</translation>
+    </message>
+    <message>
+        <source>Storage</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Start the virtual suit</source>
+        <translation>Virtuellen Anzug starten</translation>
+    </message>
+    <message>
+        <source>Performer and suit</source>
+        <translation>Darsteller und Anzug</translation>
+    </message>
+    <message>
+        <source>Put the suit on</source>
+        <translation>Anzug anlegen</translation>
+    </message>
+    <message>
+        <source>Show the worst only</source>
+        <translation>Nur das Schlimmste zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>problems</comment>
+        <translation>
+            <numerusform>%n weiteres</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n faint</source>
+        <translation>
+            <numerusform>%1, %n schwach</numerusform>
+            <numerusform>%1, %n schwach</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>charge, time left</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Continue without board %1</source>
+        <translation>Weiter ohne Platine %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Continue without %n boards</source>
+        <translation>
+            <numerusform>Weiter ohne %n Platine</numerusform>
+            <numerusform>Weiter ohne %n Platinen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Continue anyway</source>
+        <translation>Trotzdem weiter</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReadinessWords</name>
+    <message>
+        <source>No sound arrives</source>
+        <translation>Kein Schall kommt an</translation>
+    </message>
+    <message>
+        <source>The driver box is there and sends nothing. Wait a moment; if it stays so, switch it off and on again.</source>
+        <translation>Die Steuerbox ist da und sendet nichts. Einen Moment warten; bleibt es so, sie aus- und wieder einschalten.</translation>
+    </message>
+    <message>
+        <source>The link is broken</source>
+        <translation>Die Verbindung ist unterbrochen</translation>
+    </message>
+    <message>
+        <source>The driver box has not answered since %1. The studio tries again by itself; check the cable or the network.</source>
+        <translation>Die Steuerbox antwortet seit %1 nicht. Das Studio versucht es von selbst wieder; Kabel oder Netz prüfen.</translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks; if the light stays dark, change the cable.</source>
+        <translation>Den Stecker eindrücken, bis er klickt; bleibt das Licht dunkel, das Kabel wechseln.</translation>
+    </message>
+    <message>
+        <source>Board %1, %2, fell silent at %3.</source>
+        <translation>Platine %1, %2, ist um %3 verstummt.</translation>
+    </message>
+    <message>
+        <source>Nothing has come from board %1, %2, so far.</source>
+        <translation>Von Platine %1, %2, ist bisher nichts gekommen.</translation>
+    </message>
+    <message>
+        <source>Blink board %1</source>
+        <translation>Platine %1 blinken lassen</translation>
+    </message>
+    <message>
+        <source>Go on without it</source>
+        <translation>Ohne sie weitermachen</translation>
+    </message>
+    <message>
+        <source>%1 sends nothing</source>
+        <translation>%1 sendet nichts</translation>
+    </message>
+    <message>
+        <source>%1 cannot be understood</source>
+        <translation>%1 ist nicht zu verstehen</translation>
+    </message>
+    <message>
+        <source>Board %1 sends something, but hardly a whole frame. Check its plug and its cable; if that does not help, change the board.</source>
+        <translation>Platine %1 sendet etwas, aber kaum einen ganzen Rahmen. Stecker und Kabel prüfen; hilft das nicht, die Platine wechseln.</translation>
+    </message>
+    <message>
+        <source>%1 loses frames</source>
+        <translation>%1 verliert Rahmen</translation>
+    </message>
+    <message>
+        <source>Board %1 brings %2 of %3 frames a second. Check its plug and its cable.</source>
+        <translation>Platine %1 bringt %2 von %3 Rahmen je Sekunde. Stecker und Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Übergehen</translation>
+    </message>
+    <message>
+        <source>%1 reaches its limits</source>
+        <translation>%1 stößt an ihre Grenzen</translation>
+    </message>
+    <message>
+        <source>Board %1 was overdriven %2 times in the last second. Fasten it so that it cannot knock against anything.</source>
+        <translation>Platine %1 war in der letzten Sekunde %2-mal übersteuert. Sie so befestigen, dass sie nirgends anstößt.</translation>
+    </message>
+    <message>
+        <source>%1 hears no source</source>
+        <translation>%1 hört keine Quelle</translation>
+    </message>
+    <message>
+        <source>Board %1 has heard no pulse for ten seconds. Look whether a strap or a fold covers its microphone.</source>
+        <translation>Platine %1 hat seit zehn Sekunden keinen Puls gehört. Nachsehen, ob ein Band oder eine Falte ihr Mikrofon bedeckt.</translation>
+    </message>
+    <message>
+        <source>Source %1 is not heard</source>
+        <translation>Quelle %1 wird nicht gehört</translation>
+    </message>
+    <message>
+        <source>Source %1 is faint</source>
+        <translation>Quelle %1 ist schwach</translation>
+    </message>
+    <message>
+        <source>%1: no board hears it. Check its plug; a strap or fold may cover it.</source>
+        <comment>place of a source</comment>
+        <translation>%1: keine Platine hört sie. Den Stecker prüfen; ein Band oder eine Falte kann sie bedecken.</translation>
+    </message>
+    <message>
+        <source>%1: only %2 of its %3 pairs are good. A strap or fold probably covers it.</source>
+        <comment>place of a source</comment>
+        <translation>%1: nur %2 ihrer %3 Paare sind gut. Wahrscheinlich bedeckt sie ein Band oder eine Falte.</translation>
+    </message>
+    <message>
+        <source>Play source %1</source>
+        <translation>Quelle %1 tönen lassen</translation>
+    </message>
+    <message>
+        <source>The battery is almost empty</source>
+        <translation>Die Batterie ist fast leer</translation>
+    </message>
+    <message>
+        <source>%1 are left; the driver box switches off within a minute. Charge it now.</source>
+        <translation>%1 sind übrig; die Steuerbox schaltet sich in einer Minute ab. Sie jetzt laden.</translation>
+    </message>
+    <message>
+        <source>The battery is low</source>
+        <translation>Die Batterie ist schwach</translation>
+    </message>
+    <message>
+        <source>%1 are left. Charge it before a long take.</source>
+        <translation>%1 sind übrig. Sie vor einer langen Aufnahme laden.</translation>
+    </message>
+    <message>
+        <source>The disk is almost full</source>
+        <translation>Der Datenträger ist fast voll</translation>
+    </message>
+    <message>
+        <source>There is room for %1 of recording. Free some space, or choose another folder for the session.</source>
+        <translation>Es ist Platz für %1 Aufnahme. Platz schaffen oder einen anderen Ordner für die Sitzung wählen.</translation>
+    </message>
+    <message>
+        <source>Nobody has said which board sits where</source>
+        <translation>Niemand hat gesagt, welche Platine wo sitzt</translation>
+    </message>
+    <message>
+        <source>The driver box does not know it; the boards are shown in the order of their plugs. Find each by moving, or drag it onto its body part.</source>
+        <translation>Die Steuerbox weiß es nicht; die Platinen stehen in der Reihenfolge ihrer Stecker. Jede durch Bewegen finden oder auf ihren Körperteil ziehen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n thing(s) to fix</source>
+        <translation>
+            <numerusform>%n Sache zu beheben</numerusform>
+            <numerusform>%n Sachen zu beheben</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to know</source>
+        <comment>things</comment>
+        <translation>
+            <numerusform>%n zu wissen</numerusform>
+            <numerusform>%n zu wissen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No suit is connected</source>
+        <translation>Kein Anzug ist verbunden</translation>
+    </message>
+    <message>
+        <source>Choose a driver box at the left, or start the virtual suit.</source>
+        <translation>Links eine Steuerbox wählen oder den virtuellen Anzug starten.</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Looking at the suit</source>
+        <translation>Der Anzug wird angesehen</translation>
+    </message>
+    <message>
+        <source>In a moment it is clear what arrives.</source>
+        <translation>Gleich ist klar, was ankommt.</translation>
+    </message>
+    <message>
+        <source>Not ready yet</source>
+        <translation>Noch nicht bereit</translation>
+    </message>
+    <message>
+        <source>%1 of %2 boards and %3 of %4 sources are there.</source>
+        <translation>%1 von %2 Platinen und %3 von %4 Quellen sind da.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>board %1</source>
+        <translation>Platine %1</translation>
+    </message>
+    <message>
+        <source>no signal since %1</source>
+        <translation>kein Signal seit %1</translation>
+    </message>
+    <message>
+        <source>no signal</source>
+        <translation>kein Signal</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs</source>
+        <comment>that are good</comment>
+        <translation>%1 von %2 Paaren</translation>
+    </message>
+    <message>
+        <source>%1 MB/s</source>
+        <translation>%1 MB/s</translation>
+    </message>
+    <message>
+        <source>%1 is being connected</source>
+        <translation>%1 wird verbunden</translation>
+    </message>
+    <message>
+        <source>%1: the link is broken, the studio tries again</source>
+        <translation>%1: die Verbindung ist unterbrochen, das Studio versucht es wieder</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1: no sound arrives</source>
+        <translation>%1: kein Schall kommt an</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 streaming, %2, %n block(s) lost</source>
+        <translation>
+            <numerusform>%1 sendet, %2, %n Block verloren</numerusform>
+            <numerusform>%1 sendet, %2, %n Blöcke verloren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
     </message>
 </context>
 <context>
@@ -3905,6 +4613,13 @@ keine Lücken</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::SearchField</name>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::SessionList</name>
     <message>
         <source>Recent sessions</source>
@@ -4231,14 +4946,6 @@ keine Lücken</translation>
         <translation>Gefundene Anzüge</translation>
     </message>
     <message>
-        <source>This version does not look for driver boxes yet. Until it does, the virtual suit and takes from elsewhere stand in for a suit.</source>
-        <translation>Diese Version sucht noch nicht nach Steuerboxen. Bis dahin stehen der virtuelle Anzug und Aufnahmen von anderswo für einen Anzug.</translation>
-    </message>
-    <message>
-        <source>What Connect will show</source>
-        <translation>Was Verbinden zeigen wird</translation>
-    </message>
-    <message>
         <source>First time here</source>
         <translation>Zum ersten Mal hier</translation>
     </message>
@@ -4329,6 +5036,18 @@ keine Lücken</translation>
         <source>Rebuild session</source>
         <translation>Sitzung wiederherstellen</translation>
     </message>
+    <message>
+        <source>Connect a suit</source>
+        <translation>Einen Anzug verbinden</translation>
+    </message>
+    <message>
+        <source>%1 is connected.</source>
+        <translation>%1 ist verbunden.</translation>
+    </message>
+    <message>
+        <source>No driver box is found. Switch one on, or connect it by USB; the virtual suit on Connect stands in for one.</source>
+        <translation>Keine Steuerbox ist gefunden. Eine einschalten oder über USB anschließen; der virtuelle Anzug auf Verbinden vertritt sie.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::StatusLine</name>
@@ -4414,6 +5133,10 @@ keine Lücken</translation>
         <comment>version</comment>
         <translation>Noctule %1. Arbeitet offline, ohne Konto</translation>
     </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::StepBar</name>
@@ -4480,6 +5203,13 @@ keine Lücken</translation>
     <message>
         <source>Loading the body</source>
         <translation>Der Körper wird geladen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SuitCheck</name>
+    <message>
+        <source>Room for takes</source>
+        <translation>Platz für Aufnahmen</translation>
     </message>
 </context>
 <context>
@@ -4756,6 +5486,14 @@ keine Lücken</translation>
         <source>Preferences</source>
         <translation>Einstellungen</translation>
     </message>
+    <message>
+        <source>The connected suit. Opens Connect.</source>
+        <translation>Der verbundene Anzug. Öffnet Verbinden.</translation>
+    </message>
+    <message>
+        <source>Boards that are there. Opens Connect.</source>
+        <translation>Platinen, die da sind. Öffnet Verbinden.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::Tour</name>
@@ -4894,6 +5632,38 @@ keine Lücken</translation>
         <source>%1 %2</source>
         <comment>value and what it is</comment>
         <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::VirtualSuit</name>
+    <message>
+        <source>The virtual suit’s program is not part of this installation</source>
+        <translation>Das Programm des virtuellen Anzugs ist nicht Teil dieser Installation</translation>
+    </message>
+    <message>
+        <source>Install Noctule again</source>
+        <translation>Noctule erneut installieren</translation>
+    </message>
+    <message>
+        <source>Preparing the virtual suit</source>
+        <translation>Der virtuelle Anzug wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>The virtual suit’s program %1 could not be started</source>
+        <translation>Das Programm %1 des virtuellen Anzugs konnte nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>The virtual suit broke down</source>
+        <translation>Der virtuelle Anzug ist abgestürzt</translation>
+    </message>
+    <message>
+        <source>Start it again; takes of it are safe</source>
+        <translation>Ihn neu starten; seine Aufnahmen sind sicher</translation>
+    </message>
+    <message>
+        <source>The virtual suit ended by itself: %1</source>
+        <comment>its last words</comment>
+        <translation>Der virtuelle Anzug hat sich beendet: %1</translation>
     </message>
 </context>
 <context>
@@ -5057,13 +5827,6 @@ keine Lücken</translation>
         <source>d MMMM yyyy</source>
         <comment>day, month and year</comment>
         <translation>d. MMMM yyyy</translation>
-    </message>
-</context>
-<context>
-    <name>noctule::ui::SearchField</name>
-    <message>
-        <source>Clear</source>
-        <translation>Leeren</translation>
     </message>
 </context>
 </TS>

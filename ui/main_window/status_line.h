@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "ui/main_window/storage.h"
+#include "ui/models/storage.h"
 #include "ui/models/studio.h"
 
 namespace noctule::ui {
@@ -44,6 +44,7 @@ private:
     void showStorage(const Storage& storage);
     void lookAtStorage();
     QString sessionWords() const;
+    QString suitWords() const;
 
     Studio& studio_;
     QLabel* safe_;
@@ -52,6 +53,7 @@ private:
     StatusButton *jobs_, *cancel_, *shortcuts_;
     QTimer said_timer_, storage_timer_;
     QString said_;
+    QString drawn_;  ///< what safe_ shows
 };
 
 }  // namespace noctule::ui

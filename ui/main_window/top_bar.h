@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "ui/models/studio.h"
+#include "ui/style/ink.h"
 
 class QMenu;
 class QMenuBar;
@@ -29,6 +30,8 @@ public:
     void fold(const QList<QMenu*>& menus);
     bool isFolded() const;
     void showStep(Step step);
+    /// "17/18 boards", and the box; without a name no suit is connected.
+    void showSuit(Tone tone, const QString& state, const QString& name);
 
     /// Position of a step in the bar, -1 for pages that are none.
     static int indexOf(Step step);
@@ -54,7 +57,7 @@ private:
     QMenuBar* menus_;
     ToolButton* folded_;
     StepBar* steps_;
-    Chip* suit_;
+    Chip *suit_, *box_;
     Button* record_;
     ToolButton* preferences_;
     QWidget *left_, *right_;
