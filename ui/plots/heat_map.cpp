@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/models/part_names.h"
+#include "ui/plots/board_columns.h"
 #include "ui/plots/confidence_legend.h"
 #include "ui/plots/lane_content.h"
 #include "ui/style/words.h"
@@ -14,21 +15,6 @@
 #include "ui/widgets/tool_button.h"
 
 namespace noctule::ui {
-namespace {
-
-std::vector<PairColumnGroup> columnGroups(const Suit& suit) {
-    std::vector<PairColumnGroup> groups;
-    for (int b = 0; b < static_cast<int>(suit.boards.size()); ++b) {
-        const QString name = groupName(groupOfSegment(suit.boards[static_cast<size_t>(b)].segment));
-        if (groups.empty() || groups.back().name != name)
-            groups.push_back({name, b, b});
-        groups.back().last = b;
-    }
-    return groups;
-}
-
-}  // namespace
-
 HeatMap::HeatMap(Studio& studio, QWidget* parent)
     : QWidget(parent), studio_(studio), repaint_([this] { refreshCells(); }) {
     build();
