@@ -184,7 +184,7 @@ bool MainWindow::mayClose() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!mayClose()) {
+    if (!mayStopTake() || !mayClose()) {
         event->ignore();
         return;
     }

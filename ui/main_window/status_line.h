@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "ui/main_window/storage.h"
+#include "ui/models/storage.h"
 #include "ui/models/studio.h"
 
 namespace noctule::ui {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "ui/models/studio.h"
 
@@ -29,6 +30,9 @@ public:
     void fold(const QList<QMenu*>& menus);
     bool isFolded() const;
     void showStep(Step step);
+    /// How long the take runs; absent: none does. Seen on every page but Record, which has the clock itself.
+    void showRecording(std::optional<double> seconds);
+    Button& recordButton() { return *record_; }
 
     /// Position of a step in the bar, -1 for pages that are none.
     static int indexOf(Step step);
@@ -50,6 +54,7 @@ private:
     QWidget* makeLeft();
     QWidget* makeRight();
     void foldWhereNarrow();
+    void showRecordButton();
 
     QMenuBar* menus_;
     ToolButton* folded_;
@@ -58,6 +63,8 @@ private:
     Button* record_;
     ToolButton* preferences_;
     QWidget *left_, *right_;
+    Step step_ = Step::kStart;
+    bool records_ = false;
 };
 
 }  // namespace noctule::ui

@@ -177,9 +177,11 @@ const Scene& SceneView::compose() {
     }
     keepFollowing();
     if (!parts.figure && callout()) {
+        const BodyPlaces& places = parts.composed.places;
         const int board = studio_.selection().board(), source = studio_.selection().source();
-        const Vector3d at = board >= 0 ? parts.composed.places.boards[static_cast<size_t>(board)].p_m
-                                       : parts.composed.places.sources[static_cast<size_t>(source)].p_m;
+        const bool has_board = board >= 0 && board < static_cast<int>(places.boards.size());
+        const Vector3d at = has_board ? places.boards[static_cast<size_t>(board)].p_m
+                                      : places.sources[static_cast<size_t>(source)].p_m;
         parts.composed.scene.rings.push_back({at.cast<float>(), 11, 2, rgba(Theme::get().tokens().acc)});
     }
     return parts.composed.scene;

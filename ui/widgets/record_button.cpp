@@ -13,7 +13,7 @@ namespace noctule::ui {
 namespace {
 
 // Pixels at 100 percent.
-constexpr double kRing = 84, kRingPen = 3, kDisc = 66, kSquare = 22, kMargin = 3;
+constexpr double kRing = 84, kRingPen = 3, kDisc = 66, kSquare = 22, kMargin = 2;
 constexpr int kFrame_ms = 33;
 constexpr double kTurn_s = 1;
 constexpr double kPi = 3.14159265358979;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/main_window/storage.h"
+#include "ui/models/storage.h"
 
 #include <QDir>
 #include <QFileInfo>

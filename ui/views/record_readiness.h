@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Right dock of Record: whether it records well, what to look at, and the numbers behind it.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <QWidget>
+#include <map>
+
+#include "ui/models/storage.h"
+#include "ui/models/studio.h"
+#include "ui/widgets/fact_row.h"
+
+class QVBoxLayout;
+
+namespace noctule::ui {
+
+class FormRows;
+class Label;
+class ProblemCard;
+class VerdictHeader;
+
+class RecordReadiness : public QWidget {
+    Q_OBJECT
+public:
+    explicit RecordReadiness(Studio& studio, QWidget* parent = nullptr);
+
+    enum class Fact { kBoards, kSources, kPairs, kLink, kBattery, kStorage, kAir };
+    const FactRow& fact(Fact fact) const { return *facts_.at(fact); }
+    /// Titles of the cards under "To look at".
+    QStringList problems() const;
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    struct Problem {
+        Tone tone;
+        QString title, text;
+        int board = -1;  ///< that "Show on body" chooses
+    };
+    QWidget* makeFacts();
+    QWidget* makeCalibration();
+    void refresh();
+    void showHealth();
+    void showLink();
+    void showAir();
+    void showStorage();
+    void showCalibration();
+    void lookAtStorage();
+    std::vector<Problem> problemsNow() const;
+    void showProblems(const std::vector<Problem>& problems);
+
+    Studio& studio_;
+    VerdictHeader* verdict_;
+    QWidget* to_look_at_;
+    QVBoxLayout* cards_;
+    Label* more_;
+    std::map<Fact, FactRow*> facts_;
+    Label *made_, *offsets_, *boards_;
+    std::vector<ProblemCard*> shown_;
+    std::vector<QString> shown_texts_;
+    Storage storage_;
+    QTimer storage_timer_, refresh_timer_;
+    QElapsedTimer since_rate_;
+    int64_t rate_from_sample_ = 0;
+    double megabytes_per_s_ = 0;
+};
+
+}  // namespace noctule::ui
