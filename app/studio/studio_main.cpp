@@ -2,6 +2,7 @@
 #include "app/studio/studio_main.h"
 
 #include <QApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QSettings>
 #include <QSurfaceFormat>
@@ -69,6 +70,9 @@ StudioParts parts() {
     StudioParts parts;
     parts.software = batch::softwareName();
     parts.utc_now = batch::utcNow;
+    const QFileInfo virtual_suit(QDir(QCoreApplication::applicationDirPath()), "noctule-virtual-suit");
+    if (virtual_suit.isExecutable())
+        parts.virtual_suit_program = virtual_suit.absoluteFilePath().toStdString();
     parts.make_sample_take = [software = parts.software](const std::string& path, const JobContext& job) {
         return makeSampleTake(path, batch::utcNow(), software, job);
     };

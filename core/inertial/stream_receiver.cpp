@@ -120,7 +120,7 @@ bool StreamReceiver::decodeFrame() {
     reading.board = board_;
     reading.frame = frame;
     reading.sample = clock.frameStart(frame);
-    emit(reading);
+    handOn(reading);
     return true;
 }
 
@@ -145,7 +145,7 @@ void StreamReceiver::loseLock(int64_t hunt_from) {
     hunt_from_ = hunt_from;
 }
 
-void StreamReceiver::emit(const InertialReading& reading) {
+void StreamReceiver::handOn(const InertialReading& reading) {
     if (reading.frame < 0)
         return;  // began before the recording, by less than a sample
     ++report_.frames_seen;

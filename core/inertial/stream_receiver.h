@@ -79,7 +79,7 @@ private:
     bool hunt();
     bool decodeFrame();
     void watch(const CheckedFrame& frame, int expected_counter, int64_t frame_end);
-    void emit(const InertialReading& reading);
+    void handOn(const InertialReading& reading);
     void loseLock(int64_t hunt_from);
 
     int board_, sample_rate_hz_;

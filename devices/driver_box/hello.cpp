@@ -63,7 +63,7 @@ void dropPlaces(Json& suit) {
 template <class Part>
 bool placePart(Part& part, const std::vector<Part>& own) {
     const auto found = std::find_if(own.begin(), own.end(), [&](const Part& candidate) {
-        return !part.serial.empty() && candidate.serial == part.serial;
+        return candidate.serial == part.serial && (!part.serial.empty() || candidate.id == part.id);
     });
     if (found == own.end())
         return false;

@@ -70,8 +70,9 @@ Result<Hello> readHello(ByteView payload, const std::string& where);
 Result<Announcement> readAnnouncement(ByteView payload, const std::string& where);
 Result<Settings> readSettings(ByteView payload);
 
-/// The boards and sources of `box` in their order, placed as those of `own` with the same serial number.
-/// Fails (kUnusable) and names the first that `own` does not know.
+/// The boards and sources of `box` in their order, placed as those of `own` with the same serial number;
+/// those that have none as those of `own` that have none either and the same id. Fails (kUnusable) and names
+/// the first that `own` does not know.
 Result<Suit> placedBySerial(const Suit& box, const Suit& own);
 
 }  // namespace noctule::link

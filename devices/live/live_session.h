@@ -86,6 +86,11 @@ public:
     /// Ends the stream here and now, completes the take and, if asked for, writes the results into it.
     StreamResult finish();
 
+    /// Lights a board's lamp. A box that cannot says so in status().
+    void identify(const link::Identify& identify) { device_->identify(identify); }
+    /// Before begin(): holds from the next stream on.
+    void set(const link::Settings& settings) { device_->set(settings); }
+
     void addMarker(const std::string& kind, const std::string& label);
     void addNote(const std::string& text);
 

@@ -51,6 +51,11 @@ Studio::Studio(StudioParts parts, QObject* parent)
       session_(jobs_),
       take_(jobs_, time_),
       markers_(jobs_, session_, take_),
+      finder_(settings_),
+      suit_(jobs_, session_, {parts_.software, parts_.utc_now, [this] { return sessionsFolder(); }}),
+      virtual_suit_(jobs_, {words(parts_.virtual_suit_program),
+                            QStandardPaths::writableLocation(QStandardPaths::CacheLocation), parts_.software,
+                            parts_.make_sample_take}),
       processing_(std::make_shared<std::timed_mutex>()) {
     connect(&session_, &SessionModel::currentTakeChanged, this, &Studio::openTakeUnderReview);
     connect(&session_, &SessionModel::recovered, this, [this](const QString& path) {
@@ -62,6 +67,12 @@ Studio::Studio(StudioParts parts, QObject* parent)
             take_.followMove(now);
     });
     connect(&markers_, &MarkerEditor::failed, this, &Studio::failed);
+    connect(&suit_, &LiveSuit::failed, this, &Studio::failed);
+    connect(&suit_, &LiveSuit::phaseChanged, this, &Studio::followSuit);
+    connect(&virtual_suit_, &VirtualSuit::failed, this, &Studio::failed);
+    connect(&virtual_suit_, &VirtualSuit::started, this,
+            [this] { suit_.connectTo(virtual_suit_.address(), virtual_suit_.known()); });
+    connect(&virtual_suit_, &VirtualSuit::changed, this, &Studio::followSuit);
     loadBody();
 }
 
@@ -102,9 +113,39 @@ void Studio::openTakeUnderReview(int index) {
         take_.open(path);
 }
 
+void Studio::startVirtualSuit() {
+    const bool on = virtual_suit_.state() == VirtualSuit::State::kOn;
+    if (on && suit_.address() == virtual_suit_.address())
+        return;
+    if (on)
+        suit_.connectTo(virtual_suit_.address(), virtual_suit_.known());
+    else
+        virtual_suit_.start();
+}
+
+void Studio::stopVirtualSuit() {
+    virtual_suit_ends_ = true;
+    if (suit_.address() == virtual_suit_.address())
+        suit_.disconnectSuit();
+    followSuit();
+}
+
+void Studio::followSuit() {
+    const bool off = virtual_suit_.state() == VirtualSuit::State::kOff;
+    const bool connected = !suit_.address().isEmpty() && suit_.address() == virtual_suit_.address();
+    if (off && connected)
+        suit_.disconnectSuit();  // nobody is there to connect to again
+    else if (virtual_suit_ends_ && !connected) {
+        virtual_suit_ends_ = false;
+        virtual_suit_.stop();
+    }
+    if (suit_.phase() == LiveSuit::Phase::kReady && !connected && suit_.status()->hello)
+        finder_.remember(words(suit_.status()->hello->serial));
+}
+
 Job* Studio::tryVirtualSuit() {
-    if (virtual_suit_ && virtual_suit_->state() == Job::State::kRunning)
-        return virtual_suit_;
+    if (trying_ && trying_->state() == Job::State::kRunning)
+        return trying_;
     VirtualSessionRequest request;
     request.sessions_folder = sessionsFolder().toStdString();
     request.session_name = tr("Virtual suit").toStdString();
@@ -112,7 +153,7 @@ Job* Studio::tryVirtualSuit() {
     request.software = parts_.software;
     request.created_utc = parts_.utc_now();
     request.make_take = parts_.make_sample_take;
-    virtual_suit_ = jobs_.start<VirtualSession>(
+    trying_ = jobs_.start<VirtualSession>(
         tr("Virtual suit"), [request](const JobContext& job) { return makeVirtualSession(request, job); },
         [this](Result<VirtualSession> made) -> QString {
             if (!made) {
@@ -124,7 +165,7 @@ Job* Studio::tryVirtualSuit() {
             goTo(Step::kReview);
             return tr("%1 is ready").arg(words(made->take));
         });
-    return virtual_suit_;
+    return trying_;
 }
 
 Job* Studio::process(ProcessRequest request) {

@@ -14,11 +14,14 @@
 #include "core/mesh/skinned_mesh.h"
 #include "core/processing/process_take.h"
 #include "ui/jobs/jobs.h"
+#include "ui/models/live_suit.h"
 #include "ui/models/marker_editor.h"
 #include "ui/models/selection.h"
 #include "ui/models/session_model.h"
+#include "ui/models/suit_finder.h"
 #include "ui/models/take_document.h"
 #include "ui/models/time_cursor.h"
+#include "ui/models/virtual_suit.h"
 
 namespace noctule::ui {
 
@@ -28,6 +31,8 @@ struct StudioParts {
     std::function<std::string()> utc_now;  ///< ISO 8601
     /// Writes a take of the virtual suit on a sample motion, not yet processed.
     std::function<Status(const std::string& path, const JobContext&)> make_sample_take;
+    /// Path of noctule-virtual-suit; empty: there is none.
+    std::string virtual_suit_program{};
 };
 
 enum class Step { kStart, kConnect, kCalibrate, kRecord, kReview, kExport, kPerformer };
@@ -44,6 +49,9 @@ public:
     SessionModel& session() { return session_; }
     TakeDocument& take() { return take_; }
     MarkerEditor& markers() { return markers_; }
+    SuitFinder& finder() { return finder_; }
+    LiveSuit& suit() { return suit_; }
+    VirtualSuit& virtualSuit() { return virtual_suit_; }
     QSettings& settings() { return settings_; }
     /// The body that ships with the studio; null until a job of the start has loaded it, or when it cannot be
     /// read.
@@ -56,6 +64,10 @@ public:
     /// A session with a sample take, processed and open in Review. The one made earlier is used again. A job;
     /// cancelled, nothing of it stays.
     Job* tryVirtualSuit();
+    /// Starts the virtual suit's program and connects it.
+    void startVirtualSuit();
+    /// A take of it that is being recorded ends intact first.
+    void stopVirtualSuit();
     /// Processes a take of the session as a job; shows the new run when the take is open.
     Job* process(ProcessRequest request);
 
@@ -79,12 +91,17 @@ private:
     SessionModel session_;
     TakeDocument take_;
     MarkerEditor markers_;
+    SuitFinder finder_;
+    LiveSuit suit_;
+    VirtualSuit virtual_suit_;
     void openTakeUnderReview(int index);
     void loadBody();
+    void followSuit();
 
     std::shared_ptr<const SkinnedMesh> body_;
     bool body_ended_ = false;  ///< loading it
-    QPointer<Job> virtual_suit_;
+    QPointer<Job> trying_;     ///< the virtual suit
+    bool virtual_suit_ends_ = false;
     std::shared_ptr<std::timed_mutex> processing_;  ///< a take takes one writer, the machine one filter
 };
 

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// The suit that is connected: its link, what it shows now, and the recording of takes into the session. What
+// stands between two takes is a stream without a take, begun by itself: it lets the health be seen.
+// On the interface's thread; nothing here waits for the device, the disk or the filter.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "devices/live/live_session.h"
+#include "ui/jobs/jobs.h"
+#include "ui/models/session_model.h"
+#include "ui/models/wearing.h"
+
+namespace noctule::ui {
+
+class LiveSuit : public QObject {
+    Q_OBJECT
+public:
+    enum class Phase {
+        kNone,  ///< no device
+        kConnecting,
+        kReady,     ///< greeted; no stream
+        kLooking,   ///< a stream without a take: health, levels, live body
+        kStarting,  ///< a take begins
+        kRecording,
+        kSaving,   ///< stopped; the take becomes one file
+        kRefused,  ///< for good; see status()->trouble
+    };
+    struct TakePlan {
+        QString base_name;      ///< "walk": walk_001, walk_002, ...
+        QString shot;           ///< of the shot list; empty: none
+        double rest_s = 0;      ///< the performer begins in the rest pose
+        double pre_roll_s = 0;  ///< of what was seen before, kept in the take
+    };
+    struct Surroundings {
+        std::string software;
+        std::function<std::string()> utc_now;
+        std::function<QString()> sessions_folder;  ///< where a session by date is made
+    };
+
+    LiveSuit(Jobs& jobs, SessionModel& session, Surroundings surroundings, QObject* parent = nullptr);
+    ~LiveSuit() override;
+
+    Phase phase() const { return phase_; }
+    const QString& address() const { return address_; }
+    /// The suit that is connected goes first. `known`: beforehand; of the virtual suit.
+    void connectTo(const QString& address, const KnownWearing& known = {});
+    /// A take that is being recorded ends intact first.
+    void disconnectSuit();
+
+    /// Never null; of kNone an empty one.
+    std::shared_ptr<const SessionStatus> status() const;
+    /// The newest live frame; null without a stream or when nothing is processed. Its poses are true only
+    /// with a calibration().
+    std::shared_ptr<const LiveFrame> frame() const { return frame_; }
+    /// Of the take being recorded.
+    std::optional<RecorderState> recording() const;
+    double recordedSeconds() const;
+    link::LinkStatistics link() const;
+    /// As it is worn: the performer's suit where the serial numbers agree, else as the box says.
+    const Suit& suit() const { return wearing_.suit; }
+    const Actor& actor() const { return wearing_.actor; }
+    const Wearing& wearing() const { return wearing_; }
+    /// What poses and distances are made with; absent: none fits, then nothing is processed but health.
+    const std::optional<Calibration>& calibration() const { return known_.calibration; }
+    void setCalibration(std::optional<Calibration> calibration);
+    const KnownWearing& known() const { return known_; }
+
+    /// Begins a take in the session's folder; without a session one is made by date. In words why not, else
+    /// empty.
+    QString record(const TakePlan& plan);
+    void stopRecording();
+    void addMarker(const QString& label);
+    void addNote(const QString& text);
+    /// Lights a board's lamp, or lets a source sound by itself for some seconds.
+    void blinkBoard(int board);
+    void playSource(int source);
+
+signals:
+    void phaseChanged();
+    /// status(), link() or recording() may differ; at most 10 times a second.
+    void statusChanged();
+    /// At most 60 times a second, and only when there is a new one.
+    void frameChanged();
+    /// suit(), actor() or calibration() differ.
+    void wearingChanged();
+    void recordingStarted(const QString& take_name);
+    /// Over and saved; the take is in the session's list. `trouble` is empty when the operator stopped it.
+    void recordingEnded(const QString& take_name, const QString& trouble);
+    void failed(const QString& what, const QString& remedy);
+
+private:
+    void look();
+    void lookAtFrame();
+    void lookAtStatus();
+    void followLink();
+    void setPhase(Phase phase);
+    void wear();
+    QString whyNotRecord() const;
+    bool makeSessionByDate();
+    StreamRequest requestOf(const std::optional<TakePlan>& plan) const;
+    std::optional<link::Settings> settings() const;
+    void begin(const std::optional<TakePlan>& plan);
+    void begun(bool of_take, const std::optional<Error>& trouble);
+    void endTake();
+    void ended(const StreamResult& result);
+    void release();
+
+    Jobs& jobs_;
+    SessionModel& session_;
+    const Surroundings surroundings_;
+    std::shared_ptr<LiveSession> live_;
+    int connection_ = 0;  ///< what jobs of an earlier one bring is void
+    QString address_, next_address_;
+    Phase phase_ = Phase::kNone;
+    bool working_ = false;  ///< a job has the session
+    bool look_again_ = false, stop_wanted_ = false, leave_wanted_ = false, told_ = false;
+    std::optional<TakePlan> next_take_;
+    std::optional<int> lone_source_;
+    bool sources_set_ = false;  ///< the box has not its own choice of sources
+    Wearing wearing_;
+    KnownWearing known_, next_known_;
+    std::shared_ptr<const SessionStatus> status_ = std::make_shared<const SessionStatus>();
+    std::shared_ptr<const LiveFrame> frame_;
+    std::optional<RecorderState> recorded_;  ///< as seen last
+    QString take_name_;
+    QTimer timer_, lone_timer_;
+    int looks_ = 0;
+    QElapsedTimer since_trouble_;
+};
+
+}  // namespace noctule::ui

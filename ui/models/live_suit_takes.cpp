@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// Streams of the connected suit: those that are only looked at, and takes.
+#include <QDate>
+#include <QDir>
+#include <QFileInfo>
+#include <QPointer>
+#include <numeric>
+
+#include "ui/models/live_steps.h"
+#include "ui/models/live_suit.h"
+
+namespace noctule::ui {
+namespace {
+
+QString wordsOf(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+QString takeNameOf(const RecorderState& recording) {
+    return QFileInfo(wordsOf(recording.path)).completeBaseName();
+}
+
+}  // namespace
+
+StreamRequest LiveSuit::requestOf(const std::optional<TakePlan>& plan) const {
+    StreamRequest request;
+    request.suit = wearing_.suit;
+    request.calibration = known_.calibration;
+    request.actor = wearing_.actor;
+    request.rest_s = std::max(known_.rest_s, plan ? plan->rest_s : 0.0);
+    request.software = surroundings_.software;
+    request.created_utc = surroundings_.utc_now();
+    if (!plan)
+        return request;
+    request.keep_results = known_.calibration.has_value();
+    RecordingRequest take;
+    take.folder = session_.session().takesFolder();
+    take.name = plan->base_name.toStdString();
+    take.meta["actor_name"] = wearing_.actor.name;
+    if (!wearing_.performer.empty())
+        take.meta["performer"] = wearing_.performer;
+    if (!plan->shot.isEmpty())
+        take.meta["x_shot"] = plan->shot.toStdString();
+    request.take = std::move(take);
+    return request;
+}
+
+/// One source alone, or all again after that.
+std::optional<link::Settings> LiveSuit::settings() const {
+    if (!lone_source_ && !sources_set_)
+        return std::nullopt;
+    std::vector<int> sources(wearing_.suit.sources.size());
+    std::iota(sources.begin(), sources.end(), 0);
+    link::Settings settings;
+    settings.enabled_sources = lone_source_ ? std::vector{*lone_source_} : sources;
+    return settings;
+}
+
+void LiveSuit::begin(const std::optional<TakePlan>& plan) {
+    if (!live_ || working_)
+        return;
+    working_ = true;
+    look_again_ = false;
+    if (plan)
+        lone_source_.reset();
+    const auto settings = this->settings();
+    sources_set_ = lone_source_.has_value();
+    const bool of_take = plan.has_value();
+    using Trouble = std::optional<Error>;
+    jobs_.start<Trouble>(
+        of_take ? tr("Starting the recording") : tr("Looking at %1").arg(address_),
+        [live = live_, request = requestOf(plan), settings](const JobContext& job) -> Result<Trouble> {
+            return beginStream(*live, request, settings, job);
+        },
+        [self = QPointer(this), connection = connection_, of_take](Result<Trouble> trouble) -> QString {
+            if (self && self->connection_ == connection)
+                self->begun(of_take, trouble ? *trouble : Trouble(trouble.error()));
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+void LiveSuit::begun(bool of_take, const std::optional<Error>& trouble) {
+    working_ = false;
+    if (trouble) {
+        since_trouble_.start();
+        next_take_.reset();
+        const bool tell = of_take || !told_ || phase_ == Phase::kStarting;
+        told_ = true;
+        stop_wanted_ = false;
+        if (leave_wanted_)
+            return release();
+        setPhase(Phase::kReady);
+        if (tell && live_->status()->link != LinkState::kRefused)
+            emit failed(wordsOf(trouble->message), wordsOf(trouble->remedy));
+        return;
+    }
+    told_ = false;
+    since_trouble_.invalidate();
+    if (!of_take) {
+        if (const auto plan = std::exchange(next_take_, std::nullopt))
+            return begin(plan);
+        return setPhase(Phase::kLooking);
+    }
+    recorded_ = live_->recording();
+    take_name_ = takeNameOf(*recorded_);
+    setPhase(Phase::kRecording);
+    emit recordingStarted(take_name_);
+    if (std::exchange(stop_wanted_, false))
+        endTake();
+}
+
+QString LiveSuit::whyNotRecord() const {
+    switch (phase_) {
+        case Phase::kNone:
+            return tr("No suit is connected. Connect one first.");
+        case Phase::kConnecting:
+            return tr("The driver box has not answered yet. Wait a moment.");
+        case Phase::kStarting:
+        case Phase::kRecording:
+            return tr("A take is being recorded already.");
+        case Phase::kSaving:
+            return tr("The take before is being saved. Wait a moment.");
+        case Phase::kRefused:
+            return tr("The driver box does not answer. Connect it again.");
+        case Phase::kReady:
+        case Phase::kLooking:
+            break;
+    }
+    if (status()->link == LinkState::kLost)
+        return tr("The link to the driver box is broken. Recording can begin when it is back.");
+    return {};
+}
+
+bool LiveSuit::makeSessionByDate() {
+    const QDir home(surroundings_.sessions_folder());
+    const QString date = QDate::currentDate().toString(Qt::ISODate);
+    QString name = date;
+    for (int number = 2; QFileInfo::exists(home.filePath(name)); ++number)
+        name = QStringLiteral("%1 (%2)").arg(date).arg(number);
+    QDir().mkpath(home.path());
+    return session_.create(home.filePath(name), name);
+}
+
+QString LiveSuit::record(const TakePlan& plan) {
+    if (const QString why = whyNotRecord(); !why.isEmpty())
+        return why;
+    if (!session_.isOpen() && !makeSessionByDate())
+        return tr("There is no session to record into, and none could be made. Make one first.");
+    stop_wanted_ = false;
+    recorded_.reset();
+    setPhase(Phase::kStarting);
+    if (working_)
+        next_take_ = plan;
+    else
+        begin(plan);
+    return {};
+}
+
+void LiveSuit::stopRecording() {
+    if (phase_ == Phase::kStarting)
+        stop_wanted_ = true;
+    else if (phase_ == Phase::kRecording)
+        endTake();
+}
+
+void LiveSuit::endTake() {
+    working_ = true;
+    const bool unasked = !live_->status()->stream_is_open || live_->recording()->ended;
+    setPhase(Phase::kSaving);
+    jobs_.start<StreamResult>(
+        tr("Saving %1").arg(take_name_),
+        [live = live_](const JobContext& job) -> Result<StreamResult> { return endStream(*live, job); },
+        [self = QPointer(this), connection = connection_, unasked](Result<StreamResult> result) -> QString {
+            if (!self || self->connection_ != connection)
+                return {};
+            if (!result)
+                result = StreamResult{{}, {}, {}, {}, result.error()};
+            if (!unasked)
+                result->trouble.reset();
+            self->ended(*result);
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+void LiveSuit::ended(const StreamResult& result) {
+    working_ = false;
+    std::optional<Error> trouble = result.trouble;
+    if (result.recording) {
+        recorded_ = result.recording;
+        if (result.recording->trouble)
+            trouble = result.recording->trouble;
+        session_.refresh(wordsOf(result.recording->path));
+    }
+    for (const std::string& warning : result.warnings)
+        emit failed(wordsOf(warning), {});
+    const QString name = take_name_;
+    if (leave_wanted_)
+        release();
+    else
+        setPhase(Phase::kReady);
+    since_trouble_.invalidate();
+    emit recordingEnded(name, trouble ? wordsOf(trouble->text()) : QString());
+}
+
+void LiveSuit::addMarker(const QString& label) {
+    if (live_)
+        live_->addMarker("user", label.toStdString());
+}
+
+void LiveSuit::addNote(const QString& text) {
+    if (live_)
+        live_->addNote(text.toStdString());
+}
+
+std::optional<RecorderState> LiveSuit::recording() const {
+    if (phase_ == Phase::kRecording)
+        if (const auto now = live_->recording())
+            return now;
+    return phase_ == Phase::kRecording || phase_ == Phase::kSaving ? recorded_ : std::nullopt;
+}
+
+double LiveSuit::recordedSeconds() const {
+    const auto hello = status()->hello;
+    if (!hello)
+        return 0;
+    if (phase_ == Phase::kRecording)
+        return static_cast<double>(live_->reachedSample()) / hello->sample_rate_hz;
+    return phase_ == Phase::kSaving && recorded_
+               ? static_cast<double>(recorded_->samples) / hello->sample_rate_hz
+               : 0;
+}
+
+}  // namespace noctule::ui
