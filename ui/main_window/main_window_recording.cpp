@@ -27,10 +27,13 @@ void MainWindow::connectSuit() {
         showRecording();
     });
     connect(&suit, &LiveSuit::statusChanged, this, &MainWindow::showRecording);
-    connect(&suit, &LiveSuit::recordingEnded, this, [this] {
-        if (std::exchange(closes_after_take_, false))
-            close();
-    }, Qt::QueuedConnection);
+    connect(
+        &suit, &LiveSuit::recordingEnded, this,
+        [this] {
+            if (std::exchange(closes_after_take_, false))
+                close();
+        },
+        Qt::QueuedConnection);
     showRecording();
 }
 
@@ -57,8 +60,8 @@ bool MainWindow::mayStopTake() {
         QMessageBox box(this);
         box.setWindowTitle(tr("Close Noctule"));
         box.setText(tr("The take is being recorded"));
-        box.setInformativeText(
-            tr("It runs for %1. Stopped now, it is complete up to here.").arg(timeText(suit.recordedSeconds(), 0)));
+        box.setInformativeText(tr("It runs for %1. Stopped now, it is complete up to here.")
+                                   .arg(timeText(suit.recordedSeconds(), 0)));
         QPushButton* cancel = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
         QPushButton* stop = box.addButton(tr("Stop and close"), QMessageBox::AcceptRole);
         box.setDefaultButton(cancel);

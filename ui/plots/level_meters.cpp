@@ -16,7 +16,8 @@ namespace noctule::ui {
 namespace {
 
 // Pixels at 100 percent.
-constexpr double kScaleWidth = 36, kNumbers = 18, kGroups = 20, kTop = 7, kSound = 14, kMotion = 4, kGap = 2;
+constexpr double kScaleWidth = 36, kNumbers = 18, kGroupNames = 20, kTop = 7, kSound = 14, kMotion = 4,
+                 kBarGap = 2;
 constexpr double kGrid_db = 12, kLeastColumn = 16, kUsualHeight = 118, kLeastHeight = 72;
 
 QString decibelsText(double db) {
@@ -81,7 +82,7 @@ QString LevelMeters::summary() const {
 QRectF LevelMeters::area() const {
     const Theme& theme = Theme::get();
     const double left = theme.px(kScaleWidth), top = theme.px(kTop);
-    const double below = theme.px(kNumbers) + (groups_.empty() ? 0 : theme.px(kGroups));
+    const double below = theme.px(kNumbers) + (groups_.empty() ? 0 : theme.px(kGroupNames));
     return {left, top, std::max(1.0, width() - left), std::max(1.0, height() - top - below)};
 }
 
@@ -169,8 +170,8 @@ void LevelMeters::paintBoard(QPainter& painter, int board) const {
     const Tokens& tokens = theme.tokens();
     const BoardLevel& level = levels_[static_cast<size_t>(board)];
     const QRectF column = meterRect(board);
-    const double room = column.width() - theme.px(kGap);
-    const double gap = std::min<double>(theme.px(kGap), room / 6);
+    const double room = column.width() - theme.px(kBarGap);
+    const double gap = std::min<double>(theme.px(kBarGap), room / 6);
     const double thin = std::min<double>(theme.px(kMotion), room / 4);
     const double wide = std::min<double>(theme.px(kSound), room - thin - gap);
     const double left = column.left() + (column.width() - wide - gap - thin) / 2;
@@ -225,7 +226,7 @@ void LevelMeters::paintGroups(QPainter& painter) const {
         const int left = meterRect(group.first).left() + inset, right = meterRect(group.last).right() - inset;
         painter.fillRect(QRect(left, top + 1, right - left, 1), theme.tokens().edge);
         painter.setPen(theme.tokens().t2);
-        painter.drawText(QRect(left, top + 2, right - left, theme.px(kGroups) - 2), Qt::AlignCenter,
+        painter.drawText(QRect(left, top + 2, right - left, theme.px(kGroupNames) - 2), Qt::AlignCenter,
                          metrics.elidedText(group.name, Qt::ElideRight, right - left));
     }
 }

@@ -13,7 +13,7 @@ namespace noctule::ui {
 namespace {
 
 // Pixels at 100 percent.
-constexpr double kNames = 24, kAxis = 20, kGap = 2, kUsualRow = 15, kLeastRow = 9, kLeastWidth = 120;
+constexpr double kNames = 24, kAxis = 20, kRowGap = 2, kUsualRow = 15, kLeastRow = 9, kLeastStrip = 120;
 
 }  // namespace
 
@@ -71,7 +71,7 @@ QRectF PairsHeard::area() const {
 QRectF PairsHeard::rowRect(int source) const {
     const QRectF rows = area();
     const double height = rows.height() / std::max(1, rows_);
-    return {rows.left(), rows.top() + source * height, rows.width(), height - Theme::get().px(kGap)};
+    return {rows.left(), rows.top() + source * height, rows.width(), height - Theme::get().px(kRowGap)};
 }
 
 QSize PairsHeard::sizeHint() const {
@@ -81,7 +81,7 @@ QSize PairsHeard::sizeHint() const {
 
 QSize PairsHeard::minimumSizeHint() const {
     const Theme& theme = Theme::get();
-    return {theme.px(kNames) + theme.px(kLeastWidth), theme.px(kAxis) + rows_ * theme.px(kLeastRow)};
+    return {theme.px(kNames) + theme.px(kLeastStrip), theme.px(kAxis) + rows_ * theme.px(kLeastRow)};
 }
 
 bool PairsHeard::event(QEvent* event) {

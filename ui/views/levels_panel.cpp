@@ -2,9 +2,10 @@
 #include "ui/views/levels_panel.h"
 
 #include "ui/models/part_names.h"
-#include "ui/plots/board_columns.h"
+#include "ui/plots/pair_columns.h"
 #include "ui/plots/level_meters.h"
 #include "ui/plots/pairs_heard.h"
+#include "ui/scene/dressed_body.h"
 #include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/divider.h"
@@ -15,7 +16,7 @@ namespace {
 
 /// Within this of full scale a louder pulse would be cut.
 constexpr double kClose_db = -1;
-constexpr double kGoodConfidence = 0.5, kHeardFor_s = 0.2;
+constexpr double kPairHeardFor_s = 0.2;
 
 }  // namespace
 
@@ -114,9 +115,9 @@ void LevelsPanel::show() {
     meters_->setLevels(std::move(levels));
     meters_->setCurrent(studio_.selection().board());
     heard_->setHeard(*window_, sources_);
-    const auto good = std::count_if(
-        frame->health.pairs.begin(), frame->health.pairs.end(), [](const PairHealth& pair) {
-            return pair.age_s && *pair.age_s < kHeardFor_s && pair.confidence >= kGoodConfidence;
+    const auto good =
+        std::count_if(frame->health.pairs.begin(), frame->health.pairs.end(), [](const PairHealth& pair) {
+            return pair.age_s && *pair.age_s < kPairHeardFor_s && pair.confidence >= kGoodConfidence;
         });
     good_->setText(tr("%1 of %2 good now").arg(good).arg(frame->health.pairs.size()));
 }

@@ -17,8 +17,8 @@ QWidget* rowOf(const TakeMark& mark) {
     auto* row = new QWidget;
     auto* content = makeRow(row, {12, 0, 12, 0}, 8);
     const bool marker = mark.kind == TakeMark::Kind::kMarker;
-    content->addWidget(
-        new IconLabel(marker ? "marker" : "note", [] { return Theme::get().tokens().acc; }, 14));
+    content->addWidget(new IconLabel(
+        marker ? "marker" : "note", [] { return Theme::get().tokens().acc; }, 14));
     content->addWidget(new ElidedLabel(mark.text), 1);
     content->addWidget(new Label(timeText(mark.t_s), TextRole::kBody, Ink::kLabel));
     keepSize(*row, 0, 26);

@@ -42,10 +42,10 @@ void NoSuit::refresh() {
         comes ? tr("The virtual suit is being put on. The first time its take is made, which takes a while.")
               : tr("No suit is connected. The live body, the levels of the boards and the record button "
                    "appear here as soon as one is."));
-    virtual_->setDisabledBecause(
-        comes ? tr("It is being put on.")
-              : suit.isAvailable() ? QString()
-                                   : tr("noctule-virtual-suit is not beside this program."));
+    virtual_->setDisabledBecause(comes ? tr("It is being put on.")
+                                 : suit.isAvailable()
+                                     ? QString()
+                                     : tr("noctule-virtual-suit is not beside this program."));
 }
 
 }  // namespace noctule::ui

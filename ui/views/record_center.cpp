@@ -17,7 +17,7 @@ namespace noctule::ui {
 namespace {
 
 /// At 100 percent, as on a screen of 800 lines; from there on the picture grows first.
-constexpr int kBar = 88, kLevels = 156, kMostLevels = 220;
+constexpr int kBarHeight = 88, kLevels = 156, kMostLevels = 220;
 
 }  // namespace
 
@@ -36,7 +36,7 @@ RecordCenter::RecordCenter(Studio& studio, RecordRun& run, QWidget* parent)
     column_->addWidget(new Divider);
     column_->addWidget(levels_, 2);
     const auto fit = [this] {
-        bar_->setFixedHeight(std::max(Theme::get().px(kBar), bar_->minimumSizeHint().height()));
+        bar_->setFixedHeight(std::max(Theme::get().px(kBarHeight), bar_->minimumSizeHint().height()));
         levels_->setMinimumHeight(Theme::get().px(kLevels));
         levels_->setMaximumHeight(Theme::get().px(kMostLevels));
     };

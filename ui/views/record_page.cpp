@@ -5,6 +5,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
+#include "ui/scene/scene_view.h"
 #include "ui/views/no_suit.h"
 #include "ui/views/record_actions.h"
 #include "ui/views/record_bar.h"
@@ -38,6 +39,10 @@ RecordPage::RecordPage(Studio& studio, QWidget* parent)
     actions_ = new RecordActions(*this);
     connect(&run_, &RecordRun::changed, this, &RecordPage::refresh);
     connect(&center_->bar(), &RecordBar::fieldLeft, this, [this] { setFocus(); });
+    connect(&center_->scene(), &SceneView::frameDrawn, this, [this] {
+        if (readiness_)
+            readiness_->setScreenDelay(center_->scene().frameDelays().quantile_s(0.5));
+    });
     connect(&studio.session(), &SessionModel::opened, this, &RecordPage::tellTitles);
     connect(&studio.session(), &SessionModel::changed, this, &RecordPage::tellTitles);
     refresh();
@@ -85,8 +90,7 @@ void RecordPage::refresh() {
 
 void RecordPage::tellTitles() {
     const SessionModel& session = studio_.session();
-    const QString left =
-        session.isOpen() ? QString::fromStdString(session.session().name) : tr("No session");
+    const QString left = session.isOpen() ? QString::fromStdString(session.session().name) : tr("No session");
     if (left != leftDockTitle())
         setDockTitles(left, tr("Readiness"));
 }

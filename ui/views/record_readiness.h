@@ -15,7 +15,6 @@ class QVBoxLayout;
 
 namespace noctule::ui {
 
-class FormRows;
 class Label;
 class ProblemCard;
 class VerdictHeader;
@@ -25,8 +24,10 @@ class RecordReadiness : public QWidget {
 public:
     explicit RecordReadiness(Studio& studio, QWidget* parent = nullptr);
 
-    enum class Fact { kBoards, kSources, kPairs, kLink, kBattery, kStorage, kAir };
-    const FactRow& fact(Fact fact) const { return *facts_.at(fact); }
+    enum class Fact { kBoards, kSources, kPairs, kLink, kBattery, kStorage, kAir, kView };
+    const FactRow& fact(Fact fact) const;
+    /// From a live frame to the screen, in the median.
+    void setScreenDelay(double seconds);
     /// Titles of the cards under "To look at".
     QStringList problems() const;
 
@@ -50,6 +51,8 @@ private:
     void lookAtStorage();
     std::vector<Problem> problemsNow() const;
     void showProblems(const std::vector<Problem>& problems);
+    void showCards(const std::vector<Problem>& problems);
+    ProblemCard* makeCard(const Problem& problem);
 
     Studio& studio_;
     VerdictHeader* verdict_;
@@ -59,12 +62,11 @@ private:
     std::map<Fact, FactRow*> facts_;
     Label *made_, *offsets_, *boards_;
     std::vector<ProblemCard*> shown_;
-    std::vector<QString> shown_texts_;
     Storage storage_;
     QTimer storage_timer_, refresh_timer_;
     QElapsedTimer since_rate_;
     int64_t rate_from_sample_ = 0;
-    double megabytes_per_s_ = 0;
+    double megabytes_per_s_ = 0, screen_delay_s_ = 0;
 };
 
 }  // namespace noctule::ui

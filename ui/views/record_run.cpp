@@ -134,7 +134,8 @@ bool RecordRun::endCountdown() {
 }
 
 double RecordRun::countdownLeft() const {
-    return counting_.isValid() ? std::max(0.0, countdown_s_ - counting_.elapsed() * 1e-3) : 0;
+    return counting_.isValid() ? std::max(0.0, countdown_s_ - static_cast<double>(counting_.elapsed()) * 1e-3)
+                               : 0;
 }
 
 void RecordRun::count() {
@@ -154,7 +155,8 @@ void RecordRun::begin() {
     LiveSuit::TakePlan plan;
     plan.base_name = base_;
     if (shot_ >= 0)
-        plan.shot = QString::fromStdString(studio_.session().session().shots[static_cast<size_t>(shot_)].name);
+        plan.shot =
+            QString::fromStdString(studio_.session().session().shots[static_cast<size_t>(shot_)].name);
     if (const QString why = studio_.suit().record(plan); !why.isEmpty())
         emit studio_.failed(tr("Recording did not begin"), why);
     follow();

@@ -18,18 +18,19 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kRow = 28, kInset = 12, kDot = 8, kGap = 8;
+constexpr int kRunningRow = 28, kRunningInset = 12, kRunningDot = 8, kRunningGap = 8;
 
 }  // namespace
 
 /// As a row of the list above it, in red.
 class RecordSidebar::RunningTake : public QWidget {
 public:
-    RunningTake() { keepSize(*this, 0, kRow); }
+    RunningTake() { keepSize(*this, 0, kRunningRow); }
     void setTake(const QString& name, const QString& state) {
         name_ = name;
         state_ = state;
-        setAccessibleName(name.isEmpty() ? QString() : RecordSidebar::tr("%1, %2", "take, state").arg(name, state));
+        setAccessibleName(name.isEmpty() ? QString()
+                                         : RecordSidebar::tr("%1, %2", "take, state").arg(name, state));
         setVisible(!name.isEmpty());
         update();
     }
@@ -42,15 +43,16 @@ protected:
         QPainter painter(this);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.fillRect(rect(), tokens.sel);
-        const double dot = theme.px(kDot);
+        const double dot = theme.px(kRunningDot);
         painter.setPen(Qt::NoPen);
         painter.setBrush(tokens.rec);
-        painter.drawEllipse(QRectF(theme.px(kInset), (height() - dot) / 2, dot, dot));
-        QRect text = rect().adjusted(theme.px(kInset + kDot + kGap), 0, -theme.px(kInset), 0);
+        painter.drawEllipse(QRectF(theme.px(kRunningInset), (height() - dot) / 2, dot, dot));
+        QRect text = rect().adjusted(theme.px(kRunningInset + kRunningDot + kRunningGap), 0,
+                                     -theme.px(kRunningInset), 0);
         painter.setFont(theme.font(TextRole::kSecondary));
         painter.setPen(tokens.t1);
         painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, state_);
-        text.setRight(text.right() - painter.fontMetrics().horizontalAdvance(state_) - theme.px(kGap));
+        text.setRight(text.right() - painter.fontMetrics().horizontalAdvance(state_) - theme.px(kRunningGap));
         painter.setFont(theme.font(TextRole::kBody, true));
         painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
                          painter.fontMetrics().elidedText(name_, Qt::ElideMiddle, text.width()));
@@ -103,8 +105,9 @@ void RecordSidebar::refresh() {
         kept += take.state != TakeState::kDamaged;
         seconds += take.duration_s;
     }
-    header_->setHint(kept > 0 ? tr("%1 kept, %2", "number of takes, their time").arg(kept).arg(timeText(seconds, 0))
-                              : QString());
+    header_->setHint(
+        kept > 0 ? tr("%1 kept, %2", "number of takes, their time").arg(kept).arg(timeText(seconds, 0))
+                 : QString());
 }
 
 QString RecordSidebar::runningTake() const {

@@ -20,14 +20,14 @@ namespace noctule::ui {
 namespace {
 
 constexpr int kKept = Qt::UserRole, kWanted = Qt::UserRole + 1, kChosen = Qt::UserRole + 2;
-constexpr int kRow = 28, kInset = 12, kMark = 14, kMostRows = 8;
+constexpr int kShotRow = 28, kShotInset = 12, kShotMark = 14, kMostShots = 8;
 
 class ShotDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
     QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override {
-        return {0, Theme::get().px(kRow)};
+        return {0, Theme::get().px(kShotRow)};
     }
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override {
@@ -39,20 +39,19 @@ public:
         painter->setRenderHint(QPainter::Antialiasing);
         if (option.state & QStyle::State_MouseOver)
             painter->fillRect(option.rect, tokens.ctl);
-        const int inset = theme.px(kInset);
+        const int inset = theme.px(kShotInset);
         QRect row = option.rect.adjusted(inset, 0, -inset, 0);
-        paintMark(*painter, QRect(row.left(), row.top(), theme.px(kMark), row.height()), done, chosen);
-        const QString count = QStringLiteral("%1/%2")
-                                  .arg(index.data(kKept).toInt())
-                                  .arg(index.data(kWanted).toInt());
+        paintMark(*painter, QRect(row.left(), row.top(), theme.px(kShotMark), row.height()), done, chosen);
+        const QString count =
+            QStringLiteral("%1/%2").arg(index.data(kKept).toInt()).arg(index.data(kWanted).toInt());
         painter->setFont(theme.font(TextRole::kBody, chosen));
         painter->setPen(chosen ? tokens.t1 : tokens.t2);
         painter->drawText(row, Qt::AlignRight | Qt::AlignVCenter, count);
-        row.setLeft(row.left() + theme.px(kMark + 8));
+        row.setLeft(row.left() + theme.px(kShotMark + 8));
         row.setRight(row.right() - painter->fontMetrics().horizontalAdvance(count) - theme.px(8));
-        painter->drawText(row, Qt::AlignLeft | Qt::AlignVCenter,
-                          painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight,
-                                                            row.width()));
+        painter->drawText(
+            row, Qt::AlignLeft | Qt::AlignVCenter,
+            painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, row.width()));
         painter->restore();
     }
 
@@ -63,7 +62,7 @@ private:
         if (done && !chosen)
             return paintIcon(painter, area, "check", theme.px(14), tokens.ok);
         const QPointF centre = QRectF(area).center();
-        const double radius = theme.px(kMark) / 2.0 - 1;
+        const double radius = theme.px(kShotMark) / 2.0 - 1;
         painter.setPen(QPen(chosen ? tokens.acc : tokens.edge, theme.px(chosen ? 3.5 : 1.2)));
         painter.setBrush(Qt::NoBrush);
         const double ring = chosen ? radius - theme.px(1) : radius;
@@ -101,14 +100,11 @@ ShotList::ShotList(Studio& studio, RecordRun& run, QWidget* parent)
     rows_->setAccessibleName(tr("Shot list"));
     connect(rows_, &QListWidget::itemClicked, this,
             [this](QListWidgetItem* item) { choose(rows_->row(item)); });
-    connect(rows_, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
-        run_.setShot(rows_->row(item));
-    });
-    connect(paste_, &QPushButton::clicked, this,
-            [this] { edit(QApplication::clipboard()->text(), true); });
-    connect(edit_, &QPushButton::clicked, this, [this] {
-        edit(QString::fromStdString(textOf(studio_.session().session().shots)), false);
-    });
+    connect(rows_, &QListWidget::itemActivated, this,
+            [this](QListWidgetItem* item) { run_.setShot(rows_->row(item)); });
+    connect(paste_, &QPushButton::clicked, this, [this] { edit(QApplication::clipboard()->text(), true); });
+    connect(edit_, &QPushButton::clicked, this,
+            [this] { edit(QString::fromStdString(textOf(studio_.session().session().shots)), false); });
     connect(&run, &RecordRun::changed, this, &ShotList::refresh);
     connect(&Theme::get(), &Theme::changed, this, &ShotList::refresh);
     refresh();
@@ -144,7 +140,7 @@ void ShotList::refresh() {
                      tr("%1, %2 of %3 takes", "a shot").arg(item.text()).arg(kept).arg(shot.wanted));
         item.setToolTip(item.text());
     }
-    rows_->setFixedHeight(std::min(count, kMostRows) * Theme::get().px(kRow));
+    rows_->setFixedHeight(std::min(count, kMostShots) * Theme::get().px(kShotRow));
     rows_->setVisible(count > 0);
     empty_->setVisible(count == 0);
     edit_->setVisible(count > 0);

@@ -35,8 +35,8 @@ std::vector<Shot> ShotListDialog::shots() const {
 void ShotListDialog::count() {
     Session list;
     list.shots = shots();
-    counted_->setText(tr("%n shot(s)", nullptr, static_cast<int>(list.shots.size())) +
-                      QStringLiteral(", ") + tr("%n take(s)", nullptr, progressOf(list).wanted));
+    counted_->setText(tr("%n shot(s)", nullptr, static_cast<int>(list.shots.size())) + QStringLiteral(", ") +
+                      tr("%n take(s)", nullptr, progressOf(list).wanted));
 }
 
 }  // namespace noctule::ui

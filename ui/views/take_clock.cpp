@@ -96,7 +96,8 @@ TakeClock::TakeClock(QWidget* parent)
       shot_(new Label({}, TextRole::kBody, Ink::kLabel)),
       digits_(new Digits),
       safety_row_(new QWidget),
-      safety_icon_(new IconLabel("safe", [this] { return colorOf(tone_); }, 14)),
+      safety_icon_(new IconLabel(
+          "safe", [this] { return colorOf(tone_); }, 14)),
       safety_(new Label({}, TextRole::kBody, Ink::kOk)) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     auto* column = makeColumn(this, {16, 12, 0, 0}, 2);

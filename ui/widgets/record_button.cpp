@@ -115,7 +115,8 @@ void RecordButton::paintRing(QPainter& painter, const QPointF& centre) const {
     const Tokens& tokens = theme.tokens();
     const double radius = (theme.px(kRing) - theme.px(kRingPen)) / 2.0;
     const QRectF circle(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius);
-    const double turned = since_.isValid() ? std::fmod(since_.elapsed() * 1e-3 / kTurn_s, 1) : 0;
+    const double turned =
+        since_.isValid() ? std::fmod(static_cast<double>(since_.elapsed()) * 1e-3 / kTurn_s, 1) : 0;
     const auto arc = [&](const QColor& color, double from_share, double share) {
         painter.setPen(QPen(color, theme.px(kRingPen), Qt::SolidLine, Qt::FlatCap));
         painter.drawArc(circle, qRound((90 - 360 * from_share) * 16), qRound(-360 * share * 16));
