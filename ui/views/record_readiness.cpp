@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/record_readiness.h"
 
-#include <QPointer>
 #include <QVBoxLayout>
 
 #include "core/acoustics/speed_of_sound.h"
-#include "ui/models/part_names.h"
-#include "ui/scene/dressed_body.h"
 #include "ui/style/words.h"
+#include "ui/views/readiness_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
@@ -21,32 +19,23 @@
 namespace noctule::ui {
 namespace {
 
-constexpr double kSourceHeardFor_s = 0.5, kGoodFor_s = 0.2;
 constexpr qint64 kRateEvery_ms = 2000;
-constexpr double kLittleTime_s = 40, kLittleStorage_h = 1;
-constexpr double kLowBattery = 20, kEmptyBattery = 8;
-constexpr int kRefresh_ms = 250, kStorage_ms = 10'000;
+/// The take will end by itself so soon that it should be said.
+constexpr double kLittleTime_s = 40;
+constexpr double kShortStorage_s = 600, kLowBattery_percent = 20;
 constexpr size_t kMostCards = 3;
+const QString kNotKnown = QChar(0x2013);
 
-/// Of a part of a whole: all is well, some want a look, none is an error.
 Tone toneOfPart(qint64 part, qint64 whole) {
     return part == whole && whole > 0 ? Tone::kOk : part == 0 ? Tone::kError : Tone::kWarn;
-}
-
-double share(qint64 part, qint64 whole) {
-    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
 QString partText(qint64 part, qint64 whole) {
     return RecordReadiness::tr("%1 of %2").arg(part).arg(whole);
 }
 
-QString durationText(double seconds) {
-    if (seconds >= 2 * 3600)
-        return RecordReadiness::tr("%1\u00A0h left").arg(numberText(seconds / 3600, 0));
-    if (seconds >= 120)
-        return RecordReadiness::tr("%1\u00A0min left").arg(numberText(seconds / 60, 0));
-    return RecordReadiness::tr("%1\u00A0s left").arg(numberText(seconds, 0));
+double shareOf(qint64 part, qint64 whole) {
+    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
 }  // namespace
@@ -71,22 +60,9 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     column->addWidget(makeCalibration());
     column->addStretch();
     makeColumn(this)->addWidget(new ScrollArea(content));
-    LiveSuit& suit = studio.suit();
-    connect(&suit, &LiveSuit::phaseChanged, this, &RecordReadiness::refresh);
-    connect(&suit, &LiveSuit::wearingChanged, this, &RecordReadiness::refresh);
-    connect(&studio.session(), &SessionModel::opened, this, &RecordReadiness::lookAtStorage);
-    refresh_timer_.setInterval(kRefresh_ms);
-    connect(&refresh_timer_, &QTimer::timeout, this, [this] {
-        if (isVisible())
-            refresh();
-    });
-    storage_timer_.setInterval(kStorage_ms);
-    connect(&storage_timer_, &QTimer::timeout, this, [this] {
-        if (isVisible())
-            lookAtStorage();
-    });
-    refresh_timer_.start();
-    storage_timer_.start();
+    connect(&studio.check(), &SuitCheck::changed, this, &RecordReadiness::refresh);
+    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &RecordReadiness::refresh);
+    connect(&studio.suit(), &LiveSuit::wearingChanged, this, &RecordReadiness::refresh);
     refresh();
 }
 
@@ -124,57 +100,45 @@ const FactRow& RecordReadiness::fact(Fact fact) const {
     return *facts_.at(fact);
 }
 
-void RecordReadiness::showEvent(QShowEvent*) {
-    lookAtStorage();
-    refresh();
-}
-
 void RecordReadiness::setScreenDelay(double seconds) {
     screen_delay_s_ = seconds;
+}
+
+void RecordReadiness::showEvent(QShowEvent*) {
+    refresh();
 }
 
 void RecordReadiness::refresh() {
     showHealth();
     showLink();
+    showSupplies();
     showAir();
-    showStorage();
     showCalibration();
-    showProblems(problemsNow());
+    const std::vector<Problem> problems = problemsNow();
+    showVerdict(problems);
+    showCards(problems);
 }
 
 void RecordReadiness::showHealth() {
-    const auto frame = studio_.suit().frame();
-    const QString dash = QChar(0x2013);
-    if (!frame) {
+    const Readiness& readiness = studio_.check().readiness();
+    if (readiness.verdict == Readiness::Verdict::kWaiting) {
         for (const Fact fact : {Fact::kBoards, Fact::kSources, Fact::kPairs, Fact::kView})
-            facts_[fact]->setFact({Tone::kNeutral, dash, {}, {}});
+            facts_[fact]->setFact({Tone::kNeutral, kNotKnown, {}, {}});
         return;
     }
-    const HealthReport& health = frame->health;
-    const auto boards = std::ssize(health.boards);
-    const auto loud = std::count_if(health.boards.begin(), health.boards.end(),
-                                    [](const BoardHealth& board) { return !board.silent; });
-    facts_[Fact::kBoards]->setFact({toneOfPart(loud, boards), partText(loud, boards), {}, {}});
-    const auto sources = boards > 0 ? std::ssize(health.pairs) / boards : 0;
-    qint64 heard = 0, good = 0;
-    for (int source = 0; source < sources; ++source) {
-        bool any = false;
-        for (int board = 0; board < boards; ++board) {
-            const PairHealth& pair = health.pair(source, board);
-            any = any || (pair.age_s && *pair.age_s < kSourceHeardFor_s);
-            good += pair.age_s && *pair.age_s < kGoodFor_s && pair.confidence >= kGoodConfidence;
-        }
-        heard += any;
-    }
+    const auto boards = std::ssize(readiness.boards), sources = std::ssize(readiness.source_good_pairs);
+    const int there = readiness.boards_there, heard = readiness.sources_heard, good = readiness.good_pairs;
+    facts_[Fact::kBoards]->setFact({toneOfPart(there, boards), partText(there, boards), {}, {}});
     facts_[Fact::kSources]->setFact({toneOfPart(heard, sources), partText(heard, sources), {}, {}});
-    const auto pairs = std::ssize(health.pairs);
-    facts_[Fact::kPairs]->setFact({good > 0 ? Tone::kOk : Tone::kWarn, partText(good, pairs),
-                                   tr("About a quarter of them see each other at any moment."),
-                                   share(good, pairs)});
-    const double behind_s = frame->latency_median_s + screen_delay_s_;
+    facts_[Fact::kPairs]->setFact({good > 0 ? Tone::kOk : Tone::kWarn, partText(good, boards * sources),
+                                   tr("the body hides the others; a quarter is usual"),
+                                   shareOf(good, boards * sources)});
+    const auto frame = studio_.suit().frame();
+    const bool moves = frame && frame->poses > 0 && studio_.suit().calibration();
+    const double behind_s = frame ? frame->latency_median_s + screen_delay_s_ : 0;
     facts_[Fact::kView]->setFact(
         {Tone::kNeutral,
-         frame->poses > 0 ? tr("%1\u00A0ms behind").arg(numberText(behind_s * 1e3, 0)) : dash,
+         moves ? tr("%1\u00A0ms behind").arg(numberText(behind_s * 1e3, 0)) : kNotKnown,
          {},
          {}});
 }
@@ -183,14 +147,11 @@ void RecordReadiness::showLink() {
     const LiveSuit& suit = studio_.suit();
     const auto status = suit.status();
     const auto frame = suit.frame();
-    if (!status->hello) {
-        facts_[Fact::kLink]->setFact({Tone::kNeutral, QChar(0x2013), {}, {}});
-        return;
-    }
+    if (!status->hello)
+        return facts_[Fact::kLink]->setFact({Tone::kNeutral, kNotKnown, {}, {}});
     if (!frame || frame->sample < rate_from_sample_ || !since_rate_.isValid()) {
         rate_from_sample_ = frame ? frame->sample : 0;
         since_rate_.start();
-        megabytes_per_s_ = 0;
     } else if (since_rate_.elapsed() > kRateEvery_ms) {
         const auto bytes = 2.0 * static_cast<double>(frame->sample - rate_from_sample_) *
                            static_cast<double>(frame->health.boards.size());
@@ -198,8 +159,8 @@ void RecordReadiness::showLink() {
         rate_from_sample_ = frame->sample;
     }
     const link::LinkStatistics link = suit.link();
-    const qint64 lost = link.frames.lost_frames,
-                 damaged = link.frames.damaged_payloads + link.frames.bad_headers;
+    const qint64 lost = link.frames.lost_frames;
+    const qint64 damaged = link.frames.damaged_payloads + link.frames.bad_headers;
     const bool broken = status->link == LinkState::kLost || status->link == LinkState::kStalled;
     facts_[Fact::kLink]->setFact({broken               ? Tone::kError
                                   : lost + damaged > 0 ? Tone::kWarn
@@ -207,119 +168,120 @@ void RecordReadiness::showLink() {
                                   broken ? tr("broken", "a link")
                                   : megabytes_per_s_ > 0
                                       ? tr("%1\u00A0MB/s").arg(numberText(megabytes_per_s_, 1))
-                                      : tr("stands", "a link"),
-                                  tr("%1 frames lost, %2 damaged").arg(lost).arg(damaged),
+                                      : tr("is there", "a link"),
+                                  tr("%1 blocks lost, %2 damaged").arg(lost).arg(damaged),
                                   {}});
+}
+
+void RecordReadiness::showSupplies() {
+    const auto frame = studio_.suit().frame();
+    const auto percent = frame ? frame->health.suit.battery_percent : std::nullopt;
+    const auto left_s = studio_.check().batteryLeft_s();
+    if (percent)
+        facts_[Fact::kBattery]->setFact(
+            {*percent < kLowBattery_percent ? Tone::kWarn : Tone::kOk, percentText(*percent / 100),
+             left_s ? tr("%1 at this rate").arg(durationWords(*left_s)) : QString(), *percent / 100});
+    else
+        facts_[Fact::kBattery]->setFact({Tone::kNeutral, tr("not measured"), {}, {}});
+    const auto recording = studio_.suit().recording();
+    const auto storage_s =
+        recording && recording->remaining_s ? recording->remaining_s : studio_.check().storageLeft_s();
+    if (!storage_s)
+        return facts_[Fact::kStorage]->setFact({Tone::kNeutral, kNotKnown, {}, {}});
+    facts_[Fact::kStorage]->setFact(
+        {*storage_s < kLittleTime_s     ? Tone::kError
+         : *storage_s < kShortStorage_s ? Tone::kWarn
+                                        : Tone::kOk,
+         tr("%1 left").arg(durationWords(std::max(0.0, *storage_s))),
+         recording ? tr("%1 in this take").arg(bytesText(recording->sound_bytes)) : QString(),
+         {}});
 }
 
 void RecordReadiness::showAir() {
     const auto frame = studio_.suit().frame();
     const SuitStatus told = frame ? frame->health.suit : SuitStatus{};
-    if (told.battery_percent)
-        facts_[Fact::kBattery]->setFact({*told.battery_percent < kEmptyBattery ? Tone::kError
-                                         : *told.battery_percent < kLowBattery ? Tone::kWarn
-                                                                               : Tone::kOk,
-                                         percentText(*told.battery_percent / 100),
-                                         {},
-                                         *told.battery_percent / 100});
-    else
-        facts_[Fact::kBattery]->setFact({Tone::kNeutral, tr("not measured"), {}, {}});
     if (!told.temperature_c)
         return facts_[Fact::kAir]->setFact({Tone::kNeutral, tr("not measured"), {}, {}});
     const double humidity = told.humidity_percent.value_or(SpeedOfSound::kAssumedHumidity_percent);
-    const QString air = QStringLiteral("%1\u00A0°C").arg(numberText(*told.temperature_c, 1));
+    const double c_m_per_s = speedOfSoundCramer(*told.temperature_c, humidity);
+    const QString air = QStringLiteral("%1\u00A0\u00B0C").arg(numberText(*told.temperature_c, 1));
     facts_[Fact::kAir]->setFact(
         {Tone::kNeutral,
          told.humidity_percent ? QStringLiteral("%1, %2").arg(air, percentText(humidity / 100)) : air,
-         tr("speed of sound %1\u00A0m/s")
-             .arg(numberText(speedOfSoundCramer(*told.temperature_c, humidity), 1)),
+         tr("speed of sound %1\u00A0m/s").arg(numberText(c_m_per_s, 1)),
          {}});
-}
-
-void RecordReadiness::lookAtStorage() {
-    const SessionModel& session = studio_.session();
-    const QString folder = session.isOpen() ? QString::fromStdString(session.session().folder.string())
-                                            : studio_.sessionsFolder();
-    studio_.jobs().start<Storage>(
-        tr("Room on %1").arg(folder),
-        [folder](const JobContext&) -> Result<Storage> { return storageAt(folder); },
-        [self = QPointer(this)](Result<Storage> storage) -> QString {
-            if (self && storage)
-                self->storage_ = *storage;
-            return {};
-        },
-        Jobs::Loudness::kQuiet);
-}
-
-void RecordReadiness::showStorage() {
-    const auto recording = studio_.suit().recording();
-    if (recording && recording->remaining_s) {
-        const double left_s = *recording->remaining_s;
-        facts_[Fact::kStorage]->setFact({left_s < kLittleTime_s             ? Tone::kError
-                                         : left_s < kLittleStorage_h * 3600 ? Tone::kWarn
-                                                                            : Tone::kOk,
-                                         durationText(left_s),
-                                         tr("%1 in this take").arg(bytesText(recording->sound_bytes)),
-                                         {}});
-    } else if (storage_.free_bytes >= 0) {
-        const double hours = storage_.recordingHours();
-        facts_[Fact::kStorage]->setFact({hours < 0.1                ? Tone::kError
-                                         : hours < kLittleStorage_h ? Tone::kWarn
-                                                                    : Tone::kOk,
-                                         durationText(hours * 3600),
-                                         tr("%1 free").arg(bytesText(storage_.free_bytes)),
-                                         {}});
-    } else {
-        facts_[Fact::kStorage]->setFact({Tone::kNeutral, QChar(0x2013), {}, {}});
-    }
 }
 
 void RecordReadiness::showCalibration() {
     const LiveSuit& suit = studio_.suit();
     const auto& calibration = suit.calibration();
     if (!calibration) {
-        made_->setText(suit.status()->hello ? tr("none") : QString(QChar(0x2013)));
-        offsets_->setText(QChar(0x2013));
-        boards_->setText(QChar(0x2013));
+        made_->setText(suit.status()->hello ? tr("none") : kNotKnown);
+        offsets_->setText(kNotKnown);
+        boards_->setText(kNotKnown);
         return;
     }
     const QDateTime when =
         QDateTime::fromString(QString::fromStdString(calibration->created_utc), Qt::ISODate);
-    made_->setText(when.isValid() ? dateText(when) : tr("date unknown"));
-    const auto known =
-        std::count_if(calibration->sources.begin(), calibration->sources.end(),
-                      [](const SourceCalibration& source) { return !source.offsets_s.empty(); });
+    made_->setText(when.isValid() ? dateText(when) : tr("at an unknown time"));
+    const auto& sources = calibration->sources;
+    const auto known = std::count_if(sources.begin(), sources.end(), [](const SourceCalibration& source) {
+        return !source.offsets_s.empty();
+    });
     offsets_->setText(partText(known, std::ssize(suit.suit().sources)));
     boards_->setText(partText(std::ssize(calibration->boards), std::ssize(suit.suit().boards)));
 }
 
-std::vector<RecordReadiness::Problem> RecordReadiness::problemsNow() const {
+std::vector<RecordReadiness::Problem> RecordReadiness::problemsOfTake() const {
     std::vector<Problem> problems;
-    const LiveSuit& suit = studio_.suit();
-    const auto status = suit.status();
-    if (!status->hello)
+    const auto recording = studio_.suit().recording();
+    const auto hello = studio_.suit().status()->hello;
+    if (!recording || !hello)
         return problems;
-    if (const auto recording = suit.recording()) {
-        if (recording->remaining_s && *recording->remaining_s < kLittleTime_s)
-            problems.push_back(
-                {Tone::kError, tr("The disk is almost full"),
-                 tr("It has room for %1\u00A0s more. Recording stops by itself then, and the take is "
-                    "complete; free space or choose another folder.")
-                     .arg(numberText(std::max(0.0, *recording->remaining_s), 0))});
-        if (recording->lost_samples > 0)
-            problems.push_back(
-                {Tone::kWarn, tr("This take has gaps"),
-                 tr("%n gap(s), together %1. They are marked, and time does not shift.", nullptr,
-                    static_cast<int>(recording->gaps))
-                     .arg(secondsText(
-                         static_cast<double>(recording->lost_samples) / status->hello->sample_rate_hz, 2))});
-    }
-    if (status->link == LinkState::kLost)
+    if (recording->remaining_s && *recording->remaining_s < kLittleTime_s)
         problems.push_back(
-            {Tone::kError, tr("The link to %1 is broken").arg(QString::fromStdString(status->hello->serial)),
-             suit.phase() == LiveSuit::Phase::kRecording
-                 ? tr("The take is safe up to here and goes on when the box is back; the gap will be marked.")
-                 : tr("The studio tries again by itself.")});
+            {Tone::kError,
+             tr("The disk has %1 left").arg(durationWords(std::max(0.0, *recording->remaining_s))),
+             tr("Recording stops by itself then, and the take is complete. Free some space, or choose "
+                "another "
+                "folder."),
+             -1,
+             {},
+             {}});
+    if (recording->lost_samples > 0) {
+        const double lost_s = static_cast<double>(recording->lost_samples) / hello->sample_rate_hz;
+        problems.push_back({Tone::kWarn,
+                            tr("%1 are missing in this take").arg(secondsText(lost_s, 1)),
+                            tr("They are marked as %n gap(s), and time does not shift.", nullptr,
+                               static_cast<int>(recording->gaps)),
+                            -1,
+                            {},
+                            {}});
+    }
+    return problems;
+}
+
+std::vector<RecordReadiness::Problem> RecordReadiness::problemsNow() const {
+    const SuitCheck& check = studio_.check();
+    std::vector<Problem> problems = problemsOfTake();
+    const bool runs = studio_.suit().phase() == LiveSuit::Phase::kRecording;
+    for (const ReadinessProblem& judged : check.readiness().problems) {
+        // While a take runs its recorder knows better how long the disk lasts.
+        if (judged.accepted || (runs && judged.kind == ProblemKind::kStorageShort))
+            continue;
+        const ProblemWords words = wordsOf(judged, check);
+        Problem problem{judged.hinders ? Tone::kError : Tone::kWarn,
+                        words.title,
+                        words.text,
+                        judged.board,
+                        judged,
+                        words.accept};
+        if (runs && judged.kind == ProblemKind::kLinkLost)
+            problem.text +=
+                ' ' + tr("The take is safe up to here and goes on when the box is back; the gap will "
+                         "be marked.");
+        problems.push_back(std::move(problem));
+    }
     return problems;
 }
 
@@ -330,23 +292,20 @@ QStringList RecordReadiness::problems() const {
     return titles;
 }
 
-void RecordReadiness::showProblems(const std::vector<Problem>& problems) {
-    const LiveSuit& suit = studio_.suit();
-    const bool records = suit.phase() == LiveSuit::Phase::kRecording;
-    const auto worst = std::max_element(problems.begin(), problems.end(),
-                                        [](const Problem& a, const Problem& b) { return a.tone < b.tone; });
-    if (!suit.status()->hello)
-        verdict_->setVerdict(Tone::kNeutral, tr("No suit"),
-                             tr("Connect one, and this says whether it is ready."));
-    else if (problems.empty())
-        verdict_->setVerdict(Tone::kOk, records ? tr("Recording well") : tr("Ready to record"), {});
-    else
-        verdict_->setVerdict(worst->tone, records ? tr("Recording, but look") : tr("Look before you record"),
-                             {});
-    showCards(problems);
+void RecordReadiness::showVerdict(const std::vector<Problem>& problems) {
+    VerdictWords words = verdictOf(studio_.check());
+    if (studio_.suit().phase() == LiveSuit::Phase::kRecording) {
+        const bool error = std::any_of(problems.begin(), problems.end(),
+                                       [](const Problem& problem) { return problem.tone == Tone::kError; });
+        words = problems.empty()
+                    ? VerdictWords{Tone::kOk, tr("Recording well"), {}}
+                    : VerdictWords{error ? Tone::kError : Tone::kWarn, tr("Recording, but look"), {}};
+    }
+    verdict_text_ = words.verdict;
+    verdict_->setVerdict(words.tone, words.verdict, words.text);
 }
 
-/// Cards stay as they are while their words do; a countdown in one changes its words only.
+/// Cards stay while their titles do; what they say may go on changing.
 void RecordReadiness::showCards(const std::vector<Problem>& problems) {
     const size_t count = std::min(problems.size(), kMostCards);
     bool same = count == shown_.size();
@@ -360,7 +319,7 @@ void RecordReadiness::showCards(const std::vector<Problem>& problems) {
     }
     for (size_t i = 0; i < count; ++i)
         shown_[i]->setTexts(problems[i].title, problems[i].text);
-    more_->setText(tr("%n more", nullptr, static_cast<int>(problems.size() - count)));
+    more_->setText(tr("%n more", "things to look at", static_cast<int>(problems.size() - count)));
     more_->setVisible(problems.size() > count);
     to_look_at_->setVisible(count > 0);
 }
@@ -370,6 +329,9 @@ ProblemCard* RecordReadiness::makeCard(const Problem& problem) {
     if (problem.board >= 0)
         connect(card->addAction(tr("Show on body")), &QPushButton::clicked, this,
                 [this, board = problem.board] { studio_.selection().setPair(-1, board); });
+    if (problem.judged && !problem.accept.isEmpty())
+        connect(card->addAction(problem.accept), &QPushButton::clicked, this,
+                [this, judged = *problem.judged] { studio_.check().goOnWithout(judged); });
     cards_->insertWidget(cards_->indexOf(more_), card);
     return card;
 }

@@ -7,7 +7,6 @@
 #include <QWidget>
 #include <map>
 
-#include "ui/models/storage.h"
 #include "ui/models/studio.h"
 #include "ui/widgets/fact_row.h"
 
@@ -28,6 +27,7 @@ public:
     const FactRow& fact(Fact fact) const;
     /// From a live frame to the screen, in the median.
     void setScreenDelay(double seconds);
+    QString verdict() const { return verdict_text_; }
     /// Titles of the cards under "To look at".
     QStringList problems() const;
 
@@ -35,35 +35,37 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    /// As a card shows it.
     struct Problem {
-        Tone tone;
+        Tone tone = Tone::kWarn;
         QString title, text;
-        int board = -1;  ///< that "Show on body" chooses
+        int board = -1;                          ///< that "Show on body" chooses
+        std::optional<ReadinessProblem> judged;  ///< that can be accepted
+        QString accept;
     };
     QWidget* makeFacts();
     QWidget* makeCalibration();
     void refresh();
     void showHealth();
     void showLink();
+    void showSupplies();
     void showAir();
-    void showStorage();
     void showCalibration();
-    void lookAtStorage();
     std::vector<Problem> problemsNow() const;
-    void showProblems(const std::vector<Problem>& problems);
+    std::vector<Problem> problemsOfTake() const;
+    void showVerdict(const std::vector<Problem>& problems);
     void showCards(const std::vector<Problem>& problems);
     ProblemCard* makeCard(const Problem& problem);
 
     Studio& studio_;
     VerdictHeader* verdict_;
+    QString verdict_text_;
     QWidget* to_look_at_;
     QVBoxLayout* cards_;
     Label* more_;
     std::map<Fact, FactRow*> facts_;
     Label *made_, *offsets_, *boards_;
     std::vector<ProblemCard*> shown_;
-    Storage storage_;
-    QTimer storage_timer_, refresh_timer_;
     QElapsedTimer since_rate_;
     int64_t rate_from_sample_ = 0;
     double megabytes_per_s_ = 0, screen_delay_s_ = 0;

@@ -6,7 +6,7 @@
 
 #include "core/session/shot_list.h"
 #include "core/session/take_folder.h"
-#include "ui/models/live_suit.h"
+#include "ui/views/readiness_words.h"
 
 namespace noctule::ui {
 namespace {
@@ -33,6 +33,7 @@ RecordRun::RecordRun(Studio& studio, QObject* parent)
     LiveSuit& suit = studio.suit();
     connect(&suit, &LiveSuit::phaseChanged, this, &RecordRun::follow);
     connect(&suit, &LiveSuit::statusChanged, this, &RecordRun::follow);
+    connect(&studio.check(), &SuitCheck::changed, this, &RecordRun::follow);
     connect(&suit, &LiveSuit::recordingStarted, this, &RecordRun::onStarted);
     connect(&suit, &LiveSuit::recordingEnded, this, &RecordRun::onEnded);
     connect(&studio.session(), &SessionModel::opened, this, [this] {
@@ -56,6 +57,12 @@ RecordObstacle RecordRun::obstacleNow() const {
     if (status->link == LinkState::kLost)
         return {tr("The link to the driver box is broken"),
                 tr("Recording can begin as soon as it is back; the studio tries by itself.")};
+    for (const ReadinessProblem& problem : studio_.check().readiness().problems)
+        if (problem.hinders && !problem.accepted) {
+            const ProblemWords words = wordsOf(problem, studio_.check());
+            // Without sound there is no take to make; anything else costs a part of it.
+            return {words.title, words.text, problem.kind != ProblemKind::kNoSound};
+        }
     return {};
 }
 
@@ -71,16 +78,17 @@ RecordRun::State RecordRun::stateNow() const {
         default:
             break;
     }
-    if (obstacle_)
-        return State::kRefused;
-    return counting_.isValid() ? State::kCountdown : State::kReady;
+    if (counting_.isValid())
+        return State::kCountdown;
+    return obstacle_ ? State::kRefused : State::kReady;
 }
 
 void RecordRun::follow() {
     const RecordObstacle obstacle = obstacleNow();
     const bool same = obstacle.title == obstacle_.title && obstacle.text == obstacle_.text;
     obstacle_ = obstacle;
-    if (obstacle_ || studio_.suit().phase() == LiveSuit::Phase::kNone)
+    const bool cannot = obstacle_ && !obstacle_.may_record_anyway;
+    if (cannot || studio_.suit().phase() == LiveSuit::Phase::kNone)
         counting_.invalidate();
     const State now = stateNow();
     if (now == state_ && same)
@@ -100,12 +108,7 @@ void RecordRun::press() {
             emit refused();
             break;
         case State::kReady:
-            if (countdown_s_ == 0)
-                return begin();
-            counting_.start();
-            last_second_ = countdown_s_;
-            tone();
-            follow();
+            beginOrCount();
             break;
         case State::kCountdown:
             endCountdown();
@@ -119,10 +122,17 @@ void RecordRun::press() {
 }
 
 void RecordRun::recordAnyway() {
-    if (state_ == State::kRecording)
-        stop();
-    else if (state_ != State::kSaving)
-        begin();
+    if (state_ == State::kRefused && obstacle_.may_record_anyway)
+        beginOrCount();
+}
+
+void RecordRun::beginOrCount() {
+    if (countdown_s_ == 0)
+        return begin();
+    counting_.start();
+    last_second_ = countdown_s_;
+    tone();
+    follow();
 }
 
 bool RecordRun::endCountdown() {

@@ -39,7 +39,7 @@ public:
     const RecordObstacle& obstacle() const { return obstacle_; }
     /// Begins, ends the countdown, or stops; refused it tells why.
     void press();
-    /// Begins or stops: a countdown is begun at once.
+    /// As if nothing stood in the way, where that is safe.
     void recordAnyway();
     /// True when there was one.
     bool endCountdown();
@@ -80,6 +80,7 @@ private:
     void follow();
     State stateNow() const;
     RecordObstacle obstacleNow() const;
+    void beginOrCount();
     void begin();
     void count();
     void onStarted(const QString& take);
