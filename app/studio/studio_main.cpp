@@ -103,6 +103,7 @@ int runStudio(int argc, char** argv) {
     StudioWindows windows(studio);
     MainWindow& window = windows.show(Step::kStart);
     logFirstFrame(window);
+    studio.finder().start();
     if (application.arguments().size() > 1)
         window.open(QFileInfo(application.arguments().at(1)).absoluteFilePath());
     else

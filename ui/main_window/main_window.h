@@ -78,6 +78,7 @@ private:
     void recoverWanted();
     void onSessionOpened();
     void onTakeOpened();
+    void showSuit();
     void onFailure(const QString& what, const QString& remedy);
     void onSessionFailure(const QString& message);
     bool mayClose();

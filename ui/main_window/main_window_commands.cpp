@@ -18,6 +18,7 @@
 #include "ui/main_window/window_menus.h"
 #include "ui/style/theme.h"
 #include "ui/views/coming_page.h"
+#include "ui/views/connect_page.h"
 #include "ui/views/session_commands.h"
 #include "ui/views/start_page.h"
 
@@ -91,6 +92,9 @@ Page* MainWindow::makePage(Step step) {
         connect(start, &StartPage::putSuitOnRequested, (*actions_)[Command::kPutSuitOn], &QAction::trigger);
         connect(start, &StartPage::newsRequested, (*actions_)[Command::kNews], &QAction::trigger);
     }
+    if (auto* connecting = qobject_cast<ConnectPage*>(page))
+        connect(connecting, &ConnectPage::putSuitOnRequested, (*actions_)[Command::kPutSuitOn],
+                &QAction::trigger);
     if (auto* coming = qobject_cast<ComingPage*>(page))
         connect(coming, &ComingPage::putSuitOnRequested, (*actions_)[Command::kPutSuitOn], &QAction::trigger);
     return page;

@@ -45,8 +45,27 @@ void MainWindow::connectStudio() {
     connect(&studio_.take(), &TakeDocument::opened, this, &MainWindow::onTakeOpened);
     connect(&studio_.take(), &TakeDocument::failed, this, &MainWindow::onSessionFailure);
     connect(&studio_, &Studio::failed, this, &MainWindow::onFailure);
+    connect(&studio_.check(), &SuitCheck::changed, this, &MainWindow::showSuit);
+    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &MainWindow::showSuit);
+    showSuit();
     for (const Command command : {Command::kShowFolder, Command::kCloseSession})
         (*actions_)[command]->setEnabled(studio_.session().isOpen());
+}
+
+void MainWindow::showSuit() {
+    const auto hello = studio_.suit().status()->hello;
+    if (studio_.suit().phase() == LiveSuit::Phase::kNone || !hello)
+        return top_bar_->showSuit(Tone::kNeutral, {}, {});
+    const Readiness& readiness = studio_.check().readiness();
+    const bool waits = readiness.verdict == Readiness::Verdict::kWaiting;
+    const bool all = readiness.boards_there == hello->boardCount() && readiness.problems.empty();
+    const Tone tone = waits                                                ? Tone::kNeutral
+                      : readiness.verdict == Readiness::Verdict::kNotReady ? Tone::kError
+                      : all                                                ? Tone::kOk
+                                                                           : Tone::kWarn;
+    const QString boards =
+        tr("%1/%2 boards", "there, of all").arg(readiness.boards_there).arg(hello->boardCount());
+    top_bar_->showSuit(tone, waits ? tr("Looking") : boards, QString::fromStdString(hello->serial));
 }
 
 void MainWindow::open(const QString& path) {

@@ -35,12 +35,13 @@ NewsDialog::NewsDialog(QWidget* parent) : QDialog(parent) {
         tr("Compare with a reference, read the report inside the window, and export BVH and CSV that are "
            "read back "
            "and checked."));
+    add(
+        tr("Driver boxes are found on USB and in the network; Connect says whether the suit is ready and "
+           "what to do "
+           "about it."));
     add(tr("A virtual suit, so that all of this can be tried without one."));
     column->addWidget(new SectionHeader(tr("Not yet")));
-    add(
-        tr("The link to a driver box, calibration wizards and recording. Connect, Calibrate and Record say "
-           "what they "
-           "will do and what to do meanwhile."));
+    add(tr("Calibration wizards. Calibrate says what they will do and what to do meanwhile."));
     add(tr("Export to FBX and glTF, video, and reading of optical markers."));
     column->addStretch();
     outer->addWidget(new ScrollArea(content), 1);

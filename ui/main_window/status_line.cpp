@@ -10,6 +10,7 @@
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/job_words.h"
+#include "ui/views/readiness_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/label.h"
@@ -58,6 +59,8 @@ StatusLine::StatusLine(Studio& studio, QWidget* parent) : QWidget(parent), studi
     connect(&studio_.session(), &SessionModel::changed, this, &StatusLine::showOpen);
     connect(&studio_.take(), &TakeDocument::opened, this, &StatusLine::showOpen);
     connect(&studio_, &Studio::said, this, &StatusLine::say);
+    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &StatusLine::showOpen);
+    connect(&studio_.check(), &SuitCheck::changed, this, &StatusLine::showOpen);
     connect(&Theme::get(), &Theme::changed, this, &StatusLine::showOpen);
     said_timer_.setSingleShot(true);
     connect(&said_timer_, &QTimer::timeout, this, [this] {
@@ -115,12 +118,31 @@ QString StatusLine::sessionWords() const {
         .arg(QString::fromStdString(studio_.parts().software).section(' ', 1));
 }
 
+/// How the link fares, and the climate that the speed of sound is taken from; empty without a suit.
+QString StatusLine::suitWords() const {
+    const LiveSuit& suit = studio_.suit();
+    if (suit.phase() == LiveSuit::Phase::kNone)
+        return {};
+    QStringList words{linkSentence(suit, studio_.check().bytesPerSecond())};
+    if (const auto frame = suit.frame(); frame && frame->health.suit.temperature_c) {
+        const SuitStatus& box = frame->health.suit;
+        words << tr("%1 °C").arg(numberText(*box.temperature_c, 1));
+        if (box.humidity_percent)
+            words << percentText(*box.humidity_percent / 100);
+    }
+    return words.join(QStringLiteral(", "));
+}
+
 void StatusLine::showOpen() {
     const Theme& theme = Theme::get();
+    const QString suit = suitWords();
     const bool something_open = studio_.session().isOpen() || studio_.take().isOpen();
-    safe_->setVisible(something_open && said_.isEmpty());
-    safe_->setPixmap(theme.pixmap("safe", theme.px(14), theme.tokens().ok));
-    open_->setText(said_.isEmpty() ? sessionWords() : said_);
+    const bool link_holds = studio_.suit().status()->link != LinkState::kLost &&
+                            studio_.suit().phase() != LiveSuit::Phase::kRefused;
+    safe_->setVisible((something_open || !suit.isEmpty()) && said_.isEmpty());
+    safe_->setPixmap(theme.pixmap(suit.isEmpty() ? "safe" : "link", theme.px(14),
+                                  link_holds ? theme.tokens().ok : theme.tokens().err));
+    open_->setText(!said_.isEmpty() ? said_ : suit.isEmpty() ? sessionWords() : suit);
 }
 
 void StatusLine::showJobs() {
@@ -147,9 +169,7 @@ void StatusLine::showJobs() {
 }
 
 void StatusLine::lookAtStorage() {
-    const SessionModel& session = studio_.session();
-    const QString folder = session.isOpen() ? QString::fromStdString(session.session().folder.string())
-                                            : studio_.sessionsFolder();
+    const QString folder = studio_.takesFolder();
     studio_.jobs().start<Storage>(
         tr("Room on %1").arg(folder),
         [folder](const JobContext&) -> Result<Storage> { return storageAt(folder); },

@@ -44,6 +44,7 @@ private:
     void showStorage(const Storage& storage);
     void lookAtStorage();
     QString sessionWords() const;
+    QString suitWords() const;
 
     Studio& studio_;
     QLabel* safe_;

@@ -78,14 +78,19 @@ QWidget* TopBar::makeRight() {
     auto* row = makeRow(right, {}, 8);
     suit_ = new Chip(Tone::kNeutral, tr("No suit"), "board");
     suit_->setToolTip(tr("No suit is connected. Opens Connect."));
+    box_ = new Chip(Tone::kNeutral, {}, "link");
+    box_->setToolTip(tr("The connected suit. Opens Connect."));
+    box_->hide();
     record_ = makeButton(ButtonKind::kRecord, tr("Record"), "record", QKeySequence("Ctrl+R"));
     record_->setToolTip(tr("Opens Record (Ctrl+R)"));
     preferences_ = new ToolButton("gear", tr("Preferences"), QKeySequence("Ctrl+,"));
     row->addStretch();
     row->addWidget(suit_);
+    row->addWidget(box_);
     row->addWidget(record_);
     row->addWidget(preferences_);
-    connect(suit_, &QAbstractButton::clicked, this, [this] { emit stepRequested(Step::kConnect); });
+    for (Chip* chip : {suit_, box_})
+        connect(chip, &QAbstractButton::clicked, this, [this] { emit stepRequested(Step::kConnect); });
     connect(record_, &QPushButton::clicked, this, &TopBar::recordRequested);
     connect(preferences_, &QToolButton::clicked, this, &TopBar::preferencesRequested);
     return right;
@@ -131,6 +136,21 @@ void TopBar::showRecordButton() {
     record_->setVisible(step_ != Step::kRecord && (records_ || step_ != Step::kStart));
 }
 
+void TopBar::showSuit(Tone tone, const QString& state, const QString& name) {
+    const bool connected = !name.isEmpty();
+    const QString words = connected ? state : tr("No suit");
+    if (suit_->text() == words && suit_->tone() == tone && box_->text() == name)
+        return;
+    suit_->setState(tone, words, tone == Tone::kNeutral ? "board" : QString());
+    suit_->setToolTip(connected ? tr("Boards that are there. Opens Connect.")
+                                : tr("No suit is connected. Opens Connect."));
+    box_->setState(Tone::kNeutral, name, "link");
+    steps_->setState(indexOf(Step::kConnect), !connected          ? StepBar::State::kOpen
+                                              : tone == Tone::kOk ? StepBar::State::kDone
+                                                                  : StepBar::State::kAttention);
+    foldWhereNarrow();
+}
+
 void TopBar::foldWhereNarrow() {
     // The steps stand in the centre; in some languages the menus need more than what is left beside them.
     const int beside = (width() - steps_->sizeHint().width()) / 2 - Theme::get().px(kMark);
@@ -139,7 +159,10 @@ void TopBar::foldWhereNarrow() {
     menus_->setVisible(!fold);
     folded_->setVisible(fold);
     const int sides = 2 * (record_->sizeHint().width() + suit_->sizeHint().width() + Theme::get().px(36));
-    suit_->setVisible(!steps_->isHidden() && width() > steps_->sizeHint().width() + sides);
+    const bool room = !steps_->isHidden() && width() > steps_->sizeHint().width() + sides;
+    suit_->setVisible(room);
+    const int box = 2 * (box_->sizeHint().width() + Theme::get().px(8));
+    box_->setVisible(room && !box_->text().isEmpty() && width() > steps_->sizeHint().width() + sides + box);
 }
 
 QSize TopBar::sizeHint() const {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ui/models/studio.h"
+#include "ui/style/ink.h"
 
 class QMenu;
 class QMenuBar;
@@ -33,6 +34,8 @@ public:
     /// How long the take runs; absent: none does. Seen on every page but Record, which has the clock itself.
     void showRecording(std::optional<double> seconds);
     Button& recordButton() { return *record_; }
+    /// "17/18 boards", and the box; without a name no suit is connected.
+    void showSuit(Tone tone, const QString& state, const QString& name);
 
     /// Position of a step in the bar, -1 for pages that are none.
     static int indexOf(Step step);
@@ -59,7 +62,7 @@ private:
     QMenuBar* menus_;
     ToolButton* folded_;
     StepBar* steps_;
-    Chip* suit_;
+    Chip *suit_, *box_;
     Button* record_;
     ToolButton* preferences_;
     QWidget *left_, *right_;

@@ -74,6 +74,8 @@ public:
     /// empty.
     QString record(const TakePlan& plan);
     void stopRecording();
+    /// Makes one by date when none is open; false: it could not be made.
+    bool makeSureOfSession();
     void addMarker(const QString& label);
     void addNote(const QString& text);
     /// Lights a board's lamp, or lets a source sound by itself for some seconds.
@@ -101,7 +103,6 @@ private:
     void setPhase(Phase phase);
     void wear();
     QString whyNotRecord() const;
-    bool makeSessionByDate();
     StreamRequest requestOf(const std::optional<TakePlan>& plan) const;
     std::optional<link::Settings> settings() const;
     void begin(const std::optional<TakePlan>& plan);

@@ -132,7 +132,9 @@ QString LiveSuit::whyNotRecord() const {
     return {};
 }
 
-bool LiveSuit::makeSessionByDate() {
+bool LiveSuit::makeSureOfSession() {
+    if (session_.isOpen())
+        return true;
     const QDir home(surroundings_.sessions_folder());
     const QString date = QDate::currentDate().toString(Qt::ISODate);
     QString name = date;
@@ -145,7 +147,7 @@ bool LiveSuit::makeSessionByDate() {
 QString LiveSuit::record(const TakePlan& plan) {
     if (const QString why = whyNotRecord(); !why.isEmpty())
         return why;
-    if (!session_.isOpen() && !makeSessionByDate())
+    if (!makeSureOfSession())
         return tr("There is no session to record into, and none could be made. Make one first.");
     stop_wanted_ = false;
     recorded_.reset();

@@ -53,6 +53,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
       markers_(jobs_, session_, take_),
       finder_(settings_),
       suit_(jobs_, session_, {parts_.software, parts_.utc_now, [this] { return sessionsFolder(); }}),
+      check_(jobs_, suit_, [this] { return takesFolder(); }),
       virtual_suit_(jobs_, {words(parts_.virtual_suit_program),
                             QStandardPaths::writableLocation(QStandardPaths::CacheLocation), parts_.software,
                             parts_.make_sample_take}),
@@ -99,6 +100,10 @@ void Studio::whenBodyIsThere(QObject* context, std::function<void()> act) {
 QString Studio::sessionsFolder() const {
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     return settings_.value("folders/sessions", QDir(documents).filePath("Noctule")).toString();
+}
+
+QString Studio::takesFolder() const {
+    return session_.isOpen() ? words(session_.session().folder.string()) : sessionsFolder();
 }
 
 /// The take chosen in the session is the one under review; a damaged one is listed only.

@@ -18,6 +18,7 @@
 #include "ui/models/marker_editor.h"
 #include "ui/models/selection.h"
 #include "ui/models/session_model.h"
+#include "ui/models/suit_check.h"
 #include "ui/models/suit_finder.h"
 #include "ui/models/take_document.h"
 #include "ui/models/time_cursor.h"
@@ -51,6 +52,7 @@ public:
     MarkerEditor& markers() { return markers_; }
     SuitFinder& finder() { return finder_; }
     LiveSuit& suit() { return suit_; }
+    SuitCheck& check() { return check_; }
     VirtualSuit& virtualSuit() { return virtual_suit_; }
     QSettings& settings() { return settings_; }
     /// The body that ships with the studio; null until a job of the start has loaded it, or when it cannot be
@@ -61,9 +63,13 @@ public:
 
     /// Where sessions are made unless the operator says otherwise.
     QString sessionsFolder() const;
+    /// Of the open session, else the one where sessions are made.
+    QString takesFolder() const;
     /// A session with a sample take, processed and open in Review. The one made earlier is used again. A job;
     /// cancelled, nothing of it stays.
     Job* tryVirtualSuit();
+    /// Makes one by date when none is open; false: it could not be made, and session().failed() said why.
+    bool makeSureOfSession() { return suit_.makeSureOfSession(); }
     /// Starts the virtual suit's program and connects it.
     void startVirtualSuit();
     /// A take of it that is being recorded ends intact first.
@@ -72,6 +78,7 @@ public:
     Job* process(ProcessRequest request);
 
 public slots:
+    void say(const QString& sentence) { emit said(sentence); }
     void goTo(noctule::ui::Step step) { emit stepRequested(step); }
 
 signals:
@@ -93,6 +100,7 @@ private:
     MarkerEditor markers_;
     SuitFinder finder_;
     LiveSuit suit_;
+    SuitCheck check_;
     VirtualSuit virtual_suit_;
     void openTakeUnderReview(int index);
     void loadBody();

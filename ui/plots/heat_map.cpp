@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "ui/models/part_names.h"
-#include "ui/plots/board_columns.h"
 #include "ui/plots/confidence_legend.h"
 #include "ui/plots/lane_content.h"
+#include "ui/plots/pair_columns.h"
 #include "ui/style/words.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/label.h"

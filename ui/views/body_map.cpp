@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/body_map.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QPainter>
 #include <algorithm>
@@ -72,12 +73,33 @@ QAbstractButton* BodyMap::sourceButton(int source) const {
 }
 
 void BodyMap::setBoardState(int board, Tone tone, const QString& detail) {
-    details_[static_cast<size_t>(board)] = detail;
+    QString& words = details_[static_cast<size_t>(board)];
     MapMarker* marker = places_[static_cast<size_t>(board)].marker;
+    if (words == detail && marker->tone() == tone)
+        return;
+    words = detail;
+    if (marker->tone() != tone)
+        picture_ = {};  // the figure shows what is not well
     marker->setTone(tone);
     marker->setAccessibleDescription(detail);
-    picture_ = {};
     update();
+}
+
+void BodyMap::setSourceTone(int source, Tone tone, const QString& detail) {
+    MapMarker* marker = places_[static_cast<size_t>(boardCount() + source)].marker;
+    if (marker->tone() != tone)
+        marker->setTone(tone);
+    marker->setAccessibleDescription(detail);
+    marker->setToolTip(detail.isEmpty() ? marker->accessibleName()
+                                        : marker->accessibleName() + QStringLiteral(": ") + detail);
+}
+
+void BodyMap::setChosen(int board) {
+    if (board == chosen_)
+        return;
+    chosen_ = board;
+    for (const Place& place : places_)
+        place.marker->setChosen(place.is_board && place.index == board);
 }
 
 void BodyMap::chooseColumns() {
@@ -204,6 +226,22 @@ void BodyMap::paintEvent(QPaintEvent*) {
     for (const Place& place : places_)
         if (place.is_board)
             paintLabel(painter, place);
+    if (dragged_ >= 0)
+        paintDragged(painter);
+}
+
+/// What is carried, and where it would go.
+void BodyMap::paintDragged(QPainter& painter) const {
+    const Theme& theme = Theme::get();
+    const QPointF from = places_[static_cast<size_t>(dragged_)].at_px;
+    painter.setPen(QPen(theme.tokens().acc, theme.px(2), Qt::DashLine));
+    painter.drawLine(from, dragged_to_);
+    const int onto = boardNear(dragged_to_);
+    if (onto >= 0 && onto != dragged_) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(theme.tokens().acc, theme.px(2)));
+        painter.drawEllipse(places_[static_cast<size_t>(onto)].at_px, theme.px(18), theme.px(18));
+    }
 }
 
 void BodyMap::paintLabel(QPainter& painter, const Place& place) const {
@@ -240,10 +278,63 @@ void BodyMap::paintLabel(QPainter& painter, const Place& place) const {
 }
 
 bool BodyMap::eventFilter(QObject* watched, QEvent* event) {
+    const bool of_mouse = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseMove ||
+                          event->type() == QEvent::MouseButtonRelease;
+    if (of_mouse && movable_)
+        return drag(qobject_cast<MapMarker*>(watched), *static_cast<QMouseEvent*>(event));
     if (event->type() == QEvent::KeyPress)
         if (walk(qobject_cast<MapMarker*>(watched), static_cast<QKeyEvent*>(event)->key()))
             return true;
     return QWidget::eventFilter(watched, event);
+}
+
+/// The board whose mark or words lie nearest, if near at all.
+int BodyMap::boardNear(const QPointF& position) const {
+    const double reach = Theme::get().px(40);
+    int nearest = -1;
+    double least = reach;
+    for (const Place& place : places_) {
+        if (!place.is_board)
+            continue;
+        const QPointF way = position - place.at_px;
+        const bool beside = place.left_column ? position.x() < width() * 0.25 : position.x() > width() * 0.75;
+        const double distance = std::min(std::hypot(way.x(), way.y()),
+                                         beside ? std::abs(position.y() - place.label_y) : 2 * reach);
+        if (distance < least) {
+            least = distance;
+            nearest = place.index;
+        }
+    }
+    return nearest;
+}
+
+/// True: the mark shall not be clicked.
+bool BodyMap::drag(MapMarker* marker, const QMouseEvent& event) {
+    if (!marker || marker->shape() != MapMarker::Shape::kBoard)
+        return false;
+    const QPoint here = marker->mapToParent(event.pos());
+    if (event.type() == QEvent::MouseButtonPress) {
+        pressed_at_ = here;
+        return false;
+    }
+    if (event.type() == QEvent::MouseMove) {
+        const bool far = (here - pressed_at_).manhattanLength() >= QApplication::startDragDistance();
+        if (dragged_ < 0 && (event.buttons() & Qt::LeftButton) && far)
+            dragged_ = marker->text().toInt() - 1;
+        dragged_to_ = here;
+        if (dragged_ >= 0)
+            update();
+        return dragged_ >= 0;
+    }
+    const int board = std::exchange(dragged_, -1);
+    if (board < 0)
+        return false;
+    update();
+    const int onto = boardNear(here);
+    marker->setDown(false);
+    if (onto >= 0 && onto != board)
+        emit boardDropped(board, onto);
+    return true;
 }
 
 /// To the nearest marker in the direction of an arrow key; what lies aside counts double.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QMouseEvent>
 #include <QPixmap>
 #include <QWidget>
 #include <memory>
@@ -27,6 +28,11 @@ public:
     void setBody(std::shared_ptr<const SkinnedMesh> mesh);
     /// What stands below a board's name, and the tone of its mark and segment.
     void setBoardState(int board, Tone tone, const QString& detail);
+    void setSourceTone(int source, Tone tone, const QString& detail);
+    /// Marked as the one that is talked about; -1: none.
+    void setChosen(int board);
+    /// Whether boards can be dragged onto the places of others.
+    void setBoardsMovable(bool movable) { movable_ = movable; }
     int boardCount() const { return static_cast<int>(suit_.boards.size()); }
     int sourceCount() const { return static_cast<int>(suit_.sources.size()); }
     QAbstractButton* boardButton(int board) const;
@@ -38,6 +44,8 @@ public:
 signals:
     void boardClicked(int board);
     void sourceClicked(int source);
+    /// Dragged onto the place of another.
+    void boardDropped(int board, int onto);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -62,7 +70,10 @@ private:
     QPointF toPixels(const QPointF& p_m) const;
     double labelHeight() const;
     void paintLabel(QPainter& painter, const Place& place) const;
+    void paintDragged(QPainter& painter) const;
     bool walk(const MapMarker* from, int key);
+    bool drag(MapMarker* marker, const QMouseEvent& event);
+    int boardNear(const QPointF& position) const;
     void renewFigure();
 
     Actor actor_;
@@ -70,6 +81,9 @@ private:
     BodyFigure figure_;
     std::vector<Place> places_;
     std::vector<QString> details_;
+    bool movable_ = false;
+    int chosen_ = -1, dragged_ = -1;  ///< boards
+    QPoint pressed_at_, dragged_to_;
     QPixmap picture_;  ///< null: to be painted again
 };
 

@@ -38,7 +38,7 @@ CalibratePage::CalibratePage(Studio& studio, QWidget* parent)
           studio,
           {tr("Calibrate"),
            tr("Nothing to calibrate"),
-           tr("Calibration needs a suit, and the studio does not connect to one yet."),
+           tr("Calibration’s wizards are not part of this version."),
            {tr("Four wizards that recognise by themselves when a step is done, and that end with a verdict "
                "in "
                "numbers and words."),

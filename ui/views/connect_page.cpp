@@ -1,72 +1,220 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/connect_page.h"
 
+#include <QHBoxLayout>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/suit/default_suit.h"
 #include "ui/models/part_names.h"
+#include "ui/views/assign_panel.h"
+#include "ui/views/board_card.h"
 #include "ui/views/body_map.h"
+#include "ui/views/devices_panel.h"
+#include "ui/views/live_pairs.h"
 #include "ui/views/map_legend.h"
+#include "ui/views/readiness_panel.h"
+#include "ui/views/readiness_words.h"
 #include "ui/views/scaled_layout.h"
-#include "ui/widgets/button.h"
-#include "ui/widgets/label.h"
+#include "ui/widgets/divider.h"
+#include "ui/widgets/scroll_area.h"
 
 namespace noctule::ui {
+namespace {
+
+constexpr int kCardWidth = 240, kRoomForCard = 840;
+
+Tone toneOfSource(const Readiness& readiness, int source) {
+    const bool trouble = std::ranges::any_of(
+        readiness.problems, [source](const ReadinessProblem& problem) { return problem.source == source; });
+    return trouble ? Tone::kWarn : Tone::kNeutral;
+}
+
+}  // namespace
 
 ConnectPage::ConnectPage(Studio& studio, QWidget* parent)
-    : ComingPage(
-          studio,
-          {tr("Connect"),
-           tr("No suit is connected"),
-           tr("The studio does not connect to driver boxes yet; noctule --batch devices and record do."),
-           {tr("Driver boxes found on USB and in the network, and the virtual suit as one of them."),
-            tr("Every board and source on the drawing with its state: what arrives, what is faint, what fell "
-               "silent, and what to do about it."),
-            tr("Whether a pair of boards is swapped, and how many source-board pairs are good.")},
-           tr("Takes from elsewhere can be reviewed, processed and exported, and the virtual suit makes one "
-              "now.")},
-          parent),
-      frame_(new QWidget) {
-    addVirtualSuitWay();
-    addImportWay();
-    addWay(tr("Performer and suit"), "mesh", [this] { studio_.goTo(Step::kPerformer); });
-    addWay(tr("Put the suit on"), "note", [this] { emit putSuitOnRequested(); });
-    auto* column = makeColumn(frame_, {}, 8);
-    chosen_ =
-        new Label(tr("Choose a board or a source to see where it sits."), TextRole::kSecondary, Ink::kHint);
-    column->addWidget(new MapLegend);
-    column->addWidget(chosen_);
-    setDrawing(frame_);
-    connect(&studio.session(), &SessionModel::changed, this, [this] {
-        if (isVisible())
+    : Page(parent),
+      studio_(studio),
+      devices_(new DevicesPanel(studio)),
+      assigning_(new AssignPanel(studio)),
+      readiness_(new ReadinessPanel(studio)),
+      left_(makeLeft()),
+      drawing_(new QWidget),
+      beside_(new QWidget),
+      beside_column_(makeColumn(beside_, {}, 16)),
+      card_(new BoardCard(studio.suit(), studio.check())),
+      legend_(new MapLegend(MapLegend::Shows::kState)),
+      pairs_(new LivePairs(studio.check())) {
+    for (QWidget* dock : {left_, static_cast<QWidget*>(readiness_)}) {
+        dock->setParent(this);
+        dock->hide();
+    }
+    auto* column = makeColumn(this);
+    column->addWidget(makeCentre(), 3);
+    column->addWidget(pairs_, 2);
+    addActions();
+    setDockTitles(tr("Devices"), tr("Readiness"));
+    connectStudio();
+    showSuit();
+}
+
+QWidget* ConnectPage::rightDock() {
+    return readiness_;
+}
+
+QWidget* ConnectPage::makeLeft() {
+    auto* content = new QWidget;
+    auto* column = makeColumn(content);
+    column->addWidget(devices_);
+    column->addWidget(assigning_);
+    column->addStretch();
+    return new ScrollArea(content);
+}
+
+QWidget* ConnectPage::makeCentre() {
+    auto* centre = new QWidget;
+    upper_ = makeRow(centre, {16, 12, 16, 12}, 16);
+    makeColumn(drawing_, {}, 8);
+    upper_->addWidget(drawing_, 1);
+    keepSize(*beside_, kCardWidth, 0);
+    beside_column_->addWidget(card_);
+    beside_column_->addStretch();
+    upper_->addWidget(beside_);
+    return centre;
+}
+
+void ConnectPage::addActions() {
+    auto* look = new QAction(tr("Look for devices again"), this);
+    look->setShortcut(Qt::Key_F5);
+    connect(look, &QAction::triggered, this, [this] { studio_.finder().lookAgain(); });
+    blink_ = new QAction(tr("Blink the chosen board"), this);
+    blink_->setShortcut(Qt::Key_B);
+    connect(blink_, &QAction::triggered, this, [this] { studio_.suit().blinkBoard(board_); });
+    take_off_ = new QAction(tr("Go on without the chosen board"), this);
+    take_off_->setShortcut(Qt::Key_Delete);
+    connect(take_off_, &QAction::triggered, this, &ConnectPage::takeOff);
+    auto* performer = new QAction(tr("Performer and suit"), this);
+    connect(performer, &QAction::triggered, this, [this] { studio_.goTo(Step::kPerformer); });
+    auto* put_on = new QAction(tr("Put the suit on"), this);
+    connect(put_on, &QAction::triggered, this, &ConnectPage::putSuitOnRequested);
+    QWidget::addActions({look, blink_, take_off_, performer, put_on});
+    connect(readiness_, &ReadinessPanel::putSuitOnRequested, this, &ConnectPage::putSuitOnRequested);
+}
+
+void ConnectPage::connectStudio() {
+    connect(&studio_.session(), &SessionModel::changed, this, [this] {
+        if (isVisible() && studio_.suit().phase() == LiveSuit::Phase::kNone)
             showSuit();
+    });
+    connect(&studio_.suit(), &LiveSuit::wearingChanged, this, &ConnectPage::showSuit);
+    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &ConnectPage::showLayout);
+    connect(&studio_.check(), &SuitCheck::changed, this, [this] {
+        if (isVisible())
+            showState();
+    });
+    connect(pairs_, &LivePairs::boardChosen, this, &ConnectPage::choose);
+    connect(card_, &BoardCard::blinkRequested, this, [this](int board) { studio_.suit().blinkBoard(board); });
+    connect(readiness_, &ReadinessPanel::boardChosen, this, &ConnectPage::choose);
+    connect(assigning_, &AssignPanel::boardFound, this, [this](int board) {
+        if (board >= 0)
+            choose(board);
     });
 }
 
 void ConnectPage::enter() {
     showSuit();
+    showState();
+}
+
+Suit ConnectPage::shownSuit() const {
+    if (!studio_.suit().suit().boards.empty())
+        return studio_.suit().suit();
+    const SessionModel& model = studio_.session();
+    const Performer* performer =
+        model.isOpen() ? model.session().findPerformer(model.session().current_performer) : nullptr;
+    return performer ? performer->suit : defaultSuit();
+}
+
+Actor ConnectPage::shownActor() const {
+    if (!studio_.suit().suit().boards.empty())
+        return studio_.suit().actor();
+    const SessionModel& model = studio_.session();
+    const Performer* performer =
+        model.isOpen() ? model.session().findPerformer(model.session().current_performer) : nullptr;
+    return defaultActor(performer ? performer->measures : BodyMeasures{});
 }
 
 void ConnectPage::showSuit() {
-    BodyMeasures measures;
-    Suit suit = defaultSuit();
-    const SessionModel& model = studio_.session();
-    if (model.isOpen())
-        if (const Performer* performer = model.session().findPerformer(model.session().current_performer)) {
-            measures = performer->measures;
-            suit = performer->suit;
-        }
+    const Suit suit = shownSuit();
     delete map_;
-    map_ = new BodyMap(defaultActor(measures), suit, studio_.body());
+    map_ = new BodyMap(shownActor(), suit, studio_.body());
     if (!studio_.body())
         studio_.whenBodyIsThere(map_, [this] { map_->setBody(studio_.body()); });
     for (int i = 0; i < map_->boardCount(); ++i)
         map_->setBoardState(i, Tone::kNeutral, tr("board %1").arg(i + 1));
-    connect(map_, &BodyMap::boardClicked, this,
-            [this, suit](int board) { chosen_->setText(boardTitle(suit, board)); });
+    connect(map_, &BodyMap::boardClicked, this, &ConnectPage::choose);
+    connect(map_, &BodyMap::boardDropped, assigning_, &AssignPanel::swap, Qt::QueuedConnection);
     connect(map_, &BodyMap::sourceClicked, this,
-            [this, suit](int source) { chosen_->setText(sourceTitle(suit, source)); });
-    static_cast<QVBoxLayout*>(frame_->layout())->insertWidget(0, map_, 1);
+            [this](int source) { studio_.say(sourceTitle(shownSuit(), source)); });
+    static_cast<QVBoxLayout*>(drawing_->layout())->insertWidget(0, map_, 1);
+    choose(board_ < map_->boardCount() ? board_ : -1);
+    showLayout();
+}
+
+/// Where there is no room for the card beside the body, it stands in the right dock.
+void ConnectPage::showLayout() {
+    const bool there = !studio_.suit().suit().boards.empty();
+    const bool beside = width() >= Theme::get().px(kRoomForCard);
+    beside_->setVisible(there && beside);
+    if (beside && beside_column_->indexOf(card_) < 0) {
+        beside_column_->insertWidget(0, card_);
+    } else if (!beside) {
+        readiness_->setGuest(card_);
+    }
+    if (beside && beside_column_->indexOf(legend_) < 0)
+        beside_column_->insertWidget(1, legend_);
+    else if (!beside && drawing_->layout()->indexOf(legend_) < 0)
+        drawing_->layout()->addWidget(legend_);
+    legend_->setVisible(there);
+    card_->setVisible(there);
+    pairs_->setVisible(there);
+    map_->setBoardsMovable(there);
+    blink_->setEnabled(there);
+    take_off_->setEnabled(there);
+}
+
+void ConnectPage::showState() {
+    const Readiness& readiness = studio_.check().readiness();
+    if (static_cast<int>(readiness.boards.size()) != map_->boardCount())
+        return;
+    for (int board = 0; board < map_->boardCount(); ++board)
+        map_->setBoardState(board, toneOf(readiness.boards[static_cast<size_t>(board)].state),
+                            boardDetail(studio_.check(), board));
+    for (int source = 0; source < map_->sourceCount(); ++source) {
+        const int good = readiness.source_good_pairs.at(static_cast<size_t>(source));
+        map_->setSourceTone(source, toneOfSource(readiness, source),
+                            tr("%n board(s) hear it well", nullptr, good));
+    }
+}
+
+void ConnectPage::choose(int board) {
+    board_ = board;
+    map_->setChosen(board);
+    card_->setBoard(board);
+    pairs_->setBoard(board);
+}
+
+void ConnectPage::takeOff() {
+    for (const ReadinessProblem& problem : std::vector(studio_.check().readiness().problems))
+        if (problem.board == board_ && board_ >= 0)
+            return studio_.check().goOnWithout(problem);
+    studio_.say(board_ < 0 ? tr("Choose a board first.")
+                           : tr("Board %1 works; there is nothing to go on without.").arg(board_ + 1));
+}
+
+void ConnectPage::resizeEvent(QResizeEvent* event) {
+    Page::resizeEvent(event);
+    showLayout();
 }
 
 }  // namespace noctule::ui

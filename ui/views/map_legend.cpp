@@ -2,6 +2,7 @@
 #include "ui/views/map_legend.h"
 
 #include <QPainter>
+#include <algorithm>
 
 #include "ui/style/theme.h"
 
@@ -12,21 +13,66 @@ constexpr int kMark = 20, kGap = 8, kBetween = 24;
 
 }  // namespace
 
-MapLegend::MapLegend(QWidget* parent)
-    : QWidget(parent),
-      board_(tr("board: gyroscope, accelerometer and microphone")),
-      source_(tr("source: sends a pulse every 64 ms")) {
+MapLegend::MapLegend(Shows shows, QWidget* parent) : QWidget(parent) {
+    if (shows == Shows::kPlaces)
+        entries_ = {{Mark::kBoard, tr("board: gyroscope, accelerometer and microphone")},
+                    {Mark::kSource, tr("source: sends a pulse every 64 ms")}};
+    else
+        entries_ = {{Mark::kWorking, tr("board, sound and motion arrive")},
+                    {Mark::kSilent, tr("board, nothing arrives")},
+                    {Mark::kSource, tr("source, sends a pulse every 64 ms")}};
+    QStringList words;
+    for (const Entry& entry : entries_)
+        words << entry.words;
     setAccessibleName(tr("Legend"));
-    setAccessibleDescription(board_ + QStringLiteral(". ") + source_);
+    setAccessibleDescription(words.join(QStringLiteral(". ")));
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
     connect(&Theme::get(), &Theme::changed, this, [this] { updateGeometry(), update(); });
 }
 
+QColor MapLegend::colorOf(Mark mark) {
+    const Tokens& tokens = Theme::get().tokens();
+    switch (mark) {
+        case Mark::kBoard:
+            return tokens.t2;
+        case Mark::kWorking:
+            return tokens.ok;
+        case Mark::kSilent:
+            return tokens.err;
+        case Mark::kSource:
+            break;
+    }
+    return tokens.acc;
+}
+
+int MapLegend::widthOf(const Entry& entry) const {
+    const QFontMetrics metrics(Theme::get().font(TextRole::kSecondary));
+    return Theme::get().px(kMark + kGap) + metrics.horizontalAdvance(entry.words) + 2;
+}
+
+int MapLegend::rowHeight() const {
+    const QFontMetrics metrics(Theme::get().font(TextRole::kSecondary));
+    return std::max(metrics.height(), Theme::get().px(20));
+}
+
 QSize MapLegend::sizeHint() const {
-    const Theme& theme = Theme::get();
-    const QFontMetrics metrics(theme.font(TextRole::kSecondary));
-    return {metrics.horizontalAdvance(board_) + metrics.horizontalAdvance(source_) +
-                theme.px(2 * (kMark + kGap) + kBetween) + 2,
-            std::max(metrics.height(), theme.px(20))};
+    int width = -Theme::get().px(kBetween);
+    for (const Entry& entry : entries_)
+        width += widthOf(entry) + Theme::get().px(kBetween);
+    return {width, rowHeight()};
+}
+
+QSize MapLegend::minimumSizeHint() const {
+    int widest = 0;
+    for (const Entry& entry : entries_)
+        widest = std::max(widest, widthOf(entry));
+    return {widest, rowHeight()};
+}
+
+int MapLegend::heightForWidth(int width) const {
+    return width >= sizeHint().width() ? rowHeight() : static_cast<int>(entries_.size()) * rowHeight();
 }
 
 void MapLegend::paintEvent(QPaintEvent*) {
@@ -35,18 +81,22 @@ void MapLegend::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(theme.font(TextRole::kSecondary));
-    const int words = QFontMetrics(painter.font()).horizontalAdvance(board_);
-    QRectF mark(1, 0, theme.px(kMark), theme.px(14));
-    mark.moveTop((height() - mark.height()) / 2);
-    painter.setPen(QPen(tokens.t2, 1.5));
-    painter.drawRoundedRect(mark, theme.px(4), theme.px(4));
-    const int first = theme.px(kMark + kGap);
-    painter.drawText(QRect(first, 0, words + 2, height()), Qt::AlignVCenter, board_);
-    const int second = first + words + theme.px(kBetween);
-    painter.setPen(QPen(tokens.acc, 1.5));
-    painter.drawEllipse(QPointF(second + theme.px(8), height() / 2.0), theme.px(7), theme.px(7));
-    painter.setPen(tokens.t2);
-    painter.drawText(QRect(second + theme.px(kMark + kGap), 0, width(), height()), Qt::AlignVCenter, source_);
+    const bool in_a_row = width() >= sizeHint().width();
+    QPoint at(0, 0);
+    for (const Entry& entry : entries_) {
+        QRectF mark(at.x() + 1, 0, theme.px(kMark) - 2, theme.px(14));
+        mark.moveTop(at.y() + (rowHeight() - mark.height()) / 2);
+        painter.setPen(
+            QPen(colorOf(entry.mark), 1.5, entry.mark == Mark::kSilent ? Qt::DashLine : Qt::SolidLine));
+        if (entry.mark == Mark::kSource)
+            painter.drawEllipse(mark.center(), theme.px(7), theme.px(7));
+        else
+            painter.drawRoundedRect(mark, theme.px(4), theme.px(4));
+        painter.setPen(tokens.t2);
+        painter.drawText(QRect(at.x() + theme.px(kMark + kGap), at.y(), width(), rowHeight()),
+                         Qt::AlignVCenter | Qt::AlignLeft, entry.words);
+        at += in_a_row ? QPoint(widthOf(entry) + theme.px(kBetween), 0) : QPoint(0, rowHeight());
+    }
 }
 
 }  // namespace noctule::ui

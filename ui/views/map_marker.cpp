@@ -20,6 +20,11 @@ void MapMarker::setTone(Tone tone) {
     update();
 }
 
+void MapMarker::setChosen(bool chosen) {
+    chosen_ = chosen;
+    update();
+}
+
 QSize MapMarker::sizeHint() const {
     return {Theme::get().px(28), Theme::get().px(28)};
 }
@@ -35,8 +40,9 @@ void MapMarker::paintEvent(QPaintEvent*) {
     QRectF shape(QPointF(), size);
     shape.moveCenter(QRectF(rect()).center());
     const double radius = board ? theme.px(4) : size.width() / 2;
-    painter.setBrush(underMouse() ? tokens.ctlh : tokens.view);
-    painter.setPen(QPen(color, 1.5));
+    painter.setBrush(chosen_ ? tokens.sel : underMouse() ? tokens.ctlh : tokens.view);
+    // Nothing arrives: dashed, so that it is not told by colour alone.
+    painter.setPen(QPen(color, chosen_ ? 2 : 1.5, tone_ == Tone::kError ? Qt::DashLine : Qt::SolidLine));
     painter.drawRoundedRect(shape, radius, radius);
     painter.setFont(theme.font(TextRole::kCaption, true));
     painter.setPen(color);

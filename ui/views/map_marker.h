@@ -17,6 +17,8 @@ public:
 
     void setTone(Tone tone);
     Tone tone() const { return tone_; }
+    /// Filled: this one is talked about.
+    void setChosen(bool chosen);
     Shape shape() const { return shape_; }
     QSize sizeHint() const override;
 
@@ -28,6 +30,7 @@ protected:
 private:
     Shape shape_;
     Tone tone_ = Tone::kNeutral;
+    bool chosen_ = false;
 };
 
 }  // namespace noctule::ui

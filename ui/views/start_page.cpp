@@ -102,17 +102,33 @@ QWidget* StartPage::makeSuitsFound() {
     auto* suits = new QWidget;
     auto* column = makeColumn(suits, {}, 8);
     column->addWidget(new Label(tr("Suits found"), TextRole::kSecondary, Ink::kHint));
-    column->addWidget(
-        (new Label(tr("This version does not look for driver boxes yet. Until it does, the virtual "
-                      "suit and takes from elsewhere stand in for a suit."),
-                   TextRole::kBody, Ink::kLabel))
-            ->wrapped());
+    suits_found_ = (new Label({}, TextRole::kBody, Ink::kLabel))->wrapped();
+    column->addWidget(suits_found_);
     auto* row = addRow(column, 0, {-8, 0, 0, 0});
-    Button* more = makeButton(ButtonKind::kText, tr("What Connect will show"));
+    Button* more = makeButton(ButtonKind::kText, tr("Connect a suit"));
     row->addWidget(more);
     row->addStretch();
+    connect(&studio_.finder(), &SuitFinder::changed, this, &StartPage::showSuitsFound);
+    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &StartPage::showSuitsFound);
+    showSuitsFound();
     connect(more, &QPushButton::clicked, this, [this] { studio_.goTo(Step::kConnect); });
     return suits;
+}
+
+void StartPage::showSuitsFound() {
+    QStringList names;
+    for (const KnownSuit& suit : studio_.finder().suits())
+        if (suit.present && suit.device.contact == FoundDevice::Contact::kAnswers)
+            names << suit.name;
+    const auto hello = studio_.suit().status()->hello;
+    if (studio_.suit().phase() != LiveSuit::Phase::kNone && hello)
+        suits_found_->setText(tr("%1 is connected.").arg(QString::fromStdString(hello->serial)));
+    else if (names.isEmpty())
+        suits_found_->setText(
+            tr("No driver box is found. Switch one on, or connect it by USB; the virtual suit on "
+               "Connect stands in for one."));
+    else
+        suits_found_->setText(tr("%1", "names of suits").arg(names.join(QStringLiteral(", "))));
 }
 
 QWidget* StartPage::makeLink(const QString& icon, const QString& text, const QString& hint,

@@ -51,6 +51,7 @@ private:
     QWidget* makeLink(const QString& icon, const QString& text, const QString& hint,
                       void (StartPage::*signal)());
     void tryVirtualSuit();
+    void showSuitsFound();
     void showInterrupted();
     void addCard(const RecentSession& session);
     ProblemCard* interruptedCard(const RecentSession& session);
@@ -63,6 +64,7 @@ private:
     Studio& studio_;
     RecentSessions& recent_;
     QWidget* sheet_;
+    Label* suits_found_ = nullptr;
     BigButton *new_, *open_, *try_;
     JobProgress* progress_;
     Label* nothing_found_;

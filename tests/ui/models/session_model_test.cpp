@@ -13,7 +13,7 @@
 namespace noctule::ui {
 namespace {
 
-class SessionModelTest : public test::SessionFolder {
+class SessionModelTest : public noctule::test::SessionFolder {
 protected:
     void SetUp() override {
         QSettings().clear();
@@ -277,7 +277,7 @@ TEST_F(SessionModelTest, InterruptedTakeIsRecovered) {
 }
 
 TEST_F(SessionModelTest, DamagedSessionIsToldAndRebuilt) {
-    test::SessionFolder::makeTake(takes() / "walk_004.noctule");
+    noctule::test::SessionFolder::makeTake(takes() / "walk_004.noctule");
     std::ofstream(folder() / "session.json", std::ios::trunc) << "{";
     QSignalSpy failed(&model_, &SessionModel::failed), damaged(&model_, &SessionModel::damaged);
     model_.open(qfolder());

@@ -12,7 +12,7 @@
 namespace noctule::ui {
 namespace {
 
-class TakeDocumentTest : public test::MadeTake {
+class TakeDocumentTest : public noctule::test::MadeTake {
 protected:
     void SetUp() override {
         MadeTake::SetUp();
@@ -54,9 +54,9 @@ TEST_F(TakeDocumentTest, PartsComeWhenAskedForAndStayTheSame) {
                document_.report() && document_.verdict();
     }));
     EXPECT_EQ(document_.shownMotion().get(), document_.shownMotion().get());
-    EXPECT_EQ(document_.shownMotion()->frames.size(), static_cast<size_t>(test::kFrames));
+    EXPECT_EQ(document_.shownMotion()->frames.size(), static_cast<size_t>(noctule::test::kFrames));
     EXPECT_EQ(document_.contacts()->size(), 2u);
-    EXPECT_EQ(document_.pairSummaries()->window(0, 0, 0, 2).pulses, test::kPulses);
+    EXPECT_EQ(document_.pairSummaries()->window(0, 0, 0, 2).pulses, noctule::test::kPulses);
     EXPECT_EQ(document_.report()->shownRun()->name, "second");
     EXPECT_TRUE(document_.verdict()->mean_error_deg);
     EXPECT_FALSE(document_.isLoading());
@@ -73,8 +73,8 @@ TEST_F(TakeDocumentTest, CurvesComeForPairsReadingsAndJoints) {
     }));
     EXPECT_GE(curves.count(), 4);
     EXPECT_EQ(document_.rangeCurve(0, 0, RangeQuantity::kConfidence)->size(),
-              static_cast<size_t>(test::kPulses));
-    EXPECT_EQ(document_.motionCurve(arm)->value.size(), static_cast<size_t>(test::kFrames));
+              static_cast<size_t>(noctule::test::kPulses));
+    EXPECT_EQ(document_.motionCurve(arm)->value.size(), static_cast<size_t>(noctule::test::kFrames));
     EXPECT_EQ(document_.rangeCurve(0, 7, RangeQuantity::kConfidence), nullptr);
     EXPECT_EQ(document_.readingCurve(0, 6), nullptr);
     EXPECT_EQ(document_.motionCurve(arm, TakeDocument::Whose::kCompared), nullptr);

@@ -91,7 +91,7 @@ TEST_F(VirtualSuitTest, ACrashIsToldInWords) {
 }
 
 TEST_F(VirtualSuitTest, AProgramThatIsNotThereIsToldInWords) {
-    for (const std::string program : {std::string(), folder_.file("nothing"), std::string("/bin/false")}) {
+    for (const std::string& program : {std::string(), folder_.file("nothing"), std::string("/bin/false")}) {
         start(program);
         QSignalSpy failed(studio_.get(), &Studio::failed);
         studio_->startVirtualSuit();

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/live/readiness.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "core/job/contract.h"
+
+namespace noctule {
+namespace {
+
+constexpr int64_t kNever = -1;
+
+void addProblem(Readiness& readiness, ProblemKind kind, bool hinders, double value = 0, int board = -1,
+                int source = -1) {
+    readiness.problems.push_back({kind, hinders, board, source, value, false});
+}
+
+}  // namespace
+
+ReadinessJudge::ReadinessJudge(int board_count, int source_count, int sample_rate_hz,
+                               const ReadinessLimits& limits)
+    : board_count_(board_count),
+      source_count_(source_count),
+      sample_rate_hz_(sample_rate_hz),
+      limits_(limits) {
+    remember({});
+}
+
+/// A new stream counts from 0 again.
+void ReadinessJudge::remember(const HealthReport& health) {
+    if (health.sample < now_ || pair_good_at_.empty()) {
+        pair_good_at_.assign(static_cast<size_t>(board_count_) * static_cast<size_t>(source_count_), kNever);
+        board_heard_at_.assign(static_cast<size_t>(board_count_), 0);
+        source_heard_at_.assign(static_cast<size_t>(source_count_), 0);
+        source_clear_at_ = source_heard_at_;
+    }
+    now_ = health.sample;
+    if (health.pairs.empty())
+        return;
+    for (int source = 0; source < source_count_; ++source)
+        for (int board = 0; board < board_count_; ++board) {
+            const PairHealth& pair = health.pair(source, board);
+            if (!pair.age_s || *pair.age_s > limits_.pair_holds_s)
+                continue;
+            const int64_t at = now_ - static_cast<int64_t>(*pair.age_s * sample_rate_hz_);
+            const auto raise = [at](int64_t& last) { last = std::max(last, at); };
+            if (pair.confidence >= limits_.good_confidence)
+                raise(pair_good_at_[static_cast<size_t>(source * board_count_ + board)]);
+            if (pair.confidence >= limits_.faint_confidence)
+                raise(source_clear_at_[static_cast<size_t>(source)]);
+            if (pair.confidence >= limits_.heard_confidence) {
+                raise(source_heard_at_[static_cast<size_t>(source)]);
+                raise(board_heard_at_[static_cast<size_t>(board)]);
+            }
+        }
+}
+
+double ReadinessJudge::secondsSince(int64_t sample) const {
+    return static_cast<double>(now_ - sample) / sample_rate_hz_;
+}
+
+void ReadinessJudge::judgePairs(const HealthReport& health, Readiness& readiness) const {
+    readiness.pair_is_good.assign(pair_good_at_.size(), false);
+    for (size_t pair = 0; pair < pair_good_at_.size(); ++pair) {
+        const bool good =
+            pair_good_at_[pair] != kNever && secondsSince(pair_good_at_[pair]) <= limits_.pair_holds_s;
+        const size_t board = pair % static_cast<size_t>(board_count_);
+        if (!good || health.boards[board].silent)
+            continue;
+        readiness.pair_is_good[pair] = true;
+        ++readiness.good_pairs;
+        ++readiness.boards[board].good_pairs;
+        ++readiness.source_good_pairs[pair / static_cast<size_t>(board_count_)];
+    }
+}
+
+void ReadinessJudge::judgeBoard(const ReadinessFacts& facts, int board, Readiness& readiness) const {
+    const auto index = static_cast<size_t>(board);
+    const BoardHealth& health = facts.health->boards[index];
+    BoardReadiness& state = readiness.boards[index];
+    const bool unplugged = index < facts.board_is_plugged.size() && !facts.board_is_plugged[index];
+    if (unplugged || health.silent) {
+        state = {BoardReadiness::State::kSilent, 0};
+        return addProblem(readiness, ProblemKind::kBoardSilent, true, 0, board);
+    }
+    ++readiness.boards_there;
+    state.state = BoardReadiness::State::kPoor;
+    if (health.frames_per_s < limits_.readable_frames_per_s)
+        return addProblem(readiness, ProblemKind::kBoardUnreadable, true, health.frames_per_s, board);
+    if (health.frames_per_s < limits_.least_frames_per_s)
+        return addProblem(readiness, ProblemKind::kBoardLosesFrames, false, health.frames_per_s, board);
+    const int64_t clipped = std::max(health.clipped_samples, health.clipped_readings);
+    if (clipped > limits_.clipped_per_s)
+        return addProblem(readiness, ProblemKind::kBoardClips, false, static_cast<double>(clipped), board);
+    if (secondsSince(board_heard_at_[index]) > limits_.board_unheard_s)
+        return addProblem(readiness, ProblemKind::kBoardDeaf, false, 0, board);
+    state.state = BoardReadiness::State::kFine;
+}
+
+void ReadinessJudge::judgeSources(const HealthReport& health, Readiness& readiness) const {
+    const auto is_clear = [this](int source) {
+        return secondsSince(source_clear_at_[static_cast<size_t>(source)]) <= limits_.source_unheard_s;
+    };
+    int clear = 0;
+    for (int source = 0; source < source_count_; ++source)
+        clear += is_clear(source);
+    const bool anybody_listens =
+        std::ranges::any_of(health.boards, [](const BoardHealth& board) { return !board.silent; });
+    for (int source = 0; source < source_count_ && anybody_listens; ++source) {
+        const auto index = static_cast<size_t>(source);
+        if (secondsSince(source_heard_at_[index]) > limits_.source_unheard_s) {
+            addProblem(readiness, ProblemKind::kSourceSilent, false, 0, -1, source);
+            continue;
+        }
+        ++readiness.sources_heard;
+        if (!is_clear(source) && 2 * clear >= source_count_)
+            addProblem(readiness, ProblemKind::kSourceFaint, false, readiness.source_good_pairs[index], -1,
+                       source);
+    }
+}
+
+void ReadinessJudge::judgeSupplies(const ReadinessFacts& facts, Readiness& readiness) const {
+    const auto& percent = facts.health->suit.battery_percent;
+    if (percent && *percent <= limits_.battery_empty_percent)
+        addProblem(readiness, ProblemKind::kBatteryEmpty, true, *percent);
+    else if (percent && *percent <= limits_.battery_low_percent)
+        addProblem(readiness, ProblemKind::kBatteryLow, false, *percent);
+    const auto& storage_s = facts.storage_left_s;
+    if (storage_s && *storage_s < limits_.storage_short_s)
+        addProblem(readiness, ProblemKind::kStorageShort, *storage_s < limits_.storage_empty_s, *storage_s);
+}
+
+Readiness ReadinessJudge::judge(const ReadinessFacts& facts) {
+    Readiness readiness;
+    readiness.boards.resize(static_cast<size_t>(board_count_));
+    readiness.source_good_pairs.resize(static_cast<size_t>(source_count_));
+    readiness.pair_is_good.resize(pair_good_at_.size());
+    if (facts.link_is_lost || facts.sound_stalls) {
+        addProblem(readiness, facts.link_is_lost ? ProblemKind::kLinkLost : ProblemKind::kNoSound, true);
+        readiness.verdict = Readiness::Verdict::kNotReady;
+        return readiness;
+    }
+    if (!facts.health)
+        return readiness;
+    require(facts.health->boards.size() == static_cast<size_t>(board_count_), "the health of another suit");
+    remember(*facts.health);
+    if (secondsSince(0) < limits_.settles_s)
+        return readiness;
+    judgePairs(*facts.health, readiness);
+    for (int board = 0; board < board_count_; ++board)
+        judgeBoard(facts, board, readiness);
+    judgeSources(*facts.health, readiness);
+    judgeSupplies(facts, readiness);
+    if (!facts.is_assigned)
+        addProblem(readiness, ProblemKind::kNotAssigned, false);
+    bool hindered = false;
+    for (ReadinessProblem& problem : readiness.problems) {
+        problem.accepted =
+            facts.without_boards.contains(problem.board) || facts.without_sources.contains(problem.source);
+        hindered = hindered || (problem.hinders && !problem.accepted);
+    }
+    std::ranges::stable_sort(readiness.problems, {}, [](const ReadinessProblem& problem) {
+        return std::tuple(problem.accepted, !problem.hinders, problem.kind);
+    });
+    readiness.verdict = hindered ? Readiness::Verdict::kNotReady : Readiness::Verdict::kReady;
+    return readiness;
+}
+
+}  // namespace noctule

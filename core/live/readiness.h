@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether a suit that is worn is ready to be recorded, and what hinders it, as data that the screens word.
+// Pairs come and go as the performer moves: what was heard well half a second ago still counts, and a source
+// or a board has to be unheard for seconds before it is a problem. Time is the suit's clock.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "core/live/health.h"
+
+namespace noctule {
+
+/// Most harmful first.
+enum class ProblemKind {
+    kLinkLost,
+    kNoSound,           ///< the link is there, nothing comes over it
+    kBoardSilent,       ///< unplugged, or its cable is broken
+    kBoardUnreadable,   ///< its wire is alive, its digital stream is not understood
+    kBatteryEmpty,      ///< the box stops in about a minute
+    kStorageShort,      ///< seconds
+    kSourceSilent,      ///< no board has heard it for seconds
+    kBoardLosesFrames,  ///< frames a second
+    kBoardClips,        ///< clipped samples or readings a second
+    kBoardDeaf,         ///< hears no source
+    kBatteryLow,        ///< percent
+    kSourceFaint,       ///< good pairs
+    kNotAssigned,       ///< nobody has said which board sits where
+};
+
+struct ReadinessProblem {
+    ProblemKind kind = ProblemKind::kLinkLost;
+    bool hinders = false;  ///< else it can be recorded, with less
+    int board = -1, source = -1;
+    double value = 0;       ///< as the kind says
+    bool accepted = false;  ///< the operator goes on without it
+
+    bool operator==(const ReadinessProblem&) const = default;
+};
+
+struct ReadinessLimits {
+    /// A frame lost now and then costs nothing; with every tenth gone the gyroscopes bridge holes all the
+    /// time.
+    double least_frames_per_s = 126;
+    /// Below this it is noise that happens to look like frames.
+    double readable_frames_per_s = 14;
+    double good_confidence = 0.5;   ///< style guide: "good" on every screen
+    double heard_confidence = 0.2;  ///< below, rays are not drawn either
+    double pair_holds_s = 0.5;      ///< eight rounds
+    /// Nobody hides all boards from a source for so long by moving.
+    double source_unheard_s = 2;
+    /// A foot may be hidden for long while its performer sits.
+    double board_unheard_s = 10;
+    /// Best confidence of a source, over all boards, when other sources are heard well.
+    double faint_confidence = 0.35;
+    int64_t clipped_per_s = 30;
+    double battery_low_percent = 20, battery_empty_percent = 5;
+    double storage_short_s = 600, storage_empty_s = 60;
+    double settles_s = 1.5;  ///< after a start nothing is judged
+};
+
+struct ReadinessFacts {
+    const HealthReport* health = nullptr;  ///< null: nothing has come yet
+    bool link_is_lost = false, sound_stalls = false, is_assigned = true;
+    std::vector<bool> board_is_plugged;  ///< as the box says; empty: it does not
+    std::optional<double> storage_left_s;
+    std::set<int> without_boards, without_sources;  ///< accepted by the operator
+};
+
+struct BoardReadiness {
+    enum class State { kUnknown, kFine, kPoor, kSilent };
+    State state = State::kUnknown;
+    int good_pairs = 0;
+};
+
+struct Readiness {
+    enum class Verdict { kWaiting, kNotReady, kReady };
+    Verdict verdict = Verdict::kWaiting;
+    std::vector<ReadinessProblem> problems;  ///< sorted by harm, accepted ones last
+    std::vector<BoardReadiness> boards;
+    std::vector<int> source_good_pairs;
+    std::vector<bool> pair_is_good;  ///< source * boards + board
+    int boards_there = 0, sources_heard = 0, good_pairs = 0;
+};
+
+class ReadinessJudge {
+public:
+    ReadinessJudge(int board_count, int source_count, int sample_rate_hz, const ReadinessLimits& limits = {});
+
+    /// Of what is known now; to be asked several times a second.
+    Readiness judge(const ReadinessFacts& facts);
+
+private:
+    void remember(const HealthReport& health);
+    void judgePairs(const HealthReport& health, Readiness& readiness) const;
+    void judgeBoards(const ReadinessFacts& facts, Readiness& readiness) const;
+    void judgeBoard(const ReadinessFacts& facts, int board, Readiness& readiness) const;
+    void judgeSources(const HealthReport& health, Readiness& readiness) const;
+    void judgeSupplies(const ReadinessFacts& facts, Readiness& readiness) const;
+    double secondsSince(int64_t sample) const;
+
+    const int board_count_, source_count_, sample_rate_hz_;
+    const ReadinessLimits limits_;
+    int64_t now_ = 0;
+    std::vector<int64_t> pair_good_at_;  ///< samples; kNever
+    std::vector<int64_t> board_heard_at_, source_heard_at_, source_clear_at_;
+};
+
+}  // namespace noctule

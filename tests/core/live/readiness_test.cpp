@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/live/readiness.h"
+
+#include <gtest/gtest.h>
+
+namespace noctule {
+namespace {
+
+constexpr int kBoards = 4, kSources = 3, kRate_hz = 1000;
+
+/// Everything as it should be at `t_s`.
+HealthReport wellAt(double t_s) {
+    HealthReport health;
+    health.sample = static_cast<int64_t>(t_s * kRate_hz);
+    BoardHealth board;
+    board.frames_per_s = 140;
+    board.silent = false;
+    health.boards.assign(kBoards, board);
+    health.pairs.assign(kBoards * kSources, PairHealth{0.05, 0.8, 0.5});
+    health.suit.battery_percent = 78;
+    return health;
+}
+
+class ReadinessTest : public testing::Test {
+protected:
+    PairHealth& pair(HealthReport& health, int source, int board) {
+        return health.pairs[static_cast<size_t>(source * kBoards + board)];
+    }
+    Readiness judge(const HealthReport& health) {
+        facts_.health = &health;
+        return judge_.judge(facts_);
+    }
+    /// The only problem there is, or none.
+    static ReadinessProblem only(const Readiness& readiness) {
+        EXPECT_EQ(readiness.problems.size(), 1u);
+        return readiness.problems.empty() ? ReadinessProblem{} : readiness.problems[0];
+    }
+
+    ReadinessJudge judge_{kBoards, kSources, kRate_hz};
+    ReadinessFacts facts_;
+};
+
+TEST_F(ReadinessTest, NothingIsJudgedBeforeItHasSettled) {
+    EXPECT_EQ(judge_.judge(facts_).verdict, Readiness::Verdict::kWaiting);
+    HealthReport early = wellAt(1);
+    early.boards[0].silent = true;
+    EXPECT_EQ(judge(early).verdict, Readiness::Verdict::kWaiting);
+    EXPECT_TRUE(judge(early).problems.empty());
+}
+
+TEST_F(ReadinessTest, AGoodSuitIsReady) {
+    const Readiness ready = judge(wellAt(3));
+    EXPECT_EQ(ready.verdict, Readiness::Verdict::kReady);
+    EXPECT_TRUE(ready.problems.empty());
+    EXPECT_EQ(ready.boards_there, kBoards);
+    EXPECT_EQ(ready.sources_heard, kSources);
+    EXPECT_EQ(ready.good_pairs, kBoards * kSources);
+    EXPECT_EQ(ready.boards[2].good_pairs, kSources);
+    EXPECT_EQ(ready.source_good_pairs[1], kBoards);
+    EXPECT_EQ(ready.boards[0].state, BoardReadiness::State::kFine);
+}
+
+TEST_F(ReadinessTest, ASilentBoardHindersUntilTheOperatorGoesOnWithoutIt) {
+    HealthReport health = wellAt(3);
+    health.boards[2].silent = true;
+    Readiness readiness = judge(health);
+    EXPECT_EQ(readiness.verdict, Readiness::Verdict::kNotReady);
+    EXPECT_EQ(only(readiness), (ReadinessProblem{ProblemKind::kBoardSilent, true, 2, -1, 0, false}));
+    EXPECT_EQ(readiness.boards[2].state, BoardReadiness::State::kSilent);
+    EXPECT_EQ(readiness.boards_there, kBoards - 1);
+    EXPECT_EQ(readiness.good_pairs, (kBoards - 1) * kSources) << "what it heard before is void";
+    facts_.without_boards = {2};
+    readiness = judge(health);
+    EXPECT_EQ(readiness.verdict, Readiness::Verdict::kReady);
+    EXPECT_TRUE(only(readiness).accepted);
+}
+
+TEST_F(ReadinessTest, ABoardThatTheBoxMissesIsSilentThoughItsWireHums) {
+    facts_.board_is_plugged = {true, true, true, false};
+    EXPECT_EQ(only(judge(wellAt(3))).kind, ProblemKind::kBoardSilent);
+}
+
+TEST_F(ReadinessTest, FramesTellAPoorWireFromAnUnreadableOne) {
+    HealthReport health = wellAt(3);
+    health.boards[1].frames_per_s = 100;
+    ReadinessProblem problem = only(judge(health));
+    EXPECT_EQ(problem.kind, ProblemKind::kBoardLosesFrames);
+    EXPECT_FALSE(problem.hinders);
+    EXPECT_EQ(problem.value, 100);
+    health.boards[1].frames_per_s = 2;
+    problem = only(judge(health));
+    EXPECT_EQ(problem.kind, ProblemKind::kBoardUnreadable);
+    EXPECT_TRUE(problem.hinders);
+    health.boards[1] = wellAt(3).boards[1];
+    health.boards[1].clipped_samples = 500;
+    EXPECT_EQ(only(judge(health)).kind, ProblemKind::kBoardClips);
+}
+
+TEST_F(ReadinessTest, APairCountsForHalfASecondAfterItWasGood) {
+    EXPECT_EQ(judge(wellAt(3)).good_pairs, 12);
+    HealthReport worse = wellAt(3.3);
+    pair(worse, 0, 0).confidence = 0.1;
+    EXPECT_EQ(judge(worse).good_pairs, 12);
+    worse = wellAt(3.8);
+    pair(worse, 0, 0).confidence = 0.1;
+    const Readiness later = judge(worse);
+    EXPECT_EQ(later.good_pairs, 11);
+    EXPECT_FALSE(later.pair_is_good[0]);
+}
+
+TEST_F(ReadinessTest, ASourceThatNobodyHearsForSecondsIsSilentAndAMuffledOneFaint) {
+    judge(wellAt(3));
+    HealthReport health = wellAt(4);
+    for (int board = 0; board < kBoards; ++board)
+        pair(health, 1, board) = {1.0, 0.8, 0.5};
+    EXPECT_TRUE(judge(health).problems.empty()) << "for a second: the performer turned";
+    health.sample = 6 * kRate_hz;
+    for (int board = 0; board < kBoards; ++board)
+        pair(health, 1, board).age_s = 3.0;
+    Readiness readiness = judge(health);
+    EXPECT_EQ(only(readiness), (ReadinessProblem{ProblemKind::kSourceSilent, false, -1, 1, 0, false}));
+    EXPECT_EQ(readiness.sources_heard, kSources - 1);
+    for (int board = 0; board < kBoards; ++board)
+        pair(health, 1, board) = {0.05, 0.25, 0.5};
+    EXPECT_EQ(only(judge(health)).kind, ProblemKind::kSourceFaint);
+    facts_.without_sources = {1};
+    EXPECT_TRUE(only(judge(health)).accepted);
+}
+
+TEST_F(ReadinessTest, ABoardMayHearNothingForAWhile) {
+    judge(wellAt(3));
+    HealthReport health = wellAt(8);
+    for (int source = 0; source < kSources; ++source)
+        pair(health, source, 3).confidence = 0;
+    EXPECT_TRUE(judge(health).problems.empty());
+    health.sample = 14 * kRate_hz;
+    const ReadinessProblem problem = only(judge(health));
+    EXPECT_EQ(problem.kind, ProblemKind::kBoardDeaf);
+    EXPECT_EQ(problem.board, 3);
+}
+
+TEST_F(ReadinessTest, SuppliesAndPlacesAreJudged) {
+    HealthReport health = wellAt(3);
+    health.suit.battery_percent = 15;
+    EXPECT_EQ(only(judge(health)).kind, ProblemKind::kBatteryLow);
+    health.suit.battery_percent = 3;
+    EXPECT_EQ(judge(health).verdict, Readiness::Verdict::kNotReady);
+    health.suit.battery_percent.reset();
+    facts_.storage_left_s = 300;
+    EXPECT_FALSE(only(judge(health)).hinders);
+    facts_.storage_left_s = 20;
+    EXPECT_TRUE(only(judge(health)).hinders);
+    facts_.storage_left_s = 9e9;
+    facts_.is_assigned = false;
+    EXPECT_EQ(only(judge(health)).kind, ProblemKind::kNotAssigned);
+}
+
+TEST_F(ReadinessTest, TheWorstStandsFirst) {
+    HealthReport health = wellAt(3);
+    health.suit.battery_percent = 15;
+    health.boards[0].frames_per_s = 90;
+    health.boards[1].silent = true;
+    health.boards[3].silent = true;
+    facts_.without_boards = {3};
+    std::vector<ProblemKind> kinds;
+    for (const ReadinessProblem& problem : judge(health).problems)
+        kinds.push_back(problem.kind);
+    EXPECT_EQ(kinds, (std::vector{ProblemKind::kBoardSilent, ProblemKind::kBoardLosesFrames,
+                                  ProblemKind::kBatteryLow, ProblemKind::kBoardSilent}));
+}
+
+TEST_F(ReadinessTest, ALostLinkIsAllThatCanBeSaid) {
+    HealthReport health = wellAt(3);
+    health.boards[1].silent = true;
+    facts_.link_is_lost = true;
+    const Readiness readiness = judge(health);
+    EXPECT_EQ(only(readiness).kind, ProblemKind::kLinkLost);
+    EXPECT_EQ(readiness.verdict, Readiness::Verdict::kNotReady);
+    EXPECT_EQ(readiness.boards[0].state, BoardReadiness::State::kUnknown);
+    facts_.link_is_lost = false;
+    facts_.sound_stalls = true;
+    EXPECT_EQ(only(judge(health)).kind, ProblemKind::kNoSound);
+}
+
+TEST_F(ReadinessTest, ANewStreamIsJudgedAfresh) {
+    judge(wellAt(30));
+    HealthReport health = wellAt(2);
+    for (PairHealth& unheard : health.pairs)
+        unheard = {};
+    const Readiness readiness = judge(health);
+    EXPECT_EQ(readiness.good_pairs, 0);
+    EXPECT_TRUE(readiness.problems.empty()) << "two seconds are not yet over";
+}
+
+}  // namespace
+}  // namespace noctule

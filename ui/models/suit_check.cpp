@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/suit_check.h"
+
+#include <QPointer>
+
+namespace noctule::ui {
+namespace {
+
+constexpr int kJudgeEvery_ms = 200, kJudgementsPerLookAtDisk = 100;
+
+}  // namespace
+
+SuitCheck::SuitCheck(Jobs& jobs, LiveSuit& suit, std::function<QString()> folder, QObject* parent)
+    : QObject(parent), jobs_(jobs), suit_(suit), folder_(std::move(folder)) {
+    clock_.start();
+    timer_.setInterval(kJudgeEvery_ms);
+    connect(&timer_, &QTimer::timeout, this, &SuitCheck::judge);
+    connect(&suit_, &LiveSuit::phaseChanged, this, &SuitCheck::follow);
+}
+
+void SuitCheck::follow() {
+    const auto hello = suit_.status()->hello;
+    const bool connected = suit_.phase() != LiveSuit::Phase::kNone && hello;
+    if (!connected) {
+        timer_.stop();
+        judge_.reset();
+        readiness_ = {};
+        serial_.clear();
+        emit changed();
+    } else if (!judge_ || serial_ != hello->serial) {
+        serial_ = hello->serial;
+        judge_ = std::make_unique<ReadinessJudge>(
+            hello->boardCount(), static_cast<int>(hello->suit.sources.size()), hello->sample_rate_hz);
+        without_boards_.clear();
+        without_sources_.clear();
+        silent_since_.assign(hello->suit.boards.size(), {});
+        was_heard_.assign(hello->suit.boards.size(), false);
+        battery_ = {};
+        lost_since_ = {};
+        judged_ = 0;
+        rate_from_sample_ = -1;
+        bytes_per_s_ = 0;
+        timer_.start();
+        judge();
+    }
+}
+
+void SuitCheck::judge() {
+    if (!judge_)
+        return;
+    if (judged_++ % kJudgementsPerLookAtDisk == 0)
+        lookAtStorage();
+    measureRate();
+    const auto status = suit_.status();
+    const auto frame = suit_.frame();
+    ReadinessFacts facts;
+    facts.link_is_lost = status->link == LinkState::kLost;
+    facts.sound_stalls = status->link == LinkState::kStalled;
+    facts.is_assigned = suit_.wearing().is_assigned;
+    for (const uint16_t flags : status->board_flags)
+        facts.board_is_plugged.push_back(flags & link::kBoardConnected);
+    facts.storage_left_s = storageLeft_s();
+    facts.without_boards = without_boards_;
+    facts.without_sources = without_sources_;
+    if (frame && frame->health.boards.size() == silent_since_.size())
+        facts.health = &frame->health;
+    if (frame && frame->health.suit.battery_percent)
+        battery_.add(static_cast<double>(clock_.elapsed()) * 1e-3, *frame->health.suit.battery_percent);
+    Readiness now = judge_->judge(facts);
+    // Between two streams nothing is known for a moment; what was known still holds.
+    if (now.verdict == Readiness::Verdict::kWaiting && !readiness_.boards.empty() &&
+        readiness_.verdict != Readiness::Verdict::kWaiting && !lost_since_.isValid())
+        return emit changed();
+    readiness_ = std::move(now);
+    noteTimes();
+    forgetAccepted();
+    emit changed();
+}
+
+void SuitCheck::measureRate() {
+    constexpr qint64 kOver_ms = 900;
+    const auto frame = suit_.frame();
+    const auto hello = suit_.status()->hello;
+    if (!frame || !hello)
+        return;
+    if (rate_from_sample_ < 0 || frame->sample < rate_from_sample_) {
+        rate_from_sample_ = frame->sample;
+        rate_clock_.start();
+    } else if (rate_clock_.elapsed() > kOver_ms) {
+        const double seconds = static_cast<double>(rate_clock_.restart()) * 1e-3;
+        bytes_per_s_ =
+            2.0 * hello->boardCount() * static_cast<double>(frame->sample - rate_from_sample_) / seconds;
+        rate_from_sample_ = frame->sample;
+    }
+}
+
+void SuitCheck::noteTimes() {
+    const bool lost = suit_.status()->link == LinkState::kLost;
+    if (lost != lost_since_.isValid())
+        lost_since_ = lost ? QTime::currentTime() : QTime();
+    for (size_t board = 0; board < readiness_.boards.size() && !lost; ++board) {
+        const auto state = readiness_.boards[board].state;
+        const bool silent = state == BoardReadiness::State::kSilent;
+        if (!silent)
+            silent_since_[board] = {};
+        else if (was_heard_[board])
+            silent_since_[board] = QTime::currentTime();
+        was_heard_[board] = state == BoardReadiness::State::kFine || state == BoardReadiness::State::kPoor;
+    }
+}
+
+void SuitCheck::forgetAccepted() {
+    if (readiness_.verdict == Readiness::Verdict::kWaiting || lost_since_.isValid())
+        return;
+    std::set<int> boards, sources;
+    for (const ReadinessProblem& problem : readiness_.problems) {
+        boards.insert(problem.board);
+        sources.insert(problem.source);
+    }
+    std::erase_if(without_boards_, [&](int board) { return !boards.contains(board); });
+    std::erase_if(without_sources_, [&](int source) { return !sources.contains(source); });
+}
+
+QTime SuitCheck::silentSince(int board) const {
+    return board >= 0 && static_cast<size_t>(board) < silent_since_.size()
+               ? silent_since_[static_cast<size_t>(board)]
+               : QTime();
+}
+
+void SuitCheck::goOnWithout(const ReadinessProblem& problem) {
+    if (problem.board >= 0)
+        without_boards_.insert(problem.board);
+    if (problem.source >= 0)
+        without_sources_.insert(problem.source);
+    judge();
+}
+
+std::optional<double> SuitCheck::storageLeft_s() const {
+    const auto hello = suit_.status()->hello;
+    if (!hello || free_bytes_ < 0)
+        return std::nullopt;
+    const double bytes_per_s = 2.0 * hello->boardCount() * hello->sample_rate_hz;
+    return static_cast<double>(free_bytes_) / bytes_per_s;
+}
+
+void SuitCheck::lookAtStorage() {
+    jobs_.start<Storage>(
+        tr("Room for takes"),
+        [folder = folder_()](const JobContext&) -> Result<Storage> { return storageAt(folder); },
+        [self = QPointer(this)](Result<Storage> storage) -> QString {
+            if (self && storage)
+                self->free_bytes_ = storage->free_bytes;
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+}  // namespace noctule::ui

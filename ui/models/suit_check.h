@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether the connected suit is ready, kept up to date: what the suit tells is judged several times a second
+// (core/live/readiness.h) together with what the operator has accepted and what the disk holds.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTime>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <set>
+
+#include "core/live/battery_forecast.h"
+#include "core/live/readiness.h"
+#include "ui/models/live_suit.h"
+#include "ui/models/storage.h"
+
+namespace noctule::ui {
+
+class SuitCheck : public QObject {
+    Q_OBJECT
+public:
+    /// `folder`: where takes would go.
+    SuitCheck(Jobs& jobs, LiveSuit& suit, std::function<QString()> folder, QObject* parent = nullptr);
+
+    /// Of no suit: waiting, without boards.
+    const Readiness& readiness() const { return readiness_; }
+    const LiveSuit& suit() const { return suit_; }
+    /// When a board fell silent; invalid when it is not, or was never heard.
+    QTime silentSince(int board) const;
+    /// When the link broke; invalid while it holds.
+    QTime lostSince() const { return lost_since_; }
+    std::optional<double> batteryLeft_s() const { return battery_.left_s(); }
+    std::optional<double> storageLeft_s() const;
+    /// Of sound that arrives now, as measured.
+    double bytesPerSecond() const { return bytes_per_s_; }
+
+    /// Until it is heard again.
+    void goOnWithout(const ReadinessProblem& problem);
+
+signals:
+    void changed();
+
+private:
+    void follow();
+    void judge();
+    void noteTimes();
+    void measureRate();
+    void forgetAccepted();
+    void lookAtStorage();
+
+    Jobs& jobs_;
+    LiveSuit& suit_;
+    const std::function<QString()> folder_;
+    std::unique_ptr<ReadinessJudge> judge_;
+    Readiness readiness_;
+    std::string serial_;
+    std::set<int> without_boards_, without_sources_;
+    std::vector<QTime> silent_since_;
+    std::vector<bool> was_heard_;
+    QTime lost_since_;
+    BatteryForecast battery_;
+    QElapsedTimer clock_;
+    qint64 free_bytes_ = -1;
+    int64_t rate_from_sample_ = -1;
+    QElapsedTimer rate_clock_;
+    double bytes_per_s_ = 0;
+    int judged_ = 0;
+    QTimer timer_;
+};
+
+}  // namespace noctule::ui

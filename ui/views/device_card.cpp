@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/device_card.h"
+
+#include <QVBoxLayout>
+
+#include "ui/style/theme.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/elided_label.h"
+#include "ui/widgets/icon_label.h"
+#include "ui/widgets/label.h"
+
+namespace noctule::ui {
+namespace {
+
+/// The colours of several suits; the same six that tell axes and states apart elsewhere.
+QColor suitColour(int index) {
+    const Tokens& tokens = Theme::get().tokens();
+    const std::array colours{tokens.acc, tokens.x, tokens.y, tokens.warn, tokens.ok, tokens.z};
+    return index < 0 ? tokens.t2 : colours[static_cast<size_t>(index) % colours.size()];
+}
+
+Ink inkOf(Tone tone) {
+    switch (tone) {
+        case Tone::kOk:
+            return Ink::kOk;
+        case Tone::kWarn:
+            return Ink::kWarn;
+        case Tone::kError:
+            return Ink::kError;
+        default:
+            return Ink::kHint;
+    }
+}
+
+}  // namespace
+
+DeviceCard::DeviceCard(QWidget* parent)
+    : Card(parent),
+      icon_(new IconLabel("usb", [this] { return suitColour(words_.colour); })),
+      state_icon_(new IconLabel(
+          "check", [this] { return colorOf(words_.tone); }, 14)),
+      name_(new ElidedLabel({}, TextRole::kBody, Ink::kValue, true)),
+      state_(new Label({}, TextRole::kSecondary, Ink::kHint)),
+      detail_((new Label({}, TextRole::kSecondary, Ink::kLabel))->wrapped()),
+      button_(makeButton(ButtonKind::kText, {})) {
+    auto* column = makeColumn(this, {12, 8, 12, 10}, 2);
+    auto* head = addRow(column, 6);
+    head->addWidget(icon_);
+    head->addWidget(name_, 1);
+    head->addWidget(state_icon_);
+    head->addWidget(state_);
+    head->addWidget(button_);
+    column->addWidget(detail_);
+    connect(button_, &QPushButton::clicked, this, &DeviceCard::activated);
+}
+
+void DeviceCard::setWords(const DeviceWords& words) {
+    words_ = words;
+    icon_->setIcon(words.icon, [this] { return suitColour(words_.colour); });
+    name_->setText(words.name);
+    state_->setText(words.state);
+    state_->setInk(inkOf(words.tone));
+    const bool has_icon = !words.state.isEmpty() && words.tone != Tone::kNeutral;
+    state_icon_->setIcon(iconOf(words.tone), [this] { return colorOf(words_.tone); });
+    state_icon_->setVisible(has_icon);
+    state_->setVisible(!words.state.isEmpty());
+    detail_->setText(words.detail);
+    detail_->setVisible(!words.detail.isEmpty());
+    button_->setText(words.action);
+    button_->setVisible(!words.action.isEmpty());
+    button_->setAccessibleName(words.action + ' ' + words.name);
+    setSelected(words.chosen);
+    setAccessibleName(words.name);
+    setAccessibleDescription(words.state + (words.state.isEmpty() ? "" : ". ") + words.detail);
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/devices_panel.h"
+
+#include <QVBoxLayout>
+
+#include "ui/views/device_card.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/label.h"
+
+namespace noctule::ui {
+namespace {
+
+QString qt(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+bool isSerialPort(const FoundDevice& device) {
+    return device.address.starts_with("serial:");
+}
+
+}  // namespace
+
+DevicesPanel::DevicesPanel(Studio& studio, QWidget* parent)
+    : QWidget(parent),
+      studio_(studio),
+      list_(new QWidget),
+      list_column_(makeColumn(list_, {}, 8)),
+      virtual_card_(new DeviceCard),
+      nothing_((new Label(tr("No driver box is found. Switch one on, or connect it by USB."),
+                          TextRole::kSecondary, Ink::kHint))
+                   ->wrapped()),
+      other_(makeButton(ButtonKind::kText, tr("Other address or port"), "new")),
+      form_(new QWidget) {
+    auto* column = makeColumn(this, {12, 8, 12, 12}, 8);
+    column->addWidget(nothing_);
+    column->addWidget(list_);
+    column->addWidget(virtual_card_);
+    addRow(column)->addWidget(other_, 0, Qt::AlignLeft);
+    addAddressForm(*column);
+    connect(virtual_card_, &DeviceCard::activated, this, &DevicesPanel::actOnVirtualSuit);
+    connect(&studio_.finder(), &SuitFinder::changed, this, &DevicesPanel::showDevices);
+    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &DevicesPanel::showDevices);
+    connect(&studio_.virtualSuit(), &VirtualSuit::changed, this, &DevicesPanel::showVirtualSuit);
+    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &DevicesPanel::showVirtualSuit);
+    showDevices();
+    showVirtualSuit();
+}
+
+void DevicesPanel::addAddressForm(QVBoxLayout& column) {
+    auto* rows = makeColumn(form_, {}, 4);
+    address_ = new QLineEdit;
+    address_->setPlaceholderText(QStringLiteral("tcp://10.0.0.7:41941"));
+    address_->setAccessibleName(tr("Address or port of a driver box"));
+    auto* row = addRow(rows, 8);
+    row->addWidget(address_, 1);
+    auto* ask = makeButton(ButtonKind::kOutlined, tr("Ask"));
+    row->addWidget(ask);
+    problem_ = (new Label({}, TextRole::kSecondary, Ink::kError))->wrapped();
+    problem_->hide();
+    rows->addWidget(problem_);
+    rows->addWidget(
+        (new Label(tr("In the network tcp://ADDRESS:PORT, at a serial port serial:///dev/ttyACM0."),
+                   TextRole::kSecondary, Ink::kHint))
+            ->wrapped());
+    form_->hide();
+    column.addWidget(form_);
+    connect(other_, &QPushButton::clicked, this, [this] {
+        form_->setVisible(form_->isHidden());
+        if (form_->isVisible())
+            address_->setFocus(Qt::OtherFocusReason);
+    });
+    connect(ask, &QPushButton::clicked, this, &DevicesPanel::askAddress);
+    connect(address_, &QLineEdit::returnPressed, this, &DevicesPanel::askAddress);
+    connect(address_, &QLineEdit::textEdited, problem_, &QWidget::hide);
+}
+
+/// What is asked for appears in the list, and says there whether it answers.
+void DevicesPanel::askAddress() {
+    const QString why = studio_.finder().probe(address_->text().trimmed());
+    problem_->setText(why);
+    problem_->setVisible(!why.isEmpty());
+    if (why.isEmpty())
+        form_->hide();
+}
+
+QString DevicesPanel::addressProblem() const {
+    return problem_->isHidden() ? QString() : problem_->text();
+}
+
+bool DevicesPanel::isConnected(const KnownSuit& suit) const {
+    const LiveSuit& live = studio_.suit();
+    if (live.phase() == LiveSuit::Phase::kNone)
+        return false;
+    return live.address() == qt(suit.device.address) && suit.present;
+}
+
+void DevicesPanel::showDevices() {
+    const auto& suits = studio_.finder().suits();
+    while (cards_.size() > suits.size()) {
+        delete cards_.back();
+        cards_.pop_back();
+    }
+    while (cards_.size() < suits.size()) {
+        auto* card = new DeviceCard;
+        const size_t index = cards_.size();
+        connect(card, &DeviceCard::activated, this, [this, index] {
+            // A copy: what it does changes the list.
+            const KnownSuit suit = studio_.finder().suits().at(index);
+            act(suit);
+        });
+        cards_.push_back(card);
+        list_column_->addWidget(card);
+    }
+    for (size_t i = 0; i < suits.size(); ++i)
+        cards_[i]->setWords(wordsFor(suits[i]));
+    list_->setVisible(!suits.empty());
+    nothing_->setVisible(suits.empty());
+}
+
+DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
+    const FoundDevice& device = suit.device;
+    DeviceWords words;
+    words.icon = isSerialPort(device) ? "usb" : "net";
+    words.colour = suit.colour;
+    words.name = suit.name;
+    const QString where = isSerialPort(device) ? tr("Driver box on USB") : tr("Driver box on the network");
+    const QString holds = device.boards > 0 ? tr("%1, %2", "where a device is; what it has")
+                                                  .arg(where, tr("%n board(s)", nullptr, device.boards))
+                                            : where;
+    words.detail = holds;
+    if (!suit.present) {
+        words.state = tr("not here");
+        words.action = tr("Forget");
+    } else if (isConnected(suit)) {
+        const LiveSuit::Phase phase = studio_.suit().phase();
+        words.chosen = true;
+        words.action = phase == LiveSuit::Phase::kRefused ? tr("Try again") : tr("Disconnect");
+        words.tone = phase == LiveSuit::Phase::kRefused ? Tone::kError : Tone::kOk;
+        words.detail = phase == LiveSuit::Phase::kConnecting ? tr("is being connected")
+                       : phase == LiveSuit::Phase::kRefused  ? tr("does not answer")
+                                                             : holds;
+        words.state = phase == LiveSuit::Phase::kRefused || phase == LiveSuit::Phase::kConnecting
+                          ? QString()
+                          : tr("connected");
+    } else if (device.contact == FoundDevice::Contact::kAsking) {
+        words.state = tr("asking");
+    } else if (device.contact == FoundDevice::Contact::kSilent) {
+        words.state = tr("silent");
+        words.tone = Tone::kWarn;
+        words.detail = tr("%1: no driver box answers", "an address").arg(qt(device.address));
+        words.action = tr("Ask again");
+    } else if (device.contact == FoundDevice::Contact::kNotAsked) {
+        words.detail = tr("A serial port; a driver box may hang there");
+        words.action = tr("Ask");
+    } else if (device.busy) {
+        words.state = tr("busy");
+        words.tone = Tone::kWarn;
+        words.detail = tr("Another studio uses it");
+    } else {
+        words.action = tr("Connect");
+    }
+    return words;
+}
+
+void DevicesPanel::act(const KnownSuit& suit) {
+    const QString address = qt(suit.device.address);
+    if (!suit.present)
+        studio_.finder().forget(qt(suit.device.serial));
+    else if (isConnected(suit) && studio_.suit().phase() == LiveSuit::Phase::kRefused)
+        studio_.suit().connectTo(address);
+    else if (isConnected(suit))
+        studio_.suit().disconnectSuit();
+    else if (suit.device.contact == FoundDevice::Contact::kAnswers)
+        studio_.suit().connectTo(address);
+    else
+        studio_.finder().probe(address);
+}
+
+void DevicesPanel::showVirtualSuit() {
+    VirtualSuit& suit = studio_.virtualSuit();
+    const LiveSuit& live = studio_.suit();
+    const bool connected = suit.state() == VirtualSuit::State::kOn && live.address() == suit.address() &&
+                           live.phase() != LiveSuit::Phase::kNone;
+    DeviceWords words;
+    words.icon = "play";
+    words.name = tr("Virtual suit");
+    words.detail = tr("A simulated performer, no hardware");
+    switch (suit.state()) {
+        case VirtualSuit::State::kOff:
+            words.action = tr("Start");
+            break;
+        case VirtualSuit::State::kPreparing:
+            words.detail = tr("Its motion is being prepared, once");
+            words.action = tr("Stop");
+            break;
+        case VirtualSuit::State::kStarting:
+            words.state = tr("starting");
+            break;
+        case VirtualSuit::State::kOn:
+            words.state = connected ? tr("connected") : QString();
+            words.tone = connected ? Tone::kOk : Tone::kNeutral;
+            words.action = connected ? tr("Stop") : tr("Connect");
+            words.chosen = connected;
+    }
+    virtual_card_->setWords(words);
+    virtual_card_->setVisible(suit.isAvailable());
+}
+
+void DevicesPanel::actOnVirtualSuit() {
+    const VirtualSuit& suit = studio_.virtualSuit();
+    const bool elsewhere =
+        suit.state() == VirtualSuit::State::kOn && studio_.suit().address() != suit.address();
+    if (suit.state() == VirtualSuit::State::kOff || elsewhere)
+        studio_.startVirtualSuit();
+    else
+        studio_.stopVirtualSuit();
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/readiness_words.h"
+
+#include <QCoreApplication>
+
+#include "core/inertial/reading.h"
+#include "ui/models/part_names.h"
+#include "ui/style/words.h"
+
+namespace noctule::ui {
+namespace {
+
+struct ReadinessText {
+    Q_DECLARE_TR_FUNCTIONS(noctule::ui::ReadinessWords)
+};
+
+QString clockText(const QTime& time) {
+    return time.toString(QStringLiteral("HH:mm:ss"));
+}
+
+ProblemWords aboutLink(const ReadinessProblem& problem, const SuitCheck& check) {
+    if (problem.kind == ProblemKind::kNoSound)
+        return {ReadinessText::tr("No sound arrives"),
+                ReadinessText::tr("The driver box is there and sends nothing. Wait a moment; if it stays so, "
+                                  "switch it off and on again."),
+                {},
+                {},
+                {}};
+    return {
+        ReadinessText::tr("The link is broken"),
+        ReadinessText::tr("The driver box has not answered since %1. The studio tries again by itself; check "
+                          "the cable or the network.")
+            .arg(clockText(check.lostSince())),
+        {},
+        {},
+        {}};
+}
+
+QString silentText(const Board& board, int number, const QTime& since) {
+    const QString remedy =
+        ReadinessText::tr("Push its plug in until it clicks; if the light stays dark, change the cable.");
+    const QString what = since.isValid() ? ReadinessText::tr("Board %1, %2, fell silent at %3.")
+                                               .arg(number)
+                                               .arg(boardName(board, NameCase::kInside), clockText(since))
+                                         : ReadinessText::tr("Nothing has come from board %1, %2, so far.")
+                                               .arg(number)
+                                               .arg(boardName(board, NameCase::kInside));
+    return what + ' ' + remedy;
+}
+
+ProblemWords aboutBoard(const ReadinessProblem& problem, const SuitCheck& check) {
+    const Suit& suit = check.suit().suit();
+    const Board& board = suit.boards[static_cast<size_t>(problem.board)];
+    const int number = problem.board + 1;
+    const QString name = boardName(board);
+    ProblemWords words;
+    words.action = ReadinessText::tr("Blink board %1").arg(number);
+    words.action_icon = "blink";
+    words.accept = ReadinessText::tr("Go on without it");
+    switch (problem.kind) {
+        case ProblemKind::kBoardSilent:
+            words.title = ReadinessText::tr("%1 sends nothing").arg(name);
+            words.text = silentText(board, number, check.silentSince(problem.board));
+            break;
+        case ProblemKind::kBoardUnreadable:
+            words.title = ReadinessText::tr("%1 cannot be understood").arg(name);
+            words.text = ReadinessText::tr(
+                             "Board %1 sends something, but hardly a whole frame. Check its plug and "
+                             "its cable; if that does not help, change the board.")
+                             .arg(number);
+            break;
+        case ProblemKind::kBoardLosesFrames:
+            words.title = ReadinessText::tr("%1 loses frames").arg(name);
+            words.text =
+                ReadinessText::tr("Board %1 brings %2 of %3 frames a second. Check its plug and its cable.")
+                    .arg(number)
+                    .arg(numberText(problem.value, 0))
+                    .arg(kInertialFramesPerSecond);
+            words.accept = ReadinessText::tr("Ignore");
+            break;
+        case ProblemKind::kBoardClips:
+            words.title = ReadinessText::tr("%1 reaches its limits").arg(name);
+            words.text = ReadinessText::tr(
+                             "Board %1 was overdriven %2 times in the last second. Fasten it so that "
+                             "it cannot knock against anything.")
+                             .arg(number)
+                             .arg(numberText(problem.value, 0));
+            words.accept = ReadinessText::tr("Ignore");
+            break;
+        default:
+            words.title = ReadinessText::tr("%1 hears no source").arg(name);
+            words.text = ReadinessText::tr(
+                             "Board %1 has heard no pulse for ten seconds. Look whether a strap or a "
+                             "fold covers its microphone.")
+                             .arg(number);
+            words.accept = ReadinessText::tr("Ignore");
+    }
+    return words;
+}
+
+ProblemWords aboutSource(const ReadinessProblem& problem, const SuitCheck& check) {
+    const Suit& suit = check.suit().suit();
+    const Source& source = suit.sources[static_cast<size_t>(problem.source)];
+    const int number = problem.source + 1;
+    const bool silent = problem.kind == ProblemKind::kSourceSilent;
+    ProblemWords words;
+    words.title =
+        (silent ? ReadinessText::tr("Source %1 is not heard") : ReadinessText::tr("Source %1 is faint"))
+            .arg(number);
+    words.text =
+        silent ? ReadinessText::tr("%1: no board hears it. Check its plug; a strap or fold may cover it.",
+                                   "place of a source")
+                     .arg(sourcePlace(source))
+               : ReadinessText::tr(
+                     "%1: only %2 of its %3 pairs are good. A strap or fold probably covers "
+                     "it.",
+                     "place of a source")
+                     .arg(sourcePlace(source), numberText(problem.value, 0))
+                     .arg(suit.boards.size());
+    words.action = ReadinessText::tr("Play source %1").arg(number);
+    words.action_icon = "sound";
+    words.accept = ReadinessText::tr("Ignore");
+    return words;
+}
+
+ProblemWords aboutSupplies(const ReadinessProblem& problem) {
+    switch (problem.kind) {
+        case ProblemKind::kBatteryEmpty:
+            return {
+                ReadinessText::tr("The battery is almost empty"),
+                ReadinessText::tr("%1 are left; the driver box switches off within a minute. Charge it now.")
+                    .arg(percentText(problem.value / 100)),
+                {},
+                {},
+                {}};
+        case ProblemKind::kBatteryLow:
+            return {ReadinessText::tr("The battery is low"),
+                    ReadinessText::tr("%1 are left. Charge it before a long take.")
+                        .arg(percentText(problem.value / 100)),
+                    {},
+                    {},
+                    {}};
+        case ProblemKind::kStorageShort:
+            return {ReadinessText::tr("The disk is almost full"),
+                    ReadinessText::tr(
+                        "There is room for %1 of recording. Free some space, or choose another folder "
+                        "for the session.")
+                        .arg(durationWords(problem.value)),
+                    {},
+                    {},
+                    {}};
+        default:
+            return {ReadinessText::tr("Nobody has said which board sits where"),
+                    ReadinessText::tr(
+                        "The driver box does not know it; the boards are shown in the order of their "
+                        "plugs. Find each by moving, or drag it onto its body part."),
+                    {},
+                    {},
+                    {}};
+    }
+}
+
+QString countWords(const Readiness& readiness) {
+    int to_fix = 0, to_know = 0;
+    for (const ReadinessProblem& problem : readiness.problems)
+        (problem.hinders && !problem.accepted ? to_fix : to_know) += !problem.accepted;
+    QStringList words;
+    if (to_fix > 0)
+        words << ReadinessText::tr("%n thing(s) to fix", nullptr, to_fix);
+    if (to_know > 0)
+        words << ReadinessText::tr("%n to know", "things", to_know);
+    return words.isEmpty() ? QString()
+                           : ReadinessText::tr("%1.", "a sentence").arg(words.join(ReadinessText::tr(", ")));
+}
+
+}  // namespace
+
+ProblemWords wordsOf(const ReadinessProblem& problem, const SuitCheck& check) {
+    if (problem.kind == ProblemKind::kLinkLost || problem.kind == ProblemKind::kNoSound)
+        return aboutLink(problem, check);
+    if (problem.board >= 0)
+        return aboutBoard(problem, check);
+    return problem.source >= 0 ? aboutSource(problem, check) : aboutSupplies(problem);
+}
+
+VerdictWords verdictOf(const SuitCheck& check) {
+    const LiveSuit& suit = check.suit();
+    const Readiness& readiness = check.readiness();
+    if (suit.phase() == LiveSuit::Phase::kNone)
+        return {Tone::kNeutral, ReadinessText::tr("No suit is connected"),
+                ReadinessText::tr("Choose a driver box at the left, or start the virtual suit.")};
+    if (suit.phase() == LiveSuit::Phase::kRefused) {
+        const auto trouble = suit.status()->trouble;
+        return {Tone::kError, ReadinessText::tr("Not connected"),
+                trouble ? QString::fromStdString(trouble->text() + ".") : QString()};
+    }
+    if (readiness.verdict == Readiness::Verdict::kWaiting)
+        return {Tone::kNeutral, ReadinessText::tr("Looking at the suit"),
+                ReadinessText::tr("In a moment it is clear what arrives.")};
+    const QString counts = countWords(readiness);
+    if (readiness.verdict == Readiness::Verdict::kNotReady)
+        return {Tone::kError, ReadinessText::tr("Not ready yet"), counts};
+    const QString all = ReadinessText::tr("%1 of %2 boards and %3 of %4 sources are there.")
+                            .arg(readiness.boards_there)
+                            .arg(readiness.boards.size())
+                            .arg(readiness.sources_heard)
+                            .arg(readiness.source_good_pairs.size());
+    return {counts.isEmpty() ? Tone::kOk : Tone::kWarn, ReadinessText::tr("Ready"),
+            counts.isEmpty() ? all : all + ' ' + counts};
+}
+
+Tone toneOf(BoardReadiness::State state) {
+    switch (state) {
+        case BoardReadiness::State::kFine:
+            return Tone::kOk;
+        case BoardReadiness::State::kPoor:
+            return Tone::kWarn;
+        case BoardReadiness::State::kSilent:
+            return Tone::kError;
+        case BoardReadiness::State::kUnknown:
+            break;
+    }
+    return Tone::kNeutral;
+}
+
+QString boardDetail(const SuitCheck& check, int board) {
+    const auto& boards = check.readiness().boards;
+    const auto index = static_cast<size_t>(board);
+    if (board < 0 || index >= boards.size() || boards[index].state == BoardReadiness::State::kUnknown)
+        return ReadinessText::tr("board %1").arg(board + 1);
+    if (boards[index].state == BoardReadiness::State::kSilent) {
+        const QTime since = check.silentSince(board);
+        return since.isValid() ? ReadinessText::tr("no signal since %1").arg(clockText(since))
+                               : ReadinessText::tr("no signal");
+    }
+    return ReadinessText::tr("%1 of %2 pairs", "that are good")
+        .arg(boards[index].good_pairs)
+        .arg(check.readiness().source_good_pairs.size());
+}
+
+QString linkSentence(const LiveSuit& suit, double bytes_per_s) {
+    const auto status = suit.status();
+    const QString name = status->hello ? QString::fromStdString(status->hello->serial) : suit.address();
+    const QString rate = ReadinessText::tr("%1 MB/s").arg(numberText(bytes_per_s * 1e-6, 1));
+    const int lost = static_cast<int>(suit.link().frames.losses());
+    switch (status->link) {
+        case LinkState::kClosed:
+            return {};
+        case LinkState::kOpening:
+            return ReadinessText::tr("%1 is being connected").arg(name);
+        case LinkState::kLost:
+            return ReadinessText::tr("%1: the link is broken, the studio tries again").arg(name);
+        case LinkState::kRefused:
+            return ReadinessText::tr("%1 does not answer").arg(name);
+        case LinkState::kStalled:
+            return ReadinessText::tr("%1: no sound arrives").arg(name);
+        default:
+            return ReadinessText::tr("%1 streaming, %2, %n block(s) lost", nullptr, lost).arg(name, rate);
+    }
+}
+
+QString durationWords(double seconds) {
+    const auto minutes = static_cast<int>(seconds / 60);
+    if (seconds < 100)
+        return secondsText(seconds, 0);
+    if (minutes < 60)
+        return ReadinessText::tr("%1 min").arg(minutes);
+    if (minutes >= 600)
+        return ReadinessText::tr("%1 h").arg(minutes / 60);
+    return ReadinessText::tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What hinders a suit, in words: what happened, to which thing, what to do. And boards in a few words each.
+#pragma once
+
+#include <QString>
+
+#include "ui/models/suit_check.h"
+#include "ui/style/ink.h"
+
+namespace noctule::ui {
+
+struct ProblemWords {
+    QString title, text;
+    QString action, action_icon;  ///< empty: there is none
+    QString accept;               ///< "Go on without it"; empty: nothing to accept
+};
+ProblemWords wordsOf(const ReadinessProblem& problem, const SuitCheck& check);
+
+struct VerdictWords {
+    Tone tone = Tone::kNeutral;
+    QString verdict, text;
+};
+VerdictWords verdictOf(const SuitCheck& check);
+
+/// Below a board's name on the body: "6 of 8 pairs", "no signal since 10:42:07".
+QString boardDetail(const SuitCheck& check, int board);
+Tone toneOf(BoardReadiness::State state);
+
+/// "NB-000123 streaming, 5.4 MB/s, 0 blocks lost"; empty without a suit.
+QString linkSentence(const LiveSuit& suit, double bytes_per_s);
+/// "3 h 20 min", "45 min", "50 s"
+QString durationWords(double seconds);
+
+}  // namespace noctule::ui
