@@ -2,8 +2,8 @@
 #include "ui/views/levels_panel.h"
 
 #include "ui/models/part_names.h"
-#include "ui/plots/pair_columns.h"
 #include "ui/plots/level_meters.h"
+#include "ui/plots/pair_columns.h"
 #include "ui/plots/pairs_heard.h"
 #include "ui/scene/dressed_body.h"
 #include "ui/style/theme.h"

@@ -5,6 +5,7 @@
 
 #include "core/acoustics/speed_of_sound.h"
 #include "ui/style/words.h"
+#include "ui/views/number_rows.h"
 #include "ui/views/readiness_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -23,7 +24,7 @@ constexpr qint64 kRateEvery_ms = 2000;
 /// The take will end by itself so soon that it should be said.
 constexpr double kLittleTime_s = 40;
 constexpr double kShortStorage_s = 600, kLowBattery_percent = 20;
-constexpr size_t kMostCards = 3;
+constexpr size_t kMostTakeCards = 3;
 const QString kNotKnown = QChar(0x2013);
 
 Tone toneOfPart(qint64 part, qint64 whole) {
@@ -45,7 +46,8 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
       studio_(studio),
       verdict_(new VerdictHeader),
       to_look_at_(new QWidget),
-      more_(new Label({}, TextRole::kSecondary, Ink::kHint)) {
+      more_(new Label({}, TextRole::kSecondary, Ink::kHint)),
+      numbers_(new NumberRows) {
     auto* content = new QWidget;
     auto* column = makeColumn(content, {0, 12, 0, 12}, 12);
     verdict_->setCompact(true);
@@ -55,7 +57,8 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     cards_->addWidget(more_);
     column->addWidget(to_look_at_);
     column->addWidget(new Divider);
-    column->addWidget(makeFacts());
+    addFacts();
+    addRow(column, 0, {12, 0, 12, 0})->addWidget(numbers_);
     column->addWidget(new Divider);
     column->addWidget(makeCalibration());
     column->addStretch();
@@ -66,22 +69,25 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     refresh();
 }
 
-QWidget* RecordReadiness::makeFacts() {
-    auto* rows = new QWidget;
-    auto* column = makeColumn(rows, {12, 0, 12, 0}, 12);
-    const auto add = [&](Fact fact, const char* icon, const QString& name) {
-        facts_[fact] = new FactRow(icon, name);
-        column->addWidget(facts_[fact]);
-    };
-    add(Fact::kBoards, "board", tr("Boards"));
-    add(Fact::kSources, "source", tr("Sources"));
-    add(Fact::kPairs, "pairs", tr("Good pairs"));
-    add(Fact::kLink, "link", tr("Link"));
-    add(Fact::kBattery, "battery", tr("Battery"));
-    add(Fact::kStorage, "disk", tr("Storage"));
-    add(Fact::kAir, "temp", tr("Air"));
-    add(Fact::kView, "eye", tr("Live view"));
-    return rows;
+/// In the order of Fact.
+void RecordReadiness::addFacts() {
+    numbers_->addRow("board", tr("Boards"));
+    numbers_->addRow("source", tr("Sources"));
+    numbers_->addRow("pairs", tr("Good pairs"));
+    numbers_->addRow("link", tr("Link"));
+    numbers_->addRow("battery", tr("Battery"));
+    numbers_->addRow("disk", tr("Storage"));
+    numbers_->addRow("temp", tr("Air"));
+    numbers_->addRow("eye", tr("Live view"));
+}
+
+void RecordReadiness::setFact(Fact fact, const QString& value, const QString& hint, Tone tone, double share) {
+    numbers_->setValue(static_cast<int>(fact), value, tone, share);
+    numbers_->setHint(static_cast<int>(fact), hint);
+}
+
+QString RecordReadiness::value(Fact fact) const {
+    return numbers_->value(static_cast<int>(fact));
 }
 
 QWidget* RecordReadiness::makeCalibration() {
@@ -94,10 +100,6 @@ QWidget* RecordReadiness::makeCalibration() {
     boards_ = rows->addValue(tr("Boards"), {});
     column->addWidget(rows);
     return part;
-}
-
-const FactRow& RecordReadiness::fact(Fact fact) const {
-    return *facts_.at(fact);
 }
 
 void RecordReadiness::setScreenDelay(double seconds) {
@@ -123,24 +125,20 @@ void RecordReadiness::showHealth() {
     const Readiness& readiness = studio_.check().readiness();
     if (readiness.verdict == Readiness::Verdict::kWaiting) {
         for (const Fact fact : {Fact::kBoards, Fact::kSources, Fact::kPairs, Fact::kView})
-            facts_[fact]->setFact({Tone::kNeutral, kNotKnown, {}, {}});
+            setFact(fact, {});
         return;
     }
     const auto boards = std::ssize(readiness.boards), sources = std::ssize(readiness.source_good_pairs);
     const int there = readiness.boards_there, heard = readiness.sources_heard, good = readiness.good_pairs;
-    facts_[Fact::kBoards]->setFact({toneOfPart(there, boards), partText(there, boards), {}, {}});
-    facts_[Fact::kSources]->setFact({toneOfPart(heard, sources), partText(heard, sources), {}, {}});
-    facts_[Fact::kPairs]->setFact({good > 0 ? Tone::kOk : Tone::kWarn, partText(good, boards * sources),
-                                   tr("the body hides the others; a quarter is usual"),
-                                   shareOf(good, boards * sources)});
+    setFact(Fact::kBoards, partText(there, boards), {}, toneOfPart(there, boards));
+    setFact(Fact::kSources, partText(heard, sources), {}, toneOfPart(heard, sources));
+    setFact(Fact::kPairs, partText(good, boards * sources),
+            tr("the body hides the others; a quarter is usual"), good > 0 ? Tone::kOk : Tone::kWarn,
+            shareOf(good, boards * sources));
     const auto frame = studio_.suit().frame();
     const bool moves = frame && frame->poses > 0 && studio_.suit().calibration();
     const double behind_s = frame ? frame->latency_median_s + screen_delay_s_ : 0;
-    facts_[Fact::kView]->setFact(
-        {Tone::kNeutral,
-         moves ? tr("%1\u00A0ms behind").arg(numberText(behind_s * 1e3, 0)) : kNotKnown,
-         {},
-         {}});
+    setFact(Fact::kView, moves ? tr("%1\u00A0ms behind").arg(numberText(behind_s * 1e3, 0)) : QString());
 }
 
 void RecordReadiness::showLink() {
@@ -148,7 +146,7 @@ void RecordReadiness::showLink() {
     const auto status = suit.status();
     const auto frame = suit.frame();
     if (!status->hello)
-        return facts_[Fact::kLink]->setFact({Tone::kNeutral, kNotKnown, {}, {}});
+        return setFact(Fact::kLink, {});
     if (!frame || frame->sample < rate_from_sample_ || !since_rate_.isValid()) {
         rate_from_sample_ = frame ? frame->sample : 0;
         since_rate_.start();
@@ -162,15 +160,14 @@ void RecordReadiness::showLink() {
     const qint64 lost = link.frames.lost_frames;
     const qint64 damaged = link.frames.damaged_payloads + link.frames.bad_headers;
     const bool broken = status->link == LinkState::kLost || status->link == LinkState::kStalled;
-    facts_[Fact::kLink]->setFact({broken               ? Tone::kError
-                                  : lost + damaged > 0 ? Tone::kWarn
-                                                       : Tone::kOk,
-                                  broken ? tr("broken", "a link")
-                                  : megabytes_per_s_ > 0
-                                      ? tr("%1\u00A0MB/s").arg(numberText(megabytes_per_s_, 1))
-                                      : tr("is there", "a link"),
-                                  tr("%1 blocks lost, %2 damaged").arg(lost).arg(damaged),
-                                  {}});
+    setFact(Fact::kLink,
+            broken                 ? tr("broken", "a link")
+            : megabytes_per_s_ > 0 ? tr("%1\u00A0MB/s").arg(numberText(megabytes_per_s_, 1))
+                                   : tr("is there", "a link"),
+            tr("%1 blocks lost, %2 damaged").arg(lost).arg(damaged),
+            broken               ? Tone::kError
+            : lost + damaged > 0 ? Tone::kWarn
+                                 : Tone::kOk);
 }
 
 void RecordReadiness::showSupplies() {
@@ -178,38 +175,34 @@ void RecordReadiness::showSupplies() {
     const auto percent = frame ? frame->health.suit.battery_percent : std::nullopt;
     const auto left_s = studio_.check().batteryLeft_s();
     if (percent)
-        facts_[Fact::kBattery]->setFact(
-            {*percent < kLowBattery_percent ? Tone::kWarn : Tone::kOk, percentText(*percent / 100),
-             left_s ? tr("%1 at this rate").arg(durationWords(*left_s)) : QString(), *percent / 100});
+        setFact(Fact::kBattery, percentText(*percent / 100),
+                left_s ? tr("%1 at this rate").arg(durationWords(*left_s)) : QString(),
+                *percent < kLowBattery_percent ? Tone::kWarn : Tone::kNeutral, *percent / 100);
     else
-        facts_[Fact::kBattery]->setFact({Tone::kNeutral, tr("not measured"), {}, {}});
+        setFact(Fact::kBattery, {});
     const auto recording = studio_.suit().recording();
     const auto storage_s =
         recording && recording->remaining_s ? recording->remaining_s : studio_.check().storageLeft_s();
     if (!storage_s)
-        return facts_[Fact::kStorage]->setFact({Tone::kNeutral, kNotKnown, {}, {}});
-    facts_[Fact::kStorage]->setFact(
-        {*storage_s < kLittleTime_s     ? Tone::kError
-         : *storage_s < kShortStorage_s ? Tone::kWarn
-                                        : Tone::kOk,
-         tr("%1 left").arg(durationWords(std::max(0.0, *storage_s))),
-         recording ? tr("%1 in this take").arg(bytesText(recording->sound_bytes)) : QString(),
-         {}});
+        return setFact(Fact::kStorage, {});
+    setFact(Fact::kStorage, tr("%1 left").arg(durationWords(std::max(0.0, *storage_s))),
+            recording ? tr("%1 in this take").arg(bytesText(recording->sound_bytes)) : QString(),
+            *storage_s < kLittleTime_s     ? Tone::kError
+            : *storage_s < kShortStorage_s ? Tone::kWarn
+                                           : Tone::kOk);
 }
 
 void RecordReadiness::showAir() {
     const auto frame = studio_.suit().frame();
     const SuitStatus told = frame ? frame->health.suit : SuitStatus{};
     if (!told.temperature_c)
-        return facts_[Fact::kAir]->setFact({Tone::kNeutral, tr("not measured"), {}, {}});
+        return setFact(Fact::kAir, {});
     const double humidity = told.humidity_percent.value_or(SpeedOfSound::kAssumedHumidity_percent);
     const double c_m_per_s = speedOfSoundCramer(*told.temperature_c, humidity);
     const QString air = QStringLiteral("%1\u00A0\u00B0C").arg(numberText(*told.temperature_c, 1));
-    facts_[Fact::kAir]->setFact(
-        {Tone::kNeutral,
-         told.humidity_percent ? QStringLiteral("%1, %2").arg(air, percentText(humidity / 100)) : air,
-         tr("speed of sound %1\u00A0m/s").arg(numberText(c_m_per_s, 1)),
-         {}});
+    setFact(Fact::kAir,
+            told.humidity_percent ? QStringLiteral("%1, %2").arg(air, percentText(humidity / 100)) : air,
+            tr("speed of sound %1\u00A0m/s").arg(numberText(c_m_per_s, 1)));
 }
 
 void RecordReadiness::showCalibration() {
@@ -307,12 +300,15 @@ void RecordReadiness::showVerdict(const std::vector<Problem>& problems) {
 
 /// Cards stay while their titles do; what they say may go on changing.
 void RecordReadiness::showCards(const std::vector<Problem>& problems) {
-    const size_t count = std::min(problems.size(), kMostCards);
+    const size_t count = std::min(problems.size(), kMostTakeCards);
     bool same = count == shown_.size();
     for (size_t i = 0; same && i < count; ++i)
         same = shown_[i]->title() == problems[i].title;
     if (!same) {
-        qDeleteAll(shown_);
+        for (ProblemCard* card : shown_) {
+            card->hide();
+            card->deleteLater();
+        }
         shown_.clear();
         for (size_t i = 0; i < count; ++i)
             shown_.push_back(makeCard(problems[i]));
@@ -330,8 +326,9 @@ ProblemCard* RecordReadiness::makeCard(const Problem& problem) {
         connect(card->addAction(tr("Show on body")), &QPushButton::clicked, this,
                 [this, board = problem.board] { studio_.selection().setPair(-1, board); });
     if (problem.judged && !problem.accept.isEmpty())
-        connect(card->addAction(problem.accept), &QPushButton::clicked, this,
-                [this, judged = *problem.judged] { studio_.check().goOnWithout(judged); });
+        connect(
+            card->addAction(problem.accept), &QPushButton::clicked, this,
+            [this, judged = *problem.judged] { studio_.check().goOnWithout(judged); }, Qt::QueuedConnection);
     cards_->insertWidget(cards_->indexOf(more_), card);
     return card;
 }

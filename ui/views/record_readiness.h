@@ -5,16 +5,17 @@
 #include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
-#include <map>
+#include <optional>
+#include <vector>
 
 #include "ui/models/studio.h"
-#include "ui/widgets/fact_row.h"
 
 class QVBoxLayout;
 
 namespace noctule::ui {
 
 class Label;
+class NumberRows;
 class ProblemCard;
 class VerdictHeader;
 
@@ -24,7 +25,8 @@ public:
     explicit RecordReadiness(Studio& studio, QWidget* parent = nullptr);
 
     enum class Fact { kBoards, kSources, kPairs, kLink, kBattery, kStorage, kAir, kView };
-    const FactRow& fact(Fact fact) const;
+    /// As shown; empty: not known.
+    QString value(Fact fact) const;
     /// From a live frame to the screen, in the median.
     void setScreenDelay(double seconds);
     QString verdict() const { return verdict_text_; }
@@ -43,7 +45,9 @@ private:
         std::optional<ReadinessProblem> judged;  ///< that can be accepted
         QString accept;
     };
-    QWidget* makeFacts();
+    void addFacts();
+    void setFact(Fact fact, const QString& value, const QString& hint = {}, Tone tone = Tone::kNeutral,
+                 double share = -1);
     QWidget* makeCalibration();
     void refresh();
     void showHealth();
@@ -63,7 +67,7 @@ private:
     QWidget* to_look_at_;
     QVBoxLayout* cards_;
     Label* more_;
-    std::map<Fact, FactRow*> facts_;
+    NumberRows* numbers_;  ///< a row per Fact
     Label *made_, *offsets_, *boards_;
     std::vector<ProblemCard*> shown_;
     QElapsedTimer since_rate_;
