@@ -950,6 +950,66 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::AssignPanel</name>
+    <message>
+        <source>Find by moving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Worn by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assign boards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Body part of the board that was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Performer 1</source>
+        <translation type="unfinished">Darsteller 1</translation>
+    </message>
+    <message>
+        <source>Performers belong to a session. The first take makes one by date.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, suit “%2”</source>
+        <comment>height, name</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop finding</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect a suit first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a board onto a body part, or press Find and move the limb.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move one limb, the end of it most, and keep all others still.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board %1 moves. Which body part is it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swap boards %1 and %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::AttachDialog</name>
     <message>
         <source>Attach %1</source>
@@ -1037,6 +1097,73 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::BoardCard</name>
+    <message>
+        <source>Turning rate of the last five seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration of the last five seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Chosen board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pulses heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>confidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turning rate, 5 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration, 5 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No board is chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a board on the body or in the pairs to see what arrives from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board %1, %2</source>
+        <comment>number, body part</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its serial number is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serial %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blink board %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 frames a second, %n bit error(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::BodyMap</name>
     <message>
         <source>Boards and sources on the body</source>
@@ -1060,10 +1187,6 @@
     <message>
         <source>Nothing to calibrate</source>
         <translation>Nichts zu kalibrieren</translation>
-    </message>
-    <message>
-        <source>Calibration needs a suit, and the studio does not connect to one yet.</source>
-        <translation>Kalibrieren braucht einen Anzug, und das Studio verbindet sich noch mit keinem.</translation>
     </message>
     <message>
         <source>Four wizards that recognise by themselves when a step is done, and that end with a verdict in numbers and words.</source>
@@ -1125,6 +1248,10 @@
         <source>Stand still for 3 seconds; each time the suit is put on</source>
         <translation>3 Sekunden still stehen; bei jedem Anlegen des Anzugs</translation>
     </message>
+    <message>
+        <source>Calibration’s wizards are not part of this version.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ComingPage</name>
@@ -1159,30 +1286,6 @@
         <translation>Verbinden</translation>
     </message>
     <message>
-        <source>No suit is connected</source>
-        <translation>Kein Anzug verbunden</translation>
-    </message>
-    <message>
-        <source>The studio does not connect to driver boxes yet; noctule --batch devices and record do.</source>
-        <translation>Das Studio verbindet sich noch nicht mit Steuerboxen; noctule --batch devices und record tun es.</translation>
-    </message>
-    <message>
-        <source>Driver boxes found on USB and in the network, and the virtual suit as one of them.</source>
-        <translation>Steuerboxen, die an USB und im Netz gefunden wurden, und der virtuelle Anzug als eine davon.</translation>
-    </message>
-    <message>
-        <source>Every board and source on the drawing with its state: what arrives, what is faint, what fell silent, and what to do about it.</source>
-        <translation>Jede Platine und Quelle auf der Zeichnung mit ihrem Zustand: was ankommt, was schwach ist, was verstummt ist und was dagegen hilft.</translation>
-    </message>
-    <message>
-        <source>Whether a pair of boards is swapped, and how many source-board pairs are good.</source>
-        <translation>Ob zwei Platinen vertauscht sind und wie viele Paare aus Quelle und Platine gut sind.</translation>
-    </message>
-    <message>
-        <source>Takes from elsewhere can be reviewed, processed and exported, and the virtual suit makes one now.</source>
-        <translation>Aufnahmen von anderswo lassen sich prüfen, verarbeiten und exportieren, und der virtuelle Anzug macht sofort eine.</translation>
-    </message>
-    <message>
         <source>Performer and suit</source>
         <translation>Darsteller und Anzug</translation>
     </message>
@@ -1191,12 +1294,171 @@
         <translation>Anzug anlegen</translation>
     </message>
     <message>
-        <source>Choose a board or a source to see where it sits.</source>
-        <translation>Eine Platine oder Quelle wählen, um zu sehen, wo sie sitzt.</translation>
-    </message>
-    <message>
         <source>board %1</source>
         <translation>Platine %1</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Readiness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for devices again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blink the chosen board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on without the chosen board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n board(s) hear it well</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a board first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board %1 works; there is nothing to go on without.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::DevicesPanel</name>
+    <message>
+        <source>No driver box is found. Switch one on, or connect it by USB.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other address or port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address or port of a driver box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the network tcp://ADDRESS:PORT, at a serial port serial:///dev/ttyACM0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Driver box on USB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Driver box on the network</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>where a device is; what it has</comment>
+        <translation type="unfinished">%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n board(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is being connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>asking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no driver box answers</source>
+        <comment>an address</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A serial port; a driver box may hang there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>busy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another studio uses it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation type="unfinished">Verbinden</translation>
+    </message>
+    <message>
+        <source>Virtual suit</source>
+        <translation type="unfinished">Virtueller Anzug</translation>
+    </message>
+    <message>
+        <source>A simulated performer, no hardware</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished">Start</translation>
+    </message>
+    <message>
+        <source>Its motion is being prepared, once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1892,6 +2154,143 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::LevelMeters</name>
+    <message>
+        <source>Levels of the boards</source>
+        <translation>Pegel der Platinen</translation>
+    </message>
+    <message>
+        <source>%1: silent</source>
+        <translation>%1: stumm</translation>
+    </message>
+    <message>
+        <source>%1: sound %2, peak %3</source>
+        <translation>%1: Ton %2, Spitze %3</translation>
+    </message>
+    <message>
+        <source>%1, motion %2</source>
+        <comment>sound of a board, its motion</comment>
+        <translation>%1, Bewegung %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n board(s)</source>
+        <translation>
+            <numerusform>%n Platine</numerusform>
+            <numerusform>%n Platinen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::LevelsPanel</name>
+    <message>
+        <source>Levels</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>sound with peak hold, motion as the thin bar</source>
+        <translation>Ton mit gehaltener Spitze, Bewegung als schmaler Balken</translation>
+    </message>
+    <message>
+        <source>Pairs heard</source>
+        <translation>Gehörte Paare</translation>
+    </message>
+    <message>
+        <source>last 10&#xa0;s, one row per source</source>
+        <translation>letzte 10 s, eine Zeile je Quelle</translation>
+    </message>
+    <message>
+        <source>%1 of %2 good now</source>
+        <translation>%1 von %2 jetzt gut</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::LivePairs</name>
+    <message>
+        <source>Pairs</source>
+        <translation type="unfinished">Paare</translation>
+    </message>
+    <message>
+        <source>confidence now, source by board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>number and place of a source</comment>
+        <translation type="unfinished">%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 good</source>
+        <comment>pairs</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the board sends nothing</source>
+        <comment>a pair</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: not heard</source>
+        <comment>a pair</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: confidence %2, distance %3</source>
+        <comment>a pair</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a cell to read it here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::LiveSuit</name>
+    <message>
+        <source>Disconnecting %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting the recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No suit is connected. Connect one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The driver box has not answered yet. Wait a moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A take is being recorded already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The take before is being saved. Wait a moment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The driver box does not answer. Connect it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link to the driver box is broken. Recording can begin when it is back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no session to record into, and none could be made. Make one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation type="unfinished">%1 wird gesichert</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::MadeWithPanel</name>
     <message>
         <source>Recorded</source>
@@ -2066,6 +2465,31 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>New to Noctule?</source>
         <translation>Neu bei Noctule?</translation>
     </message>
+    <message>
+        <source>The take is being recorded</source>
+        <translation>Die Aufnahme läuft</translation>
+    </message>
+    <message>
+        <source>It runs for %1. Stopped now, it is complete up to here.</source>
+        <translation>Sie läuft seit %1. Jetzt beendet ist sie bis hierher vollständig.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Beenden und schließen</translation>
+    </message>
+    <message>
+        <source>%1/%2 boards</source>
+        <comment>there, of all</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::MapLegend</name>
@@ -2080,6 +2504,25 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Legend</source>
         <translation>Legende</translation>
+    </message>
+    <message>
+        <source>board, sound and motion arrive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>board, nothing arrives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source, sends a pulse every 64 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MarkList</name>
+    <message>
+        <source>Markers in this take</source>
+        <translation>Marken in dieser Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -2244,16 +2687,47 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Noch nicht</translation>
     </message>
     <message>
-        <source>The link to a driver box, calibration wizards and recording. Connect, Calibrate and Record say what they will do and what to do meanwhile.</source>
-        <translation>Die Verbindung zu einer Steuerbox, Assistenten zum Kalibrieren und das Aufnehmen. Verbinden, Kalibrieren und Aufnehmen sagen, was sie tun werden und was inzwischen geht.</translation>
-    </message>
-    <message>
         <source>Export to FBX and glTF, video, and reading of optical markers.</source>
         <translation>Export nach FBX und glTF, Video und das Lesen optischer Marker.</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Driver boxes are found on USB and in the network; Connect says whether the suit is ready and what to do about it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration wizards. Calibrate says what they will do and what to do meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::NoSuit</name>
+    <message>
+        <source>Connect a suit</source>
+        <translation>Anzug verbinden</translation>
+    </message>
+    <message>
+        <source>Put on the virtual suit</source>
+        <translation>Virtuellen Anzug anlegen</translation>
+    </message>
+    <message>
+        <source>The virtual suit is being put on. The first time its take is made, which takes a while.</source>
+        <translation>Der virtuelle Anzug wird angelegt. Beim ersten Mal entsteht seine Aufnahme, das dauert eine Weile.</translation>
+    </message>
+    <message>
+        <source>No suit is connected. The live body, the levels of the boards and the record button appear here as soon as one is.</source>
+        <translation>Kein Anzug ist verbunden. Der Körper, die Pegel der Platinen und der Aufnahmeknopf erscheinen hier, sobald einer verbunden ist.</translation>
+    </message>
+    <message>
+        <source>It is being put on.</source>
+        <translation>Er wird gerade angelegt.</translation>
+    </message>
+    <message>
+        <source>noctule-virtual-suit is not beside this program.</source>
+        <translation>noctule-virtual-suit liegt nicht neben diesem Programm.</translation>
     </message>
 </context>
 <context>
@@ -2287,6 +2761,30 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Confidence per pair</source>
         <translation>Konfidenz je Paar</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::PairsHeard</name>
+    <message>
+        <source>Pairs heard over the last ten seconds</source>
+        <translation>Gehörte Paare der letzten zehn Sekunden</translation>
+    </message>
+    <message>
+        <source>%1: heard with confidence %2 now</source>
+        <translation>%1: jetzt mit Konfidenz %2 gehört</translation>
+    </message>
+    <message>
+        <source>%1: not heard now</source>
+        <translation>%1: jetzt nicht gehört</translation>
+    </message>
+    <message>
+        <source>S%1</source>
+        <comment>number of a source</comment>
+        <translation>Q%1</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
     </message>
 </context>
 <context>
@@ -2748,6 +3246,22 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::PulseBars</name>
+    <message>
+        <source>Pulses heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source %1: not heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source %1: %2</source>
+        <comment>number, confidence</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::PutOnDialog</name>
     <message>
         <source>Put the suit on</source>
@@ -2834,6 +3348,333 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::ReadinessPanel</name>
+    <message>
+        <source>Boards</source>
+        <translation type="unfinished">Platinen</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Good pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Storage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the virtual suit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Performer and suit</source>
+        <translation type="unfinished">Darsteller und Anzug</translation>
+    </message>
+    <message>
+        <source>Put the suit on</source>
+        <translation type="unfinished">Anzug anlegen</translation>
+    </message>
+    <message>
+        <source>Show the worst only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>problems</comment>
+        <translation type="unfinished">
+            <numerusform>%n weitere</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished">%1 von %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n faint</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>charge, time left</comment>
+        <translation type="unfinished">%1, %2</translation>
+    </message>
+    <message>
+        <source>Continue without board %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Continue without %n boards</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Continue anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReadinessWords</name>
+    <message>
+        <source>No sound arrives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The driver box is there and sends nothing. Wait a moment; if it stays so, switch it off and on again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link is broken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The driver box has not answered since %1. The studio tries again by itself; check the cable or the network.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks; if the light stays dark, change the cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board %1, %2, fell silent at %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing has come from board %1, %2, so far.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blink board %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 sends nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be understood</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board %1 sends something, but hardly a whole frame. Check its plug and its cable; if that does not help, change the board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 loses frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board %1 brings %2 of %3 frames a second. Check its plug and its cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 reaches its limits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board %1 was overdriven %2 times in the last second. Fasten it so that it cannot knock against anything.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 hears no source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Board %1 has heard no pulse for ten seconds. Look whether a strap or a fold covers its microphone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source %1 is not heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source %1 is faint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no board hears it. Check its plug; a strap or fold may cover it.</source>
+        <comment>place of a source</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: only %2 of its %3 pairs are good. A strap or fold probably covers it.</source>
+        <comment>place of a source</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play source %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The battery is almost empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 are left; the driver box switches off within a minute. Charge it now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The battery is low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 are left. Charge it before a long take.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The disk is almost full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is room for %1 of recording. Free some space, or choose another folder for the session.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody has said which board sits where</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The driver box does not know it; the boards are shown in the order of their plugs. Find each by moving, or drag it onto its body part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n thing(s) to fix</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to know</source>
+        <comment>things</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <comment>a sentence</comment>
+        <translation type="unfinished">%1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished">, </translation>
+    </message>
+    <message>
+        <source>No suit is connected</source>
+        <translation type="unfinished">Kein Anzug verbunden</translation>
+    </message>
+    <message>
+        <source>Choose a driver box at the left, or start the virtual suit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at the suit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a moment it is clear what arrives.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not ready yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 boards and %3 of %4 sources are there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>board %1</source>
+        <translation type="unfinished">Platine %1</translation>
+    </message>
+    <message>
+        <source>no signal since %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no signal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs</source>
+        <comment>that are good</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 MB/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is being connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the link is broken, the studio tries again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: no sound arrives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 streaming, %2, %n block(s) lost</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::RecentSessionModel</name>
     <message>
         <source>No takes yet</source>
@@ -2892,43 +3733,378 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::RecordActions</name>
+    <message>
+        <source>Record or stop</source>
+        <translation>Aufnehmen oder beenden</translation>
+    </message>
+    <message>
+        <source>End the countdown</source>
+        <translation>Countdown abbrechen</translation>
+    </message>
+    <message>
+        <source>Marker now</source>
+        <translation>Marke jetzt</translation>
+    </message>
+    <message>
+        <source>Note now</source>
+        <translation>Notiz jetzt</translation>
+    </message>
+    <message>
+        <source>Take name</source>
+        <translation>Name der Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordBar</name>
+    <message>
+        <source>No countdown</source>
+        <translation>Kein Countdown</translation>
+    </message>
+    <message>
+        <source>Countdown %1&#xa0;s</source>
+        <translation>Countdown %1 s</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <comment>the countdown</comment>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Speichert</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take name</source>
+        <translation>Name der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Take name (T). Numbers count by themselves, and nothing is overwritten.</source>
+        <translation>Name der Aufnahme (T). Nummern zählen von selbst, und nichts wird überschrieben.</translation>
+    </message>
+    <message>
+        <source>The system&apos;s bell with each second of the countdown, at start and at stop</source>
+        <translation>Der Systemton bei jeder Sekunde des Countdowns, am Anfang und am Ende</translation>
+    </message>
+    <message>
+        <source>While it runs</source>
+        <translation>Während sie läuft</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Open in Review after stop</source>
+        <translation>Danach in Prüfen öffnen</translation>
+    </message>
+    <message>
+        <source>Note at this moment; Enter keeps it</source>
+        <translation>Notiz zu diesem Moment; Enter behält sie</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n second(s)</source>
+        <translation>
+            <numerusform>%n Sekunde</numerusform>
+            <numerusform>%n Sekunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>next: %1</source>
+        <translation>dann: %1</translation>
+    </message>
+    <message>
+        <source>Tones on</source>
+        <translation>Töne an</translation>
+    </message>
+    <message>
+        <source>Tones off</source>
+        <translation>Töne aus</translation>
+    </message>
+    <message>
+        <source>Markers and notes belong to a take that is being recorded.</source>
+        <translation>Marken und Notizen gehören zu einer laufenden Aufnahme.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordButton</name>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Countdown: press to end it</source>
+        <translation>Countdown: drücken bricht ihn ab</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>The take is being saved</source>
+        <translation>Die Aufnahme wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Record: press to hear what is in the way</source>
+        <translation>Aufnehmen: drücken zeigt, was im Weg steht</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordCenter</name>
+    <message>
+        <source>shot %1 of %2, %3</source>
+        <translation>Szene %1 von %2, %3</translation>
+    </message>
+    <message>
+        <source>Record anyway</source>
+        <translation>Trotzdem aufnehmen</translation>
+    </message>
+    <message>
+        <source>Open Connect</source>
+        <translation>Verbinden öffnen</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::RecordPage</name>
     <message>
         <source>Record</source>
         <translation>Aufnehmen</translation>
     </message>
     <message>
-        <source>Nothing to record from</source>
-        <translation>Nichts zum Aufnehmen</translation>
+        <source>No session</source>
+        <translation>Keine Sitzung</translation>
     </message>
     <message>
-        <source>The studio does not record from a suit yet; noctule --batch record does.</source>
-        <translation>Das Studio nimmt noch nicht vom Anzug auf; noctule --batch record tut es.</translation>
+        <source>Readiness</source>
+        <translation>Bereitschaft</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordReadiness</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>The body live in three dimensions, with every ray between source and board.</source>
-        <translation>Der Körper live in drei Dimensionen, mit jedem Strahl zwischen Quelle und Platine.</translation>
+        <source>To look at</source>
+        <translation>Anzusehen</translation>
     </message>
     <message>
-        <source>A clock and how much of the take is on disk, a countdown, markers and notes while it runs.</source>
-        <translation>Eine Uhr und wie viel der Aufnahme auf der Platte ist, ein Countdown, Marken und Notizen während des Laufs.</translation>
+        <source>Boards</source>
+        <translation>Platinen</translation>
     </message>
     <message>
-        <source>Levels of each board, and a word when something slips or falls silent.</source>
-        <translation>Pegel jeder Platine und ein Wort, wenn etwas verrutscht oder verstummt.</translation>
+        <source>Sources</source>
+        <translation>Quellen</translation>
     </message>
     <message>
-        <source>Import takes that were recorded elsewhere, or let the virtual suit make one.</source>
-        <translation>Anderswo gemachte Aufnahmen importieren oder den virtuellen Anzug eine machen lassen.</translation>
+        <source>Good pairs</source>
+        <translation>Gute Paare</translation>
     </message>
     <message>
-        <source>0:00.0</source>
-        <comment>the clock of a take before it begins</comment>
-        <translation>0:00,0</translation>
+        <source>Link</source>
+        <translation>Verbindung</translation>
     </message>
     <message>
-        <source>A take starts here once a suit is connected.</source>
-        <translation>Hier beginnt eine Aufnahme, sobald ein Anzug verbunden ist.</translation>
+        <source>Battery</source>
+        <translation>Akku</translation>
+    </message>
+    <message>
+        <source>Storage</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>Live view</source>
+        <translation>Live-Ansicht</translation>
+    </message>
+    <message>
+        <source>Calibration in use</source>
+        <translation>Verwendete Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Erstellt</translation>
+    </message>
+    <message>
+        <source>Source offsets</source>
+        <translation>Quellenversätze</translation>
+    </message>
+    <message>
+        <source>the body hides the others; a quarter is usual</source>
+        <translation>die anderen verdeckt der Körper; ein Viertel ist üblich</translation>
+    </message>
+    <message>
+        <source>%1&#xa0;ms behind</source>
+        <translation>%1 ms dahinter</translation>
+    </message>
+    <message>
+        <source>broken</source>
+        <comment>a link</comment>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>%1&#xa0;MB/s</source>
+        <translation>%1 MB/s</translation>
+    </message>
+    <message>
+        <source>is there</source>
+        <comment>a link</comment>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>%1 blocks lost, %2 damaged</source>
+        <translation>%1 Blöcke verloren, %2 beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 at this rate</source>
+        <translation>noch %1 bei diesem Verbrauch</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>%1 in this take</source>
+        <translation>%1 in dieser Aufnahme</translation>
+    </message>
+    <message>
+        <source>speed of sound %1&#xa0;m/s</source>
+        <translation>Schallgeschwindigkeit %1 m/s</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>at an unknown time</source>
+        <translation>zu unbekannter Zeit</translation>
+    </message>
+    <message>
+        <source>The disk has %1 left</source>
+        <translation>Die Platte reicht noch für %1</translation>
+    </message>
+    <message>
+        <source>Recording stops by itself then, and the take is complete. Free some space, or choose another folder.</source>
+        <translation>Dann endet die Aufnahme von selbst und ist vollständig. Platz schaffen oder einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>%1 are missing in this take</source>
+        <translation>%1 fehlen in dieser Aufnahme</translation>
+    </message>
+    <message numerus="yes">
+        <source>They are marked as %n gap(s), and time does not shift.</source>
+        <translation>
+            <numerusform>Sie sind als eine Lücke markiert, und die Zeit verschiebt sich nicht.</numerusform>
+            <numerusform>Sie sind als %n Lücken markiert, und die Zeit verschiebt sich nicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The take is safe up to here and goes on when the box is back; the gap will be marked.</source>
+        <translation>Die Aufnahme ist bis hierher sicher und geht weiter, wenn die Steuerbox zurück ist; die Lücke wird markiert.</translation>
+    </message>
+    <message>
+        <source>Recording well</source>
+        <translation>Nimmt gut auf</translation>
+    </message>
+    <message>
+        <source>Recording, but look</source>
+        <translation>Nimmt auf, aber ansehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>things to look at</comment>
+        <translation>
+            <numerusform>eine weitere</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show on body</source>
+        <translation>Am Körper zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordRun</name>
+    <message>
+        <source>take</source>
+        <comment>first part of the names of takes</comment>
+        <translation>aufnahme</translation>
+    </message>
+    <message>
+        <source>The driver box has not answered yet</source>
+        <translation>Die Steuerbox hat noch nicht geantwortet</translation>
+    </message>
+    <message>
+        <source>It usually takes a second or two.</source>
+        <translation>Das dauert meist ein, zwei Sekunden.</translation>
+    </message>
+    <message>
+        <source>The link to the driver box is broken</source>
+        <translation>Die Verbindung zur Steuerbox ist unterbrochen</translation>
+    </message>
+    <message>
+        <source>Recording can begin as soon as it is back; the studio tries by itself.</source>
+        <translation>Sobald sie zurück ist, kann die Aufnahme beginnen; das Studio versucht es von selbst.</translation>
+    </message>
+    <message>
+        <source>Recording did not begin</source>
+        <translation>Die Aufnahme hat nicht begonnen</translation>
+    </message>
+    <message>
+        <source>%1 ended by itself</source>
+        <comment>name of a take</comment>
+        <translation>%1 endete von selbst</translation>
+    </message>
+    <message>
+        <source>Marker %1</source>
+        <translation>Marke %1</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordSidebar</name>
+    <message>
+        <source>%1, %2</source>
+        <comment>take, state</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>being saved</source>
+        <comment>a take</comment>
+        <translation>wird gespeichert</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <comment>a take</comment>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>%1 kept, %2</source>
+        <comment>number of takes, their time</comment>
+        <translation>%1 behalten, %2</translation>
     </message>
 </context>
 <context>
@@ -3903,6 +5079,25 @@ keine Lücken</translation>
         <source>The motion has no pose at this time.</source>
         <translation>Die Bewegung hat zu dieser Zeit keine Haltung.</translation>
     </message>
+    <message>
+        <source>Live body, %1 of %2 pairs good</source>
+        <translation>Körper live, %1 von %2 Paaren gut</translation>
+    </message>
+    <message>
+        <source>The live body needs a calibration. Boards and pairs are watched, and a take can be recorded and processed later.</source>
+        <translation>Der Körper braucht eine Kalibrierung. Platinen und Paare werden beobachtet, und eine Aufnahme kann gemacht und später verarbeitet werden.</translation>
+    </message>
+    <message>
+        <source>The live body appears here with the suit&apos;s first pose.</source>
+        <translation>Der Körper erscheint hier mit der ersten Haltung des Anzugs.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SearchField</name>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::SessionList</name>
@@ -4023,6 +5218,10 @@ keine Lücken</translation>
     <message>
         <source>Rename %1 to %2</source>
         <translation>%1 in %2 umbenennen</translation>
+    </message>
+    <message>
+        <source>Change the shot list</source>
+        <translation>Aufnahmeliste ändern</translation>
     </message>
 </context>
 <context>
@@ -4167,6 +5366,83 @@ keine Lücken</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::ShotList</name>
+    <message>
+        <source>Shot list</source>
+        <translation>Aufnahmeliste</translation>
+    </message>
+    <message>
+        <source>What is to be recorded, one shot a line; takes are counted for each.</source>
+        <translation>Was aufgenommen werden soll, eine Szene je Zeile; für jede werden die Aufnahmen gezählt.</translation>
+    </message>
+    <message>
+        <source>Paste a list</source>
+        <translation>Liste einfügen</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3 takes</source>
+        <comment>a shot</comment>
+        <translation>%1, %2 von %3 Aufnahmen</translation>
+    </message>
+    <message>
+        <source>A shot list belongs to a session. Make or open one first.</source>
+        <translation>Eine Aufnahmeliste gehört zu einer Sitzung. Zuerst eine anlegen oder öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 takes done</source>
+        <translation>%1 von %2 Aufnahmen gemacht</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ShotListDialog</name>
+    <message>
+        <source>Paste a shot list</source>
+        <translation>Aufnahmeliste einfügen</translation>
+    </message>
+    <message>
+        <source>Edit the shot list</source>
+        <translation>Aufnahmeliste bearbeiten</translation>
+    </message>
+    <message>
+        <source>One shot a line, in the order in which they are recorded. With &quot;x3&quot; at its end three takes of it are wanted; its first word names them.</source>
+        <translation>Eine Szene je Zeile, in der Reihenfolge der Aufnahme. Mit „x3“ am Ende werden drei Aufnahmen gebraucht; ihr erstes Wort gibt ihnen den Namen.</translation>
+    </message>
+    <message>
+        <source>Use this list</source>
+        <translation>Diese Liste verwenden</translation>
+    </message>
+    <message>
+        <source>Walk, straight line x2
+Reach, high and low
+Turn, both ways x3</source>
+        <translation>Gehen, geradeaus x2
+Greifen, hoch und tief
+Drehen, beide Richtungen x3</translation>
+    </message>
+    <message>
+        <source>Shot list</source>
+        <translation>Aufnahmeliste</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shot(s)</source>
+        <translation>
+            <numerusform>%n Szene</numerusform>
+            <numerusform>%n Szenen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n take(s)</source>
+        <translation>
+            <numerusform>%n Aufnahme</numerusform>
+            <numerusform>%n Aufnahmen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::SideDocks</name>
     <message>
         <source>Left panel</source>
@@ -4229,14 +5505,6 @@ keine Lücken</translation>
     <message>
         <source>Suits found</source>
         <translation>Gefundene Anzüge</translation>
-    </message>
-    <message>
-        <source>This version does not look for driver boxes yet. Until it does, the virtual suit and takes from elsewhere stand in for a suit.</source>
-        <translation>Diese Version sucht noch nicht nach Steuerboxen. Bis dahin stehen der virtuelle Anzug und Aufnahmen von anderswo für einen Anzug.</translation>
-    </message>
-    <message>
-        <source>What Connect will show</source>
-        <translation>Was Verbinden zeigen wird</translation>
     </message>
     <message>
         <source>First time here</source>
@@ -4329,6 +5597,23 @@ keine Lücken</translation>
         <source>Rebuild session</source>
         <translation>Sitzung wiederherstellen</translation>
     </message>
+    <message>
+        <source>Connect a suit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No driver box is found. Switch one on, or connect it by USB; the virtual suit on Connect stands in for one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <comment>names of suits</comment>
+        <translation type="unfinished">%1</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::StatusLine</name>
@@ -4414,6 +5699,10 @@ keine Lücken</translation>
         <comment>version</comment>
         <translation>Noctule %1. Arbeitet offline, ohne Konto</translation>
     </message>
+    <message>
+        <source>%1 °C</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::StepBar</name>
@@ -4483,6 +5772,13 @@ keine Lücken</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::SuitCheck</name>
+    <message>
+        <source>Room for takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::SuitPartsModel</name>
     <message>
         <source>own place</source>
@@ -4504,6 +5800,13 @@ keine Lücken</translation>
     <message>
         <source>Moved</source>
         <translation>Bewegt</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TakeClock</name>
+    <message>
+        <source>On disk up to %1</source>
+        <translation>Auf der Platte bis %1</translation>
     </message>
 </context>
 <context>
@@ -4756,6 +6059,22 @@ keine Lücken</translation>
         <source>Preferences</source>
         <translation>Einstellungen</translation>
     </message>
+    <message>
+        <source>The connected suit. Opens Connect.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording, %1</source>
+        <translation>Aufnahme läuft, %1</translation>
+    </message>
+    <message>
+        <source>A take is being recorded. Opens Record; Ctrl+R stops it.</source>
+        <translation>Eine Aufnahme läuft. Öffnet Aufnehmen; Strg+R beendet sie.</translation>
+    </message>
+    <message>
+        <source>Boards that are there. Opens Connect.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::Tour</name>
@@ -4894,6 +6213,38 @@ keine Lücken</translation>
         <source>%1 %2</source>
         <comment>value and what it is</comment>
         <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::VirtualSuit</name>
+    <message>
+        <source>The virtual suit’s program is not part of this installation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Install Noctule again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing the virtual suit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The virtual suit’s program %1 could not be started</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The virtual suit broke down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start it again; takes of it are safe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The virtual suit ended by itself: %1</source>
+        <comment>its last words</comment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5057,13 +6408,6 @@ keine Lücken</translation>
         <source>d MMMM yyyy</source>
         <comment>day, month and year</comment>
         <translation>d. MMMM yyyy</translation>
-    </message>
-</context>
-<context>
-    <name>noctule::ui::SearchField</name>
-    <message>
-        <source>Clear</source>
-        <translation>Leeren</translation>
     </message>
 </context>
 </TS>

@@ -21,6 +21,36 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::BoardCard</name>
+    <message numerus="yes">
+        <source>%1 of %2 frames a second, %n bit error(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ConnectPage</name>
+    <message numerus="yes">
+        <source>%n board(s) hear it well</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::DevicesPanel</name>
+    <message numerus="yes">
+        <source>%n board(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ExportPage</name>
     <message numerus="yes">
         <source>Write %n files</source>
@@ -93,6 +123,16 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::LevelMeters</name>
+    <message numerus="yes">
+        <source>%n board(s)</source>
+        <translation>
+            <numerusform>%n board</numerusform>
+            <numerusform>%n boards</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::MainWindow</name>
     <message numerus="yes">
         <source>%n job(s) are still running</source>
@@ -120,6 +160,56 @@
         <translation>
             <numerusform>%n of 5 stars</numerusform>
             <numerusform>%n of 5 stars</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReadinessPanel</name>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>problems</comment>
+        <translation type="unfinished">
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n faint</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Continue without %n boards</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ReadinessWords</name>
+    <message numerus="yes">
+        <source>%n thing(s) to fix</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n to know</source>
+        <comment>things</comment>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 streaming, %2, %n block(s) lost</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -155,6 +245,34 @@
         <translation>
             <numerusform>%n not processed</numerusform>
             <numerusform>%n not processed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordBar</name>
+    <message numerus="yes">
+        <source>%n second(s)</source>
+        <translation>
+            <numerusform>%n second</numerusform>
+            <numerusform>%n seconds</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordReadiness</name>
+    <message numerus="yes">
+        <source>They are marked as %n gap(s), and time does not shift.</source>
+        <translation>
+            <numerusform>They are marked as one gap, and time does not shift.</numerusform>
+            <numerusform>They are marked as %n gaps, and time does not shift.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>things to look at</comment>
+        <translation>
+            <numerusform>one more</numerusform>
+            <numerusform>%n more</numerusform>
         </translation>
     </message>
 </context>
@@ -216,6 +334,23 @@
         <translation>
             <numerusform>One recording was not ended</numerusform>
             <numerusform>%n recordings were not ended</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ShotListDialog</name>
+    <message numerus="yes">
+        <source>%n shot(s)</source>
+        <translation>
+            <numerusform>%n shot</numerusform>
+            <numerusform>%n shots</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n take(s)</source>
+        <translation>
+            <numerusform>%n take</numerusform>
+            <numerusform>%n takes</numerusform>
         </translation>
     </message>
 </context>

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ui/models/studio.h"
+#include "ui/style/ink.h"
 
 class QVBoxLayout;
 

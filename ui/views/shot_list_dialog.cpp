@@ -16,7 +16,9 @@ ShotListDialog::ShotListDialog(const QString& text, bool pasted, QWidget* parent
                      "takes of it are wanted; its first word names them."),
                   tr("Use this list"), parent),
       editor(new QPlainTextEdit),
-      counted_(new Label({}, TextRole::kSecondary, Ink::kHint)) {
+      counted_(new Label) {
+    counted_->setRole(TextRole::kSecondary);
+    counted_->setInk(Ink::kHint);
     editor->setPlainText(text);
     editor->setPlaceholderText(tr("Walk, straight line x2\nReach, high and low\nTurn, both ways x3"));
     editor->setAccessibleName(tr("Shot list"));
