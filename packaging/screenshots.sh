@@ -9,12 +9,15 @@ cd "$(dirname "$0")/.."
 out=$PWD/out/screenshots
 packaging/dependencies.sh
 cmake --preset release >/dev/null
-cmake --build --preset release --parallel "$(nproc)" --target test_ui_main_window
+cmake --build --preset release --parallel "$(nproc)" --target test_ui_main_window noctule
 rm -rf "$out"
 mkdir -p "$out"
 runtime=$(mktemp -d)
 trap 'rm -rf "$runtime"' EXIT
-NOCTULE_SCREENSHOTS=$out NOCTULE_SCREENSHOT_TAKE=${1:+$(realpath "$1")} XDG_RUNTIME_DIR=$runtime LC_ALL=C.UTF-8 \
+build/release/bin/noctule --batch --quiet simulate --motion resources/motions/sample.bvh --duration 20 \
+    --out "$runtime/suit.noctule"
+NOCTULE_SCREENSHOTS=$out NOCTULE_SCREENSHOT_SUIT=$runtime/suit.noctule \
+    NOCTULE_SCREENSHOT_TAKE=${1:+$(realpath "$1")} XDG_RUNTIME_DIR=$runtime LC_ALL=C.UTF-8 \
     xvfb-run -a -s "-screen 0 1920x1080x24 +extension GLX" \
-    build/release/bin/test_ui_main_window --gtest_filter='Screenshots.*'
+    build/release/bin/test_ui_main_window --gtest_filter='Screenshots.*:ConnectPictures.*'
 ls "$out"

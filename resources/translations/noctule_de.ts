@@ -953,60 +953,60 @@
     <name>noctule::ui::AssignPanel</name>
     <message>
         <source>Find by moving</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch Bewegen finden</translation>
     </message>
     <message>
         <source>Assign</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuordnen</translation>
     </message>
     <message>
         <source>Worn by</source>
-        <translation type="unfinished"></translation>
+        <translation>Getragen von</translation>
     </message>
     <message>
         <source>Assign boards</source>
-        <translation type="unfinished"></translation>
+        <translation>Platinen zuordnen</translation>
     </message>
     <message>
         <source>Body part of the board that was found</source>
-        <translation type="unfinished"></translation>
+        <translation>Körperteil der gefundenen Platine</translation>
     </message>
     <message>
         <source>Performer 1</source>
-        <translation type="unfinished">Darsteller 1</translation>
+        <translation>Darsteller 1</translation>
     </message>
     <message>
         <source>Performers belong to a session. The first take makes one by date.</source>
-        <translation type="unfinished"></translation>
+        <translation>Darsteller gehören zu einer Sitzung. Die erste Aufnahme legt eine nach dem Datum an.</translation>
     </message>
     <message>
         <source>%1, suit “%2”</source>
         <comment>height, name</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1, Anzug „%2“</translation>
     </message>
     <message>
         <source>Stop finding</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche beenden</translation>
     </message>
     <message>
         <source>Connect a suit first</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst einen Anzug verbinden</translation>
     </message>
     <message>
         <source>Drag a board onto a body part, or press Find and move the limb.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Platine auf einen Körperteil ziehen, oder Finden drücken und das Glied bewegen.</translation>
     </message>
     <message>
         <source>Move one limb, the end of it most, and keep all others still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Glied bewegen, sein Ende am meisten, und alle anderen ruhig halten.</translation>
     </message>
     <message>
         <source>Board %1 moves. Which body part is it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Platine %1 bewegt sich. Welcher Körperteil ist es?</translation>
     </message>
     <message>
         <source>Swap boards %1 and %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Platinen %1 und %2 tauschen</translation>
     </message>
 </context>
 <context>
@@ -1100,66 +1100,66 @@
     <name>noctule::ui::BoardCard</name>
     <message>
         <source>Turning rate of the last five seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehrate der letzten fünf Sekunden</translation>
     </message>
     <message>
         <source>Acceleration of the last five seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigung der letzten fünf Sekunden</translation>
     </message>
     <message>
         <source>Blink</source>
-        <translation type="unfinished"></translation>
+        <translation>Blinken</translation>
     </message>
     <message>
         <source>Chosen board</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählte Platine</translation>
     </message>
     <message>
         <source>Pulses heard</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehörte Pulse</translation>
     </message>
     <message>
         <source>confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>Konfidenz</translation>
     </message>
     <message>
         <source>Turning rate, 5 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehrate, 5 s</translation>
     </message>
     <message>
         <source>Acceleration, 5 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschleunigung, 5 s</translation>
     </message>
     <message>
         <source>No board is chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Platine ist gewählt</translation>
     </message>
     <message>
         <source>Choose a board on the body or in the pairs to see what arrives from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Platine am Körper oder in den Paaren wählen, um zu sehen, was von ihr ankommt.</translation>
     </message>
     <message>
         <source>Board %1, %2</source>
         <comment>number, body part</comment>
-        <translation type="unfinished"></translation>
+        <translation>Platine %1, %2</translation>
     </message>
     <message>
         <source>Its serial number is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Seriennummer ist nicht bekannt</translation>
     </message>
     <message>
         <source>Serial %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Seriennummer %1</translation>
     </message>
     <message>
         <source>Blink board %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Platine %1 blinken lassen</translation>
     </message>
     <message numerus="yes">
         <source>%1 of %2 frames a second, %n bit error(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 von %2 Rahmen je Sekunde, %n Bitfehler</numerusform>
+            <numerusform>%1 von %2 Rahmen je Sekunde, %n Bitfehler</numerusform>
         </translation>
     </message>
 </context>
@@ -1250,7 +1250,7 @@
     </message>
     <message>
         <source>Calibration’s wizards are not part of this version.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Assistenten der Kalibrierung sind nicht Teil dieser Version.</translation>
     </message>
 </context>
 <context>
@@ -1299,166 +1299,166 @@
     </message>
     <message>
         <source>Devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräte</translation>
     </message>
     <message>
         <source>Readiness</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereitschaft</translation>
     </message>
     <message>
         <source>Look for devices again</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut nach Geräten suchen</translation>
     </message>
     <message>
         <source>Blink the chosen board</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählte Platine blinken lassen</translation>
     </message>
     <message>
         <source>Go on without the chosen board</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne die gewählte Platine weitermachen</translation>
     </message>
     <message numerus="yes">
         <source>%n board(s) hear it well</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Platine hört sie gut</numerusform>
+            <numerusform>%n Platinen hören sie gut</numerusform>
         </translation>
     </message>
     <message>
         <source>Choose a board first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst eine Platine wählen.</translation>
     </message>
     <message>
         <source>Board %1 works; there is nothing to go on without.</source>
-        <translation type="unfinished"></translation>
+        <translation>Platine %1 arbeitet; es gibt nichts, worauf zu verzichten wäre.</translation>
     </message>
 </context>
 <context>
     <name>noctule::ui::DevicesPanel</name>
     <message>
         <source>No driver box is found. Switch one on, or connect it by USB.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Steuerbox ist gefunden. Eine einschalten oder über USB anschließen.</translation>
     </message>
     <message>
         <source>Other address or port</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Adresse oder Schnittstelle</translation>
     </message>
     <message>
         <source>Address or port of a driver box</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse oder Schnittstelle einer Steuerbox</translation>
     </message>
     <message>
         <source>Ask</source>
-        <translation type="unfinished"></translation>
+        <translation>Anfragen</translation>
     </message>
     <message>
         <source>In the network tcp://ADDRESS:PORT, at a serial port serial:///dev/ttyACM0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Netz tcp://ADRESSE:PORT, an einer seriellen Schnittstelle serial:///dev/ttyACM0.</translation>
     </message>
     <message>
         <source>Driver box on USB</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerbox an USB</translation>
     </message>
     <message>
         <source>Driver box on the network</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerbox im Netz</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <comment>where a device is; what it has</comment>
-        <translation type="unfinished">%1, %2</translation>
+        <translation>%1, %2</translation>
     </message>
     <message numerus="yes">
         <source>%n board(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Platine</numerusform>
+            <numerusform>%n Platinen</numerusform>
         </translation>
     </message>
     <message>
         <source>not here</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht da</translation>
     </message>
     <message>
         <source>Forget</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergessen</translation>
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut versuchen</translation>
     </message>
     <message>
         <source>Disconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>Trennen</translation>
     </message>
     <message>
         <source>is being connected</source>
-        <translation type="unfinished"></translation>
+        <translation>wird verbunden</translation>
     </message>
     <message>
         <source>does not answer</source>
-        <translation type="unfinished"></translation>
+        <translation>antwortet nicht</translation>
     </message>
     <message>
         <source>connected</source>
-        <translation type="unfinished"></translation>
+        <translation>verbunden</translation>
     </message>
     <message>
         <source>asking</source>
-        <translation type="unfinished"></translation>
+        <translation>wird gefragt</translation>
     </message>
     <message>
         <source>silent</source>
-        <translation type="unfinished"></translation>
+        <translation>stumm</translation>
     </message>
     <message>
         <source>%1: no driver box answers</source>
         <comment>an address</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: keine Steuerbox antwortet</translation>
     </message>
     <message>
         <source>Ask again</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut anfragen</translation>
     </message>
     <message>
         <source>A serial port; a driver box may hang there</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine serielle Schnittstelle; eine Steuerbox kann daran hängen</translation>
     </message>
     <message>
         <source>busy</source>
-        <translation type="unfinished"></translation>
+        <translation>belegt</translation>
     </message>
     <message>
         <source>Another studio uses it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderes Studio benutzt sie</translation>
     </message>
     <message>
         <source>Connect</source>
-        <translation type="unfinished">Verbinden</translation>
+        <translation>Verbinden</translation>
     </message>
     <message>
         <source>Virtual suit</source>
-        <translation type="unfinished">Virtueller Anzug</translation>
+        <translation>Virtueller Anzug</translation>
     </message>
     <message>
         <source>A simulated performer, no hardware</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein simulierter Darsteller, ohne Geräte</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished">Start</translation>
+        <translation>Starten</translation>
     </message>
     <message>
         <source>Its motion is being prepared, once</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Bewegung wird vorbereitet, einmal</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>starting</source>
-        <translation type="unfinished"></translation>
+        <translation>startet</translation>
     </message>
 </context>
 <context>
@@ -2207,87 +2207,87 @@
     <name>noctule::ui::LivePairs</name>
     <message>
         <source>Pairs</source>
-        <translation type="unfinished">Paare</translation>
+        <translation>Paare</translation>
     </message>
     <message>
         <source>confidence now, source by board</source>
-        <translation type="unfinished"></translation>
+        <translation>Konfidenz jetzt, Quelle zu Platine</translation>
     </message>
     <message>
         <source>%1 %2</source>
         <comment>number and place of a source</comment>
-        <translation type="unfinished">%1 %2</translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>%1 good</source>
         <comment>pairs</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 gut</translation>
     </message>
     <message>
         <source>%1: the board sends nothing</source>
         <comment>a pair</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Platine sendet nichts</translation>
     </message>
     <message>
         <source>%1: not heard</source>
         <comment>a pair</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: nicht gehört</translation>
     </message>
     <message>
         <source>%1: confidence %2, distance %3</source>
         <comment>a pair</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: Konfidenz %2, Abstand %3</translation>
     </message>
     <message>
         <source>Choose a cell to read it here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zelle wählen, um sie hier zu lesen.</translation>
     </message>
 </context>
 <context>
     <name>noctule::ui::LiveSuit</name>
     <message>
         <source>Disconnecting %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird getrennt</translation>
     </message>
     <message>
         <source>Starting the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahme beginnt</translation>
     </message>
     <message>
         <source>Looking at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird angesehen</translation>
     </message>
     <message>
         <source>No suit is connected. Connect one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Anzug ist verbunden. Zuerst einen verbinden.</translation>
     </message>
     <message>
         <source>The driver box has not answered yet. Wait a moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerbox hat noch nicht geantwortet. Einen Moment warten.</translation>
     </message>
     <message>
         <source>A take is being recorded already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wird schon aufgenommen.</translation>
     </message>
     <message>
         <source>The take before is being saved. Wait a moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahme davor wird gesichert. Einen Moment warten.</translation>
     </message>
     <message>
         <source>The driver box does not answer. Connect it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerbox antwortet nicht. Sie erneut verbinden.</translation>
     </message>
     <message>
         <source>The link to the driver box is broken. Recording can begin when it is back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verbindung zur Steuerbox ist unterbrochen. Die Aufnahme kann beginnen, wenn sie wieder da ist.</translation>
     </message>
     <message>
         <source>There is no session to record into, and none could be made. Make one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Sitzung für die Aufnahme, und keine konnte angelegt werden. Zuerst eine anlegen.</translation>
     </message>
     <message>
         <source>Saving %1</source>
-        <translation type="unfinished">%1 wird gesichert</translation>
+        <translation>%1 wird gesichert</translation>
     </message>
 </context>
 <context>
@@ -2466,6 +2466,15 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Neu bei Noctule?</translation>
     </message>
     <message>
+        <source>%1/%2 boards</source>
+        <comment>there, of all</comment>
+        <translation>%1/%2 Platinen</translation>
+    </message>
+    <message>
+        <source>Looking</source>
+        <translation>Schaut nach</translation>
+    </message>
+    <message>
         <source>The take is being recorded</source>
         <translation>Die Aufnahme läuft</translation>
     </message>
@@ -2480,15 +2489,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Stop and close</source>
         <translation>Beenden und schließen</translation>
-    </message>
-    <message>
-        <source>%1/%2 boards</source>
-        <comment>there, of all</comment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Looking</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2507,15 +2507,15 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>board, sound and motion arrive</source>
-        <translation type="unfinished"></translation>
+        <translation>Platine, Schall und Bewegung kommen an</translation>
     </message>
     <message>
         <source>board, nothing arrives</source>
-        <translation type="unfinished"></translation>
+        <translation>Platine, nichts kommt an</translation>
     </message>
     <message>
         <source>source, sends a pulse every 64 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle, sendet alle 64 ms einen Puls</translation>
     </message>
 </context>
 <context>
@@ -2696,11 +2696,11 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Driver boxes are found on USB and in the network; Connect says whether the suit is ready and what to do about it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerboxen werden an USB und im Netz gefunden; Verbinden sagt, ob der Anzug bereit ist und was zu tun ist.</translation>
     </message>
     <message>
         <source>Calibration wizards. Calibrate says what they will do and what to do meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Assistenten der Kalibrierung. Kalibrieren sagt, was sie tun werden und was bis dahin zu tun ist.</translation>
     </message>
 </context>
 <context>
@@ -3249,16 +3249,16 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <name>noctule::ui::PulseBars</name>
     <message>
         <source>Pulses heard</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehörte Pulse</translation>
     </message>
     <message>
         <source>source %1: not heard</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle %1: nicht gehört</translation>
     </message>
     <message>
         <source>source %1: %2</source>
         <comment>number, confidence</comment>
-        <translation type="unfinished"></translation>
+        <translation>Quelle %1: %2</translation>
     </message>
 </context>
 <context>
@@ -3351,327 +3351,318 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <name>noctule::ui::ReadinessPanel</name>
     <message>
         <source>Boards</source>
-        <translation type="unfinished">Platinen</translation>
+        <translation>Platinen</translation>
     </message>
     <message>
         <source>Sources</source>
-        <translation type="unfinished"></translation>
+        <translation>Quellen</translation>
     </message>
     <message>
         <source>Good pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Gute Paare</translation>
     </message>
     <message>
         <source>Battery</source>
-        <translation type="unfinished"></translation>
+        <translation>Batterie</translation>
     </message>
     <message>
         <source>Storage</source>
-        <translation type="unfinished"></translation>
+        <translation>Speicher</translation>
     </message>
     <message>
         <source>Continue</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Start the virtual suit</source>
-        <translation type="unfinished"></translation>
+        <translation>Virtuellen Anzug starten</translation>
     </message>
     <message>
         <source>Performer and suit</source>
-        <translation type="unfinished">Darsteller und Anzug</translation>
+        <translation>Darsteller und Anzug</translation>
     </message>
     <message>
         <source>Put the suit on</source>
-        <translation type="unfinished">Anzug anlegen</translation>
+        <translation>Anzug anlegen</translation>
     </message>
     <message>
         <source>Show the worst only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur das Schlimmste zeigen</translation>
     </message>
     <message numerus="yes">
         <source>%n more</source>
         <comment>problems</comment>
-        <translation type="unfinished">
-            <numerusform>%n weitere</numerusform>
+        <translation>
+            <numerusform>%n weiteres</numerusform>
             <numerusform>%n weitere</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished">%1 von %2</translation>
+        <translation>%1 von %2</translation>
     </message>
     <message numerus="yes">
         <source>%1, %n faint</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, %n schwach</numerusform>
+            <numerusform>%1, %n schwach</numerusform>
         </translation>
     </message>
     <message>
         <source>%1, %2</source>
         <comment>charge, time left</comment>
-        <translation type="unfinished">%1, %2</translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Continue without board %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter ohne Platine %1</translation>
     </message>
     <message numerus="yes">
         <source>Continue without %n boards</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Weiter ohne %n Platine</numerusform>
+            <numerusform>Weiter ohne %n Platinen</numerusform>
         </translation>
     </message>
     <message>
         <source>Continue anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Trotzdem weiter</translation>
     </message>
 </context>
 <context>
     <name>noctule::ui::ReadinessWords</name>
     <message>
         <source>No sound arrives</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Schall kommt an</translation>
     </message>
     <message>
         <source>The driver box is there and sends nothing. Wait a moment; if it stays so, switch it off and on again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerbox ist da und sendet nichts. Einen Moment warten; bleibt es so, sie aus- und wieder einschalten.</translation>
     </message>
     <message>
         <source>The link is broken</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verbindung ist unterbrochen</translation>
     </message>
     <message>
         <source>The driver box has not answered since %1. The studio tries again by itself; check the cable or the network.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerbox antwortet seit %1 nicht. Das Studio versucht es von selbst wieder; Kabel oder Netz prüfen.</translation>
     </message>
     <message>
         <source>Push its plug in until it clicks; if the light stays dark, change the cable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Stecker eindrücken, bis er klickt; bleibt das Licht dunkel, das Kabel wechseln.</translation>
     </message>
     <message>
         <source>Board %1, %2, fell silent at %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Platine %1, %2, ist um %3 verstummt.</translation>
     </message>
     <message>
         <source>Nothing has come from board %1, %2, so far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Platine %1, %2, ist bisher nichts gekommen.</translation>
     </message>
     <message>
         <source>Blink board %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Platine %1 blinken lassen</translation>
     </message>
     <message>
         <source>Go on without it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne sie weitermachen</translation>
     </message>
     <message>
         <source>%1 sends nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sendet nichts</translation>
     </message>
     <message>
         <source>%1 cannot be understood</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht zu verstehen</translation>
     </message>
     <message>
         <source>Board %1 sends something, but hardly a whole frame. Check its plug and its cable; if that does not help, change the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Platine %1 sendet etwas, aber kaum einen ganzen Rahmen. Stecker und Kabel prüfen; hilft das nicht, die Platine wechseln.</translation>
     </message>
     <message>
         <source>%1 loses frames</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 verliert Rahmen</translation>
     </message>
     <message>
         <source>Board %1 brings %2 of %3 frames a second. Check its plug and its cable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Platine %1 bringt %2 von %3 Rahmen je Sekunde. Stecker und Kabel prüfen.</translation>
     </message>
     <message>
         <source>Ignore</source>
-        <translation type="unfinished"></translation>
+        <translation>Übergehen</translation>
     </message>
     <message>
         <source>%1 reaches its limits</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 stößt an ihre Grenzen</translation>
     </message>
     <message>
         <source>Board %1 was overdriven %2 times in the last second. Fasten it so that it cannot knock against anything.</source>
-        <translation type="unfinished"></translation>
+        <translation>Platine %1 war in der letzten Sekunde %2-mal übersteuert. Sie so befestigen, dass sie nirgends anstößt.</translation>
     </message>
     <message>
         <source>%1 hears no source</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hört keine Quelle</translation>
     </message>
     <message>
         <source>Board %1 has heard no pulse for ten seconds. Look whether a strap or a fold covers its microphone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Platine %1 hat seit zehn Sekunden keinen Puls gehört. Nachsehen, ob ein Band oder eine Falte ihr Mikrofon bedeckt.</translation>
     </message>
     <message>
         <source>Source %1 is not heard</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle %1 wird nicht gehört</translation>
     </message>
     <message>
         <source>Source %1 is faint</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle %1 ist schwach</translation>
     </message>
     <message>
         <source>%1: no board hears it. Check its plug; a strap or fold may cover it.</source>
         <comment>place of a source</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: keine Platine hört sie. Den Stecker prüfen; ein Band oder eine Falte kann sie bedecken.</translation>
     </message>
     <message>
         <source>%1: only %2 of its %3 pairs are good. A strap or fold probably covers it.</source>
         <comment>place of a source</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1: nur %2 ihrer %3 Paare sind gut. Wahrscheinlich bedeckt sie ein Band oder eine Falte.</translation>
     </message>
     <message>
         <source>Play source %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle %1 tönen lassen</translation>
     </message>
     <message>
         <source>The battery is almost empty</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Batterie ist fast leer</translation>
     </message>
     <message>
         <source>%1 are left; the driver box switches off within a minute. Charge it now.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sind übrig; die Steuerbox schaltet sich in einer Minute ab. Sie jetzt laden.</translation>
     </message>
     <message>
         <source>The battery is low</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Batterie ist schwach</translation>
     </message>
     <message>
         <source>%1 are left. Charge it before a long take.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sind übrig. Sie vor einer langen Aufnahme laden.</translation>
     </message>
     <message>
         <source>The disk is almost full</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Datenträger ist fast voll</translation>
     </message>
     <message>
         <source>There is room for %1 of recording. Free some space, or choose another folder for the session.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist Platz für %1 Aufnahme. Platz schaffen oder einen anderen Ordner für die Sitzung wählen.</translation>
     </message>
     <message>
         <source>Nobody has said which board sits where</source>
-        <translation type="unfinished"></translation>
+        <translation>Niemand hat gesagt, welche Platine wo sitzt</translation>
     </message>
     <message>
         <source>The driver box does not know it; the boards are shown in the order of their plugs. Find each by moving, or drag it onto its body part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerbox weiß es nicht; die Platinen stehen in der Reihenfolge ihrer Stecker. Jede durch Bewegen finden oder auf ihren Körperteil ziehen.</translation>
     </message>
     <message numerus="yes">
         <source>%n thing(s) to fix</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Sache zu beheben</numerusform>
+            <numerusform>%n Sachen zu beheben</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n to know</source>
         <comment>things</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n zu wissen</numerusform>
+            <numerusform>%n zu wissen</numerusform>
         </translation>
     </message>
     <message>
-        <source>%1.</source>
-        <comment>a sentence</comment>
-        <translation type="unfinished">%1.</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <translation type="unfinished">, </translation>
-    </message>
-    <message>
         <source>No suit is connected</source>
-        <translation type="unfinished">Kein Anzug verbunden</translation>
+        <translation>Kein Anzug ist verbunden</translation>
     </message>
     <message>
         <source>Choose a driver box at the left, or start the virtual suit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Links eine Steuerbox wählen oder den virtuellen Anzug starten.</translation>
     </message>
     <message>
         <source>Not connected</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht verbunden</translation>
     </message>
     <message>
         <source>Looking at the suit</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Anzug wird angesehen</translation>
     </message>
     <message>
         <source>In a moment it is clear what arrives.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gleich ist klar, was ankommt.</translation>
     </message>
     <message>
         <source>Not ready yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht bereit</translation>
     </message>
     <message>
         <source>%1 of %2 boards and %3 of %4 sources are there.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Platinen und %3 von %4 Quellen sind da.</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereit</translation>
     </message>
     <message>
         <source>board %1</source>
-        <translation type="unfinished">Platine %1</translation>
+        <translation>Platine %1</translation>
     </message>
     <message>
         <source>no signal since %1</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Signal seit %1</translation>
     </message>
     <message>
         <source>no signal</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Signal</translation>
     </message>
     <message>
         <source>%1 of %2 pairs</source>
         <comment>that are good</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Paaren</translation>
     </message>
     <message>
         <source>%1 MB/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 MB/s</translation>
     </message>
     <message>
         <source>%1 is being connected</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird verbunden</translation>
     </message>
     <message>
         <source>%1: the link is broken, the studio tries again</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Verbindung ist unterbrochen, das Studio versucht es wieder</translation>
     </message>
     <message>
         <source>%1 does not answer</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 antwortet nicht</translation>
     </message>
     <message>
         <source>%1: no sound arrives</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: kein Schall kommt an</translation>
     </message>
     <message numerus="yes">
         <source>%1 streaming, %2, %n block(s) lost</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 sendet, %2, %n Block verloren</numerusform>
+            <numerusform>%1 sendet, %2, %n Blöcke verloren</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 min</translation>
     </message>
     <message>
         <source>%1 h</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 h</translation>
     </message>
     <message>
         <source>%1 h %2 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 h %2 min</translation>
     </message>
 </context>
 <context>
@@ -5599,20 +5590,15 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Connect a suit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Anzug verbinden</translation>
     </message>
     <message>
         <source>%1 is connected.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist verbunden.</translation>
     </message>
     <message>
         <source>No driver box is found. Switch one on, or connect it by USB; the virtual suit on Connect stands in for one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1</source>
-        <comment>names of suits</comment>
-        <translation type="unfinished">%1</translation>
+        <translation>Keine Steuerbox ist gefunden. Eine einschalten oder über USB anschließen; der virtuelle Anzug auf Verbinden vertritt sie.</translation>
     </message>
 </context>
 <context>
@@ -5701,7 +5687,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>%1 °C</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 °C</translation>
     </message>
 </context>
 <context>
@@ -5775,7 +5761,7 @@ Drehen, beide Richtungen x3</translation>
     <name>noctule::ui::SuitCheck</name>
     <message>
         <source>Room for takes</source>
-        <translation type="unfinished"></translation>
+        <translation>Platz für Aufnahmen</translation>
     </message>
 </context>
 <context>
@@ -6061,7 +6047,11 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>The connected suit. Opens Connect.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der verbundene Anzug. Öffnet Verbinden.</translation>
+    </message>
+    <message>
+        <source>Boards that are there. Opens Connect.</source>
+        <translation>Platinen, die da sind. Öffnet Verbinden.</translation>
     </message>
     <message>
         <source>Recording, %1</source>
@@ -6070,10 +6060,6 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>A take is being recorded. Opens Record; Ctrl+R stops it.</source>
         <translation>Eine Aufnahme läuft. Öffnet Aufnehmen; Strg+R beendet sie.</translation>
-    </message>
-    <message>
-        <source>Boards that are there. Opens Connect.</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6219,32 +6205,32 @@ Drehen, beide Richtungen x3</translation>
     <name>noctule::ui::VirtualSuit</name>
     <message>
         <source>The virtual suit’s program is not part of this installation</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm des virtuellen Anzugs ist nicht Teil dieser Installation</translation>
     </message>
     <message>
         <source>Install Noctule again</source>
-        <translation type="unfinished"></translation>
+        <translation>Noctule erneut installieren</translation>
     </message>
     <message>
         <source>Preparing the virtual suit</source>
-        <translation type="unfinished"></translation>
+        <translation>Der virtuelle Anzug wird vorbereitet</translation>
     </message>
     <message>
         <source>The virtual suit’s program %1 could not be started</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm %1 des virtuellen Anzugs konnte nicht gestartet werden</translation>
     </message>
     <message>
         <source>The virtual suit broke down</source>
-        <translation type="unfinished"></translation>
+        <translation>Der virtuelle Anzug ist abgestürzt</translation>
     </message>
     <message>
         <source>Start it again; takes of it are safe</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihn neu starten; seine Aufnahmen sind sicher</translation>
     </message>
     <message>
         <source>The virtual suit ended by itself: %1</source>
         <comment>its last words</comment>
-        <translation type="unfinished"></translation>
+        <translation>Der virtuelle Anzug hat sich beendet: %1</translation>
     </message>
 </context>
 <context>

@@ -24,9 +24,9 @@
     <name>noctule::ui::BoardCard</name>
     <message numerus="yes">
         <source>%1 of %2 frames a second, %n bit error(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 of %2 frames a second, %n bit error</numerusform>
+            <numerusform>%1 of %2 frames a second, %n bit errors</numerusform>
         </translation>
     </message>
 </context>
@@ -34,9 +34,9 @@
     <name>noctule::ui::ConnectPage</name>
     <message numerus="yes">
         <source>%n board(s) hear it well</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n board hears it well</numerusform>
+            <numerusform>%n boards hear it well</numerusform>
         </translation>
     </message>
 </context>
@@ -44,9 +44,9 @@
     <name>noctule::ui::DevicesPanel</name>
     <message numerus="yes">
         <source>%n board(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n board</numerusform>
+            <numerusform>%n boards</numerusform>
         </translation>
     </message>
 </context>
@@ -168,23 +168,23 @@
     <message numerus="yes">
         <source>%n more</source>
         <comment>problems</comment>
-        <translation type="unfinished">
+        <translation>
             <numerusform>%n more</numerusform>
             <numerusform>%n more</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1, %n faint</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1, %n faint</numerusform>
+            <numerusform>%1, %n faint</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Continue without %n boards</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Continue without %n board</numerusform>
+            <numerusform>Continue without %n boards</numerusform>
         </translation>
     </message>
 </context>
@@ -192,24 +192,24 @@
     <name>noctule::ui::ReadinessWords</name>
     <message numerus="yes">
         <source>%n thing(s) to fix</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n thing to fix</numerusform>
+            <numerusform>%n things to fix</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n to know</source>
         <comment>things</comment>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n to know</numerusform>
+            <numerusform>%n to know</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 streaming, %2, %n block(s) lost</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 streaming, %2, %n block lost</numerusform>
+            <numerusform>%1 streaming, %2, %n blocks lost</numerusform>
         </translation>
     </message>
 </context>

@@ -185,12 +185,13 @@ void VirtualSuit::ended() {
     const bool crashed = program_->exitStatus() == QProcess::CrashExit;
     const bool began = program_->error() != QProcess::FailedToStart;
     const QString last_words = QString::fromUtf8(complaints_).trimmed().section('\n', -1);
+    const bool silently = last_words.isEmpty();
     program_.release()->deleteLater();
     setState(State::kOff);
     if (!began)
         emit failed(tr("The virtual suit’s program %1 could not be started").arg(parts_.program),
                     tr("Install Noctule again"));
-    else if (crashed)
+    else if (crashed || silently)
         emit failed(tr("The virtual suit broke down"), tr("Start it again; takes of it are safe"));
     else
         emit failed(tr("The virtual suit ended by itself: %1", "its last words").arg(last_words),

@@ -53,6 +53,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    static constexpr int kTop = 36, kBottom = 12;  ///< pixels above and below the drawing
+
     struct Place {
         MapMarker* marker;
         QPointF at_m;

@@ -7,6 +7,7 @@
 
 #include "core/suit/default_suit.h"
 #include "ui/models/part_names.h"
+#include "ui/style/theme.h"
 #include "ui/views/assign_panel.h"
 #include "ui/views/board_card.h"
 #include "ui/views/body_map.h"

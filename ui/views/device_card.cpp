@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/device_card.h"
 
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "ui/style/theme.h"
@@ -45,13 +46,13 @@ DeviceCard::DeviceCard(QWidget* parent)
       detail_((new Label({}, TextRole::kSecondary, Ink::kLabel))->wrapped()),
       button_(makeButton(ButtonKind::kText, {})) {
     auto* column = makeColumn(this, {12, 8, 12, 10}, 2);
-    auto* head = addRow(column, 6);
-    head->addWidget(icon_);
-    head->addWidget(name_, 1);
-    head->addWidget(state_icon_);
-    head->addWidget(state_);
-    head->addWidget(button_);
+    head_ = addRow(column, 6);
+    head_->addWidget(icon_);
+    head_->addWidget(name_, 1);
+    head_->addWidget(state_icon_);
+    head_->addWidget(state_);
     column->addWidget(detail_);
+    foot_ = addRow(column, 0, {-8, 0, 0, -4});  // the words stand below the others
     connect(button_, &QPushButton::clicked, this, &DeviceCard::activated);
 }
 
@@ -68,6 +69,13 @@ void DeviceCard::setWords(const DeviceWords& words) {
     detail_->setText(words.detail);
     detail_->setVisible(!words.detail.isEmpty());
     button_->setText(words.action);
+    // Beside the name where nothing else stands there.
+    const bool below = !words.state.isEmpty() && !words.action.isEmpty();
+    if (below)
+        foot_->addWidget(button_, 0, Qt::AlignLeft);
+    else
+        head_->addWidget(button_);
+    foot_->parentWidget()->setVisible(below);
     button_->setVisible(!words.action.isEmpty());
     button_->setAccessibleName(words.action + ' ' + words.name);
     setSelected(words.chosen);

@@ -5,6 +5,8 @@
 #include "ui/style/ink.h"
 #include "ui/widgets/card.h"
 
+class QHBoxLayout;
+
 namespace noctule::ui {
 
 class Button;
@@ -41,6 +43,7 @@ private:
     IconLabel *icon_, *state_icon_;
     ElidedLabel* name_;
     Label *state_, *detail_;
+    QHBoxLayout *head_, *foot_;
     Button* button_;
 };
 

@@ -169,8 +169,7 @@ QString countWords(const Readiness& readiness) {
         words << ReadinessText::tr("%n thing(s) to fix", nullptr, to_fix);
     if (to_know > 0)
         words << ReadinessText::tr("%n to know", "things", to_know);
-    return words.isEmpty() ? QString()
-                           : ReadinessText::tr("%1.", "a sentence").arg(words.join(ReadinessText::tr(", ")));
+    return words.isEmpty() ? QString() : words.join(QStringLiteral(", ")) + '.';
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ void StartPage::showSuitsFound() {
             tr("No driver box is found. Switch one on, or connect it by USB; the virtual suit on "
                "Connect stands in for one."));
     else
-        suits_found_->setText(tr("%1", "names of suits").arg(names.join(QStringLiteral(", "))));
+        suits_found_->setText(names.join(QStringLiteral(", ")));
 }
 
 QWidget* StartPage::makeLink(const QString& icon, const QString& text, const QString& hint,

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/live/battery_forecast.h"
+
 namespace noctule {
 namespace {
 
@@ -190,6 +192,18 @@ TEST_F(ReadinessTest, ANewStreamIsJudgedAfresh) {
     const Readiness readiness = judge(health);
     EXPECT_EQ(readiness.good_pairs, 0);
     EXPECT_TRUE(readiness.problems.empty()) << "two seconds are not yet over";
+}
+
+TEST(BatteryForecast, LastsAsLongAsTheLossSoFarSays) {
+    BatteryForecast forecast;
+    EXPECT_FALSE(forecast.left_s());
+    forecast.add(0, 80);
+    forecast.add(300, 79);
+    EXPECT_FALSE(forecast.left_s()) << "one percent may be rounding";
+    forecast.add(600, 76);
+    EXPECT_NEAR(*forecast.left_s(), 76 * 150.0, 1e-6);
+    forecast.add(700, 90);
+    EXPECT_FALSE(forecast.left_s()) << "it was charged";
 }
 
 }  // namespace

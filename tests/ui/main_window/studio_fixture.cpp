@@ -38,12 +38,17 @@ void StudioWindow::TearDown() {
     studio_.reset();
 }
 
-void StudioWindow::start() {
+StudioParts StudioWindow::parts() const {
     StudioParts parts;
     parts.software = "noctule 0.1.0";
     parts.utc_now = [] { return std::string("2026-01-01T00:00:00Z"); };
     parts.make_sample_take = makeQuickTake;
-    studio_ = std::make_unique<Studio>(parts);
+    parts.virtual_suit_program = NOCTULE_PROGRAM "-virtual-suit";
+    return parts;
+}
+
+void StudioWindow::start() {
+    studio_ = std::make_unique<Studio>(parts());
     window_ = std::make_unique<MainWindow>(*studio_);
     window_->show();
     QApplication::setActiveWindow(window_.get());

@@ -29,6 +29,8 @@ protected:
     void restart();
     /// Tries the virtual suit from the start page until its take is under review.
     void openSampleTake();
+    /// What the studio is made with.
+    virtual StudioParts parts() const;
     QString home() const { return folder_.filePath("sessions"); }
 
     QTemporaryDir folder_;

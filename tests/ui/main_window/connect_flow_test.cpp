@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// From launch to a suit that is ready, through the window: the virtual suit's program streams the tiny take.
+#include <QUndoStack>
+
+#include "tests/support/take_files.h"
+#include "tests/ui/main_window/studio_fixture.h"
+#include "tests/ui/support/stall_watch.h"
+#include "ui/main_window/status_line.h"
+#include "ui/main_window/top_bar.h"
+#include "ui/views/board_card.h"
+#include "ui/views/body_map.h"
+#include "ui/views/connect_page.h"
+#include "ui/views/device_card.h"
+#include "ui/views/devices_panel.h"
+#include "ui/views/readiness_panel.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/step_bar.h"
+
+namespace noctule::ui {
+namespace {
+
+class ConnectFlow : public test::StudioWindow {
+protected:
+    StudioParts parts() const override {
+        StudioParts parts = StudioWindow::parts();
+        parts.make_sample_take = [](const std::string& path, const JobContext&) -> Status {
+            std::filesystem::copy_file(noctule::test::kTinyTake, path);
+            return Done{};
+        };
+        return parts;
+    }
+    void SetUp() override {
+        std::filesystem::remove_all(
+            QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString());
+        StudioWindow::SetUp();
+    }
+    ConnectPage& page() { return dynamic_cast<ConnectPage&>(window_->page(Step::kConnect)); }
+    QStringList chips() {
+        QStringList texts;
+        for (const Chip* chip : window_->topBar().findChildren<Chip*>())
+            if (chip->isVisible())
+                texts << chip->text();
+        return texts;
+    }
+};
+
+TEST_F(ConnectFlow, FromLaunchToReadyInTwoClicksAndOnToRecord) {
+    QTest::mouseClick(&window_->topBar().steps(), Qt::LeftButton, {},
+                      window_->topBar().steps().stepRect(0).center());
+    window_->goTo(Step::kConnect);
+    EXPECT_EQ(chips(), QStringList{"No suit"});
+    QTest::mouseClick(page().devices().virtualCard().button(), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return page().readiness().verdict() == "Ready"; }));
+    EXPECT_EQ(chips(), (QStringList{"2/2 boards", "NB-000777"}));
+    ASSERT_TRUE(waitFor([&] { return window_->statusLine().openText().contains("0.6 MB/s"); }))
+        << window_->statusLine().openText().toStdString();
+    EXPECT_TRUE(window_->statusLine().openText().startsWith("NB-000777 streaming"));
+    EXPECT_TRUE(window_->statusLine().openText().contains("°C"));
+    QTest::mouseClick(page().readiness().wayOn(), Qt::LeftButton);
+    EXPECT_EQ(window_->step(), Step::kRecord);
+    studio_->stopVirtualSuit();
+    EXPECT_EQ(chips(), QStringList{"No suit"});
+}
+
+TEST_F(ConnectFlow, WatchingASuitHoldsNothingUp) {
+    window_->goTo(Step::kConnect);
+    studio_->startVirtualSuit();
+    ASSERT_TRUE(waitFor([&] { return page().readiness().verdict() == "Ready"; }));
+    page().map().boardButton(1)->click();
+    QTest::qWait(500);
+    test::StallWatch watch;
+    if (!watch.seesQueue())
+        GTEST_SKIP() << "the kernel keeps no schedstat";
+    QTest::qWait(3000);
+    EXPECT_LT(watch.longestOwn_ms(), 50);
+}
+
+TEST_F(ConnectFlow, EveryControlHasANameAndTheKeysAreThere) {
+    window_->goTo(Step::kConnect);
+    studio_->startVirtualSuit();
+    ASSERT_TRUE(waitFor([&] { return page().readiness().verdict() == "Ready"; }));
+    for (QWidget* root : {static_cast<QWidget*>(&page()), page().leftDock(), page().rightDock()})
+        for (const QAbstractButton* button : root->findChildren<QAbstractButton*>())
+            if (button->isVisible()) {
+                EXPECT_FALSE(button->accessibleName().isEmpty() && button->text().isEmpty())
+                    << button->metaObject()->className();
+            }
+    QStringList keys;
+    for (const QAction* action : page().actions())
+        keys << action->shortcut().toString();
+    for (const char* key : {"F5", "B", "Del"})
+        EXPECT_TRUE(keys.contains(key)) << key;
+}
+
+}  // namespace
+}  // namespace noctule::ui

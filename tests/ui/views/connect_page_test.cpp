@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+// Connect with the virtual suit's program, which streams the tiny take (two boards, two sources), and with
+// its faults.
+#include "ui/views/connect_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTcpSocket>
+#include <QTest>
+
+#include "tests/devices/support/answerer.h"
+#include "tests/support/take_files.h"
+#include "tests/ui/support/wait.h"
+#include "ui/models/part_names.h"
+#include "ui/style/theme.h"
+#include "ui/views/assign_panel.h"
+#include "ui/views/board_card.h"
+#include "ui/views/body_map.h"
+#include "ui/views/device_card.h"
+#include "ui/views/devices_panel.h"
+#include "ui/views/live_pairs.h"
+#include "ui/views/map_marker.h"
+#include "ui/views/number_rows.h"
+#include "ui/views/readiness_panel.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/problem_card.h"
+
+namespace noctule::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ConnectPageTest : public testing::Test {
+protected:
+    void SetUp() override {
+        Theme::install(*qApp);
+        QSettings().clear();
+        fs::remove_all(QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString());
+        StudioParts parts;
+        parts.software = "noctule test";
+        parts.utc_now = [] { return std::string("2026-03-01T10:00:00Z"); };
+        parts.make_sample_take = [](const std::string& path, const JobContext&) -> Status {
+            fs::copy_file(noctule::test::kTinyTake, path);
+            return Done{};
+        };
+        parts.virtual_suit_program = NOCTULE_PROGRAM;
+        studio_ = std::make_unique<Studio>(parts);
+        ASSERT_TRUE(studio_->session().create(QString::fromStdString(home_.file("s")), "Test"));
+        page_ = std::make_unique<ConnectPage>(*studio_);
+        page_->leftDock()->setParent(nullptr);
+        page_->rightDock()->setParent(nullptr);
+        page_->resize(900, 740);
+        page_->leftDock()->resize(248, 740);
+        page_->rightDock()->resize(295, 740);
+        page_->show();
+        page_->leftDock()->show();
+        page_->rightDock()->show();
+        page_->enter();
+    }
+    void TearDown() override {
+        delete page_->leftDock();
+        delete page_->rightDock();
+        page_.reset();
+        studio_.reset();
+    }
+
+    QString verdict() { return page_->readiness().verdict(); }
+    void connectVirtualSuit() {
+        QTest::mouseClick(page_->devices().virtualCard().button(), Qt::LeftButton);
+        ASSERT_TRUE(waitFor([&] { return verdict() == "Ready"; })) << verdict().toStdString();
+    }
+    void tell(const QByteArray& command) {
+        const QStringList control = studio_->virtualSuit().controlAddress().split(':');
+        QTcpSocket socket;
+        socket.connectToHost(control[0], control[1].toUShort());
+        ASSERT_TRUE(socket.waitForConnected());
+        socket.write(command + '\n');
+        ASSERT_TRUE(waitFor([&] { return socket.canReadLine(); }));
+        EXPECT_EQ(socket.readLine().trimmed(), "ok") << command.toStdString();
+    }
+    QStringList problems() {
+        QStringList titles;
+        for (const ProblemCard* card : page_->readiness().cards())
+            titles << card->title();
+        return titles;
+    }
+    Tone toneOfBoard(int board) { return static_cast<MapMarker*>(page_->map().boardButton(board))->tone(); }
+    /// The button of the worst problem with this text.
+    Button* action(const QString& text) {
+        for (Button* button : page_->readiness().cards().at(0)->findChildren<Button*>())
+            if (button->text() == text)
+                return button;
+        return nullptr;
+    }
+
+    const noctule::test::Folder home_;
+    std::unique_ptr<Studio> studio_;
+    std::unique_ptr<ConnectPage> page_;
+};
+
+TEST_F(ConnectPageTest, WithoutASuitItShowsWhereBoardsSitAndWhatToDo) {
+    EXPECT_EQ(verdict(), "No suit is connected");
+    EXPECT_EQ(page_->map().boardCount(), 18);
+    EXPECT_TRUE(page_->pairs().isHidden());
+    EXPECT_FALSE(page_->readiness().wayOn()->isVisible());
+    EXPECT_FALSE(page_->assigning().findButton()->isEnabled());
+    EXPECT_EQ(page_->devices().virtualCard().words().action, "Start");
+}
+
+TEST_F(ConnectPageTest, FromNothingToReady) {
+    connectVirtualSuit();
+    EXPECT_EQ(page_->devices().virtualCard().words().state, "connected");
+    EXPECT_EQ(page_->readiness().numbers().value(0), "2 of 2");
+    EXPECT_EQ(page_->map().boardCount(), 2);
+    EXPECT_NE(toneOfBoard(0), Tone::kNeutral);
+    EXPECT_TRUE(page_->pairs().isVisible());
+    ASSERT_TRUE(waitFor([&] { return page_->pairs().grid().columnCount() == 2; }));
+    QTest::mouseClick(page_->map().boardButton(1), Qt::LeftButton);
+    EXPECT_EQ(page_->chosenBoard(), 1);
+    EXPECT_EQ(page_->card().board(), 1);
+    EXPECT_EQ(page_->pairs().grid().currentColumn(), 1);
+    QSignalSpy steps(studio_.get(), &Studio::stepRequested);
+    QTest::mouseClick(page_->readiness().wayOn(), Qt::LeftButton);
+    ASSERT_EQ(steps.count(), 1);
+    EXPECT_EQ(steps[0][0].value<Step>(), Step::kRecord);
+    QTest::mouseClick(page_->devices().virtualCard().button(), Qt::LeftButton);
+    EXPECT_EQ(verdict(), "No suit is connected");
+    EXPECT_EQ(page_->map().boardCount(), 18);
+}
+
+TEST_F(ConnectPageTest, AnUnpluggedBoardIsNamedUntilItIsBackOrGoneOnWithout) {
+    connectVirtualSuit();
+    tell("unplug 2");
+    ASSERT_TRUE(waitFor([&] { return verdict() == "Not ready yet"; }));
+    EXPECT_EQ(problems().value(0), "Left hand sends nothing");
+    EXPECT_EQ(toneOfBoard(1), Tone::kError);
+    EXPECT_TRUE(page_->map().boardButton(1)->accessibleDescription().startsWith("no signal since"));
+    EXPECT_EQ(page_->readiness().wayOn()->text(), "Continue without board 2");
+    EXPECT_EQ(page_->readiness().numbers().value(0), "1 of 2");
+    ASSERT_TRUE(action("Go on without it"));
+    QTest::mouseClick(action("Go on without it"), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return verdict() == "Ready"; }));
+    EXPECT_FALSE(problems().contains("Left hand sends nothing"));
+    tell("plug 2");
+    ASSERT_TRUE(waitFor([&] { return toneOfBoard(1) != Tone::kError; }));
+    tell("unplug 2");
+    EXPECT_TRUE(waitFor([&] { return verdict() == "Not ready yet"; })) << "what was accepted is over";
+}
+
+TEST_F(ConnectPageTest, DeleteGoesOnWithoutTheChosenBoard) {
+    connectVirtualSuit();
+    tell("unplug 1");
+    ASSERT_TRUE(waitFor([&] { return verdict() == "Not ready yet"; }));
+    QTest::mouseClick(page_->map().boardButton(0), Qt::LeftButton);
+    for (QAction* act : page_->actions())
+        if (act->shortcut() == QKeySequence(Qt::Key_Delete))
+            act->trigger();
+    EXPECT_TRUE(waitFor([&] { return verdict() == "Ready"; }));
+}
+
+TEST_F(ConnectPageTest, ACutLinkIsSaidAndComesBack) {
+    connectVirtualSuit();
+    tell("cut 2");
+    ASSERT_TRUE(waitFor([&] { return problems().value(0) == "The link is broken"; }));
+    EXPECT_EQ(verdict(), "Not ready yet");
+    EXPECT_TRUE(waitFor([&] { return verdict() == "Ready"; }));
+}
+
+TEST_F(ConnectPageTest, ABoardDraggedOntoAnotherSwapsTheTwoAndIsUndone) {
+    connectVirtualSuit();
+    QAbstractButton* from = page_->map().boardButton(1);
+    const QPoint to =
+        from->mapFromGlobal(page_->map().mapToGlobal(page_->map().boardButton(0)->geometry().center()));
+    QTest::mousePress(from, Qt::LeftButton);
+    QTest::mouseMove(from, QPoint(40, 40));
+    QMouseEvent move(QEvent::MouseMove, to, Qt::LeftButton, Qt::LeftButton, {});
+    QApplication::sendEvent(from, &move);
+    QApplication::sendEvent(from, &move);
+    QTest::mouseRelease(from, Qt::LeftButton, {}, to);
+    const auto segment = [&](size_t board) { return studio_->suit().suit().boards[board].segment; };
+    ASSERT_TRUE(waitFor([&] { return segment(0) == "LeftHand"; }));
+    EXPECT_EQ(segment(1), "Chest");
+    const Suit& own = studio_->session().session().performers[0].suit;
+    EXPECT_EQ(own.boards[0].serial, "NB-004100") << "remembered by serial number";
+    studio_->session().undoStack().undo();
+    EXPECT_EQ(segment(0), "Chest");
+}
+
+TEST_F(ConnectPageTest, FindingByMovingSaysWhatToDo) {
+    connectVirtualSuit();
+    AssignPanel& assigning = page_->assigning();
+    QTest::mouseClick(assigning.findButton(), Qt::LeftButton);
+    EXPECT_TRUE(assigning.isFinding());
+    EXPECT_TRUE(assigning.words().startsWith("Move one limb") || assigning.words().contains("moves"));
+    QTest::mouseClick(assigning.findButton(), Qt::LeftButton);
+    EXPECT_FALSE(assigning.isFinding());
+}
+
+TEST_F(ConnectPageTest, FoundBoxesAreCardsWithTheirState) {
+    noctule::test::Answerer box(noctule::test::testAnnouncement());
+    studio_->finder().start({box.port(), false});
+    DevicesPanel& devices = page_->devices();
+    ASSERT_TRUE(waitFor([&] { return devices.cards().size() == 1; }));
+    EXPECT_EQ(devices.cards()[0]->words().name, "Blue suit");
+    EXPECT_EQ(devices.cards()[0]->words().action, "Connect");
+    auto busy = noctule::test::testAnnouncement();
+    busy.busy = true;
+    box.announce(busy);
+    ASSERT_TRUE(waitFor([&] { return devices.cards()[0]->words().state == "busy"; }));
+    EXPECT_EQ(devices.cards()[0]->words().action, "");
+    studio_->finder().remember("NB-000777");
+    box.answers(false);
+    ASSERT_TRUE(waitFor([&] { return devices.cards()[0]->words().state == "not here"; }));
+    EXPECT_EQ(devices.cards()[0]->words().action, "Forget");
+    QTest::mouseClick(devices.cards()[0]->button(), Qt::LeftButton);
+    EXPECT_TRUE(waitFor([&] { return devices.cards().empty(); }));
+}
+
+TEST_F(ConnectPageTest, AWrongAddressIsToldInPlaceAndASilentOneInTheList) {
+    DevicesPanel& devices = page_->devices();
+    devices.addressField().setText("nowhere");
+    QTest::keyClick(&devices.addressField(), Qt::Key_Return);
+    EXPECT_TRUE(devices.addressProblem().contains("nowhere"));
+    devices.addressField().setText("tcp://127.0.0.1:9");
+    QTest::keyClick(&devices.addressField(), Qt::Key_Return);
+    EXPECT_EQ(devices.addressProblem(), "");
+    ASSERT_TRUE(waitFor(
+        [&] { return devices.cards().size() == 1 && devices.cards()[0]->words().state == "silent"; }));
+    EXPECT_EQ(devices.cards()[0]->words().action, "Ask again");
+}
+
+TEST_F(ConnectPageTest, TheCardOfABoardStandsWhereThereIsRoom) {
+    connectVirtualSuit();
+    EXPECT_TRUE(page_->isAncestorOf(&page_->card()));
+    page_->resize(760, 740);
+    EXPECT_TRUE(page_->readiness().isAncestorOf(&page_->card()));
+    page_->resize(1000, 740);
+    EXPECT_TRUE(page_->isAncestorOf(&page_->card()));
+}
+
+}  // namespace
+}  // namespace noctule::ui
