@@ -2196,7 +2196,7 @@
     </message>
     <message>
         <source>last 10&#xa0;s, one row per source</source>
-        <translation>letzte 10 s, eine Zeile je Quelle</translation>
+        <translation>letzte 10&#xa0;s, eine Zeile je Quelle</translation>
     </message>
     <message>
         <source>%1 of %2 good now</source>
@@ -2701,6 +2701,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Calibration wizards. Calibrate says what they will do and what to do meanwhile.</source>
         <translation>Assistenten der Kalibrierung. Kalibrieren sagt, was sie tun werden und was bis dahin zu tun ist.</translation>
+    </message>
+    <message>
+        <source>Record from a suit: the live body with its rays, levels, a countdown, a shot list, markers and notes; the take opens in Review at once.</source>
+        <translation>Von einem Anzug aufnehmen: der Körper live mit seinen Strahlen, Pegel, ein Countdown, eine Aufnahmeliste, Marken und Notizen; die Aufnahme öffnet sich sofort in Prüfen.</translation>
     </message>
 </context>
 <context>
@@ -3754,7 +3758,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Countdown %1&#xa0;s</source>
-        <translation>Countdown %1 s</translation>
+        <translation>Countdown %1&#xa0;s</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -3946,7 +3950,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>%1&#xa0;ms behind</source>
-        <translation>%1 ms dahinter</translation>
+        <translation>%1&#xa0;ms dahinter</translation>
     </message>
     <message>
         <source>broken</source>
@@ -3955,7 +3959,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>%1&#xa0;MB/s</source>
-        <translation>%1 MB/s</translation>
+        <translation>%1&#xa0;MB/s</translation>
     </message>
     <message>
         <source>is there</source>
@@ -3980,7 +3984,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>speed of sound %1&#xa0;m/s</source>
-        <translation>Schallgeschwindigkeit %1 m/s</translation>
+        <translation>Schallgeschwindigkeit %1&#xa0;m/s</translation>
     </message>
     <message>
         <source>none</source>
