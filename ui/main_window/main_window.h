@@ -101,7 +101,7 @@ private:
     QStackedWidget* stack_;
     StatusLine* status_;
     JobsPanel* jobs_panel_;
-    bool closes_after_take_ = false;
+    bool closes_after_take_ = false;  ///< everything has been asked
     QString recovery_wanted_;  ///< path of a take whose session is being opened
 };
 

@@ -30,7 +30,7 @@ void MainWindow::connectSuit() {
     connect(
         &suit, &LiveSuit::recordingEnded, this,
         [this] {
-            if (std::exchange(closes_after_take_, false))
+            if (closes_after_take_)
                 close();
         },
         Qt::QueuedConnection);
@@ -67,7 +67,7 @@ bool MainWindow::mayStopTake() {
         box.setDefaultButton(cancel);
         box.setEscapeButton(cancel);
         box.exec();
-        if (box.clickedButton() != stop)
+        if (box.clickedButton() != stop || !mayClose())
             return false;
     }
     if (!isTakeOpen(studio_.suit()))

@@ -111,7 +111,7 @@ QString figureDescription(const FigureScene& figure) {
 }
 
 QString whyEmpty(const LiveScene& live) {
-    if (!live.wearer().calibration)
+    if (!live.wearer().suit.boards.empty() && !live.wearer().calibration)
         return SceneWords::tr(
             "The live body needs a calibration. Boards and pairs are watched, and a take can be recorded and "
             "processed later.");
