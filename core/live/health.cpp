@@ -22,6 +22,7 @@ HealthMonitor::BoardWindow::BoardWindow(int64_t window)
       wire_samples(window),
       wire_clipped(window),
       wire_alive(window),
+      wire_peak(window),
       axes(6, SlidingSum(window)) {}
 
 HealthMonitor::HealthMonitor(const Suit& suit, int sample_rate_hz, const HealthSettings& settings)
@@ -78,19 +79,20 @@ void HealthMonitor::addWire(int board, int64_t first_sample, std::span<const int
     const size_t boards = windows_.size();
     double power = 0;
     int64_t clipped = 0;
-    bool alive = false;
+    int peak = 0;
     for (size_t i = static_cast<size_t>(board); i < interleaved.size(); i += boards) {
         const int value = interleaved[i];
         power += static_cast<double>(value) * value;
         clipped += std::abs(value) >= kFullScale_counts;
-        alive = alive || value != 0;
+        peak = std::max(peak, std::abs(value));
     }
     BoardWindow& window = windows_[static_cast<size_t>(board)];
     const auto at = static_cast<double>(first_sample);
     window.wire_power.add(at, power);
     window.wire_samples.add(at, static_cast<double>(interleaved.size() / boards));
     window.wire_clipped.add(at, static_cast<double>(clipped));
-    window.wire_alive.add(at, alive ? 1 : 0);
+    window.wire_alive.add(at, peak > 0 ? 1 : 0);
+    window.wire_peak.add(at, peak);
 }
 
 void HealthMonitor::advance(BoardWindow& window) const {
@@ -98,6 +100,7 @@ void HealthMonitor::advance(BoardWindow& window) const {
          {&window.trusted, &window.lost, &window.corrected, &window.clipped_readings, &window.ranges,
           &window.wire_power, &window.wire_samples, &window.wire_clipped, &window.wire_alive})
         sum->advanceTo(report_.sample);
+    window.wire_peak.advanceTo(report_.sample);
     for (SlidingSum& axis : window.axes)
         axis.advanceTo(report_.sample);
 }
@@ -129,6 +132,7 @@ BoardHealth HealthMonitor::healthOf(size_t board) {
     health.signal_counts = window.wire_samples.sum() > 0
                                ? std::sqrt(std::max(0.0, window.wire_power.sum()) / window.wire_samples.sum())
                                : 0;
+    health.peak_counts = window.wire_peak.value();
     health.still = isStill(window);
     return health;
 }

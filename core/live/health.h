@@ -9,6 +9,7 @@
 
 #include "core/acoustics/range.h"
 #include "core/inertial/reading.h"
+#include "core/live/sliding_maximum.h"
 #include "core/live/sliding_sum.h"
 #include "core/suit/suit.h"
 
@@ -20,6 +21,7 @@ struct BoardHealth {
     int64_t bits_corrected = 0;
     int64_t frames_lost_in_all = 0, bits_corrected_in_all = 0;
     double signal_counts = 0;     ///< root mean square of the wire, sound and digital stream together
+    double peak_counts = 0;       ///< largest magnitude of the wire in the last second
     int64_t clipped_samples = 0;  ///< of the wire, in the last second
     int64_t clipped_readings = 0;
     bool silent = true;  ///< nothing but zeros for a second: unplugged
@@ -74,6 +76,7 @@ private:
         explicit BoardWindow(int64_t window);
         SlidingSum trusted, lost, corrected, clipped_readings, ranges;
         SlidingSum wire_power, wire_samples, wire_clipped, wire_alive;
+        SlidingMaximum wire_peak;
         std::vector<SlidingSum> axes;  ///< gyro xyz, accelerometer xyz, in SI
     };
     void addWire(int board, int64_t first_sample, std::span<const int16_t> interleaved);

@@ -31,6 +31,14 @@ struct Performer {
     UnknownMembers unknown = UnknownMembers::object();
 };
 
+/// One line of the shot list: what is to be recorded, and how many takes of it are wanted.
+struct Shot {
+    std::string name;
+    int wanted = 1;
+    UnknownMembers unknown = UnknownMembers::object();
+    bool operator==(const Shot&) const = default;
+};
+
 enum class TakeState { kComplete, kRecovered, kRecording, kDamaged };
 
 struct SessionTake {
@@ -46,6 +54,7 @@ struct SessionTake {
     double duration_s = 0;
     bool processed = false;
     std::string created_utc;
+    std::string shot;     ///< of the shot list it was recorded for; empty: none
     std::string problem;  ///< whole sentences; empty: fine
 };
 
@@ -55,6 +64,7 @@ struct Session {
     std::string created_utc;
     std::vector<Performer> performers;
     std::vector<SessionTake> takes;  ///< in order of creation
+    std::vector<Shot> shots;         ///< in the order in which they are recorded
     std::string current_performer;
     std::string notes;
     UnknownMembers unknown = UnknownMembers::object();

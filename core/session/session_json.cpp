@@ -6,6 +6,7 @@
 
 #include "core/math/json.h"
 #include "core/session/performer_file.h"
+#include "core/session/shot_list.h"
 #include "core/suit/json_object.h"
 
 namespace noctule {
@@ -23,6 +24,28 @@ nlohmann::json toJson(const SessionTake& take) {
     json["in_s"] = take.in_s;
     json["out_s"] = take.out_s;
     return json;
+}
+
+nlohmann::json toJson(const Shot& shot) {
+    nlohmann::json json = shot.unknown;
+    json["name"] = shot.name;
+    json["takes"] = shot.wanted;
+    return json;
+}
+
+Result<Shot> shotFromJson(const nlohmann::json& json, const std::string& where) {
+    std::optional<Error> error;
+    JsonObject object(json, where, error);
+    Shot shot;
+    shot.name = object.text("name");
+    const double wanted = object.numberOr("takes", 1);
+    if (wanted < 1 || wanted > kMostTakesOfShot)
+        object.fail(ErrorKind::kUnreadable, "takes", "must be 1 to " + std::to_string(kMostTakesOfShot));
+    shot.wanted = static_cast<int>(std::lround(wanted));
+    shot.unknown = unknownMembers(json, {"name", "takes"});
+    if (error)
+        return *error;
+    return shot;
 }
 
 /// Inside takes/, whatever the file says: a session must not reach out of its folder.
@@ -78,6 +101,9 @@ nlohmann::json toJson(const Session& session) {
     nlohmann::json takes = nlohmann::json::array();
     for (const SessionTake& take : session.takes)
         takes.push_back(toJson(take));
+    nlohmann::json shots = nlohmann::json::array();
+    for (const Shot& shot : session.shots)
+        shots.push_back(toJson(shot));
     nlohmann::json json = session.unknown;
     json["format"] = kFormat;
     json["version"] = json::number(json, "version").value_or(kSessionVersion);
@@ -87,6 +113,7 @@ nlohmann::json toJson(const Session& session) {
     json["notes"] = session.notes;
     json["performers"] = std::move(performers);
     json["takes"] = std::move(takes);
+    json["shots"] = std::move(shots);
     return json;
 }
 
@@ -115,11 +142,17 @@ Result<Session> sessionFromJson(const nlohmann::json& json, const std::string& w
         if (files.insert(take->file).second)
             session.takes.push_back(std::move(*take));
     }
+    for (const nlohmann::json& entry : object.array("shots", false)) {
+        auto shot = shotFromJson(entry, where + ": shot " + std::to_string(session.shots.size() + 1));
+        if (!shot)
+            return shot.error();
+        session.shots.push_back(std::move(*shot));
+    }
     if (error)
         return *error;
     // `version` stays with the unknown members: a newer minor version is written back as it was.
-    session.unknown = unknownMembers(
-        json, {"format", "name", "created_utc", "current_performer", "notes", "performers", "takes"});
+    session.unknown = unknownMembers(json, {"format", "name", "created_utc", "current_performer", "notes",
+                                            "performers", "takes", "shots"});
     return session;
 }
 

@@ -6,6 +6,7 @@
 #include "core/recording/take.h"
 #include "core/recording/take_copy.h"
 #include "core/session/session.h"
+#include "core/session/shot_list.h"
 #include "core/session/take_folder.h"
 
 namespace noctule {
@@ -30,6 +31,7 @@ void readFrom(const Take& file, SessionTake& take) {
     take.created_utc = file.header().created_utc;
     if (take.performer.empty())
         take.performer = text("performer");
+    take.shot = text(kShotKey);
     if (const auto duration_s = file.duration_s(); duration_s.ok())
         take.duration_s = *duration_s;
     const auto runs = file.derivedRuns();
@@ -85,6 +87,7 @@ void refreshTake(const Session& session, SessionTake& take) {
     take.state = TakeState::kComplete;
     take.duration_s = 0;
     take.processed = false;
+    take.shot.clear();
     take.problem.clear();
     const fs::path path = session.pathOf(take);
     std::error_code ignored;

@@ -2154,6 +2154,56 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::LevelMeters</name>
+    <message>
+        <source>Levels of the boards</source>
+        <translation>Pegel der Platinen</translation>
+    </message>
+    <message>
+        <source>%1: silent</source>
+        <translation>%1: stumm</translation>
+    </message>
+    <message>
+        <source>%1: sound %2, peak %3</source>
+        <translation>%1: Ton %2, Spitze %3</translation>
+    </message>
+    <message>
+        <source>%1, motion %2</source>
+        <comment>sound of a board, its motion</comment>
+        <translation>%1, Bewegung %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n board(s)</source>
+        <translation>
+            <numerusform>%n Platine</numerusform>
+            <numerusform>%n Platinen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::LevelsPanel</name>
+    <message>
+        <source>Levels</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>sound with peak hold, motion as the thin bar</source>
+        <translation>Ton mit gehaltener Spitze, Bewegung als schmaler Balken</translation>
+    </message>
+    <message>
+        <source>Pairs heard</source>
+        <translation>Gehörte Paare</translation>
+    </message>
+    <message>
+        <source>last 10&#xa0;s, one row per source</source>
+        <translation>letzte 10&#xa0;s, eine Zeile je Quelle</translation>
+    </message>
+    <message>
+        <source>%1 of %2 good now</source>
+        <translation>%1 von %2 jetzt gut</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::LivePairs</name>
     <message>
         <source>Pairs</source>
@@ -2424,6 +2474,22 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Looking</source>
         <translation>Schaut nach</translation>
     </message>
+    <message>
+        <source>The take is being recorded</source>
+        <translation>Die Aufnahme läuft</translation>
+    </message>
+    <message>
+        <source>It runs for %1. Stopped now, it is complete up to here.</source>
+        <translation>Sie läuft seit %1. Jetzt beendet ist sie bis hierher vollständig.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Beenden und schließen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::MapLegend</name>
@@ -2450,6 +2516,13 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>source, sends a pulse every 64 ms</source>
         <translation>Quelle, sendet alle 64 ms einen Puls</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MarkList</name>
+    <message>
+        <source>Markers in this take</source>
+        <translation>Marken in dieser Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -2629,6 +2702,37 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Calibration wizards. Calibrate says what they will do and what to do meanwhile.</source>
         <translation>Assistenten der Kalibrierung. Kalibrieren sagt, was sie tun werden und was bis dahin zu tun ist.</translation>
     </message>
+    <message>
+        <source>Record from a suit: the live body with its rays, levels, a countdown, a shot list, markers and notes; the take opens in Review at once.</source>
+        <translation>Von einem Anzug aufnehmen: der Körper live mit seinen Strahlen, Pegel, ein Countdown, eine Aufnahmeliste, Marken und Notizen; die Aufnahme öffnet sich sofort in Prüfen.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::NoSuit</name>
+    <message>
+        <source>Connect a suit</source>
+        <translation>Anzug verbinden</translation>
+    </message>
+    <message>
+        <source>Put on the virtual suit</source>
+        <translation>Virtuellen Anzug anlegen</translation>
+    </message>
+    <message>
+        <source>The virtual suit is being put on. The first time its take is made, which takes a while.</source>
+        <translation>Der virtuelle Anzug wird angelegt. Beim ersten Mal entsteht seine Aufnahme, das dauert eine Weile.</translation>
+    </message>
+    <message>
+        <source>No suit is connected. The live body, the levels of the boards and the record button appear here as soon as one is.</source>
+        <translation>Kein Anzug ist verbunden. Der Körper, die Pegel der Platinen und der Aufnahmeknopf erscheinen hier, sobald einer verbunden ist.</translation>
+    </message>
+    <message>
+        <source>It is being put on.</source>
+        <translation>Er wird gerade angelegt.</translation>
+    </message>
+    <message>
+        <source>noctule-virtual-suit is not beside this program.</source>
+        <translation>noctule-virtual-suit liegt nicht neben diesem Programm.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::NotesPanel</name>
@@ -2661,6 +2765,30 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Confidence per pair</source>
         <translation>Konfidenz je Paar</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::PairsHeard</name>
+    <message>
+        <source>Pairs heard over the last ten seconds</source>
+        <translation>Gehörte Paare der letzten zehn Sekunden</translation>
+    </message>
+    <message>
+        <source>%1: heard with confidence %2 now</source>
+        <translation>%1: jetzt mit Konfidenz %2 gehört</translation>
+    </message>
+    <message>
+        <source>%1: not heard now</source>
+        <translation>%1: jetzt nicht gehört</translation>
+    </message>
+    <message>
+        <source>S%1</source>
+        <comment>number of a source</comment>
+        <translation>Q%1</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
     </message>
 </context>
 <context>
@@ -3600,43 +3728,378 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::RecordActions</name>
+    <message>
+        <source>Record or stop</source>
+        <translation>Aufnehmen oder beenden</translation>
+    </message>
+    <message>
+        <source>End the countdown</source>
+        <translation>Countdown abbrechen</translation>
+    </message>
+    <message>
+        <source>Marker now</source>
+        <translation>Marke jetzt</translation>
+    </message>
+    <message>
+        <source>Note now</source>
+        <translation>Notiz jetzt</translation>
+    </message>
+    <message>
+        <source>Take name</source>
+        <translation>Name der Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordBar</name>
+    <message>
+        <source>No countdown</source>
+        <translation>Kein Countdown</translation>
+    </message>
+    <message>
+        <source>Countdown %1&#xa0;s</source>
+        <translation>Countdown %1&#xa0;s</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <comment>the countdown</comment>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Saving</source>
+        <translation>Speichert</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take name</source>
+        <translation>Name der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Take name (T). Numbers count by themselves, and nothing is overwritten.</source>
+        <translation>Name der Aufnahme (T). Nummern zählen von selbst, und nichts wird überschrieben.</translation>
+    </message>
+    <message>
+        <source>The system&apos;s bell with each second of the countdown, at start and at stop</source>
+        <translation>Der Systemton bei jeder Sekunde des Countdowns, am Anfang und am Ende</translation>
+    </message>
+    <message>
+        <source>While it runs</source>
+        <translation>Während sie läuft</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Open in Review after stop</source>
+        <translation>Danach in Prüfen öffnen</translation>
+    </message>
+    <message>
+        <source>Note at this moment; Enter keeps it</source>
+        <translation>Notiz zu diesem Moment; Enter behält sie</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n second(s)</source>
+        <translation>
+            <numerusform>%n Sekunde</numerusform>
+            <numerusform>%n Sekunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>next: %1</source>
+        <translation>dann: %1</translation>
+    </message>
+    <message>
+        <source>Tones on</source>
+        <translation>Töne an</translation>
+    </message>
+    <message>
+        <source>Tones off</source>
+        <translation>Töne aus</translation>
+    </message>
+    <message>
+        <source>Markers and notes belong to a take that is being recorded.</source>
+        <translation>Marken und Notizen gehören zu einer laufenden Aufnahme.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordButton</name>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Countdown: press to end it</source>
+        <translation>Countdown: drücken bricht ihn ab</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>The take is being saved</source>
+        <translation>Die Aufnahme wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Record: press to hear what is in the way</source>
+        <translation>Aufnehmen: drücken zeigt, was im Weg steht</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordCenter</name>
+    <message>
+        <source>shot %1 of %2, %3</source>
+        <translation>Szene %1 von %2, %3</translation>
+    </message>
+    <message>
+        <source>Record anyway</source>
+        <translation>Trotzdem aufnehmen</translation>
+    </message>
+    <message>
+        <source>Open Connect</source>
+        <translation>Verbinden öffnen</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::RecordPage</name>
     <message>
         <source>Record</source>
         <translation>Aufnehmen</translation>
     </message>
     <message>
-        <source>Nothing to record from</source>
-        <translation>Nichts zum Aufnehmen</translation>
+        <source>No session</source>
+        <translation>Keine Sitzung</translation>
     </message>
     <message>
-        <source>The studio does not record from a suit yet; noctule --batch record does.</source>
-        <translation>Das Studio nimmt noch nicht vom Anzug auf; noctule --batch record tut es.</translation>
+        <source>Readiness</source>
+        <translation>Bereitschaft</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordReadiness</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>The body live in three dimensions, with every ray between source and board.</source>
-        <translation>Der Körper live in drei Dimensionen, mit jedem Strahl zwischen Quelle und Platine.</translation>
+        <source>To look at</source>
+        <translation>Anzusehen</translation>
     </message>
     <message>
-        <source>A clock and how much of the take is on disk, a countdown, markers and notes while it runs.</source>
-        <translation>Eine Uhr und wie viel der Aufnahme auf der Platte ist, ein Countdown, Marken und Notizen während des Laufs.</translation>
+        <source>Boards</source>
+        <translation>Platinen</translation>
     </message>
     <message>
-        <source>Levels of each board, and a word when something slips or falls silent.</source>
-        <translation>Pegel jeder Platine und ein Wort, wenn etwas verrutscht oder verstummt.</translation>
+        <source>Sources</source>
+        <translation>Quellen</translation>
     </message>
     <message>
-        <source>Import takes that were recorded elsewhere, or let the virtual suit make one.</source>
-        <translation>Anderswo gemachte Aufnahmen importieren oder den virtuellen Anzug eine machen lassen.</translation>
+        <source>Good pairs</source>
+        <translation>Gute Paare</translation>
     </message>
     <message>
-        <source>0:00.0</source>
-        <comment>the clock of a take before it begins</comment>
-        <translation>0:00,0</translation>
+        <source>Link</source>
+        <translation>Verbindung</translation>
     </message>
     <message>
-        <source>A take starts here once a suit is connected.</source>
-        <translation>Hier beginnt eine Aufnahme, sobald ein Anzug verbunden ist.</translation>
+        <source>Battery</source>
+        <translation>Akku</translation>
+    </message>
+    <message>
+        <source>Storage</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>Live view</source>
+        <translation>Live-Ansicht</translation>
+    </message>
+    <message>
+        <source>Calibration in use</source>
+        <translation>Verwendete Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Erstellt</translation>
+    </message>
+    <message>
+        <source>Source offsets</source>
+        <translation>Quellenversätze</translation>
+    </message>
+    <message>
+        <source>the body hides the others; a quarter is usual</source>
+        <translation>die anderen verdeckt der Körper; ein Viertel ist üblich</translation>
+    </message>
+    <message>
+        <source>%1&#xa0;ms behind</source>
+        <translation>%1&#xa0;ms dahinter</translation>
+    </message>
+    <message>
+        <source>broken</source>
+        <comment>a link</comment>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>%1&#xa0;MB/s</source>
+        <translation>%1&#xa0;MB/s</translation>
+    </message>
+    <message>
+        <source>is there</source>
+        <comment>a link</comment>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>%1 blocks lost, %2 damaged</source>
+        <translation>%1 Blöcke verloren, %2 beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 at this rate</source>
+        <translation>noch %1 bei diesem Verbrauch</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>%1 in this take</source>
+        <translation>%1 in dieser Aufnahme</translation>
+    </message>
+    <message>
+        <source>speed of sound %1&#xa0;m/s</source>
+        <translation>Schallgeschwindigkeit %1&#xa0;m/s</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>at an unknown time</source>
+        <translation>zu unbekannter Zeit</translation>
+    </message>
+    <message>
+        <source>The disk has %1 left</source>
+        <translation>Die Platte reicht noch für %1</translation>
+    </message>
+    <message>
+        <source>Recording stops by itself then, and the take is complete. Free some space, or choose another folder.</source>
+        <translation>Dann endet die Aufnahme von selbst und ist vollständig. Platz schaffen oder einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>%1 are missing in this take</source>
+        <translation>%1 fehlen in dieser Aufnahme</translation>
+    </message>
+    <message numerus="yes">
+        <source>They are marked as %n gap(s), and time does not shift.</source>
+        <translation>
+            <numerusform>Sie sind als eine Lücke markiert, und die Zeit verschiebt sich nicht.</numerusform>
+            <numerusform>Sie sind als %n Lücken markiert, und die Zeit verschiebt sich nicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The take is safe up to here and goes on when the box is back; the gap will be marked.</source>
+        <translation>Die Aufnahme ist bis hierher sicher und geht weiter, wenn die Steuerbox zurück ist; die Lücke wird markiert.</translation>
+    </message>
+    <message>
+        <source>Recording well</source>
+        <translation>Nimmt gut auf</translation>
+    </message>
+    <message>
+        <source>Recording, but look</source>
+        <translation>Nimmt auf, aber ansehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>things to look at</comment>
+        <translation>
+            <numerusform>eine weitere</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show on body</source>
+        <translation>Am Körper zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordRun</name>
+    <message>
+        <source>take</source>
+        <comment>first part of the names of takes</comment>
+        <translation>aufnahme</translation>
+    </message>
+    <message>
+        <source>The driver box has not answered yet</source>
+        <translation>Die Steuerbox hat noch nicht geantwortet</translation>
+    </message>
+    <message>
+        <source>It usually takes a second or two.</source>
+        <translation>Das dauert meist ein, zwei Sekunden.</translation>
+    </message>
+    <message>
+        <source>The link to the driver box is broken</source>
+        <translation>Die Verbindung zur Steuerbox ist unterbrochen</translation>
+    </message>
+    <message>
+        <source>Recording can begin as soon as it is back; the studio tries by itself.</source>
+        <translation>Sobald sie zurück ist, kann die Aufnahme beginnen; das Studio versucht es von selbst.</translation>
+    </message>
+    <message>
+        <source>Recording did not begin</source>
+        <translation>Die Aufnahme hat nicht begonnen</translation>
+    </message>
+    <message>
+        <source>%1 ended by itself</source>
+        <comment>name of a take</comment>
+        <translation>%1 endete von selbst</translation>
+    </message>
+    <message>
+        <source>Marker %1</source>
+        <translation>Marke %1</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordSidebar</name>
+    <message>
+        <source>%1, %2</source>
+        <comment>take, state</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>being saved</source>
+        <comment>a take</comment>
+        <translation>wird gespeichert</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <comment>a take</comment>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>%1 kept, %2</source>
+        <comment>number of takes, their time</comment>
+        <translation>%1 behalten, %2</translation>
     </message>
 </context>
 <context>
@@ -4611,6 +5074,18 @@ keine Lücken</translation>
         <source>The motion has no pose at this time.</source>
         <translation>Die Bewegung hat zu dieser Zeit keine Haltung.</translation>
     </message>
+    <message>
+        <source>Live body, %1 of %2 pairs good</source>
+        <translation>Körper live, %1 von %2 Paaren gut</translation>
+    </message>
+    <message>
+        <source>The live body needs a calibration. Boards and pairs are watched, and a take can be recorded and processed later.</source>
+        <translation>Der Körper braucht eine Kalibrierung. Platinen und Paare werden beobachtet, und eine Aufnahme kann gemacht und später verarbeitet werden.</translation>
+    </message>
+    <message>
+        <source>The live body appears here with the suit&apos;s first pose.</source>
+        <translation>Der Körper erscheint hier mit der ersten Haltung des Anzugs.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::SearchField</name>
@@ -4738,6 +5213,10 @@ keine Lücken</translation>
     <message>
         <source>Rename %1 to %2</source>
         <translation>%1 in %2 umbenennen</translation>
+    </message>
+    <message>
+        <source>Change the shot list</source>
+        <translation>Aufnahmeliste ändern</translation>
     </message>
 </context>
 <context>
@@ -4879,6 +5358,83 @@ keine Lücken</translation>
     <message>
         <source>Wheel</source>
         <translation>Mausrad</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ShotList</name>
+    <message>
+        <source>Shot list</source>
+        <translation>Aufnahmeliste</translation>
+    </message>
+    <message>
+        <source>What is to be recorded, one shot a line; takes are counted for each.</source>
+        <translation>Was aufgenommen werden soll, eine Szene je Zeile; für jede werden die Aufnahmen gezählt.</translation>
+    </message>
+    <message>
+        <source>Paste a list</source>
+        <translation>Liste einfügen</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3 takes</source>
+        <comment>a shot</comment>
+        <translation>%1, %2 von %3 Aufnahmen</translation>
+    </message>
+    <message>
+        <source>A shot list belongs to a session. Make or open one first.</source>
+        <translation>Eine Aufnahmeliste gehört zu einer Sitzung. Zuerst eine anlegen oder öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 takes done</source>
+        <translation>%1 von %2 Aufnahmen gemacht</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ShotListDialog</name>
+    <message>
+        <source>Paste a shot list</source>
+        <translation>Aufnahmeliste einfügen</translation>
+    </message>
+    <message>
+        <source>Edit the shot list</source>
+        <translation>Aufnahmeliste bearbeiten</translation>
+    </message>
+    <message>
+        <source>One shot a line, in the order in which they are recorded. With &quot;x3&quot; at its end three takes of it are wanted; its first word names them.</source>
+        <translation>Eine Szene je Zeile, in der Reihenfolge der Aufnahme. Mit „x3“ am Ende werden drei Aufnahmen gebraucht; ihr erstes Wort gibt ihnen den Namen.</translation>
+    </message>
+    <message>
+        <source>Use this list</source>
+        <translation>Diese Liste verwenden</translation>
+    </message>
+    <message>
+        <source>Walk, straight line x2
+Reach, high and low
+Turn, both ways x3</source>
+        <translation>Gehen, geradeaus x2
+Greifen, hoch und tief
+Drehen, beide Richtungen x3</translation>
+    </message>
+    <message>
+        <source>Shot list</source>
+        <translation>Aufnahmeliste</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shot(s)</source>
+        <translation>
+            <numerusform>%n Szene</numerusform>
+            <numerusform>%n Szenen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n take(s)</source>
+        <translation>
+            <numerusform>%n Aufnahme</numerusform>
+            <numerusform>%n Aufnahmen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5237,6 +5793,13 @@ keine Lücken</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::TakeClock</name>
+    <message>
+        <source>On disk up to %1</source>
+        <translation>Auf der Platte bis %1</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::TakeDelegate</name>
     <message>
         <source>Name of the take</source>
@@ -5493,6 +6056,14 @@ keine Lücken</translation>
     <message>
         <source>Boards that are there. Opens Connect.</source>
         <translation>Platinen, die da sind. Öffnet Verbinden.</translation>
+    </message>
+    <message>
+        <source>Recording, %1</source>
+        <translation>Aufnahme läuft, %1</translation>
+    </message>
+    <message>
+        <source>A take is being recorded. Opens Record; Ctrl+R stops it.</source>
+        <translation>Eine Aufnahme läuft. Öffnet Aufnehmen; Strg+R beendet sie.</translation>
     </message>
 </context>
 <context>

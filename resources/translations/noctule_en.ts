@@ -123,6 +123,16 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::LevelMeters</name>
+    <message numerus="yes">
+        <source>%n board(s)</source>
+        <translation>
+            <numerusform>%n board</numerusform>
+            <numerusform>%n boards</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::MainWindow</name>
     <message numerus="yes">
         <source>%n job(s) are still running</source>
@@ -239,6 +249,34 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::RecordBar</name>
+    <message numerus="yes">
+        <source>%n second(s)</source>
+        <translation>
+            <numerusform>%n second</numerusform>
+            <numerusform>%n seconds</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RecordReadiness</name>
+    <message numerus="yes">
+        <source>They are marked as %n gap(s), and time does not shift.</source>
+        <translation>
+            <numerusform>They are marked as one gap, and time does not shift.</numerusform>
+            <numerusform>They are marked as %n gaps, and time does not shift.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>things to look at</comment>
+        <translation>
+            <numerusform>one more</numerusform>
+            <numerusform>%n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ReportPanel</name>
     <message numerus="yes">
         <source>%n more in the full report</source>
@@ -296,6 +334,23 @@
         <translation>
             <numerusform>One recording was not ended</numerusform>
             <numerusform>%n recordings were not ended</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ShotListDialog</name>
+    <message numerus="yes">
+        <source>%n shot(s)</source>
+        <translation>
+            <numerusform>%n shot</numerusform>
+            <numerusform>%n shots</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n take(s)</source>
+        <translation>
+            <numerusform>%n take</numerusform>
+            <numerusform>%n takes</numerusform>
         </translation>
     </message>
 </context>

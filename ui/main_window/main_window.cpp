@@ -52,6 +52,7 @@ MainWindow::MainWindow(Studio& studio, QWidget* parent)
     connectActions();
     connectSteps();
     connectStudio();
+    connectSuit();
     restoreGeometryKept();
     if (studio_.session().isOpen())
         onSessionOpened();

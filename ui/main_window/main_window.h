@@ -82,6 +82,10 @@ private:
     void onFailure(const QString& what, const QString& remedy);
     void onSessionFailure(const QString& message);
     bool mayClose();
+    void connectSuit();
+    void recordOrStop();
+    void showRecording();
+    bool mayStopTake();
 
     Studio& studio_;
     RecentSessions recent_;
@@ -97,6 +101,7 @@ private:
     QStackedWidget* stack_;
     StatusLine* status_;
     JobsPanel* jobs_panel_;
+    bool closes_after_take_ = false;  ///< everything has been asked
     QString recovery_wanted_;  ///< path of a take whose session is being opened
 };
 

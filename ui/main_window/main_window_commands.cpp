@@ -43,7 +43,7 @@ void MainWindow::connectActions() {
     on(Command::kExport, [this] { goTo(Step::kExport); });
     on(Command::kQuit, [this] { close(); });
     on(Command::kPreferences, [this] { showPreferences(); });
-    on(Command::kRecord, [this] { goTo(Step::kRecord); });
+    on(Command::kRecord, [this] { recordOrStop(); });
     on(Command::kPerformer, [this] { goTo(Step::kPerformer); });
     on(Command::kPutSuitOn, [this] { PutOnDialog(studio_, this).exec(); });
     on(Command::kJobs, [this] { jobs_panel_->toggle(); });

@@ -203,7 +203,7 @@ bool MainWindow::mayClose() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!mayClose()) {
+    if (!mayStopTake() || (!closes_after_take_ && !mayClose())) {
         event->ignore();
         return;
     }

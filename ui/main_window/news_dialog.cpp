@@ -39,6 +39,9 @@ NewsDialog::NewsDialog(QWidget* parent) : QDialog(parent) {
         tr("Driver boxes are found on USB and in the network; Connect says whether the suit is ready and "
            "what to do "
            "about it."));
+    add(
+        tr("Record from a suit: the live body with its rays, levels, a countdown, a shot list, markers and "
+           "notes; the take opens in Review at once."));
     add(tr("A virtual suit, so that all of this can be tried without one."));
     column->addWidget(new SectionHeader(tr("Not yet")));
     add(tr("Calibration wizards. Calibrate says what they will do and what to do meanwhile."));

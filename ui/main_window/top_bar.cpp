@@ -10,6 +10,7 @@
 #include <array>
 
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/chip.h"
@@ -109,11 +110,30 @@ bool TopBar::isFolded() const {
 
 void TopBar::showStep(Step step) {
     const bool start = step == Step::kStart;
+    step_ = step;
     steps_->setCurrent(indexOf(step));
     steps_->setVisible(!start);
-    record_->setVisible(!start && step != Step::kRecord);
     preferences_->setVisible(start);
+    showRecordButton();
     foldWhereNarrow();
+}
+
+void TopBar::showRecording(std::optional<double> seconds) {
+    const bool changes = records_ != seconds.has_value();
+    records_ = seconds.has_value();
+    record_->setText(seconds ? timeText(*seconds, 0) : tr("Record"));
+    record_->setAccessibleName(seconds ? tr("Recording, %1").arg(timeText(*seconds, 0)) : tr("Record"));
+    if (!changes)
+        return;
+    record_->setShortcutHint(records_ ? QKeySequence() : QKeySequence("Ctrl+R"));
+    record_->setToolTip(records_ ? tr("A take is being recorded. Opens Record; Ctrl+R stops it.")
+                                 : tr("Opens Record (Ctrl+R)"));
+    showRecordButton();
+    foldWhereNarrow();
+}
+
+void TopBar::showRecordButton() {
+    record_->setVisible(step_ != Step::kRecord && (records_ || step_ != Step::kStart));
 }
 
 void TopBar::showSuit(Tone tone, const QString& state, const QString& name) {

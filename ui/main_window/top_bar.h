@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "ui/models/studio.h"
 #include "ui/style/ink.h"
@@ -30,6 +31,9 @@ public:
     void fold(const QList<QMenu*>& menus);
     bool isFolded() const;
     void showStep(Step step);
+    /// How long the take runs; absent: none does. Seen on every page but Record, which has the clock itself.
+    void showRecording(std::optional<double> seconds);
+    Button& recordButton() { return *record_; }
     /// "17/18 boards", and the box; without a name no suit is connected.
     void showSuit(Tone tone, const QString& state, const QString& name);
 
@@ -53,6 +57,7 @@ private:
     QWidget* makeLeft();
     QWidget* makeRight();
     void foldWhereNarrow();
+    void showRecordButton();
 
     QMenuBar* menus_;
     ToolButton* folded_;
@@ -61,6 +66,8 @@ private:
     Button* record_;
     ToolButton* preferences_;
     QWidget *left_, *right_;
+    Step step_ = Step::kStart;
+    bool records_ = false;
 };
 
 }  // namespace noctule::ui

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <algorithm>
 
+#include "core/session/shot_list.h"
 #include "core/session/take_folder.h"
 #include "ui/models/session_command.h"
 #include "ui/models/session_model.h"
@@ -175,6 +176,15 @@ void SessionModel::setCurrentPerformer(const QString& name) {
     if (session_ && name.toStdString() != session_->current_performer)
         push(tr("Choose %1").arg(name), setOf(&Session::current_performer, name.toStdString()),
              setOf(&Session::current_performer, session_->current_performer));
+}
+
+void SessionModel::setShots(std::vector<Shot> shots) {
+    if (!session_)
+        return;
+    shots = withUnknownMembers(std::move(shots), session_->shots);
+    if (shots != session_->shots)
+        push(tr("Change the shot list"), setOf(&Session::shots, shots),
+             setOf(&Session::shots, session_->shots));
 }
 
 void SessionModel::trashTake(int take) {

@@ -56,6 +56,8 @@ public:
     /// The last one stays.
     void removePerformer(int index);
     void setCurrentPerformer(const QString& name);
+    /// The shot list; what only the file knows of a shot stays with its name.
+    void setShots(std::vector<Shot> shots);
     void trashTake(int take);
     /// Its file too; what cannot be part of a file's name becomes "_".
     void renameTake(int take, const QString& name);

@@ -2,11 +2,13 @@
 // What a SceneView is made of; for its own source files only.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QPointer>
 #include <optional>
 
 #include "ui/scene/camera_control.h"
 #include "ui/scene/figure_scene.h"
+#include "ui/scene/live_scene.h"
 #include "ui/scene/scene_canvas.h"
 #include "ui/scene/scene_overlay.h"
 #include "ui/scene/scene_tools.h"
@@ -30,6 +32,10 @@ struct SceneView::Parts {
 
     TakeScene take;
     std::optional<FigureScene> figure;
+    std::optional<LiveScene> live;
+    QElapsedTimer since_frame;  ///< valid: a live frame has come and is not on the screen yet
+    bool frame_painted = false;
+    LatencyHistogram frame_delays;
     ComposedScene composed;  ///< what was drawn last
 
     QString framed;         ///< what the camera has been put in front of: a take's path or the figure

@@ -16,7 +16,9 @@ namespace noctule::ui {
 
 namespace {
 
-const QString kFigure = QStringLiteral("figure");
+const QString kFigure = QStringLiteral("figure"), kLive = QStringLiteral("live");
+
+constexpr double kClockWidth = 300;  ///< at 100 percent
 
 bool isPlayed(Studio& studio) {
     return studio.time().isPlaying();
@@ -69,6 +71,7 @@ void SceneView::makeCanvas() {
     parts_->canvas->installEventFilter(this);
     parts_->canvas->setFocusProxy(this);
     connect(parts_->canvas, &SceneCanvas::painted, this, &SceneView::updateOverlay);
+    connect(parts_->canvas, &QOpenGLWidget::frameSwapped, this, &SceneView::noteDrawn);
     connect(parts_->canvas, &SceneCanvas::unavailable, this, [this](const QString& message) {
         parts_->tools->hide();
         parts_->overlay->hide();
@@ -126,7 +129,7 @@ void SceneView::showMessage(const QString& sentence) {
 
 void SceneView::updateMessage() {
     if (parts_->canvas)
-        showMessage(parts_->composed.hasBody() ? QString() : whyEmpty(studio_));
+        showMessage(parts_->composed.hasBody() ? QString() : whyNoBody());
 }
 
 void SceneView::layOut() {
@@ -139,8 +142,10 @@ void SceneView::layOut() {
     QRect column(0, 0, std::min(width(), Theme::get().px(640)), height());
     column.moveCenter(rect().center());
     parts_->message->setGeometry(column);
-    parts_->tools->fitInto(width() - 2 * margin);
-    parts_->tools->move(margin, margin);
+    // The clock of what is recorded stands at the left.
+    const int left = parts_->live ? Theme::get().px(kClockWidth) : margin;
+    parts_->tools->fitInto(width() - left - margin);
+    parts_->tools->move(parts_->live ? width() - parts_->tools->width() - margin : margin, margin);
 }
 
 void SceneView::resizeEvent(QResizeEvent*) {
@@ -160,9 +165,10 @@ void SceneView::showEvent(QShowEvent*) {
 
 const Scene& SceneView::compose() {
     Parts& parts = *parts_;
-    parts.composed =
-        parts.figure ? parts.figure->compose(parts.layers, studio_.body()) : parts.take.compose(parts.layers);
-    const QString shown = parts.figure ? kFigure : studio_.take().path();
+    parts.composed = parts.figure ? parts.figure->compose(parts.layers, studio_.body())
+                     : parts.live ? parts.live->compose(studio_, parts.layers)
+                                  : parts.take.compose(parts.layers);
+    const QString shown = parts.figure ? kFigure : parts.live ? kLive : studio_.take().path();
     if (parts.composed.hasBody() && parts.framed != shown) {
         parts.framed = shown;
         parts.followed_m.reset();
@@ -170,11 +176,12 @@ const Scene& SceneView::compose() {
         parts.untouched = true;
     }
     keepFollowing();
-    const auto callout = parts.figure ? std::nullopt : takeCallout(studio_, parts.composed);
-    if (callout) {
+    if (!parts.figure && callout()) {
+        const BodyPlaces& places = parts.composed.places;
         const int board = studio_.selection().board(), source = studio_.selection().source();
-        const Vector3d at = board >= 0 ? parts.composed.places.boards[static_cast<size_t>(board)].p_m
-                                       : parts.composed.places.sources[static_cast<size_t>(source)].p_m;
+        const bool has_board = board >= 0 && board < static_cast<int>(places.boards.size());
+        const Vector3d at = has_board ? places.boards[static_cast<size_t>(board)].p_m
+                                      : places.sources[static_cast<size_t>(source)].p_m;
         parts.composed.scene.rings.push_back({at.cast<float>(), 11, 2, rgba(Theme::get().tokens().acc)});
     }
     return parts.composed.scene;
@@ -206,6 +213,7 @@ void SceneView::refresh() {
 
 void SceneView::updateOverlay() {
     Parts& parts = *parts_;
+    parts.frame_painted = true;
     OverlayContent content;
     content.camera_axes = parts.control->camera().axes();
     std::optional<Vector3d> at;
@@ -214,9 +222,10 @@ void SceneView::updateOverlay() {
         if (parts.composed.scene.gizmo)
             at = parts.composed.scene.gizmo->p_m.cast<double>();
     } else {
-        content.legends = takeLegends(studio_.take(), parts.composed, parts.layers);
+        if (!parts.live)
+            content.legends = takeLegends(studio_.take(), parts.composed, parts.layers);
         content.has_rays = !parts.composed.scene.rays.empty();
-        content.callout = takeCallout(studio_, parts.composed);
+        content.callout = callout();
         if (!parts.composed.scene.rings.empty())
             at = parts.composed.scene.rings.back().p_m.cast<double>();
     }
@@ -287,45 +296,6 @@ void SceneView::frameBody() {
     parts_->untouched = true;
 }
 
-void SceneView::setFigure(const Actor& actor, const Suit& suit) {
-    if (parts_->figure) {
-        parts_->figure->setFigure(actor, suit);
-    } else {
-        parts_->figure.emplace(actor, suit);
-        parts_->tools->setOffered(
-            {SceneLayer::kMesh, SceneLayer::kSkeleton, SceneLayer::kBoards, SceneLayer::kGrid});
-        layOut();
-    }
-    updateMessage();
-    refresh();
-}
-
-void SceneView::setSubject(SceneSubject subject) {
-    parts_->take.setSubject(subject);
-    refresh();
-}
-
-void SceneView::clearFigure() {
-    parts_->figure.reset();
-    parts_->tools->setOffered({SceneLayer::kMesh, SceneLayer::kSkeleton, SceneLayer::kBoards,
-                               SceneLayer::kRays, SceneLayer::kTrails, SceneLayer::kContacts,
-                               SceneLayer::kGhost, SceneLayer::kGrid});
-    layOut();
-    updateMessage();
-    refresh();
-}
-
-SuitPart SceneView::chosenPart() const {
-    return parts_->figure ? parts_->figure->chosen() : SuitPart{};
-}
-
-void SceneView::setChosenPart(SuitPart part) {
-    if (!parts_->figure)
-        return;
-    parts_->figure->choose(part);
-    refresh();
-}
-
 QImage SceneView::picture(double scale) const {
     if (!parts_->canvas)
         return {};
@@ -344,7 +314,10 @@ QString SceneView::descriptionInWords() const {
         return SceneCanvas::missing();
     if (parts_->figure)
         return figureDescription(*parts_->figure);
-    return takeDescription(studio_, parts_->composed);
+    if (!parts_->composed.hasBody())
+        return whyNoBody();
+    return parts_->live ? liveDescription(parts_->composed, callout())
+                        : takeDescription(studio_, parts_->composed, callout());
 }
 
 void SceneView::exportPicture() {

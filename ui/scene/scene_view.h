@@ -2,7 +2,7 @@
 // The body in its room: mesh, skeleton, boards, sources, rays coloured by confidence, trails, contacts, the
 // ghost of a second motion, and the tools and legends on the picture. By itself it follows the take under
 // review, its time and its selection; with setFigure() it shows a performer in the rest pose instead, whose
-// boards and sources can be chosen and dragged.
+// boards and sources can be chosen and dragged; with setLive() it shows a suit that is worn right now.
 #pragma once
 
 #include <QImage>
@@ -10,15 +10,19 @@
 #include <memory>
 
 #include "core/body/actor.h"
+#include "core/live/latency.h"
 #include "core/motion/timed_poses.h"
 #include "core/render/camera.h"
 #include "core/render/scene.h"
 #include "core/suit/suit.h"
 #include "ui/models/studio.h"
+#include "ui/scene/live_scene.h"
 #include "ui/scene/scene_layers.h"
 #include "ui/scene/suit_part.h"
 
 namespace noctule::ui {
+
+struct SceneCallout;
 
 class SceneView : public QWidget {
     Q_OBJECT
@@ -43,6 +47,13 @@ public:
     void setFigure(const Actor& actor, const Suit& suit);
     /// Back to the take under review.
     void clearFigure();
+    /// Shows what showFrame() brings from now on, instead of the take.
+    void setLive(LiveWearer wearer);
+    /// Null: nothing comes.
+    void showFrame(std::shared_ptr<const LiveFrame> frame);
+    /// From showFrame() to the picture on the screen.
+    const LatencyHistogram& frameDelays() const;
+
     /// The part with the gizmo; figure only.
     SuitPart chosenPart() const;
     void setChosenPart(SuitPart part);
@@ -66,6 +77,8 @@ signals:
     void placementDragged(noctule::ui::SuitPart part, Eigen::Vector3d p_segment_m,
                           Eigen::Quaterniond q_segment);
     void dragEnded();
+    /// Live: this frame is on the screen.
+    void frameDrawn(const std::shared_ptr<const noctule::LiveFrame>& frame);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -82,6 +95,10 @@ private:
     void showMessage(const QString& sentence);
     void updateMessage();
     void layOut();
+    QString whyNoBody() const;
+    const Suit* shownSuit() const;
+    std::optional<SceneCallout> callout() const;
+    void noteDrawn();
 
     const Scene& compose();
     void refresh();

@@ -38,6 +38,10 @@ QString pairLine(const ComposedScene& composed, int source, int board) {
     return SceneWords::tr("Source %1, confidence %2").arg(source + 1).arg(numberText(heard->confidence, 2));
 }
 
+QString withChosen(const QString& words, const std::optional<SceneCallout>& callout) {
+    return callout ? SceneWords::tr("%1. Chosen: %2").arg(words, callout->title) : words;
+}
+
 }  // namespace
 
 std::vector<SceneLegend> takeLegends(TakeDocument& take, const ComposedScene& composed,
@@ -51,20 +55,19 @@ std::vector<SceneLegend> takeLegends(TakeDocument& take, const ComposedScene& co
     return {{SceneWords::tr("Result A"), false}, {compared, true}};
 }
 
-std::optional<SceneCallout> takeCallout(Studio& studio, const ComposedScene& composed) {
-    const auto overview = studio.take().overview();
-    const int board = studio.selection().board(), source = studio.selection().source();
-    if (!overview || !composed.hasBody())
+std::optional<SceneCallout> partCallout(const Suit& suit, const Selection& selection,
+                                        const ComposedScene& composed, bool has_ranges) {
+    const int board = selection.board(), source = selection.source();
+    if (!composed.hasBody())
         return std::nullopt;
     const bool has_board = board >= 0 && board < static_cast<int>(composed.places.boards.size());
     const bool has_source = source >= 0 && source < static_cast<int>(composed.places.sources.size());
     if (has_board)
-        return SceneCallout{
-            {},
-            boardLine(overview->suit, board),
-            has_source && studio.take().ranges() ? pairLine(composed, source, board) : QString()};
+        return SceneCallout{{},
+                            boardLine(suit, board),
+                            has_source && has_ranges ? pairLine(composed, source, board) : QString()};
     if (has_source)
-        return SceneCallout{{}, sourceLine(overview->suit, source), {}};
+        return SceneCallout{{}, sourceLine(suit, source), {}};
     return std::nullopt;
 }
 
@@ -79,18 +82,23 @@ std::optional<SceneCallout> figureCallout(const FigureScene& figure) {
                         kHandles_px};
 }
 
-QString takeDescription(Studio& studio, const ComposedScene& composed) {
+QString takeDescription(Studio& studio, const ComposedScene& composed,
+                        const std::optional<SceneCallout>& callout) {
     if (!composed.hasBody())
         return whyEmpty(studio);
     const QString time = timeText(studio.time().time());
-    QString words = composed.pair_count == 0 ? SceneWords::tr("Body at %1").arg(time)
-                                             : SceneWords::tr("Body at %1, %2 of %3 pairs good")
-                                                   .arg(time)
-                                                   .arg(composed.goodPairs())
-                                                   .arg(composed.pair_count);
-    if (const auto callout = takeCallout(studio, composed))
-        words = SceneWords::tr("%1. Chosen: %2").arg(words, callout->title);
-    return words;
+    const QString words = composed.pair_count == 0 ? SceneWords::tr("Body at %1").arg(time)
+                                                   : SceneWords::tr("Body at %1, %2 of %3 pairs good")
+                                                         .arg(time)
+                                                         .arg(composed.goodPairs())
+                                                         .arg(composed.pair_count);
+    return withChosen(words, callout);
+}
+
+QString liveDescription(const ComposedScene& composed, const std::optional<SceneCallout>& callout) {
+    return withChosen(
+        SceneWords::tr("Live body, %1 of %2 pairs good").arg(composed.goodPairs()).arg(composed.pair_count),
+        callout);
 }
 
 QString figureDescription(const FigureScene& figure) {
@@ -99,7 +107,15 @@ QString figureDescription(const FigureScene& figure) {
     const int sources = static_cast<int>(figure.suit().sources.size());
     const QString words =
         SceneWords::tr("Performer in the rest pose with %1 boards and %2 sources").arg(boards).arg(sources);
-    return callout ? SceneWords::tr("%1. Chosen: %2").arg(words, callout->title) : words;
+    return withChosen(words, callout);
+}
+
+QString whyEmpty(const LiveScene& live) {
+    if (!live.wearer().suit.boards.empty() && !live.wearer().calibration)
+        return SceneWords::tr(
+            "The live body needs a calibration. Boards and pairs are watched, and a take can be recorded and "
+            "processed later.");
+    return SceneWords::tr("The live body appears here with the suit's first pose.");
 }
 
 QString whyEmpty(Studio& studio) {

@@ -6,6 +6,7 @@
 #include <QString>
 
 #include "ui/scene/figure_scene.h"
+#include "ui/scene/live_scene.h"
 #include "ui/scene/scene_overlay.h"
 #include "ui/scene/take_scene.h"
 
@@ -15,12 +16,17 @@ namespace noctule::ui {
 std::vector<SceneLegend> takeLegends(TakeDocument& take, const ComposedScene& composed,
                                      const SceneLayers& layers);
 /// "Left shin, board 14" and the chosen pair's confidence; nothing when no board or source is chosen.
-std::optional<SceneCallout> takeCallout(Studio& studio, const ComposedScene& composed);
+std::optional<SceneCallout> partCallout(const Suit& suit, const Selection& selection,
+                                        const ComposedScene& composed, bool has_ranges);
 std::optional<SceneCallout> figureCallout(const FigureScene& figure);
 /// "Body at 0:17.4, 57 of 144 pairs good"
-QString takeDescription(Studio& studio, const ComposedScene& composed);
+QString takeDescription(Studio& studio, const ComposedScene& composed,
+                        const std::optional<SceneCallout>& callout);
+/// "Live body, 57 of 144 pairs good"
+QString liveDescription(const ComposedScene& composed, const std::optional<SceneCallout>& callout);
 QString figureDescription(const FigureScene& figure);
 /// Why there is no body to see; empty when there is one or it is coming.
 QString whyEmpty(Studio& studio);
+QString whyEmpty(const LiveScene& live);
 
 }  // namespace noctule::ui

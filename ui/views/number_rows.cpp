@@ -27,16 +27,19 @@ int NumberRows::addRow(const QString& icon, const QString& name) {
     row.icon = new IconLabel(icon, [] { return iconColor(Tone::kNeutral); });
     row.name = new Label(name, TextRole::kBody, Ink::kLabel);
     row.value = new Label({}, TextRole::kBody, Ink::kValue, true);
+    row.hint = (new Label({}, TextRole::kCaption, Ink::kHint))->wrapped();
     row.bar = new BarMeter;
     row.bar->setAccessibleName(name);
-    auto* column = makeColumn(row.widget, {}, 4);
+    auto* column = makeColumn(row.widget, {}, 2);
     auto* line = ui::addRow(column, 8);
     line->addWidget(row.icon);
     line->addWidget(row.name, 1);
     line->addWidget(row.value);
+    ui::addRow(column, 0, {24, 0, 0, 0})->addWidget(row.hint);
     column->addWidget(row.bar);
     column_->addWidget(row.widget);
     row.bar->hide();
+    row.hint->parentWidget()->hide();
     row.widget->hide();
     rows_.push_back(row);
     return static_cast<int>(rows_.size()) - 1;
@@ -55,6 +58,12 @@ void NumberRows::setValue(int row, const QString& value, Tone tone, double fract
     shown.bar->setVisible(fraction >= 0);
     if (fraction >= 0)
         shown.bar->setValue(fraction, tone == Tone::kNeutral ? Tone::kAccent : tone, value);
+}
+
+void NumberRows::setHint(int row, const QString& hint) {
+    const Row& shown = rows_.at(static_cast<size_t>(row));
+    shown.hint->setText(hint);
+    shown.hint->parentWidget()->setVisible(!hint.isEmpty());
 }
 
 QString NumberRows::value(int row) const {

@@ -24,6 +24,8 @@ public:
     int addRow(const QString& icon, const QString& name);
     /// Empty: not known, the row goes. `fraction` 0..1 shows a bar below.
     void setValue(int row, const QString& value, Tone tone = Tone::kNeutral, double fraction = -1);
+    /// Below the name; empty: nothing.
+    void setHint(int row, const QString& hint);
     QString value(int row) const;
 
 private:
@@ -31,7 +33,7 @@ private:
         QWidget* widget;
         IconLabel* icon;
         QString icon_name;
-        Label *name, *value;
+        Label *name, *value, *hint;
         BarMeter* bar;
         Tone tone = Tone::kNeutral;
     };

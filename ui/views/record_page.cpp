@@ -1,68 +1,110 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/record_page.h"
 
-#include <QPainter>
-#include <QVBoxLayout>
+#include <QKeyEvent>
+#include <QScrollArea>
+#include <QStackedWidget>
 
+#include "ui/scene/scene_view.h"
+#include "ui/views/no_suit.h"
+#include "ui/views/record_actions.h"
+#include "ui/views/record_bar.h"
+#include "ui/views/record_center.h"
+#include "ui/views/record_readiness.h"
+#include "ui/views/record_sidebar.h"
 #include "ui/views/scaled_layout.h"
-#include "ui/widgets/label.h"
 
 namespace noctule::ui {
-namespace {
-
-/// The record button as it will be, in grey: nothing can be recorded, so nothing is red.
-class RestingRing : public QWidget {
-public:
-    RestingRing() {
-        setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-        QObject::connect(&Theme::get(), &Theme::changed, this, [this] { updateGeometry(), update(); });
-    }
-    QSize sizeHint() const override { return {Theme::get().px(90), Theme::get().px(90)}; }
-
-protected:
-    void paintEvent(QPaintEvent*) override {
-        const Theme& theme = Theme::get();
-        const Tokens& tokens = theme.tokens();
-        QPainter painter(this);
-        painter.setRenderHint(QPainter::Antialiasing);
-        const QPointF centre = QRectF(rect()).center();
-        painter.setPen(QPen(tokens.edge, theme.px(3)));
-        painter.drawEllipse(centre, theme.px(42) - 2, theme.px(42) - 2);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(tokens.ctl);
-        painter.drawEllipse(centre, theme.px(33), theme.px(33));
-    }
-};
-
-}  // namespace
 
 RecordPage::RecordPage(Studio& studio, QWidget* parent)
-    : ComingPage(
-          studio,
-          {tr("Record"),
-           tr("Nothing to record from"),
-           tr("The studio does not record from a suit yet; noctule --batch record does."),
-           {tr("The body live in three dimensions, with every ray between source and board."),
-            tr("A clock and how much of the take is on disk, a countdown, markers and notes while it runs."),
-            tr("Levels of each board, and a word when something slips or falls silent.")},
-           tr("Import takes that were recorded elsewhere, or let the virtual suit make one.")},
-          parent) {
-    addVirtualSuitWay();
-    addImportWay();
-    auto* middle = new QWidget;
-    auto* column = makeColumn(middle, {16, 16, 16, 16}, 12);
-    column->addStretch();
-    column->addWidget(new RestingRing, 0, Qt::AlignHCenter);
-    column->addWidget(
-        new Label(tr("0:00.0", "the clock of a take before it begins"), TextRole::kClock, Ink::kHint), 0,
-        Qt::AlignHCenter);
-    auto* sentence =
-        new Label(tr("A take starts here once a suit is connected."), TextRole::kSection, Ink::kLabel);
-    sentence->setAlignment(Qt::AlignHCenter);
-    sentence->wrapped();
-    column->addWidget(sentence);
-    column->addStretch();
-    setDrawing(middle, {});
+    : Page(parent),
+      studio_(studio),
+      run_(studio),
+      center_(new RecordCenter(studio, run_)),
+      no_suit_(new NoSuit(studio)),
+      stack_(new QStackedWidget),
+      sidebar_(new RecordSidebar(studio, run_, this)),
+      readiness_(new RecordReadiness(studio, this)),
+      actions_(nullptr) {
+    makeColumn(this)->addWidget(stack_);
+    stack_->addWidget(center_);
+    stack_->addWidget(no_suit_);
+    setFocusPolicy(Qt::ClickFocus);
+    for (QWidget* dock : {static_cast<QWidget*>(sidebar_), static_cast<QWidget*>(readiness_)}) {
+        dock->hide();
+        dock->installEventFilter(this);
+        for (QScrollArea* area : dock->findChildren<QScrollArea*>())
+            area->installEventFilter(this);
+    }
+    actions_ = new RecordActions(*this);
+    connect(&run_, &RecordRun::changed, this, &RecordPage::refresh);
+    connect(&center_->bar(), &RecordBar::fieldLeft, this, [this] { setFocus(); });
+    connect(&center_->scene(), &SceneView::frameDrawn, this, [this] {
+        if (readiness_)
+            readiness_->setScreenDelay(center_->scene().frameDelays().quantile_s(0.5));
+    });
+    connect(&studio.session(), &SessionModel::opened, this, &RecordPage::tellTitles);
+    connect(&studio.session(), &SessionModel::changed, this, &RecordPage::tellTitles);
+    refresh();
+    tellTitles();
+}
+
+RecordPage::~RecordPage() = default;
+
+QWidget* RecordPage::leftDock() {
+    return sidebar_;
+}
+
+QWidget* RecordPage::rightDock() {
+    return readiness_;
+}
+
+RecordSidebar& RecordPage::sidebar() {
+    return *sidebar_;
+}
+
+RecordReadiness& RecordPage::readiness() {
+    return *readiness_;
+}
+
+QList<QAction*> RecordPage::menuActions() const {
+    return actions_->all();
+}
+
+bool RecordPage::showsSuit() const {
+    return stack_->currentWidget() == center_;
+}
+
+void RecordPage::enter() {
+    setFocus();
+}
+
+void RecordPage::leave() {
+    run_.endCountdown();
+}
+
+void RecordPage::refresh() {
+    stack_->setCurrentWidget(run_.state() == RecordRun::State::kNoSuit ? static_cast<QWidget*>(no_suit_)
+                                                                       : center_);
+}
+
+void RecordPage::tellTitles() {
+    const SessionModel& session = studio_.session();
+    const QString left = session.isOpen() ? QString::fromStdString(session.session().name) : tr("No session");
+    if (left != leftDockTitle())
+        setDockTitles(left, tr("Readiness"));
+}
+
+void RecordPage::keyPressEvent(QKeyEvent* event) {
+    if (!actions_->handleKey(*event))
+        Page::keyPressEvent(event);
+}
+
+/// Keys that nothing in a dock wanted come to its scroll areas and to itself last.
+bool RecordPage::eventFilter(QObject* object, QEvent* event) {
+    if (event->type() == QEvent::KeyPress && actions_->handleKey(*static_cast<QKeyEvent*>(event)))
+        return true;
+    return Page::eventFilter(object, event);
 }
 
 }  // namespace noctule::ui

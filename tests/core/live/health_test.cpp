@@ -87,11 +87,13 @@ TEST(Health, WhatIsOldIsForgotten) {
     health.addBlock(0, loud);
     health.add(RangeMeasurement{1, 75000, 0, 0, 75400, 0.9, 1, 0.5, 1, 0.002});
     EXPECT_EQ(health.report().boards[0].clipped_samples, 150000);
+    EXPECT_EQ(health.report().boards[0].peak_counts, 32767);
     EXPECT_EQ(health.report().boards[0].ranges_per_s, 1);
     for (int64_t at = 150000; at < 450000; at += 600)
         health.addBlock(at, std::vector<int16_t>(600, 0));
     const HealthReport later = health.report();
     EXPECT_EQ(later.boards[0].clipped_samples, 0);
+    EXPECT_EQ(later.boards[0].peak_counts, 0);
     EXPECT_EQ(later.boards[0].ranges_per_s, 0);
     EXPECT_TRUE(later.boards[0].silent);
     EXPECT_DOUBLE_EQ(*later.pair(0, 0).age_s, 2.5);

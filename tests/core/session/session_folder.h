@@ -57,7 +57,7 @@ public:
 
     /// A finished take of two seconds, worn by `performer`.
     static Path makeTake(const Path& path, const std::string& created_utc = kCreated,
-                         const std::string& performer = "") {
+                         const std::string& performer = "", const std::string& shot = "") {
         std::filesystem::create_directories(path.parent_path());
         auto take = TakeWriter::create(path.string(), header(created_utc));
         EXPECT_TRUE(take) << take.error().text();
@@ -65,6 +65,9 @@ public:
         EXPECT_TRUE(take->addActor(defaultActor({1.9}), ""));
         if (!performer.empty()) {
             EXPECT_TRUE(take->setMeta("performer", performer));
+        }
+        if (!shot.empty()) {
+            EXPECT_TRUE(take->setMeta("x_shot", shot));
         }
         addSound(*take, 0, 2000);
         EXPECT_TRUE(take->finish());

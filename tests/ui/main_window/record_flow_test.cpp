@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// From launch to an exported take of a live suit, every click counted; and what the live picture costs. The
+// box plays the tiny take over TCP in real time. NOCTULE_RECORD_S: another length than two seconds.
+#include <QAbstractButton>
+#include <QMessageBox>
+#include <cstdio>
+
+#include "core/live/latency.h"
+#include "tests/devices/support/answerer.h"
+#include "tests/devices/support/test_box.h"
+#include "tests/ui/main_window/studio_fixture.h"
+#include "tests/ui/support/stall_watch.h"
+#include "ui/main_window/top_bar.h"
+#include "ui/scene/scene_view.h"
+#include "ui/views/connect_page.h"
+#include "ui/views/device_card.h"
+#include "ui/views/devices_panel.h"
+#include "ui/views/export_page.h"
+#include "ui/views/readiness_panel.h"
+#include "ui/views/record_bar.h"
+#include "ui/views/record_center.h"
+#include "ui/views/record_page.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/record_button.h"
+
+namespace noctule::ui {
+namespace {
+
+using noctule::test::Answerer;
+using noctule::test::TestBox;
+
+#ifdef NOCTULE_SANITIZED
+constexpr double kSanitizedSlower = 10;
+#else
+constexpr double kSanitizedSlower = 1;
+#endif
+constexpr int kMostClicks = 12;
+constexpr double kLongestLive_ms = 50 * kSanitizedSlower, kSampleToScreen_s = 0.1 * kSanitizedSlower;
+
+class RecordFlow : public test::StudioWindow {
+protected:
+    void SetUp() override {
+        StudioWindow::SetUp();
+        studio_->settings().setValue("record/countdown_s", 0);
+        studio_->settings().setValue("record/tones", false);
+        announced_ = noctule::test::testAnnouncement();
+        announced_.tcp_port =
+            static_cast<uint16_t>(std::stoi(box_.address().substr(box_.address().rfind(':') + 1)));
+        answerer_.announce(announced_);
+    }
+
+    /// What the operator does, and nothing else.
+    void click(QAbstractButton* button) {
+        ASSERT_NE(button, nullptr);
+        ASSERT_TRUE(button->isVisible() && button->isEnabled()) << button->text().toStdString();
+        ++clicks_;
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    QAbstractButton* visibleButton(const QString& text) {
+        for (QAbstractButton* button : window_->findChildren<QAbstractButton*>())
+            if (button->text() == text && button->isVisible())
+                return button;
+        return nullptr;
+    }
+    template <class PageOfStep>
+    PageOfStep& pageOf(Step step) {
+        return dynamic_cast<PageOfStep&>(window_->page(step));
+    }
+    RecordPage& record() { return pageOf<RecordPage>(Step::kRecord); }
+    /// "Calibrated before" of the way from launch to an exported take.
+    void calibrateAsBefore() {
+        const Take take = std::move(Take::open(noctule::test::kTinyTake).value());
+        studio_->suit().setCalibration(take.calibrationInForce()->value);
+    }
+    void connectDirectly() {
+        const Take take = std::move(Take::open(noctule::test::kTinyTake).value());
+        studio_->suit().connectTo(QString::fromStdString(box_.address()),
+                                  {take.calibrationInForce()->value, take.actorInForce()->value, 0.5});
+        ASSERT_TRUE(waitFor([&] { return studio_->suit().phase() == LiveSuit::Phase::kLooking; }));
+    }
+    static double recordedSeconds() {
+        const double wanted = qEnvironmentVariable("NOCTULE_RECORD_S").toDouble();
+        return wanted > 0 ? wanted : 2;
+    }
+    bool recordFor(double seconds) {
+        return QTest::qWaitFor([&] { return studio_->suit().recordedSeconds() >= seconds; },
+                               30'000 + static_cast<int>(seconds * 1e3));
+    }
+
+    TestBox box_{{}};
+    link::Announcement announced_;
+    Answerer answerer_{noctule::test::testAnnouncement()};
+    int clicks_ = 0;
+};
+
+TEST_F(RecordFlow, FromLaunchToAnExportedTake) {
+    studio_->finder().start({answerer_.port(), false});
+    ASSERT_TRUE(waitFor([&] { return studio_->finder().suits().size() == 1; })) << "not discovered";
+    click(visibleButton("Connect a suit"));
+    ASSERT_EQ(window_->step(), Step::kConnect);
+    auto& connect_page = pageOf<ConnectPage>(Step::kConnect);
+    click(connect_page.devices().cards().at(0)->button());
+    ASSERT_TRUE(waitFor([&] { return studio_->suit().phase() == LiveSuit::Phase::kLooking; }));
+    calibrateAsBefore();
+    ASSERT_TRUE(waitFor([&] { return studio_->check().readiness().verdict == Readiness::Verdict::kReady; }));
+    click(connect_page.readiness().wayOn());
+    ASSERT_EQ(window_->step(), Step::kRecord);
+    ASSERT_TRUE(waitFor([&] {
+        return record().run().state() == RecordRun::State::kReady && studio_->suit().frame() &&
+               studio_->suit().frame()->pose;
+    }));
+    click(&record().center().bar().button());
+    ASSERT_TRUE(recordFor(recordedSeconds()));
+    click(&record().center().bar().button());
+    ASSERT_TRUE(waitFor([&] { return window_->step() == Step::kReview && studio_->take().isOpen(); }));
+    ASSERT_TRUE(waitFor([&] { return studio_->take().shownMotion() != nullptr; })) << "no result is shown";
+    EXPECT_GE(studio_->session().session().takes.at(0).duration_s, recordedSeconds());
+    click(visibleButton("Export"));
+    ASSERT_EQ(window_->step(), Step::kExport);
+    auto& export_page = pageOf<ExportPage>(Step::kExport);
+    ASSERT_TRUE(waitFor([&] { return export_page.writeButton()->isEnabled(); }));
+    click(export_page.writeButton());
+    ASSERT_TRUE(waitFor([&] { return export_page.results().has_value(); }));
+    EXPECT_EQ(export_page.results()->written(), 1);
+    EXPECT_LE(clicks_, kMostClicks);
+    std::printf("%d clicks from launch to an exported take of %.0f s\n", clicks_, recordedSeconds());
+}
+
+TEST_F(RecordFlow, CtrlRRecordsFromAnywhereAndTheTopBarShowsIt) {
+    ASSERT_TRUE(studio_->session().create(home() + "-live", "live"));
+    connectDirectly();
+    window_->goTo(Step::kExport);
+    QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier);
+    EXPECT_EQ(window_->step(), Step::kRecord);
+    ASSERT_TRUE(recordFor(0.3));
+    window_->goTo(Step::kExport);
+    EXPECT_TRUE(waitFor([&] { return window_->topBar().recordButton().text() == "0:01"; }));
+    EXPECT_TRUE(window_->topBar().recordButton().isVisible());
+    EXPECT_EQ(studio_->suit().phase(), LiveSuit::Phase::kRecording) << "leaving the page ends no take";
+    QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier);
+    EXPECT_TRUE(waitFor([&] { return window_->step() == Step::kReview; }));
+    EXPECT_EQ(window_->topBar().recordButton().text(), "Record");
+}
+
+TEST_F(RecordFlow, ClosingTheWindowAsksWhileATakeIsRecorded) {
+    ASSERT_TRUE(studio_->session().create(home() + "-live", "live"));
+    connectDirectly();
+    window_->goTo(Step::kRecord);
+    QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier);
+    ASSERT_TRUE(recordFor(0.3));
+    QString asked;
+    const auto answer = [&asked](const QString& with) {
+        QTimer::singleShot(100, qApp, [&asked, with] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (!box)
+                return;
+            asked = box->text();
+            for (QAbstractButton* button : box->buttons())
+                if (button->text() == with)
+                    return button->click();
+        });
+    };
+    answer("Cancel");
+    EXPECT_FALSE(window_->close());
+    EXPECT_EQ(asked, "The take is being recorded");
+    EXPECT_EQ(studio_->suit().phase(), LiveSuit::Phase::kRecording);
+    answer("Stop and close");
+    EXPECT_FALSE(window_->close()) << "not before the take is complete";
+    EXPECT_TRUE(waitFor([&] { return !window_->isVisible(); }));
+    ASSERT_EQ(studio_->session().session().takes.size(), 1U);
+    EXPECT_EQ(studio_->session().session().takes[0].state, TakeState::kComplete);
+}
+
+TEST_F(RecordFlow, TheLiveBodyIsOnTheScreenSoonAndLeavesTheInterfaceFree) {
+    ASSERT_TRUE(studio_->session().create(home() + "-live", "live"));
+    connectDirectly();
+    window_->goTo(Step::kRecord);
+    ASSERT_TRUE(waitFor([&] { return studio_->suit().frame() && studio_->suit().frame()->pose; }));
+    QTest::qWait(500);  // the first picture compiles what the others draw with
+    LatencyHistogram sample_to_screen;
+    QObject::connect(&record().center().scene(), &SceneView::frameDrawn, window_.get(),
+            [&](const std::shared_ptr<const LiveFrame>& frame) {
+                const int64_t behind = box_.sampledSamples() - frame->sample;
+                if (behind >= 0)  // else another stream has begun
+                    sample_to_screen.add(behind * 1'000'000'000 / 150'000);
+            });
+    record().run().press();
+    ASSERT_TRUE(recordFor(0.5));
+    test::StallWatch watch;
+    ASSERT_TRUE(recordFor(recordedSeconds() + 0.5));
+    std::printf(
+        "live: %lld pictures, sample to screen %.0f ms in the median, %.0f ms at the 95th percentile; "
+        "longest "
+        "gap %.0f ms, of it ours %.0f ms\n",
+        static_cast<long long>(sample_to_screen.count()), sample_to_screen.quantile_s(0.5) * 1e3,
+        sample_to_screen.quantile_s(0.95) * 1e3, watch.longest_ms(), watch.longestOwn_ms());
+    EXPECT_GT(sample_to_screen.count(), 10);
+    EXPECT_LT(sample_to_screen.quantile_s(0.95), kSampleToScreen_s);
+    EXPECT_LT(watch.longestOwn_ms(), kLongestLive_ms);
+    record().run().stop();
+    EXPECT_TRUE(waitFor([&] { return window_->step() == Step::kReview; }));
+}
+
+}  // namespace
+}  // namespace noctule::ui

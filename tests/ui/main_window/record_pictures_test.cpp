@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of Record: without a suit, ready, counting down, recording, and with faults.
+#include "core/session/shot_list.h"
+#include "tests/ui/main_window/live_pictures.h"
+#include "ui/views/record_page.h"
+
+namespace noctule::ui {
+namespace {
+
+const std::vector<QSize> kRecordSizes{{1440, 900}, {1280, 800}, {1920, 1080}};
+
+class RecordPictures : public test::LivePictures {
+protected:
+    RecordRun& run() { return dynamic_cast<RecordPage&>(window_->page(Step::kRecord)).run(); }
+    bool recordFor(double seconds) {
+        return waitFor([&] { return studio_->suit().recordedSeconds() >= seconds; });
+    }
+    bool isReady() {
+        return waitFor([&] {
+            return studio_->check().readiness().verdict == Readiness::Verdict::kReady &&
+                   studio_->suit().frame() && studio_->suit().frame()->pose;
+        });
+    }
+    void recordOneTake(double seconds) {
+        run().press();
+        ASSERT_TRUE(recordFor(seconds));
+        run().stop();
+        ASSERT_TRUE(waitFor([&] { return run().state() == RecordRun::State::kReady; }));
+    }
+};
+
+TEST_F(RecordPictures, FromWithoutASuitToFaults) {
+    window_->goTo(Step::kRecord);
+    save("record-without", {{1440, 900}});
+    studio_->startVirtualSuit();
+    ASSERT_TRUE(isReady());
+    ASSERT_TRUE(studio_->session().create(QDir(home()).filePath("Stage tests"), "Stage tests"));
+    window_->goTo(Step::kRecord);
+    studio_->session().setShots(
+        shotsFromText("Walk, straight line\nReach, high and low\nTurn, both ways x3\nSit and stand x3\n"
+                      "Step over a box x2\nKick, each leg x2"));
+    run().setCountdownSeconds(0);
+    run().setTones(false);
+    run().setOpensReview(false);
+    recordOneTake(3);
+    recordOneTake(2);
+    QTest::qWait(3000);
+    save("record-ready", kRecordSizes);
+    run().setCountdownSeconds(10);
+    run().press();
+    QTest::qWait(6500);
+    Theme::get().setScheme(Scheme::kDark);
+    saveAs("record-countdown-dark-1920");
+    Theme::get().setScheme(Scheme::kLight);
+    QTest::qWait(300);
+    saveAs("record-countdown-light-1920");
+    Theme::get().setScheme(Scheme::kDark);
+    ASSERT_TRUE(recordFor(4));
+    run().addMarker();
+    QTest::qWait(1500);
+    run().addMarker();
+    run().addNote("left heel slips");
+    save("record-recording", kRecordSizes);
+    saveLarge("record-recording-dark");
+    tell("unplug 14");
+    ASSERT_TRUE(
+        waitFor([&] { return studio_->check().readiness().verdict == Readiness::Verdict::kNotReady; }));
+    QTest::qWait(1500);
+    save("record-fault", {{1280, 800}, {1440, 900}});
+    run().stop();
+    ASSERT_TRUE(waitFor([&] { return run().state() == RecordRun::State::kRefused; }));
+    run().press();
+    save("record-refused", {{1280, 800}});
+}
+
+}  // namespace
+}  // namespace noctule::ui

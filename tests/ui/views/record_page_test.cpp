@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Record page against a box that plays the tiny take over TCP: two boards, eight sources.
+#include "ui/views/record_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/recording/take.h"
+#include "core/session/shot_list.h"
+#include "tests/devices/support/test_box.h"
+#include "tests/ui/support/wait.h"
+#include "ui/plots/level_meters.h"
+#include "ui/plots/pairs_heard.h"
+#include "ui/style/theme.h"
+#include "ui/views/levels_panel.h"
+#include "ui/views/mark_list.h"
+#include "ui/views/no_suit.h"
+#include "ui/views/record_bar.h"
+#include "ui/views/record_center.h"
+#include "ui/views/record_readiness.h"
+#include "ui/views/record_sidebar.h"
+#include "ui/views/shot_list.h"
+#include "ui/views/shot_list_dialog.h"
+#include "ui/views/take_clock.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/problem_card.h"
+#include "ui/widgets/record_button.h"
+
+namespace noctule::ui {
+namespace {
+
+using noctule::test::TestBox;
+using State = RecordRun::State;
+
+class RecordPageTest : public testing::Test {
+protected:
+    void SetUp() override {
+        Theme::install(*qApp);
+        QSettings().clear();
+        QSettings().setValue("folders/sessions", folder_.filePath("sessions"));
+        QSettings().setValue("record/countdown_s", 0);
+        QSettings().setValue("record/tones", false);
+        studio_ = std::make_unique<Studio>(
+            StudioParts{"test", [] { return std::string("2026-01-01T00:00:00Z"); }, {}, {}});
+        page_ = std::make_unique<RecordPage>(*studio_);
+        page_->resize(1000, 700);
+        page_->show();
+        QApplication::setActiveWindow(page_.get());
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(page_.get()));
+        page_->enter();
+    }
+    void TearDown() override {
+        page_.reset();
+        studio_.reset();
+    }
+
+    void openSession() { ASSERT_TRUE(studio_->session().create(folder_.filePath("here"), "here")); }
+    const Session& session() { return studio_->session().session(); }
+    RecordRun& run() { return page_->run(); }
+    RecordBar& bar() { return page_->center().bar(); }
+    bool reach(State state) {
+        return waitFor([&] { return run().state() == state; });
+    }
+    bool connectTo(const TestBox& box) {
+        const Take take = std::move(Take::open(noctule::test::kTinyTake).value());
+        studio_->suit().connectTo(QString::fromStdString(box.address()),
+                                  {take.calibrationInForce()->value, take.actorInForce()->value, 0.5});
+        return waitFor([&] { return studio_->suit().phase() == LiveSuit::Phase::kLooking; });
+    }
+    bool recordFor(double seconds) {
+        return reach(State::kReady) && (key(Qt::Key_Space), reach(State::kRecording)) &&
+               waitFor([&] { return studio_->suit().recordedSeconds() >= seconds; });
+    }
+    void key(Qt::Key key) { QTest::keyClick(page_.get(), key); }
+    std::string pathOf(const char* take) {
+        return session().pathOf(session().takes[static_cast<size_t>(session().findTake(take))]).string();
+    }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<Studio> studio_;
+    std::unique_ptr<RecordPage> page_;
+};
+
+TEST_F(RecordPageTest, WithoutASuitItSaysSoAndShowsTheWays) {
+    EXPECT_EQ(run().state(), State::kNoSuit);
+    EXPECT_FALSE(page_->showsSuit());
+    QSignalSpy steps(studio_.get(), &Studio::stepRequested);
+    QTest::mouseClick(page_->noSuit().connectButton(), Qt::LeftButton);
+    ASSERT_EQ(steps.count(), 1);
+    EXPECT_EQ(steps[0][0].value<Step>(), Step::kConnect);
+    EXPECT_FALSE(page_->noSuit().virtualSuitButton()->isEnabled()) << "its program is not there";
+    key(Qt::Key_Space);
+    EXPECT_EQ(run().state(), State::kNoSuit);
+}
+
+TEST_F(RecordPageTest, SpaceRecordsAndStopsAndTheTakeOpensInReview) {
+    TestBox box({});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    EXPECT_TRUE(page_->showsSuit());
+    EXPECT_EQ(bar().name().text(), "take_001");
+    QSignalSpy steps(studio_.get(), &Studio::stepRequested);
+    ASSERT_TRUE(recordFor(1));
+    EXPECT_EQ(bar().button().state(), RecordButton::State::kRecording);
+    EXPECT_EQ(page_->sidebar().runningTake(), "take_001");
+    EXPECT_EQ(run().nextName(), "take_002");
+    EXPECT_TRUE(page_->center().clock().safety().startsWith("On disk up to 0:"));
+    key(Qt::Key_Escape);
+    EXPECT_EQ(run().state(), State::kRecording) << "Esc never ends a take";
+    key(Qt::Key_Space);
+    ASSERT_TRUE(waitFor([&] { return steps.count() == 1; }));
+    EXPECT_EQ(steps[0][0].value<Step>(), Step::kReview);
+    ASSERT_EQ(session().takes.size(), 1u);
+    EXPECT_EQ(session().takes[0].state, TakeState::kComplete);
+    EXPECT_EQ(studio_->session().currentTake(), 0);
+    EXPECT_EQ(page_->sidebar().runningTake(), "");
+    EXPECT_EQ(bar().name().text(), "take_002");
+}
+
+TEST_F(RecordPageTest, AfterStopItStaysWhenTheOperatorWantsItSo) {
+    TestBox box({});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    run().setOpensReview(false);
+    QSignalSpy steps(studio_.get(), &Studio::stepRequested);
+    ASSERT_TRUE(recordFor(0.2));
+    QTest::mouseClick(&bar().button(), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return session().takes.size() == 1; }));
+    EXPECT_TRUE(reach(State::kReady));
+    EXPECT_EQ(steps.count(), 0);
+}
+
+TEST_F(RecordPageTest, TheCountdownCountsAndEscEndsIt) {
+    TestBox box({});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    run().setCountdownSeconds(3);
+    ASSERT_TRUE(reach(State::kReady));
+    key(Qt::Key_Space);
+    ASSERT_EQ(run().state(), State::kCountdown);
+    EXPECT_EQ(bar().button().digit(), 3);
+    ASSERT_TRUE(waitFor([&] { return bar().button().digit() == 2; }));
+    key(Qt::Key_Escape);
+    EXPECT_EQ(run().state(), State::kReady);
+    EXPECT_EQ(QSettings().value("record/countdown_s").toInt(), 3) << "remembered";
+    run().setCountdownSeconds(1);
+    key(Qt::Key_Space);
+    EXPECT_EQ(run().state(), State::kCountdown);
+    EXPECT_TRUE(reach(State::kRecording));
+    run().stop();
+    EXPECT_TRUE(waitFor([&] { return session().takes.size() == 1; }));
+}
+
+TEST_F(RecordPageTest, LeavingThePageEndsACountdownButNotATake) {
+    TestBox box({});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    run().setCountdownSeconds(10);
+    ASSERT_TRUE(reach(State::kReady));
+    key(Qt::Key_Space);
+    ASSERT_EQ(run().state(), State::kCountdown);
+    page_->leave();
+    EXPECT_EQ(run().state(), State::kReady);
+    run().setCountdownSeconds(0);
+    ASSERT_TRUE(recordFor(0.1));
+    page_->leave();
+    EXPECT_EQ(run().state(), State::kRecording);
+    run().stop();
+    EXPECT_TRUE(waitFor([&] { return session().takes.size() == 1; }));
+}
+
+TEST_F(RecordPageTest, MarkersAndNotesAreListedAndInTheTake) {
+    TestBox box({});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    run().setOpensReview(false);
+    key(Qt::Key_M);
+    EXPECT_TRUE(run().marks().empty()) << "no take runs";
+    ASSERT_TRUE(recordFor(0.2));
+    key(Qt::Key_M);
+    key(Qt::Key_N);
+    ASSERT_TRUE(bar().note().hasFocus());
+    QTest::keyClicks(&bar().note(), "m left heel slips");
+    QTest::keyClick(&bar().note(), Qt::Key_Return);
+    QTest::mouseClick(&bar().markerButton(), Qt::LeftButton);
+    ASSERT_EQ(run().marks().size(), 3u) << "the letter m of a note is no marker";
+    EXPECT_EQ(page_->sidebar().marks().count(), 3);
+    run().stop();
+    ASSERT_TRUE(waitFor([&] { return session().takes.size() == 1; }));
+    const Take take = std::move(Take::open(pathOf("take_001")).value());
+    const auto markers = take.markers();
+    std::vector<std::string> labels;
+    for (const MarkerRow& marker : *markers)
+        if (marker.kind == "user")
+            labels.push_back(marker.label);
+    EXPECT_EQ(labels, (std::vector<std::string>{"Marker 1", "Marker 2"}));
+    ASSERT_EQ(take.notes()->size(), 1u);
+    EXPECT_EQ(take.notes()->at(0).text, "m left heel slips");
+}
+
+TEST_F(RecordPageTest, TheNameIsTypedOnceAndCountsByItself) {
+    TestBox box({});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    run().setOpensReview(false);
+    key(Qt::Key_T);
+    ASSERT_TRUE(bar().name().hasFocus());
+    QTest::keyClicks(&bar().name(), "jump high");
+    QTest::keyClick(&bar().name(), Qt::Key_Return);
+    EXPECT_EQ(bar().name().text(), "jump high_001");
+    EXPECT_FALSE(bar().name().hasFocus()) << "the space bar is the page's again";
+    ASSERT_TRUE(recordFor(0.2));
+    key(Qt::Key_Space);
+    ASSERT_TRUE(waitFor([&] { return session().takes.size() == 1; }));
+    EXPECT_EQ(session().takes[0].name, "jump high_001");
+    EXPECT_EQ(bar().name().text(), "jump high_002");
+}
+
+TEST_F(RecordPageTest, TheShotListCountsAndGoesOn) {
+    TestBox box({});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    run().setOpensReview(false);
+    studio_->session().setShots(shotsFromText("Walk, straight line\nTurn, both ways x2"));
+    QListWidget& rows = page_->sidebar().shots().rows();
+    ASSERT_EQ(rows.count(), 2);
+    EXPECT_EQ(run().shot(), 0) << "the first one is due";
+    EXPECT_EQ(run().takeName(), "walk_001");
+    ASSERT_TRUE(recordFor(0.2));
+    run().stop();
+    ASSERT_TRUE(waitFor([&] { return session().takes.size() == 1 && run().state() == State::kReady; }));
+    EXPECT_EQ(session().takes[0].shot, "Walk, straight line");
+    EXPECT_EQ(run().shot(), 1);
+    EXPECT_EQ(run().takeName(), "turn_001");
+    QTest::mouseClick(rows.viewport(), Qt::LeftButton, {}, rows.visualItemRect(rows.item(1)).center());
+    EXPECT_EQ(run().shot(), -1) << "clicked again it is left";
+    studio_->session().setNotes("x");
+    EXPECT_EQ(run().shot(), -1) << "and stays so";
+    QTest::mouseClick(rows.viewport(), Qt::LeftButton, {}, rows.visualItemRect(rows.item(0)).center());
+    EXPECT_EQ(run().takeName(), "walk_002");
+    studio_->session().undoStack().undo();
+    studio_->session().undoStack().undo();
+    EXPECT_EQ(rows.count(), 0);
+    EXPECT_EQ(run().shot(), -1);
+}
+
+TEST_F(RecordPageTest, ABrokenLinkIsNamedWhenTheButtonIsPressed) {
+    TestBox box({});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    box.freeze(true);
+    box.cut();
+    ASSERT_TRUE(reach(State::kRefused));
+    EXPECT_TRUE(bar().button().isEnabled());
+    EXPECT_EQ(page_->center().refusal(), nullptr);
+    QTest::mouseClick(&bar().button(), Qt::LeftButton);
+    ASSERT_NE(page_->center().refusal(), nullptr);
+    EXPECT_NE(page_->center().refusal()->title(), "");
+    EXPECT_EQ(session().takes.size(), 0u);
+    box.freeze(false);
+    EXPECT_TRUE(reach(State::kReady));
+    EXPECT_EQ(page_->center().refusal(), nullptr) << "it leaves by itself";
+}
+
+TEST_F(RecordPageTest, ShowsLevelsPairsAndReadiness) {
+    TestBox box({});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    LevelsPanel& levels = page_->center().levels();
+    ASSERT_TRUE(waitFor(
+        [&] { return levels.meters().levels().size() == 2 && levels.meters().levels()[0].sound_db > -80; }));
+    EXPECT_GT(levels.meters().levels()[0].peak_db, levels.meters().levels()[0].sound_db);
+    EXPECT_EQ(levels.heard().rowCount(), 8);
+    levels.meters().chosen(1);
+    EXPECT_EQ(studio_->selection().board(), 1);
+    RecordReadiness& readiness = page_->readiness();
+    readiness.show();
+    using Fact = RecordReadiness::Fact;
+    ASSERT_TRUE(waitFor([&] { return readiness.value(Fact::kBoards) == "2 of 2"; }));
+    ASSERT_TRUE(waitFor([&] { return readiness.value(Fact::kLink).contains("MB/s"); }));
+    readiness.hide();
+}
+
+TEST(TakeClock, SaysUpToWhereTheTakeIsSafe) {
+    Theme::install(*qApp);
+    TakeClock clock;
+    EXPECT_EQ(clock.safety(), "");
+    RecorderState state;
+    state.commits = 1;
+    state.committed_samples = 2'580'000;
+    clock.setRecorder(state, 150'000);
+    EXPECT_EQ(clock.safety(), "On disk up to 0:17.2");
+    EXPECT_EQ(clock.safetyTone(), Tone::kOk);
+    QTest::qWait(1100);
+    clock.setRecorder(state, 150'000);
+    EXPECT_EQ(clock.safetyTone(), Tone::kError) << "a second without a commit";
+    ++state.commits;
+    clock.setRecorder(state, 150'000);
+    EXPECT_EQ(clock.safetyTone(), Tone::kOk);
+    clock.setRecorder(std::nullopt, 150'000);
+    EXPECT_EQ(clock.safety(), "");
+}
+
+TEST(ShotListDialogTest, ReadsWhatWasPasted) {
+    Theme::install(*qApp);
+    ShotListDialog dialog("- Walk x2\n- Sit\n", true, nullptr);
+    ASSERT_EQ(dialog.shots().size(), 2u);
+    EXPECT_EQ(dialog.shots()[0], (Shot{"Walk", 2}));
+    dialog.editor->setPlainText("");
+    EXPECT_TRUE(dialog.shots().empty());
+}
+
+}  // namespace
+}  // namespace noctule::ui

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the window knows of a take that is being recorded, whatever page is shown.
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/top_bar.h"
+#include "ui/style/words.h"
+#include "ui/views/record_page.h"
+
+namespace noctule::ui {
+namespace {
+
+bool isTakeOpen(const LiveSuit& suit) {
+    return suit.phase() == LiveSuit::Phase::kStarting || suit.phase() == LiveSuit::Phase::kRecording ||
+           suit.phase() == LiveSuit::Phase::kSaving;
+}
+
+}  // namespace
+
+void MainWindow::connectSuit() {
+    LiveSuit& suit = studio_.suit();
+    // The page has to hear of every take, also of one that was begun elsewhere.
+    connect(&suit, &LiveSuit::phaseChanged, this, [this] {
+        if (isTakeOpen(studio_.suit()))
+            page(Step::kRecord);
+        showRecording();
+    });
+    connect(&suit, &LiveSuit::statusChanged, this, &MainWindow::showRecording);
+    connect(
+        &suit, &LiveSuit::recordingEnded, this,
+        [this] {
+            if (closes_after_take_)
+                close();
+        },
+        Qt::QueuedConnection);
+    showRecording();
+}
+
+void MainWindow::recordOrStop() {
+    auto& record = dynamic_cast<RecordPage&>(page(Step::kRecord));
+    const bool runs = record.run().state() == RecordRun::State::kRecording;
+    if (!runs)
+        goTo(Step::kRecord);
+    if (record.run().state() != RecordRun::State::kNoSuit)
+        record.run().press();
+}
+
+void MainWindow::showRecording() {
+    const LiveSuit& suit = studio_.suit();
+    top_bar_->showRecording(isTakeOpen(suit) ? std::optional(suit.recordedSeconds()) : std::nullopt);
+}
+
+/// Asks when a take is being recorded. Stopped, it becomes complete first; then the window closes by itself.
+bool MainWindow::mayStopTake() {
+    const LiveSuit& suit = studio_.suit();
+    if (!isTakeOpen(suit))
+        return true;
+    if (suit.phase() != LiveSuit::Phase::kSaving && !closes_after_take_) {
+        QMessageBox box(this);
+        box.setWindowTitle(tr("Close Noctule"));
+        box.setText(tr("The take is being recorded"));
+        box.setInformativeText(tr("It runs for %1. Stopped now, it is complete up to here.")
+                                   .arg(timeText(suit.recordedSeconds(), 0)));
+        QPushButton* cancel = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+        QPushButton* stop = box.addButton(tr("Stop and close"), QMessageBox::AcceptRole);
+        box.setDefaultButton(cancel);
+        box.setEscapeButton(cancel);
+        box.exec();
+        if (box.clickedButton() != stop || !mayClose())
+            return false;
+    }
+    if (!isTakeOpen(studio_.suit()))
+        return true;  // it ended while the question stood
+    closes_after_take_ = true;
+    studio_.suit().stopRecording();
+    return false;
+}
+
+}  // namespace noctule::ui

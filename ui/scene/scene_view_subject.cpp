@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a 3D view shows: the take under review, a performer at rest, or a suit that is worn right now.
+#include <utility>
+
+#include "ui/scene/scene_parts.h"
+#include "ui/scene/scene_words.h"
+
+namespace noctule::ui {
+
+QString SceneView::whyNoBody() const {
+    return parts_->live ? whyEmpty(*parts_->live) : whyEmpty(studio_);
+}
+
+/// Null: nothing is shown that has one.
+const Suit* SceneView::shownSuit() const {
+    if (parts_->live)
+        return &parts_->live->wearer().suit;
+    const auto overview = studio_.take().overview();
+    return overview ? &overview->suit : nullptr;
+}
+
+std::optional<SceneCallout> SceneView::callout() const {
+    const Suit* suit = shownSuit();
+    const bool has_ranges = parts_->live || studio_.take().ranges();
+    return suit ? partCallout(*suit, studio_.selection(), parts_->composed, has_ranges) : std::nullopt;
+}
+
+void SceneView::setFigure(const Actor& actor, const Suit& suit) {
+    if (parts_->figure) {
+        parts_->figure->setFigure(actor, suit);
+    } else {
+        parts_->figure.emplace(actor, suit);
+        parts_->tools->setOffered(
+            {SceneLayer::kMesh, SceneLayer::kSkeleton, SceneLayer::kBoards, SceneLayer::kGrid});
+        layOut();
+    }
+    updateMessage();
+    refresh();
+}
+
+void SceneView::setSubject(SceneSubject subject) {
+    parts_->take.setSubject(subject);
+    refresh();
+}
+
+void SceneView::clearFigure() {
+    parts_->figure.reset();
+    parts_->tools->setOffered({SceneLayer::kMesh, SceneLayer::kSkeleton, SceneLayer::kBoards,
+                               SceneLayer::kRays, SceneLayer::kTrails, SceneLayer::kContacts,
+                               SceneLayer::kGhost, SceneLayer::kGrid});
+    layOut();
+    updateMessage();
+    refresh();
+}
+
+void SceneView::setLive(LiveWearer wearer) {
+    if (!parts_->live) {
+        parts_->live.emplace();
+        parts_->tools->setOffered({SceneLayer::kMesh, SceneLayer::kSkeleton, SceneLayer::kBoards,
+                                   SceneLayer::kRays, SceneLayer::kGrid});
+        layOut();
+    }
+    parts_->live->setWearer(std::move(wearer));
+    updateMessage();
+    refresh();
+}
+
+void SceneView::showFrame(std::shared_ptr<const LiveFrame> frame) {
+    if (!parts_->live || !parts_->canvas)
+        return;
+    if (frame && !parts_->since_frame.isValid()) {
+        parts_->since_frame.start();
+        parts_->frame_painted = false;
+    }
+    parts_->live->setFrame(std::move(frame));
+    parts_->canvas->refresh(true);
+}
+
+void SceneView::noteDrawn() {
+    Parts& parts = *parts_;
+    if (!parts.live || !parts.since_frame.isValid() || !std::exchange(parts.frame_painted, false))
+        return;
+    parts.frame_delays.add(parts.since_frame.nsecsElapsed());
+    parts.since_frame.invalidate();
+    emit frameDrawn(parts.live->frame());
+}
+
+const LatencyHistogram& SceneView::frameDelays() const {
+    return parts_->frame_delays;
+}
+
+SuitPart SceneView::chosenPart() const {
+    return parts_->figure ? parts_->figure->chosen() : SuitPart{};
+}
+
+void SceneView::setChosenPart(SuitPart part) {
+    if (!parts_->figure)
+        return;
+    parts_->figure->choose(part);
+    refresh();
+}
+
+}  // namespace noctule::ui

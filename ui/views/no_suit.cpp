@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/no_suit.h"
+
+#include <QVBoxLayout>
+
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/label.h"
+
+namespace noctule::ui {
+
+NoSuit::NoSuit(Studio& studio, QWidget* parent)
+    : QWidget(parent),
+      studio_(studio),
+      sentence_(new Label({}, TextRole::kSection, Ink::kLabel)),
+      connect_(makeButton(ButtonKind::kPrimary, tr("Connect a suit"), "link")),
+      virtual_(makeButton(ButtonKind::kOutlined, tr("Put on the virtual suit"), "play")) {
+    auto* column = makeColumn(this, {32, 32, 32, 32}, 16);
+    column->addStretch();
+    sentence_->setAlignment(Qt::AlignHCenter);
+    keepMinimumWidth(*sentence_, 320);
+    keepMaximumWidth(*sentence_, 520);
+    column->addWidget(sentence_->wrapped(), 0, Qt::AlignHCenter);
+    auto* buttons = addRow(column, 12);
+    buttons->addStretch();
+    virtual_->setTall(true);
+    buttons->addWidget(connect_);
+    buttons->addWidget(virtual_);
+    buttons->addStretch();
+    column->addStretch();
+    connect(connect_, &QPushButton::clicked, this, [this] { studio_.goTo(Step::kConnect); });
+    connect(virtual_, &QPushButton::clicked, this, [this] { studio_.startVirtualSuit(); });
+    connect(&studio.virtualSuit(), &VirtualSuit::changed, this, &NoSuit::refresh);
+    refresh();
+}
+
+void NoSuit::refresh() {
+    const VirtualSuit& suit = studio_.virtualSuit();
+    const bool comes =
+        suit.state() == VirtualSuit::State::kPreparing || suit.state() == VirtualSuit::State::kStarting;
+    sentence_->setText(
+        comes ? tr("The virtual suit is being put on. The first time its take is made, which takes a while.")
+              : tr("No suit is connected. The live body, the levels of the boards and the record button "
+                   "appear here as soon as one is."));
+    virtual_->setDisabledBecause(comes ? tr("It is being put on.")
+                                 : suit.isAvailable()
+                                     ? QString()
+                                     : tr("noctule-virtual-suit is not beside this program."));
+}
+
+}  // namespace noctule::ui

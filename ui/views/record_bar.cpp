@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/record_bar.h"
+
+#include <QCheckBox>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPainter>
+#include <QStackedWidget>
+#include <cmath>
+
+#include "ui/style/theme.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/key_hint.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/record_button.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr int kCountdowns_s[] = {0, 3, 5, 10};
+
+QString countdownText(int seconds) {
+    return seconds == 0 ? RecordBar::tr("No countdown") : RecordBar::tr("Countdown %1\u00A0s").arg(seconds);
+}
+
+RecordButton::State look(RecordRun::State state) {
+    switch (state) {
+        case RecordRun::State::kReady:
+            return RecordButton::State::kReady;
+        case RecordRun::State::kCountdown:
+            return RecordButton::State::kCountdown;
+        case RecordRun::State::kRecording:
+            return RecordButton::State::kRecording;
+        case RecordRun::State::kSaving:
+            return RecordButton::State::kSaving;
+        default:
+            return RecordButton::State::kRefused;
+    }
+}
+
+QString verbOf(RecordRun::State state) {
+    switch (state) {
+        case RecordRun::State::kCountdown:
+            return RecordBar::tr("Cancel", "the countdown");
+        case RecordRun::State::kRecording:
+            return RecordBar::tr("Stop");
+        case RecordRun::State::kSaving:
+            return RecordBar::tr("Saving");
+        default:
+            return RecordBar::tr("Record");
+    }
+}
+
+/// By the mouse they leave the keyboard with the page.
+Button* keyboardFree(Button* button) {
+    button->setFocusPolicy(Qt::TabFocus);
+    return button;
+}
+
+}  // namespace
+
+RecordBar::RecordBar(RecordRun& run, QWidget* parent) : QWidget(parent), run_(run) {
+    auto* row = makeRow(this, {16, 0, 16, 0}, 16);
+    row->addWidget(makeLeft(), 1);
+    row->addWidget(makeMiddle());
+    row->addWidget(makeRight(), 1);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    connect(&run, &RecordRun::changed, this, &RecordBar::refresh);
+    connect(&run, &RecordRun::ticked, this, [this] {
+        if (run_.state() == RecordRun::State::kCountdown)
+            button_->setCountdown(run_.countdownLeft(), run_.countdownSeconds());
+    });
+    refresh();
+}
+
+QWidget* RecordBar::makeLeft() {
+    auto* left = new QWidget;
+    auto* column = makeColumn(left, {}, 2);
+    column->addStretch();
+    auto* label = new Label(tr("Take name"), TextRole::kCaption, Ink::kHint);
+    name_ = new QLineEdit;
+    label->setBuddy(name_);
+    name_->setAccessibleName(tr("Take name"));
+    name_->setToolTip(tr("Take name (T). Numbers count by themselves, and nothing is overwritten."));
+    keepMinimumWidth(*name_, 96);
+    keepMaximumWidth(*name_, 180);
+    next_ = new Label({}, TextRole::kSecondary, Ink::kHint);
+    countdown_ = keyboardFree(makeButton(ButtonKind::kText, {}, "clock"));
+    tones_ = keyboardFree(makeButton(ButtonKind::kText, {}, "sound"));
+    auto* menu = new QMenu(countdown_);
+    countdown_->setMenu(menu);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillCountdownMenu(*menu); });
+    connect(tones_, &QPushButton::clicked, this, [this] { run_.setTones(!run_.tones()); });
+    tones_->setToolTip(tr("The system's bell with each second of the countdown, at start and at stop"));
+    connect(name_, &QLineEdit::returnPressed, this, &RecordBar::fieldLeft);
+    connect(name_, &QLineEdit::editingFinished, this, [this] {
+        if (name_->isModified())
+            run_.setName(name_->text());
+        refresh();
+    });
+    name_->installEventFilter(this);
+    column->addWidget(label);
+    auto* field = addRow(column, 8);
+    field->addWidget(name_, 1);
+    field->addWidget(next_);
+    field->addStretch(1);
+    auto* choices = addRow(column, 4);
+    choices->addWidget(countdown_);
+    choices->addWidget(tones_);
+    choices->addStretch();
+    column->addStretch();
+    return left;
+}
+
+QWidget* RecordBar::makeMiddle() {
+    auto* middle = new QWidget;
+    auto* row = makeRow(middle, {}, 16);
+    button_ = new RecordButton;
+    connect(button_, &QAbstractButton::clicked, &run_, &RecordRun::press);
+    verb_ = new Label({}, TextRole::kSection, Ink::kValue, true);
+    auto* words = new QWidget;
+    auto* column = makeColumn(words, {}, 4);
+    column->addStretch();
+    column->addWidget(verb_);
+    column->addWidget(new KeyHint(Qt::Key_Space), 0, Qt::AlignLeft);
+    column->addStretch();
+    keepMinimumWidth(*words, 64);
+    row->addWidget(button_);
+    row->addWidget(words);
+    return middle;
+}
+
+QWidget* RecordBar::makeRight() {
+    auto* right = new QWidget;
+    auto* outer = makeRow(right);
+    outer->addStretch();
+    auto* content = new QWidget;
+    outer->addWidget(content);
+    auto* column = makeColumn(content, {}, 2);
+    column->addStretch();
+    column->addWidget(new Label(tr("While it runs"), TextRole::kCaption, Ink::kHint));
+    marker_ = keyboardFree(makeButton(ButtonKind::kOutlined, tr("Marker"), "marker", Qt::Key_M));
+    note_button_ = keyboardFree(makeButton(ButtonKind::kOutlined, tr("Note"), "note", Qt::Key_N));
+    connect(marker_, &QPushButton::clicked, &run_, &RecordRun::addMarker);
+    connect(note_button_, &QPushButton::clicked, this, &RecordBar::writeNote);
+    auto* buttons = addRow(column, 8);
+    buttons->addWidget(marker_);
+    buttons->addWidget(note_button_);
+    buttons->addStretch();
+    review_ = new QCheckBox(tr("Open in Review after stop"));
+    review_->setFocusPolicy(Qt::TabFocus);
+    connect(review_, &QCheckBox::clicked, &run_, &RecordRun::setOpensReview);
+    note_ = new QLineEdit;
+    note_->setAccessibleName(tr("Note"));
+    note_->setPlaceholderText(tr("Note at this moment; Enter keeps it"));
+    note_->installEventFilter(this);
+    connect(note_, &QLineEdit::returnPressed, this, [this] {
+        run_.addNote(note_->text());
+        closeNote();
+    });
+    below_ = new QStackedWidget;
+    below_->addWidget(review_);
+    below_->addWidget(note_);
+    below_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    column->addWidget(below_);
+    column->addStretch();
+    return right;
+}
+
+void RecordBar::fillCountdownMenu(QMenu& menu) {
+    menu.clear();
+    for (const int seconds : kCountdowns_s) {
+        QAction* action = menu.addAction(seconds == 0 ? tr("None") : tr("%n second(s)", nullptr, seconds),
+                                         &run_, [this, seconds] { run_.setCountdownSeconds(seconds); });
+        action->setCheckable(true);
+        action->setChecked(seconds == run_.countdownSeconds());
+    }
+}
+
+void RecordBar::refresh() {
+    const RecordRun::State state = run_.state();
+    const bool runs = state == RecordRun::State::kRecording || state == RecordRun::State::kSaving;
+    if (!name_->hasFocus() || runs)
+        name_->setText(run_.takeName());
+    name_->setReadOnly(runs);
+    next_->setText(runs ? tr("next: %1").arg(run_.nextName()) : QString());
+    countdown_->setText(countdownText(run_.countdownSeconds()));
+    tones_->setText(run_.tones() ? tr("Tones on") : tr("Tones off"));
+    button_->setState(look(state));
+    if (state == RecordRun::State::kCountdown)
+        button_->setCountdown(run_.countdownLeft(), run_.countdownSeconds());
+    verb_->setText(verbOf(state));
+    const QString why = state == RecordRun::State::kRecording
+                            ? QString()
+                            : tr("Markers and notes belong to a take that is being recorded.");
+    marker_->setDisabledBecause(why);
+    note_button_->setDisabledBecause(why);
+    review_->setChecked(run_.opensReview());
+    if (!runs && below_->currentWidget() == note_)
+        closeNote();
+}
+
+void RecordBar::editName() {
+    name_->setFocus(Qt::ShortcutFocusReason);
+    name_->selectAll();
+}
+
+void RecordBar::writeNote() {
+    if (run_.state() != RecordRun::State::kRecording)
+        return;
+    below_->setCurrentWidget(note_);
+    note_->setFocus(Qt::ShortcutFocusReason);
+}
+
+void RecordBar::closeNote() {
+    note_->clear();
+    below_->setCurrentWidget(review_);
+    emit fieldLeft();
+}
+
+bool RecordBar::eventFilter(QObject* object, QEvent* event) {
+    const bool escape =
+        event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+    if (!escape)
+        return QWidget::eventFilter(object, event);
+    if (object == note_) {
+        closeNote();
+    } else {
+        name_->setModified(false);
+        name_->setText(run_.takeName());
+        emit fieldLeft();
+    }
+    return true;
+}
+
+}  // namespace noctule::ui

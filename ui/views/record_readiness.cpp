@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/record_readiness.h"
+
+#include <QVBoxLayout>
+
+#include "core/acoustics/speed_of_sound.h"
+#include "ui/style/words.h"
+#include "ui/views/number_rows.h"
+#include "ui/views/readiness_words.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/divider.h"
+#include "ui/widgets/form_rows.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/problem_card.h"
+#include "ui/widgets/scroll_area.h"
+#include "ui/widgets/section_header.h"
+#include "ui/widgets/verdict_header.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr qint64 kRateEvery_ms = 2000;
+/// The take will end by itself so soon that it should be said.
+constexpr double kLittleTime_s = 40;
+constexpr double kShortStorage_s = 600, kLowBattery_percent = 20;
+constexpr size_t kMostTakeCards = 3;
+const QString kNotKnown = QChar(0x2013);
+
+Tone toneOfPart(qint64 part, qint64 whole) {
+    return part == whole && whole > 0 ? Tone::kOk : part == 0 ? Tone::kError : Tone::kWarn;
+}
+
+QString partText(qint64 part, qint64 whole) {
+    return RecordReadiness::tr("%1 of %2").arg(part).arg(whole);
+}
+
+double shareOf(qint64 part, qint64 whole) {
+    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+}  // namespace
+
+RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
+    : QWidget(parent),
+      studio_(studio),
+      verdict_(new VerdictHeader),
+      to_look_at_(new QWidget),
+      more_(new Label({}, TextRole::kSecondary, Ink::kHint)),
+      numbers_(new NumberRows) {
+    auto* content = new QWidget;
+    auto* column = makeColumn(content, {0, 12, 0, 12}, 12);
+    verdict_->setCompact(true);
+    addRow(column, 0, {12, 0, 12, 0})->addWidget(verdict_);
+    cards_ = makeColumn(to_look_at_, {12, 0, 12, 0}, 8);
+    cards_->addWidget(new SectionHeader(tr("To look at")));
+    cards_->addWidget(more_);
+    column->addWidget(to_look_at_);
+    column->addWidget(new Divider);
+    addFacts();
+    addRow(column, 0, {12, 0, 12, 0})->addWidget(numbers_);
+    column->addWidget(new Divider);
+    column->addWidget(makeCalibration());
+    column->addStretch();
+    makeColumn(this)->addWidget(new ScrollArea(content));
+    connect(&studio.check(), &SuitCheck::changed, this, &RecordReadiness::refresh);
+    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &RecordReadiness::refresh);
+    connect(&studio.suit(), &LiveSuit::wearingChanged, this, &RecordReadiness::refresh);
+    refresh();
+}
+
+/// In the order of Fact.
+void RecordReadiness::addFacts() {
+    numbers_->addRow("board", tr("Boards"));
+    numbers_->addRow("source", tr("Sources"));
+    numbers_->addRow("pairs", tr("Good pairs"));
+    numbers_->addRow("link", tr("Link"));
+    numbers_->addRow("battery", tr("Battery"));
+    numbers_->addRow("disk", tr("Storage"));
+    numbers_->addRow("temp", tr("Air"));
+    numbers_->addRow("eye", tr("Live view"));
+}
+
+void RecordReadiness::setFact(Fact fact, const QString& value, const QString& hint, Tone tone, double share) {
+    numbers_->setValue(static_cast<int>(fact), value, tone, share);
+    numbers_->setHint(static_cast<int>(fact), hint);
+}
+
+QString RecordReadiness::value(Fact fact) const {
+    return numbers_->value(static_cast<int>(fact));
+}
+
+QWidget* RecordReadiness::makeCalibration() {
+    auto* part = new QWidget;
+    auto* column = makeColumn(part, {12, 0, 12, 0}, 4);
+    column->addWidget(new SectionHeader(tr("Calibration in use")));
+    auto* rows = new FormRows;
+    made_ = rows->addValue(tr("Made"), {});
+    offsets_ = rows->addValue(tr("Source offsets"), {});
+    boards_ = rows->addValue(tr("Boards"), {});
+    column->addWidget(rows);
+    return part;
+}
+
+void RecordReadiness::setScreenDelay(double seconds) {
+    screen_delay_s_ = seconds;
+}
+
+void RecordReadiness::showEvent(QShowEvent*) {
+    refresh();
+}
+
+void RecordReadiness::refresh() {
+    showHealth();
+    showLink();
+    showSupplies();
+    showAir();
+    showCalibration();
+    const std::vector<Problem> problems = problemsNow();
+    showVerdict(problems);
+    showCards(problems);
+}
+
+void RecordReadiness::showHealth() {
+    const Readiness& readiness = studio_.check().readiness();
+    if (readiness.verdict == Readiness::Verdict::kWaiting) {
+        for (const Fact fact : {Fact::kBoards, Fact::kSources, Fact::kPairs, Fact::kView})
+            setFact(fact, {});
+        return;
+    }
+    const auto boards = std::ssize(readiness.boards), sources = std::ssize(readiness.source_good_pairs);
+    const int there = readiness.boards_there, heard = readiness.sources_heard, good = readiness.good_pairs;
+    setFact(Fact::kBoards, partText(there, boards), {}, toneOfPart(there, boards));
+    setFact(Fact::kSources, partText(heard, sources), {}, toneOfPart(heard, sources));
+    setFact(Fact::kPairs, partText(good, boards * sources),
+            tr("the body hides the others; a quarter is usual"), good > 0 ? Tone::kOk : Tone::kWarn,
+            shareOf(good, boards * sources));
+    const auto frame = studio_.suit().frame();
+    const bool moves = frame && frame->poses > 0 && studio_.suit().calibration();
+    const double behind_s = frame ? frame->latency_median_s + screen_delay_s_ : 0;
+    setFact(Fact::kView, moves ? tr("%1\u00A0ms behind").arg(numberText(behind_s * 1e3, 0)) : QString());
+}
+
+void RecordReadiness::showLink() {
+    const LiveSuit& suit = studio_.suit();
+    const auto status = suit.status();
+    const auto frame = suit.frame();
+    if (!status->hello)
+        return setFact(Fact::kLink, {});
+    if (!frame || frame->sample < rate_from_sample_ || !since_rate_.isValid()) {
+        rate_from_sample_ = frame ? frame->sample : 0;
+        since_rate_.start();
+    } else if (since_rate_.elapsed() > kRateEvery_ms) {
+        const auto bytes = 2.0 * static_cast<double>(frame->sample - rate_from_sample_) *
+                           static_cast<double>(frame->health.boards.size());
+        megabytes_per_s_ = bytes / 1e3 / static_cast<double>(since_rate_.restart());
+        rate_from_sample_ = frame->sample;
+    }
+    const link::LinkStatistics link = suit.link();
+    const qint64 lost = link.frames.lost_frames;
+    const qint64 damaged = link.frames.damaged_payloads + link.frames.bad_headers;
+    const bool broken = status->link == LinkState::kLost || status->link == LinkState::kStalled;
+    setFact(Fact::kLink,
+            broken                 ? tr("broken", "a link")
+            : megabytes_per_s_ > 0 ? tr("%1\u00A0MB/s").arg(numberText(megabytes_per_s_, 1))
+                                   : tr("is there", "a link"),
+            tr("%1 blocks lost, %2 damaged").arg(lost).arg(damaged),
+            broken               ? Tone::kError
+            : lost + damaged > 0 ? Tone::kWarn
+                                 : Tone::kOk);
+}
+
+void RecordReadiness::showSupplies() {
+    const auto frame = studio_.suit().frame();
+    const auto percent = frame ? frame->health.suit.battery_percent : std::nullopt;
+    const auto left_s = studio_.check().batteryLeft_s();
+    if (percent)
+        setFact(Fact::kBattery, percentText(*percent / 100),
+                left_s ? tr("%1 at this rate").arg(durationWords(*left_s)) : QString(),
+                *percent < kLowBattery_percent ? Tone::kWarn : Tone::kNeutral, *percent / 100);
+    else
+        setFact(Fact::kBattery, {});
+    const auto recording = studio_.suit().recording();
+    const auto storage_s =
+        recording && recording->remaining_s ? recording->remaining_s : studio_.check().storageLeft_s();
+    if (!storage_s)
+        return setFact(Fact::kStorage, {});
+    setFact(Fact::kStorage, tr("%1 left").arg(durationWords(std::max(0.0, *storage_s))),
+            recording ? tr("%1 in this take").arg(bytesText(recording->sound_bytes)) : QString(),
+            *storage_s < kLittleTime_s     ? Tone::kError
+            : *storage_s < kShortStorage_s ? Tone::kWarn
+                                           : Tone::kOk);
+}
+
+void RecordReadiness::showAir() {
+    const auto frame = studio_.suit().frame();
+    const SuitStatus told = frame ? frame->health.suit : SuitStatus{};
+    if (!told.temperature_c)
+        return setFact(Fact::kAir, {});
+    const double humidity = told.humidity_percent.value_or(SpeedOfSound::kAssumedHumidity_percent);
+    const double c_m_per_s = speedOfSoundCramer(*told.temperature_c, humidity);
+    const QString air = QStringLiteral("%1\u00A0\u00B0C").arg(numberText(*told.temperature_c, 1));
+    setFact(Fact::kAir,
+            told.humidity_percent ? QStringLiteral("%1, %2").arg(air, percentText(humidity / 100)) : air,
+            tr("speed of sound %1\u00A0m/s").arg(numberText(c_m_per_s, 1)));
+}
+
+void RecordReadiness::showCalibration() {
+    const LiveSuit& suit = studio_.suit();
+    const auto& calibration = suit.calibration();
+    if (!calibration) {
+        made_->setText(suit.status()->hello ? tr("none") : kNotKnown);
+        offsets_->setText(kNotKnown);
+        boards_->setText(kNotKnown);
+        return;
+    }
+    const QDateTime when =
+        QDateTime::fromString(QString::fromStdString(calibration->created_utc), Qt::ISODate);
+    made_->setText(when.isValid() ? dateText(when) : tr("at an unknown time"));
+    const auto& sources = calibration->sources;
+    const auto known = std::count_if(sources.begin(), sources.end(), [](const SourceCalibration& source) {
+        return !source.offsets_s.empty();
+    });
+    offsets_->setText(partText(known, std::ssize(suit.suit().sources)));
+    boards_->setText(partText(std::ssize(calibration->boards), std::ssize(suit.suit().boards)));
+}
+
+std::vector<RecordReadiness::Problem> RecordReadiness::problemsOfTake() const {
+    std::vector<Problem> problems;
+    const auto recording = studio_.suit().recording();
+    const auto hello = studio_.suit().status()->hello;
+    if (!recording || !hello)
+        return problems;
+    if (recording->remaining_s && *recording->remaining_s < kLittleTime_s)
+        problems.push_back(
+            {Tone::kError,
+             tr("The disk has %1 left").arg(durationWords(std::max(0.0, *recording->remaining_s))),
+             tr("Recording stops by itself then, and the take is complete. Free some space, or choose "
+                "another "
+                "folder."),
+             -1,
+             {},
+             {}});
+    if (recording->lost_samples > 0) {
+        const double lost_s = static_cast<double>(recording->lost_samples) / hello->sample_rate_hz;
+        problems.push_back({Tone::kWarn,
+                            tr("%1 are missing in this take").arg(secondsText(lost_s, 1)),
+                            tr("They are marked as %n gap(s), and time does not shift.", nullptr,
+                               static_cast<int>(recording->gaps)),
+                            -1,
+                            {},
+                            {}});
+    }
+    return problems;
+}
+
+std::vector<RecordReadiness::Problem> RecordReadiness::problemsNow() const {
+    const SuitCheck& check = studio_.check();
+    std::vector<Problem> problems = problemsOfTake();
+    const bool runs = studio_.suit().phase() == LiveSuit::Phase::kRecording;
+    for (const ReadinessProblem& judged : check.readiness().problems) {
+        // While a take runs its recorder knows better how long the disk lasts.
+        if (judged.accepted || (runs && judged.kind == ProblemKind::kStorageShort))
+            continue;
+        const ProblemWords words = wordsOf(judged, check);
+        Problem problem{judged.hinders ? Tone::kError : Tone::kWarn,
+                        words.title,
+                        words.text,
+                        judged.board,
+                        judged,
+                        words.accept};
+        if (runs && judged.kind == ProblemKind::kLinkLost)
+            problem.text +=
+                ' ' + tr("The take is safe up to here and goes on when the box is back; the gap will "
+                         "be marked.");
+        problems.push_back(std::move(problem));
+    }
+    return problems;
+}
+
+QStringList RecordReadiness::problems() const {
+    QStringList titles;
+    for (const ProblemCard* card : shown_)
+        titles.append(card->title());
+    return titles;
+}
+
+void RecordReadiness::showVerdict(const std::vector<Problem>& problems) {
+    VerdictWords words = verdictOf(studio_.check());
+    if (studio_.suit().phase() == LiveSuit::Phase::kRecording) {
+        const bool error = std::any_of(problems.begin(), problems.end(),
+                                       [](const Problem& problem) { return problem.tone == Tone::kError; });
+        words = problems.empty()
+                    ? VerdictWords{Tone::kOk, tr("Recording well"), {}}
+                    : VerdictWords{error ? Tone::kError : Tone::kWarn, tr("Recording, but look"), {}};
+    }
+    verdict_text_ = words.verdict;
+    verdict_->setVerdict(words.tone, words.verdict, words.text);
+}
+
+/// Cards stay while their titles do; what they say may go on changing.
+void RecordReadiness::showCards(const std::vector<Problem>& problems) {
+    const size_t count = std::min(problems.size(), kMostTakeCards);
+    bool same = count == shown_.size();
+    for (size_t i = 0; same && i < count; ++i)
+        same = shown_[i]->title() == problems[i].title;
+    if (!same) {
+        for (ProblemCard* card : shown_) {
+            card->hide();
+            card->deleteLater();
+        }
+        shown_.clear();
+        for (size_t i = 0; i < count; ++i)
+            shown_.push_back(makeCard(problems[i]));
+    }
+    for (size_t i = 0; i < count; ++i)
+        shown_[i]->setTexts(problems[i].title, problems[i].text);
+    more_->setText(tr("%n more", "things to look at", static_cast<int>(problems.size() - count)));
+    more_->setVisible(problems.size() > count);
+    to_look_at_->setVisible(count > 0);
+}
+
+ProblemCard* RecordReadiness::makeCard(const Problem& problem) {
+    auto* card = new ProblemCard(problem.tone, problem.title, problem.text);
+    if (problem.board >= 0)
+        connect(card->addAction(tr("Show on body")), &QPushButton::clicked, this,
+                [this, board = problem.board] { studio_.selection().setPair(-1, board); });
+    if (problem.judged && !problem.accept.isEmpty())
+        connect(
+            card->addAction(problem.accept), &QPushButton::clicked, this,
+            [this, judged = *problem.judged] { studio_.check().goOnWithout(judged); }, Qt::QueuedConnection);
+    cards_->insertWidget(cards_->indexOf(more_), card);
+    return card;
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/record_run.h"
+
+#include <QApplication>
+#include <cmath>
+
+#include "core/session/shot_list.h"
+#include "core/session/take_folder.h"
+#include "ui/views/readiness_words.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr const char *kCountdown = "record/countdown_s", *kTones = "record/tones",
+                     *kReview = "record/open_review", *kBase = "record/base_name";
+constexpr int kTick_ms = 33, kUsualCountdown_s = 3;
+
+}  // namespace
+
+RecordRun::RecordRun(Studio& studio, QObject* parent)
+    : QObject(parent),
+      studio_(studio),
+      countdown_s_(studio.settings().value(kCountdown, kUsualCountdown_s).toInt()),
+      tones_(studio.settings().value(kTones, true).toBool()),
+      opens_review_(studio.settings().value(kReview, true).toBool()),
+      base_(studio.settings().value(kBase, tr("take", "first part of the names of takes")).toString()) {
+    tick_.setInterval(kTick_ms);
+    tick_.setTimerType(Qt::PreciseTimer);
+    connect(&tick_, &QTimer::timeout, this, [this] {
+        count();
+        emit ticked();
+    });
+    LiveSuit& suit = studio.suit();
+    connect(&suit, &LiveSuit::phaseChanged, this, &RecordRun::follow);
+    connect(&suit, &LiveSuit::statusChanged, this, &RecordRun::follow);
+    connect(&studio.check(), &SuitCheck::changed, this, &RecordRun::follow);
+    connect(&suit, &LiveSuit::recordingStarted, this, &RecordRun::onStarted);
+    connect(&suit, &LiveSuit::recordingEnded, this, &RecordRun::onEnded);
+    connect(&studio.session(), &SessionModel::opened, this, [this] {
+        shot_ = -1;
+        without_shot_ = false;
+        chooseDueShot();
+    });
+    connect(&studio.session(), &SessionModel::changed, this, &RecordRun::followSession);
+    chooseDueShot();
+    follow();
+}
+
+RecordObstacle RecordRun::obstacleNow() const {
+    LiveSuit& suit = studio_.suit();
+    const auto status = suit.status();
+    if (suit.phase() == LiveSuit::Phase::kRefused && status->trouble)
+        return {QString::fromStdString(status->trouble->message),
+                QString::fromStdString(status->trouble->remedy)};
+    if (suit.phase() == LiveSuit::Phase::kConnecting)
+        return {tr("The driver box has not answered yet"), tr("It usually takes a second or two.")};
+    if (status->link == LinkState::kLost)
+        return {tr("The link to the driver box is broken"),
+                tr("Recording can begin as soon as it is back; the studio tries by itself.")};
+    for (const ReadinessProblem& problem : studio_.check().readiness().problems)
+        if (problem.hinders && !problem.accepted) {
+            const ProblemWords words = wordsOf(problem, studio_.check());
+            // Without sound there is no take to make; anything else costs a part of it.
+            return {words.title, words.text, problem.kind != ProblemKind::kNoSound};
+        }
+    return {};
+}
+
+RecordRun::State RecordRun::stateNow() const {
+    switch (studio_.suit().phase()) {
+        case LiveSuit::Phase::kNone:
+            return State::kNoSuit;
+        case LiveSuit::Phase::kStarting:
+        case LiveSuit::Phase::kRecording:
+            return State::kRecording;
+        case LiveSuit::Phase::kSaving:
+            return State::kSaving;
+        default:
+            break;
+    }
+    if (counting_.isValid())
+        return State::kCountdown;
+    return obstacle_ ? State::kRefused : State::kReady;
+}
+
+void RecordRun::follow() {
+    const RecordObstacle obstacle = obstacleNow();
+    const bool same = obstacle.title == obstacle_.title && obstacle.text == obstacle_.text;
+    obstacle_ = obstacle;
+    const bool cannot = obstacle_ && !obstacle_.may_record_anyway;
+    if (cannot || studio_.suit().phase() == LiveSuit::Phase::kNone)
+        counting_.invalidate();
+    const State now = stateNow();
+    if (now == state_ && same)
+        return;
+    state_ = now;
+    if (now == State::kCountdown || now == State::kRecording)
+        tick_.start();
+    else
+        tick_.stop();
+    emit changed();
+}
+
+void RecordRun::press() {
+    switch (state_) {
+        case State::kNoSuit:
+        case State::kRefused:
+            emit refused();
+            break;
+        case State::kReady:
+            beginOrCount();
+            break;
+        case State::kCountdown:
+            endCountdown();
+            break;
+        case State::kRecording:
+            stop();
+            break;
+        case State::kSaving:
+            break;
+    }
+}
+
+void RecordRun::recordAnyway() {
+    if (state_ == State::kRefused && obstacle_.may_record_anyway)
+        beginOrCount();
+}
+
+void RecordRun::beginOrCount() {
+    if (countdown_s_ == 0)
+        return begin();
+    counting_.start();
+    last_second_ = countdown_s_;
+    tone();
+    follow();
+}
+
+bool RecordRun::endCountdown() {
+    if (!counting_.isValid())
+        return false;
+    counting_.invalidate();
+    follow();
+    return true;
+}
+
+double RecordRun::countdownLeft() const {
+    return counting_.isValid() ? std::max(0.0, countdown_s_ - static_cast<double>(counting_.elapsed()) * 1e-3)
+                               : 0;
+}
+
+void RecordRun::count() {
+    if (!counting_.isValid())
+        return;
+    const double left_s = countdownLeft();
+    if (left_s <= 0)
+        return begin();
+    const int second = static_cast<int>(std::ceil(left_s));
+    if (second != last_second_)
+        tone();
+    last_second_ = second;
+}
+
+void RecordRun::begin() {
+    counting_.invalidate();
+    LiveSuit::TakePlan plan;
+    plan.base_name = base_;
+    if (shot_ >= 0)
+        plan.shot =
+            QString::fromStdString(studio_.session().session().shots[static_cast<size_t>(shot_)].name);
+    if (const QString why = studio_.suit().record(plan); !why.isEmpty())
+        emit studio_.failed(tr("Recording did not begin"), why);
+    follow();
+}
+
+void RecordRun::stop() {
+    tone();
+    studio_.suit().stopRecording();
+}
+
+void RecordRun::onStarted(const QString& take) {
+    running_ = take;
+    marks_.clear();
+    markers_ = 0;
+    tone();
+    emit marksChanged();
+    emit changed();
+}
+
+void RecordRun::onEnded(const QString& take, const QString& trouble) {
+    running_.clear();
+    if (!trouble.isEmpty())
+        emit studio_.failed(tr("%1 ended by itself", "name of a take").arg(take), trouble);
+    chooseDueShot();
+    emit changed();
+    SessionModel& session = studio_.session();
+    const int index = session.isOpen() ? session.session().findTake(take.toStdString()) : -1;
+    if (index < 0)
+        return;
+    session.setCurrentTake(index);
+    if (opens_review_)
+        studio_.goTo(Step::kReview);
+}
+
+void RecordRun::setCountdownSeconds(int seconds) {
+    countdown_s_ = seconds;
+    studio_.settings().setValue(kCountdown, seconds);
+    emit changed();
+}
+
+void RecordRun::setTones(bool tones) {
+    tones_ = tones;
+    studio_.settings().setValue(kTones, tones);
+    emit changed();
+}
+
+void RecordRun::setOpensReview(bool opens) {
+    opens_review_ = opens;
+    studio_.settings().setValue(kReview, opens);
+    emit changed();
+}
+
+/// The system's own bell: it needs no sound library, and the picture says the same.
+void RecordRun::tone() const {
+    if (tones_)
+        QApplication::beep();
+}
+
+QString RecordRun::takeName() const {
+    return running_.isEmpty() ? nextName() : running_;
+}
+
+QString RecordRun::nextName() const {
+    const SessionModel& session = studio_.session();
+    const std::string base = base_.toStdString();
+    return QString::fromStdString(session.isOpen()
+                                      ? nextTakeName(session.session(), base)
+                                      : numberedTakeName(base, [](const std::string&) { return true; }));
+}
+
+void RecordRun::setName(const QString& typed) {
+    if (!typed.trimmed().isEmpty()) {
+        base_ = QString::fromStdString(takeBaseName(typed.trimmed().toStdString()));
+        studio_.settings().setValue(kBase, base_);
+    }
+    emit changed();
+}
+
+void RecordRun::setShot(int shot) {
+    without_shot_ = shot < 0;
+    applyShot(shot);
+}
+
+void RecordRun::applyShot(int shot) {
+    const SessionModel& session = studio_.session();
+    const int count = session.isOpen() ? static_cast<int>(session.session().shots.size()) : 0;
+    shot_ = shot >= 0 && shot < count ? shot : -1;
+    if (shot_ >= 0)
+        base_ = QString::fromStdString(takeBaseOf(session.session().shots[static_cast<size_t>(shot_)]));
+    emit changed();
+}
+
+void RecordRun::chooseDueShot() {
+    const SessionModel& session = studio_.session();
+    applyShot(session.isOpen() && !without_shot_ ? dueShot(session.session(), shot_) : -1);
+}
+
+/// The list may have become another one under the shot that was chosen.
+void RecordRun::followSession() {
+    const SessionModel& session = studio_.session();
+    const int count = session.isOpen() ? static_cast<int>(session.session().shots.size()) : 0;
+    if (state_ != State::kRecording && state_ != State::kSaving && (shot_ >= count || shot_ < 0))
+        chooseDueShot();
+    emit changed();
+}
+
+void RecordRun::addMarker() {
+    if (state_ != State::kRecording || running_.isEmpty())
+        return;
+    const QString label = tr("Marker %1").arg(++markers_);
+    studio_.suit().addMarker(label);
+    marks_.push_back({TakeMark::Kind::kMarker, studio_.suit().recordedSeconds(), label});
+    emit marksChanged();
+}
+
+void RecordRun::addNote(const QString& text) {
+    if (state_ != State::kRecording || running_.isEmpty() || text.trimmed().isEmpty())
+        return;
+    studio_.suit().addNote(text.trimmed());
+    marks_.push_back({TakeMark::Kind::kNote, studio_.suit().recordedSeconds(), text.trimmed()});
+    emit marksChanged();
+}
+
+}  // namespace noctule::ui

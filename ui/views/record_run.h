@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// From pressing the record button to the take in Review: what stands in the way, the countdown and its tones,
+// the take's name and shot, markers and notes while it runs, and what happens after it. What of it is a
+// choice of the operator is remembered.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <vector>
+
+#include "ui/models/studio.h"
+
+namespace noctule::ui {
+
+/// Of the take that is being recorded.
+struct TakeMark {
+    enum class Kind { kMarker, kNote } kind = Kind::kMarker;
+    double t_s = 0;
+    QString text;
+};
+
+/// What keeps a take from being recorded now; empty text: nothing.
+struct RecordObstacle {
+    QString title, text;
+    bool may_record_anyway = false;  ///< what is recorded then can still be used
+    explicit operator bool() const { return !title.isEmpty(); }
+};
+
+class RecordRun : public QObject {
+    Q_OBJECT
+public:
+    enum class State { kNoSuit, kReady, kRefused, kCountdown, kRecording, kSaving };
+
+    explicit RecordRun(Studio& studio, QObject* parent = nullptr);
+
+    State state() const { return state_; }
+    /// In kRefused, what stands in the way.
+    const RecordObstacle& obstacle() const { return obstacle_; }
+    /// Begins, ends the countdown, or stops; refused it tells why.
+    void press();
+    /// As if nothing stood in the way, where that is safe.
+    void recordAnyway();
+    /// True when there was one.
+    bool endCountdown();
+    void stop();
+
+    double countdownLeft() const;
+    int countdownSeconds() const { return countdown_s_; }
+    void setCountdownSeconds(int seconds);
+    bool tones() const { return tones_; }
+    void setTones(bool tones);
+    bool opensReview() const { return opens_review_; }
+    void setOpensReview(bool opens);
+
+    /// "walk_003": of the take that runs, else of the one to come.
+    QString takeName() const;
+    /// What comes after takeName(); only while it runs.
+    QString nextName() const;
+    /// "walk" of anything typed; what cannot be part of a file's name becomes "_".
+    void setName(const QString& typed);
+    /// Index into the session's shot list, -1: none. Its first word names the takes.
+    int shot() const { return shot_; }
+    void setShot(int shot);
+
+    /// Each does something only while a take runs.
+    void addMarker();
+    void addNote(const QString& text);
+    const std::vector<TakeMark>& marks() const { return marks_; }
+
+signals:
+    void changed();
+    /// 30 times a second while it counts or records.
+    void ticked();
+    void marksChanged();
+    /// Somebody pressed the button, and the obstacle should be seen.
+    void refused();
+
+private:
+    void follow();
+    State stateNow() const;
+    RecordObstacle obstacleNow() const;
+    void beginOrCount();
+    void begin();
+    void count();
+    void onStarted(const QString& take);
+    void onEnded(const QString& take, const QString& trouble);
+    void followSession();
+    void chooseDueShot();
+    void applyShot(int shot);
+    void tone() const;
+
+    Studio& studio_;
+    State state_ = State::kNoSuit;
+    RecordObstacle obstacle_;
+    int countdown_s_;
+    bool tones_, opens_review_;
+    QString base_, running_;
+    int shot_ = -1;
+    bool without_shot_ = false;  ///< the operator wants it so
+    std::vector<TakeMark> marks_;
+    int markers_ = 0;
+    QTimer tick_;
+    QElapsedTimer counting_;  ///< valid: a countdown runs
+    int last_second_ = 0;
+};
+
+}  // namespace noctule::ui
