@@ -1050,6 +1050,10 @@
         <source>Performer’s left</source>
         <translation>Links des Darstellers</translation>
     </message>
+    <message>
+        <source>board %1</source>
+        <translation>Platine %1</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::CalibratePage</name>
@@ -1193,10 +1197,6 @@
     <message>
         <source>Choose a board or a source to see where it sits.</source>
         <translation>Eine Platine oder Quelle wählen, um zu sehen, wo sie sitzt.</translation>
-    </message>
-    <message>
-        <source>board %1</source>
-        <translation>Platine %1</translation>
     </message>
 </context>
 <context>
@@ -2752,10 +2752,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Put the suit on</source>
         <translation>Anzug anlegen</translation>
-    </message>
-    <message>
-        <source>board %1</source>
-        <translation>Platine %1</translation>
     </message>
     <message>
         <source>Close</source>

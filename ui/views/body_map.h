@@ -20,13 +20,14 @@ class MapMarker;
 class BodyMap : public QWidget {
     Q_OBJECT
 public:
-    BodyMap(const Actor& actor, const Suit& suit, std::shared_ptr<const SkinnedMesh> mesh,
+    BodyMap(const Actor& actor, const Suit& suit, const std::shared_ptr<const SkinnedMesh>& mesh,
             QWidget* parent = nullptr);
 
     /// Another figure below the marks.
-    void setBody(std::shared_ptr<const SkinnedMesh> mesh);
+    void setBody(const std::shared_ptr<const SkinnedMesh>& mesh);
     /// What stands below a board's name, and the tone of its mark and segment.
     void setBoardState(int board, Tone tone, const QString& detail);
+    const Suit& suit() const { return suit_; }
     int boardCount() const { return static_cast<int>(suit_.boards.size()); }
     int sourceCount() const { return static_cast<int>(suit_.sources.size()); }
     QAbstractButton* boardButton(int board) const;
@@ -67,7 +68,7 @@ private:
 
     Actor actor_;
     Suit suit_;
-    BodyFigure figure_;
+    std::shared_ptr<const BodyFigure> figure_;
     std::vector<Place> places_;
     std::vector<QString> details_;
     QPixmap picture_;  ///< null: to be painted again

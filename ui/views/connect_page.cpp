@@ -3,10 +3,9 @@
 
 #include <QVBoxLayout>
 
-#include "core/suit/default_suit.h"
 #include "ui/models/part_names.h"
-#include "ui/views/body_map.h"
 #include "ui/views/map_legend.h"
+#include "ui/views/performer_map.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
@@ -48,24 +47,12 @@ void ConnectPage::enter() {
 }
 
 void ConnectPage::showSuit() {
-    BodyMeasures measures;
-    Suit suit = defaultSuit();
-    const SessionModel& model = studio_.session();
-    if (model.isOpen())
-        if (const Performer* performer = model.session().findPerformer(model.session().current_performer)) {
-            measures = performer->measures;
-            suit = performer->suit;
-        }
     delete map_;
-    map_ = new BodyMap(defaultActor(measures), suit, studio_.body());
-    if (!studio_.body())
-        studio_.whenBodyIsThere(map_, [this] { map_->setBody(studio_.body()); });
-    for (int i = 0; i < map_->boardCount(); ++i)
-        map_->setBoardState(i, Tone::kNeutral, tr("board %1").arg(i + 1));
+    map_ = makePerformerMap(studio_);
     connect(map_, &BodyMap::boardClicked, this,
-            [this, suit](int board) { chosen_->setText(boardTitle(suit, board)); });
+            [this](int board) { chosen_->setText(boardTitle(map_->suit(), board)); });
     connect(map_, &BodyMap::sourceClicked, this,
-            [this, suit](int source) { chosen_->setText(sourceTitle(suit, source)); });
+            [this](int source) { chosen_->setText(sourceTitle(map_->suit(), source)); });
     static_cast<QVBoxLayout*>(frame_->layout())->insertWidget(0, map_, 1);
 }
 

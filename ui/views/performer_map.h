@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/models/studio.h"
+#include "ui/views/body_map.h"
+
+namespace noctule::ui {
+
+/// The suit of the present performer on that performer's body, else the suit that Noctule comes with; boards
+/// with their numbers. The studio's body mesh joins in when it has been loaded.
+BodyMap* makePerformerMap(Studio& studio);
+
+}  // namespace noctule::ui
