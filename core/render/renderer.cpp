@@ -12,7 +12,7 @@ namespace noctule {
 struct Renderer::Parts {
     std::unique_ptr<ShapePainter> shapes;
     std::unique_ptr<BodyPainter> bodies;
-    GlTarget target;
+    GlTarget smooth, plain;  ///< both stay: a view changes between them whenever it begins to move
     std::string description;
 };
 
@@ -91,8 +91,9 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const PictureSize&
         return;
     const ScreenView view{camera, size, options.pixel_ratio};
     ShapePainter& shapes = *parts_->shapes;
-    parts_->target.fit(size, options.samples);
-    parts_->target.bind();
+    GlTarget& target = options.samples > 0 ? parts_->smooth : parts_->plain;
+    target.fit(size, options.samples);
+    target.bind();
     setState(size);
     shapes.drawBackground(scene.background);
     if (scene.grid)
@@ -100,9 +101,9 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const PictureSize&
     shapes.drawDiscs(scene.discs, view);
     parts_->bodies->drawSolids(scene.bodies, view);
     if (BodyPainter::hasOutlines(scene.bodies)) {
-        parts_->target.bindApart();
+        target.bindApart();
         parts_->bodies->drawOutlines(scene.bodies, view);
-        parts_->target.bind();
+        target.bind();
     }
 
     std::vector<LineShape> seen_through, hidden;
@@ -120,7 +121,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const PictureSize&
     if (scene.gizmo)
         shapes.drawLines(gizmoLines(*scene.gizmo, view), view, Hiding::kNone);
     leaveState();
-    parts_->target.copyTo(options.framebuffer);
+    target.copyTo(options.framebuffer);
 }
 
 }  // namespace noctule

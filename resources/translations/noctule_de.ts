@@ -1177,6 +1177,10 @@
         <source>Performer’s left</source>
         <translation>Links des Darstellers</translation>
     </message>
+    <message>
+        <source>board %1</source>
+        <translation>Platine %1</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::CalibratePage</name>
@@ -1292,10 +1296,6 @@
     <message>
         <source>Put the suit on</source>
         <translation>Anzug anlegen</translation>
-    </message>
-    <message>
-        <source>board %1</source>
-        <translation>Platine %1</translation>
     </message>
     <message>
         <source>Devices</source>
@@ -3270,10 +3270,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Put the suit on</source>
         <translation>Anzug anlegen</translation>
-    </message>
-    <message>
-        <source>board %1</source>
-        <translation>Platine %1</translation>
     </message>
     <message>
         <source>Close</source>

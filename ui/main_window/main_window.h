@@ -75,7 +75,7 @@ private:
     void refreshTitle();
     void restoreGeometryKept();
     void openTake(const QString& path);
-    void recoverWanted();
+    void recoverWanted(SessionMarker::Finding finding);
     void onSessionOpened();
     void onTakeOpened();
     void showSuit();

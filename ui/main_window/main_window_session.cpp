@@ -42,6 +42,9 @@ void MainWindow::connectStudio() {
     connect(&studio_.session(), &SessionModel::changed, this, &MainWindow::refreshTitle);
     connect(&studio_.session(), &SessionModel::takeAdded, this, [this] { goTo(Step::kReview); });
     connect(&studio_.session(), &SessionModel::failed, this, &MainWindow::onSessionFailure);
+    const auto forgetWanted = [this] { recovery_wanted_.clear(); };
+    connect(&studio_.session(), &SessionModel::failed, this, forgetWanted);
+    connect(&studio_.session(), &SessionModel::damaged, this, forgetWanted);
     connect(&studio_.take(), &TakeDocument::opened, this, &MainWindow::onTakeOpened);
     connect(&studio_.take(), &TakeDocument::failed, this, &MainWindow::onSessionFailure);
     connect(&studio_, &Studio::failed, this, &MainWindow::onFailure);
@@ -103,15 +106,17 @@ void MainWindow::recoverTake(const QString& path) {
     openTake(recovery_wanted_);
 }
 
-void MainWindow::recoverWanted() {
+/// What another program has open it may be recording just now.
+void MainWindow::recoverWanted(SessionMarker::Finding finding) {
     SessionModel& session = studio_.session();
     const QFileInfo wanted(std::exchange(recovery_wanted_, {}));
+    if (finding == SessionMarker::Finding::kInUse)
+        return;
     const int index = session.session().findTake(wanted.completeBaseName().toStdString());
     if (index < 0)
         return;
     const SessionTake& take = session.session().takes[static_cast<size_t>(index)];
-    const QString path = QString::fromStdString(session.session().pathOf(take).string());
-    if (take.state == TakeState::kRecording && QFileInfo(path) == wanted)
+    if (take.state == TakeState::kRecording && QFileInfo(session.takePath(index)) == wanted)
         session.recover(index);
 }
 
@@ -128,7 +133,7 @@ void MainWindow::onSessionOpened() {
     }
     const QString folder = QString::fromStdString(session.session().folder.string());
     const SessionMarker::Finding finding = marker_.mark(folder);
-    recoverWanted();
+    recoverWanted(finding);
     session_notices_->tellMarker(finding);
     recent_.remember(folder);
     goTo(session.session().takes.empty() ? Step::kConnect : Step::kReview);

@@ -4,31 +4,15 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "core/suit/default_suit.h"
-#include "ui/models/studio.h"
 #include "ui/style/theme.h"
-#include "ui/views/body_map.h"
 #include "ui/views/map_legend.h"
+#include "ui/views/performer_map.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/scroll_area.h"
 
 namespace noctule::ui {
-namespace {
-
-/// The suit of the present performer, else the one that Noctule comes with.
-Suit suitToWear(Studio& studio) {
-    if (studio.session().isOpen()) {
-        const Session& session = studio.session().session();
-        if (const Performer* performer = session.findPerformer(session.current_performer))
-            return performer->suit;
-    }
-    return defaultSuit();
-}
-
-}  // namespace
-
 PutOnDialog::PutOnDialog(Studio& studio, QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Put the suit on"));
     auto* outer = makeColumn(this, {24, 20, 24, 20}, 12);
@@ -36,12 +20,7 @@ PutOnDialog::PutOnDialog(Studio& studio, QWidget* parent) : QDialog(parent) {
     auto* columns = addRow(outer, 24);
     auto* drawing = new QWidget;
     auto* drawing_column = makeColumn(drawing, {}, 8);
-    map_ = new BodyMap(defaultActor(), suitToWear(studio), studio.body());
-    if (!studio.body())
-        studio.whenBodyIsThere(map_, [this, &studio] { map_->setBody(studio.body()); });
-    for (int i = 0; i < map_->boardCount(); ++i)
-        map_->setBoardState(i, Tone::kNeutral, tr("board %1").arg(i + 1));
-    drawing_column->addWidget(map_, 1);
+    drawing_column->addWidget(makePerformerMap(studio), 1);
     drawing_column->addWidget(new MapLegend);
     columns->addWidget(drawing, 1);
     auto* steps = new ScrollArea(makeSteps());

@@ -6,7 +6,6 @@
 
 namespace noctule::ui {
 
-class BodyMap;
 class Studio;
 
 class PutOnDialog : public QDialog {
@@ -16,8 +15,6 @@ public:
 
 private:
     QWidget* makeSteps();
-
-    BodyMap* map_;
 };
 
 }  // namespace noctule::ui

@@ -6,27 +6,37 @@
 
 namespace noctule::ui {
 
-/// Remembers the change and the file; a step whose writing failed leaves the stack when it is met again.
-class MarkerCommand : public QUndoCommand {
+/// Remembers the change and the file, also when the file gets another name.
+class MarkerCommand : public QObject, public QUndoCommand {
 public:
-    MarkerCommand(MarkerEditor& editor, const QString& what, const QString& path, const MarkerChange& change)
-        : QUndoCommand(what), editor_(&editor), path_(path), change_(change) {}
+    MarkerCommand(MarkerEditor& editor, const QString& what, const MarkerChange& change)
+        : QUndoCommand(what), editor_(&editor), path_(editor.take_.path()), change_(change) {
+        connect(&editor.session_, &SessionModel::takeRenamed, this,
+                [this](const QString& before, const QString& now) {
+                    if (path_ == before)
+                        path_ = now;
+                });
+    }
 
-    void redo() override { write(change_); }
-    void undo() override { write(change_.reversed()); }
+    void redo() override { write({path_, change_, true, step_}); }
+    /// A step that never came to the take leaves the stack.
+    void undo() override {
+        setObsolete(*step_ == MarkerEditor::Written::kNever);
+        if (!isObsolete())
+            write({path_, change_.reversed(), false, step_});
+    }
 
 private:
-    void write(const MarkerChange& change) {
-        if (*failed_ || !editor_)
-            setObsolete(true);
-        else
-            editor_->enqueue({path_, change, failed_});
+    void write(const MarkerEditor::Order& order) {
+        if (editor_)
+            editor_->enqueue(order);
     }
 
     QPointer<MarkerEditor> editor_;
     QString path_;
     MarkerChange change_;
-    std::shared_ptr<bool> failed_ = std::make_shared<bool>(false);
+    std::shared_ptr<MarkerEditor::Written> step_ =
+        std::make_shared<MarkerEditor::Written>(MarkerEditor::Written::kNotYet);
 };
 
 MarkerEditor::MarkerEditor(Jobs& jobs, SessionModel& session, TakeDocument& take, QObject* parent)
@@ -80,7 +90,7 @@ void MarkerEditor::remove(int marker) {
 }
 
 void MarkerEditor::push(const QString& what, const MarkerChange& change) {
-    session_.undoStack().push(new MarkerCommand(*this, what, take_.path(), change));
+    session_.undoStack().push(new MarkerCommand(*this, what, change));
 }
 
 void MarkerEditor::enqueue(Order order) {
@@ -91,6 +101,10 @@ void MarkerEditor::enqueue(Order order) {
 }
 
 void MarkerEditor::startNext() {
+    while (!orders_.empty() && !orders_.front().isNeeded())
+        orders_.pop_front();
+    if (orders_.empty())
+        return;
     const Order& order = orders_.front();
     jobs_.start<Done>(
         tr("Writing a marker into %1").arg(QFileInfo(order.path).completeBaseName()),
@@ -108,16 +122,17 @@ void MarkerEditor::startNext() {
 void MarkerEditor::finish(const Order& order, const Status& status) {
     orders_.pop_front();
     if (!status) {
-        *order.failed = true;
+        if (*order.step == Written::kNotYet)
+            *order.step = Written::kNever;
         emit failed(QString::fromStdString(status.error().message),
                     QString::fromStdString(status.error().remedy));
     } else {
+        *order.step = order.to_do ? Written::kDone : Written::kUndone;
         emit written(order.path, order.change);
         if (take_.path() == order.path)
             take_.reload(false);
     }
-    if (!orders_.empty())
-        startNext();
+    startNext();
 }
 
 }  // namespace noctule::ui

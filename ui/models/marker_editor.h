@@ -35,11 +35,18 @@ signals:
 
 private:
     friend class MarkerCommand;
+    /// Where a step on the undo stack has got to in the take's file.
+    enum class Written { kNotYet, kDone, kUndone, kNever };
+    /// Passed over when the file is that way already, because what came before failed: a step that could not
+    /// be undone is done, and can be undone later.
     struct Order {
         QString path;
         MarkerChange change;
-        std::shared_ptr<bool> failed;
+        bool to_do;  ///< else it is undone
+        std::shared_ptr<Written> step;
         std::shared_ptr<void> kept{};
+
+        bool isNeeded() const { return to_do != (*step == Written::kDone); }
     };
     void push(const QString& what, const MarkerChange& change);
     void enqueue(Order order);

@@ -81,7 +81,8 @@ bool isIndex(int index, size_t size) {
 }  // namespace
 
 void SessionModel::push(const QString& what, Step redo, Step undo, const QString& merge_key) {
-    undo_.push(new SessionCommand(*this, what, std::move(redo), std::move(undo), merge_key));
+    if (apply(redo))
+        undo_.push(new SessionCommand(*this, what, std::move(redo), std::move(undo), merge_key));
 }
 
 bool SessionModel::apply(const Step& step) {
@@ -194,7 +195,7 @@ void SessionModel::trashTake(int take) {
     push(
         tr("Move %1 to the trash").arg(QString::fromStdString(trashed.name)),
         [this, name = trashed.name](Session& session) {
-            const Status may = mayMove(session, name);
+            const Status may = mayMove(name);
             return may ? noctule::trashTake(session, name) : may;
         },
         [trashed](Session& session) { return restoreTake(session, trashed); });
@@ -208,12 +209,11 @@ std::shared_ptr<void> SessionModel::keepInPlace(const QString& take_path) {
     return token;
 }
 
-Status SessionModel::mayMove(const Session& session, const std::string& take) const {
-    const int index = session.findTake(take);
+Status SessionModel::mayMove(const std::string& take) const {
+    const int index = session_->findTake(take);
     if (index < 0)
         return Done{};
-    const auto& path = session.pathOf(session.takes[static_cast<size_t>(index)]).string();
-    const auto kept = kept_.find(QDir::cleanPath(QString::fromStdString(path)));
+    const auto kept = kept_.find(QDir::cleanPath(takePath(index)));
     if (kept == kept_.end() || kept->second.expired())
         return Done{};
     return Error{ErrorKind::kUsage, tr("A job works on %1").arg(QString::fromStdString(take)).toStdString(),
@@ -221,13 +221,11 @@ Status SessionModel::mayMove(const Session& session, const std::string& take) co
 }
 
 Status SessionModel::moveTake(Session& session, const std::string& from, const std::string& to) {
-    if (const Status may = mayMove(session, from); !may)
+    if (const Status may = mayMove(from); !may)
         return may;
     const auto path_of = [&](const std::string& name) {
         const int index = session.findTake(name);
-        return index < 0 ? QString()
-                         : QString::fromStdString(
-                               session.pathOf(session.takes[static_cast<size_t>(index)]).string());
+        return index < 0 ? QString() : takePath(index);
     };
     const QString before = path_of(from);
     Status renamed = noctule::renameTake(session, from, to);

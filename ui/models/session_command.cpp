@@ -19,13 +19,21 @@ SessionCommand::SessionCommand(SessionModel& model, const QString& what, Session
     since_last_.start();
 }
 
-// A step that failed has changed nothing and leaves the stack.
 void SessionCommand::redo() {
-    setObsolete(!model_.apply(redo_));
+    take(redo_, true);
 }
 
 void SessionCommand::undo() {
-    setObsolete(!model_.apply(undo_));
+    take(undo_, false);
+}
+
+void SessionCommand::take(const SessionModel::Step& step, bool done) {
+    if (is_done_ == done)
+        return;
+    if (model_.apply(step))
+        is_done_ = done;
+    else
+        model_.undo_.refuse();
 }
 
 int SessionCommand::id() const {

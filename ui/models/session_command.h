@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One step on the undo stack of a session: what it changes and how to take it back.
+// One step on the undo stack of a session: what it changes and how to take it back. It has been done when it
+// comes onto the stack, and a step that fails changes nothing.
 #pragma once
 
 #include <QElapsedTimer>
@@ -20,10 +21,13 @@ public:
     bool mergeWith(const QUndoCommand* later) override;
 
 private:
+    void take(const SessionModel::Step& step, bool done);
+
     SessionModel& model_;
     SessionModel::Step redo_, undo_;
     QString merge_key_;
     QElapsedTimer since_last_;
+    bool is_done_ = true;
 };
 
 }  // namespace noctule::ui

@@ -124,12 +124,12 @@ void SessionModel::adopt(Session session, const QString& take) {
 }
 
 void SessionModel::leave() {
+    undo_.clear();  // markers of a take that belongs to no session are on it too
     if (!session_)
         return;
     saveNow();
     saver_.forget();
     QSettings().setValue(keyOf(*session_), QString::fromStdString(current_name_));
-    undo_.clear();
     session_.reset();
     current_ = -1;
     current_name_.clear();
@@ -149,6 +149,10 @@ void SessionModel::close() {
         return;
     leave();
     announce();
+}
+
+QString SessionModel::takePath(int take) const {
+    return QString::fromStdString(session_->pathOf(session_->takes.at(static_cast<size_t>(take))).string());
 }
 
 void SessionModel::setCurrentTake(int index) {
@@ -244,10 +248,7 @@ void SessionModel::recover(int take) {
                 return recovered.error();
             return copy;
         },
-        [model = QPointer(this), name,
-         kept = keepInPlace(
-             QString::fromStdString(session_->pathOf(session_->takes[static_cast<size_t>(take)]).string()))](
-            Result<Session> copy) -> QString {
+        [model = QPointer(this), name, kept = keepInPlace(takePath(take))](Result<Session> copy) -> QString {
             if (!model || !model->session_)
                 return {};
             model->recovering_.erase(name);

@@ -7,7 +7,6 @@
 #include <QPointer>
 #include <QString>
 #include <QTimer>
-#include <QUndoStack>
 #include <functional>
 #include <map>
 #include <memory>
@@ -17,6 +16,7 @@
 #include "core/session/session.h"
 #include "ui/jobs/jobs.h"
 #include "ui/models/session_saver.h"
+#include "ui/models/undo_history.h"
 
 namespace noctule::ui {
 
@@ -29,8 +29,10 @@ public:
     bool isOpen() const { return session_.has_value(); }
     /// Only while open.
     const Session& session() const { return *session_; }
-    QUndoStack& undoStack() { return undo_; }
+    UndoHistory& undoStack() { return undo_; }
 
+    /// Of session().takes[take]'s file.
+    QString takePath(int take) const;
     int currentTake() const { return current_; }  ///< index into session().takes, -1: none
     void setCurrentTake(int index);
 
@@ -90,7 +92,8 @@ signals:
 private:
     friend class SessionCommand;
     using Step = std::function<Status(Session&)>;
-    /// Does it; `undo` must take back exactly what `redo` did.
+    /// Does it; `undo` must take back exactly what `redo` did. What failed is not kept, nor does it cost what
+    /// could be done again.
     void push(const QString& what, Step redo, Step undo, const QString& merge_key = {});
     bool apply(const Step& step);
     void adopt(Session session, const QString& take);
@@ -101,13 +104,13 @@ private:
     void noteChange();
     void followCurrentTake();
     void tell(const QString& what_failed, const Error& error);
-    Status mayMove(const Session& session, const std::string& take) const;
+    Status mayMove(const std::string& take) const;
     Status moveTake(Session& session, const std::string& from, const std::string& to);
 
     Jobs& jobs_;
     SessionSaver saver_;
     std::optional<Session> session_;
-    QUndoStack undo_;
+    UndoHistory undo_;
     int current_ = -1;
     std::string current_name_;
     QPointer<Job> opening_;

@@ -56,14 +56,7 @@ void TakeDocument::close() {
 void TakeDocument::followMove(const QString& path) {
     path_ = path;
     // What is being read would not find its file.
-    forEachKind([](auto& parts) {
-        std::erase_if(parts, [](const auto& entry) {
-            const bool unfinished = !entry.second.ended;
-            if (unfinished && entry.second.job)
-                entry.second.job->cancel();
-            return unfinished;
-        });
-    });
+    forEachKind([](auto& parts) { drop(parts, [&](const auto& key) { return !parts.at(key).ended; }); });
     reload(false);
 }
 

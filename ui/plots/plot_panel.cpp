@@ -162,7 +162,7 @@ void PlotPanel::buildActions(QLayout& row) {
         button->setPopupMode(QToolButton::InstantPopup);
         button->setMenu(new QMenu(button));
         row.addWidget(button);
-        *std::find(actions_.begin(), actions_.end(), nullptr) = button;
+        actions_.push_back(button);
         return button->menu();
     };
     QMenu* channels = add("new", tr("Add a channel"));

@@ -72,7 +72,7 @@ private:
     SoundSource sound_;
     std::array<QToolButton*, kPlotTabs> tabs_{};
     ToolButton* more_tabs_ = nullptr;
-    std::array<ToolButton*, 3> actions_{};
+    std::vector<ToolButton*> actions_;
     QStackedLayout* pages_ = nullptr;
     QScrollArea* scroll_ = nullptr;
     LaneStack* stack_ = nullptr;

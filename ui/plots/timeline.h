@@ -72,6 +72,8 @@ private:
     int markerAt(const QPoint& position) const;
     void chooseMarker(int marker);
     void chooseWritten(const MarkerChange& change);
+    /// -1: the take has no such marker now.
+    int indexOf(const UserMarker& marker) const;
     void followChosenMarker();
     QString tooltipAt(const QPoint& position) const;
     void dragTo(double x_px);

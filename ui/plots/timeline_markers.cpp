@@ -51,13 +51,16 @@ void Timeline::chooseWritten(const MarkerChange& change) {
     chosen_ = change.after;
 }
 
+int Timeline::indexOf(const UserMarker& marker) const {
+    for (size_t i = 0; overview_ && i < overview_->markers.size(); ++i)
+        if (std::abs(overview_->markers[i].t_s - marker.t_s) < kSameTime_s &&
+            overview_->markers[i].label == marker.label)
+            return static_cast<int>(i);
+    return -1;
+}
+
 void Timeline::followChosenMarker() {
-    chosen_marker_ = -1;
-    if (overview_ && chosen_)
-        for (size_t i = 0; i < overview_->markers.size(); ++i)
-            if (std::abs(overview_->markers[i].t_s - chosen_->t_s) < kSameTime_s &&
-                overview_->markers[i].label == chosen_->label)
-                chosen_marker_ = static_cast<int>(i);
+    chosen_marker_ = chosen_ ? indexOf(*chosen_) : -1;
     emit chosenMarkerChanged();
 }
 
@@ -76,8 +79,12 @@ void Timeline::nameMarker() {
     field->resize(field_width, field->sizeHint().height());
     field->move(std::clamp(qRound(xOf(marker.t_s)), 0, width() - field_width),
                 std::clamp(rows().ruler.top(), 0, std::max(0, height() - field->height())));
+    // While a name is typed the take may be read anew, another marker chosen or another take opened.
     connect(field, &MarkerField::named, this,
-            [this](const QString& name) { studio_.markers().rename(chosen_marker_, name); });
+            [this, path = studio_.take().path(), named = *chosen_](const QString& name) {
+                if (studio_.take().path() == path)
+                    studio_.markers().rename(indexOf(named), name);
+            });
     field->show();
     field->setFocus();
 }

@@ -5,8 +5,6 @@
 
 namespace noctule::ui::parts {
 
-namespace {}  // namespace
-
 Surface surfaceOf(const QStyleOption& option, const Theme& theme) {
     const Tokens& tokens = theme.tokens();
     if (!is(option, QStyle::State_Enabled))

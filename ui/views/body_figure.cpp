@@ -41,6 +41,12 @@ int strongestBone(const std::array<const SkinnedVertex*, 3>& corners, const std:
     return strongest;
 }
 
+/// The outside of a closed mesh is where its corners run anticlockwise.
+bool facesViewer(const std::array<QPointF, 3>& corners) {
+    const QPointF a = corners[1] - corners[0], b = corners[2] - corners[0];
+    return a.x() * b.y() > a.y() * b.x();
+}
+
 Eigen::Vector3f skinned(const SkinnedVertex& vertex, const std::vector<Eigen::Matrix4f>& matrices) {
     Eigen::Vector3f p = Eigen::Vector3f::Zero();
     for (size_t i = 0; i < vertex.weights.size(); ++i)
@@ -102,7 +108,8 @@ void BodyFigure::addMesh(const SkinnedMesh& mesh) {
             vertices[i] = &mesh.vertices[triangle[i]];
             depth_m = std::max(depth_m, static_cast<double>(p.z()));
         }
-        addTriangle(corners, vertices, segments, depth_m);
+        if (facesViewer(corners))
+            addTriangle(corners, vertices, segments, depth_m);
     }
 }
 
@@ -170,8 +177,10 @@ QPointF BodyFigure::source(const Source& source) const {
     return place(source.segment, source.p_segment_source_m);
 }
 
-/// Colour of each pixel: index of its segment plus 1.
+/// Colour of each pixel: index of its segment plus 1. Asked for with every change of colour.
 QImage BodyFigure::segmentImage(int height_px) const {
+    if (segment_image_.height() == height_px)
+        return segment_image_;
     const double scale = this->scale(height_px);
     QImage image(static_cast<int>(std::ceil(2 * half_width_m_ * scale)), height_px, QImage::Format_RGB32);
     image.fill(QColor(0, 0, 0));
@@ -186,7 +195,23 @@ QImage BodyFigure::segmentImage(int height_px) const {
         painter.setBrush(code);
         painter.drawConvexPolygon(corners.data(), 3);
     }
-    return image;
+    return segment_image_ = image;
+}
+
+std::shared_ptr<const BodyFigure> BodyFigure::of(const Actor& actor,
+                                                 const std::shared_ptr<const SkinnedMesh>& mesh) {
+    static std::weak_ptr<const SkinnedMesh> last_mesh;
+    static std::vector<double> last_bones;
+    static std::shared_ptr<const BodyFigure> last;
+    std::vector<double> bones;
+    for (const Joint& joint : actor.skeleton.joints())
+        bones.insert(bones.end(), joint.offset_m.begin(), joint.offset_m.end());
+    if (!mesh || !last || last_mesh.lock() != mesh || last_bones != bones) {
+        last = std::make_shared<const BodyFigure>(actor, mesh);
+        last_mesh = mesh;
+        last_bones = std::move(bones);
+    }
+    return last;
 }
 
 QImage BodyFigure::paint(int height_px, const QColor& body,

@@ -23,6 +23,9 @@ class BodyFigure {
 public:
     /// Without a mesh the actor's capsules stand for the flesh.
     BodyFigure(const Actor& actor, std::shared_ptr<const SkinnedMesh> mesh);
+    /// The same one as last time for the same bones and mesh: what it has painted is not painted again.
+    static std::shared_ptr<const BodyFigure> of(const Actor& actor,
+                                                const std::shared_ptr<const SkinnedMesh>& mesh);
 
     /// Metres in the front view: x to the right of the picture (the performer's left), y up from the floor.
     QPointF board(const Board& board) const;
@@ -57,6 +60,7 @@ private:
     std::vector<Face> faces_;  ///< far ones first
     std::vector<std::string> segments_;
     double height_m_ = 1, half_width_m_ = 0.5;
+    mutable QImage segment_image_;  ///< the last one
 };
 
 }  // namespace noctule::ui

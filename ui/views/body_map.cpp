@@ -17,12 +17,12 @@ constexpr double kCentre_m = 0.03;  ///< boards nearer to the middle go to the e
 
 }  // namespace
 
-BodyMap::BodyMap(const Actor& actor, const Suit& suit, std::shared_ptr<const SkinnedMesh> mesh,
+BodyMap::BodyMap(const Actor& actor, const Suit& suit, const std::shared_ptr<const SkinnedMesh>& mesh,
                  QWidget* parent)
     : QWidget(parent),
       actor_(actor),
       suit_(suit),
-      figure_(actor, std::move(mesh)),
+      figure_(BodyFigure::of(actor, mesh)),
       details_(suit.boards.size()) {
     setAccessibleName(tr("Boards and sources on the body"));
     addMarkers();
@@ -33,12 +33,12 @@ BodyMap::BodyMap(const Actor& actor, const Suit& suit, std::shared_ptr<const Ski
     });
 }
 
-void BodyMap::setBody(std::shared_ptr<const SkinnedMesh> mesh) {
-    figure_ = BodyFigure(actor_, std::move(mesh));
+void BodyMap::setBody(const std::shared_ptr<const SkinnedMesh>& mesh) {
+    figure_ = BodyFigure::of(actor_, mesh);
     for (Place& place : places_) {
         const auto index = static_cast<size_t>(place.index);
         place.at_m =
-            place.is_board ? figure_.board(suit_.boards[index]) : figure_.source(suit_.sources[index]);
+            place.is_board ? figure_->board(suit_.boards[index]) : figure_->source(suit_.sources[index]);
     }
     arrange();
     updateGeometry();
@@ -50,13 +50,13 @@ void BodyMap::addMarkers() {
         const Board& board = suit_.boards[static_cast<size_t>(i)];
         auto* marker = new MapMarker(MapMarker::Shape::kBoard, i + 1, boardTitle(suit_, i), this);
         connect(marker, &QAbstractButton::clicked, this, [this, i] { emit boardClicked(i); });
-        places_.push_back({marker, figure_.board(board), true, i});
+        places_.push_back({marker, figure_->board(board), true, i});
     }
     for (int i = 0; i < sourceCount(); ++i) {
         const Source& source = suit_.sources[static_cast<size_t>(i)];
         auto* marker = new MapMarker(MapMarker::Shape::kSource, i + 1, sourceTitle(suit_, i), this);
         connect(marker, &QAbstractButton::clicked, this, [this, i] { emit sourceClicked(i); });
-        places_.push_back({marker, figure_.source(source), false, i});
+        places_.push_back({marker, figure_->source(source), false, i});
     }
     for (const Place& place : places_)
         place.marker->installEventFilter(this);
@@ -131,7 +131,7 @@ double BodyMap::labelHeight() const {
 QPointF BodyMap::toPixels(const QPointF& p_m) const {
     const Theme& theme = Theme::get();
     const int drawing = height() - theme.px(kTop + kBottom);
-    const double scale = figure_.scale(drawing);
+    const double scale = figure_->scale(drawing);
     return {width() / 2.0 + scale * p_m.x(), height() - theme.px(kBottom) - scale * p_m.y()};
 }
 

@@ -21,13 +21,14 @@ class MapMarker;
 class BodyMap : public QWidget {
     Q_OBJECT
 public:
-    BodyMap(const Actor& actor, const Suit& suit, std::shared_ptr<const SkinnedMesh> mesh,
+    BodyMap(const Actor& actor, const Suit& suit, const std::shared_ptr<const SkinnedMesh>& mesh,
             QWidget* parent = nullptr);
 
     /// Another figure below the marks.
-    void setBody(std::shared_ptr<const SkinnedMesh> mesh);
+    void setBody(const std::shared_ptr<const SkinnedMesh>& mesh);
     /// What stands below a board's name, and the tone of its mark and segment.
     void setBoardState(int board, Tone tone, const QString& detail);
+    const Suit& suit() const { return suit_; }
     void setSourceTone(int source, Tone tone, const QString& detail);
     /// Marked as the one that is talked about; -1: none.
     void setChosen(int board);
@@ -80,7 +81,7 @@ private:
 
     Actor actor_;
     Suit suit_;
-    BodyFigure figure_;
+    std::shared_ptr<const BodyFigure> figure_;
     std::vector<Place> places_;
     std::vector<QString> details_;
     bool movable_ = false;

@@ -26,7 +26,7 @@ void BodyMap::renewFigure() {
             marked[suit_.boards[static_cast<size_t>(place.index)].segment] =
                 backgroundOf(place.marker->tone());
     const double ratio = devicePixelRatioF();
-    const QImage image = figure_.paint(static_cast<int>(drawing * ratio), theme.tokens().ctlh, marked);
+    const QImage image = figure_->paint(static_cast<int>(drawing * ratio), theme.tokens().ctlh, marked);
     picture_ = QPixmap::fromImage(image);
     picture_.setDevicePixelRatio(ratio);
 }
@@ -70,7 +70,7 @@ void BodyMap::paintLabel(QPainter& painter, const Place& place) const {
     const Theme& theme = Theme::get();
     const Tokens& tokens = theme.tokens();
     const int reach =
-        static_cast<int>(figure_.half_width_m() * figure_.scale(height() - theme.px(kTop + kBottom)));
+        static_cast<int>(figure_->half_width_m() * figure_->scale(height() - theme.px(kTop + kBottom)));
     const int side = std::min(width() / 2 - theme.px(kLabelWidth), reach + theme.px(kLabelGap + kLeader));
     const int edge = width() / 2 + (place.left_column ? -side : side);
     const int direction = place.left_column ? -1 : 1;

@@ -5,15 +5,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/suit/default_suit.h"
 #include "ui/models/part_names.h"
 #include "ui/style/theme.h"
 #include "ui/views/assign_panel.h"
 #include "ui/views/board_card.h"
-#include "ui/views/body_map.h"
 #include "ui/views/devices_panel.h"
 #include "ui/views/live_pairs.h"
 #include "ui/views/map_legend.h"
+#include "ui/views/performer_map.h"
 #include "ui/views/readiness_panel.h"
 #include "ui/views/readiness_words.h"
 #include "ui/views/scaled_layout.h"
@@ -127,36 +126,15 @@ void ConnectPage::enter() {
     showState();
 }
 
-Suit ConnectPage::shownSuit() const {
-    if (!studio_.suit().suit().boards.empty())
-        return studio_.suit().suit();
-    const SessionModel& model = studio_.session();
-    const Performer* performer =
-        model.isOpen() ? model.session().findPerformer(model.session().current_performer) : nullptr;
-    return performer ? performer->suit : defaultSuit();
-}
-
-Actor ConnectPage::shownActor() const {
-    if (!studio_.suit().suit().boards.empty())
-        return studio_.suit().actor();
-    const SessionModel& model = studio_.session();
-    const Performer* performer =
-        model.isOpen() ? model.session().findPerformer(model.session().current_performer) : nullptr;
-    return defaultActor(performer ? performer->measures : BodyMeasures{});
-}
-
 void ConnectPage::showSuit() {
-    const Suit suit = shownSuit();
+    const LiveSuit& worn = studio_.suit();
     delete map_;
-    map_ = new BodyMap(shownActor(), suit, studio_.body());
-    if (!studio_.body())
-        studio_.whenBodyIsThere(map_, [this] { map_->setBody(studio_.body()); });
-    for (int i = 0; i < map_->boardCount(); ++i)
-        map_->setBoardState(i, Tone::kNeutral, tr("board %1").arg(i + 1));
+    map_ = worn.suit().boards.empty() ? makePerformerMap(studio_)
+                                      : makeSuitMap(studio_, worn.actor(), worn.suit());
     connect(map_, &BodyMap::boardClicked, this, &ConnectPage::choose);
     connect(map_, &BodyMap::boardDropped, assigning_, &AssignPanel::swap, Qt::QueuedConnection);
     connect(map_, &BodyMap::sourceClicked, this,
-            [this](int source) { studio_.say(sourceTitle(shownSuit(), source)); });
+            [this](int source) { studio_.say(sourceTitle(map_->suit(), source)); });
     static_cast<QVBoxLayout*>(drawing_->layout())->insertWidget(0, map_, 1);
     choose(board_ < map_->boardCount() ? board_ : -1);
     showLayout();

@@ -55,8 +55,6 @@ private:
     void showLayout();
     void choose(int board);
     void takeOff();
-    Actor shownActor() const;
-    Suit shownSuit() const;
 
     Studio& studio_;
     DevicesPanel* devices_;

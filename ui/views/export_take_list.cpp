@@ -16,21 +16,26 @@ namespace {
 
 constexpr int kName = Qt::UserRole, kRowHeight = 28, kFewestRows = 2, kMostRows = 6, kResults = 150;
 
-using ResultsOfTakes = std::map<QString, std::vector<ReviewRun>>;
+}  // namespace
 
-Result<ResultsOfTakes> resultsOfTakes(const std::vector<std::pair<QString, std::string>>& takes,
-                                      const JobContext& job) {
+/// Of those whose files were written since they were looked at.
+Result<ExportTakeList::ResultsOfTakes> ExportTakeList::newResults(
+    const std::vector<std::pair<QString, std::string>>& takes, const ResultsOfTakes& known,
+    const JobContext& job) {
     ResultsOfTakes results;
     for (const auto& [name, path] : takes) {
         if (job.cancelled())
             return JobContext::cancelledError();
+        std::error_code failed;
+        const auto written = std::filesystem::last_write_time(path, failed);
+        const auto found = known.find(name);
+        if (found != known.end() && found->second.written == written)
+            continue;
         if (auto overview = overviewTake(path, {nullptr, job.cancel}))
-            results[name] = std::move(overview->runs);
+            results[name] = {std::move(overview->runs), written};
     }
     return results;
 }
-
-}  // namespace
 
 ExportTakeList::ExportTakeList(Studio& studio, QWidget* parent) : QTreeWidget(parent), studio_(studio) {
     setColumnCount(2);
@@ -52,7 +57,10 @@ ExportTakeList::ExportTakeList(Studio& studio, QWidget* parent) : QTreeWidget(pa
         readTakes();
         readResults();
     });
-    connect(&studio.session(), &SessionModel::changed, this, &ExportTakeList::readTakes);
+    connect(&studio.session(), &SessionModel::changed, this, [this] {
+        readTakes();
+        readResults();
+    });
     connect(&studio.session(), &SessionModel::takeRenamed, this, &ExportTakeList::followRename);
     connect(&studio.take(), &TakeDocument::runsChanged, this, &ExportTakeList::readResults);
     connect(&Theme::get(), &Theme::changed, this, &ExportTakeList::readTakes);
@@ -92,15 +100,16 @@ void ExportTakeList::addTake(const SessionTake& take, bool is_ticked) {
 void ExportTakeList::addResults(QTreeWidgetItem* item) {
     const QString take = item->data(0, kName).toString();
     const auto found = results_.find(take);
-    if (found == results_.end() || found->second.empty())
+    if (found == results_.end() || found->second.runs.empty())
         return;
-    if (found->second.size() == 1) {
-        item->setText(1, runTitle(found->second.front()));
+    const std::vector<ReviewRun>& runs = found->second.runs;
+    if (runs.size() == 1) {
+        item->setText(1, runTitle(runs.front()));
         return;
     }
     auto* box = new QComboBox;
     box->setAccessibleName(tr("Result of %1").arg(take));
-    for (const ReviewRun& run : found->second)
+    for (const ReviewRun& run : runs)
         box->addItem(runTitle(run), QString::fromStdString(run.run.name));
     const int chosen = box->findData(chosen_.value(take));
     box->setCurrentIndex(chosen >= 0 ? chosen : box->count() - 1);
@@ -130,10 +139,13 @@ void ExportTakeList::readResults() {
             takes.emplace_back(QString::fromStdString(take.name), session.pathOf(take).string());
     studio_.jobs().start<ResultsOfTakes>(
         tr("Looking at results"),
-        [takes = std::move(takes)](const JobContext& job) { return resultsOfTakes(takes, job); },
+        [takes = std::move(takes), known = results_](const JobContext& job) {
+            return newResults(takes, known, job);
+        },
         [self = QPointer(this), ticket = ++ticket_](Result<ResultsOfTakes> results) -> QString {
-            if (self && results && self->ticket_ == ticket) {
-                self->results_ = std::move(*results);
+            if (self && results && self->ticket_ == ticket && !results->empty()) {
+                for (auto& [take, fresh] : *results)
+                    self->results_[take] = std::move(fresh);
                 self->readTakes();
             }
             return {};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QTreeWidget>
+#include <filesystem>
 #include <map>
 #include <vector>
 
@@ -21,7 +22,7 @@ public:
     /// Names of the takes that are ticked, in the order of the session.
     QStringList ticked() const;
     void tick(const QStringList& names);
-    /// Whether every take shows its results; they are read anew by a job.
+    /// Whether every take shows its results; a job reads those of takes that were written since.
     void setResultsShown(bool shown);
     /// Name of the result chosen for a take; empty: its last.
     QString chosenResult(const QString& take) const { return chosen_.value(take); }
@@ -33,6 +34,13 @@ signals:
     void changed();  ///< by the operator, or the takes
 
 private:
+    struct Results {
+        std::vector<ReviewRun> runs;
+        std::filesystem::file_time_type written;  ///< when the take's file was, as they were read
+    };
+    using ResultsOfTakes = std::map<QString, Results>;
+    static Result<ResultsOfTakes> newResults(const std::vector<std::pair<QString, std::string>>& takes,
+                                             const ResultsOfTakes& known, const JobContext& job);
     void readTakes();
     void readResults();
     void addTake(const SessionTake& take, bool is_ticked);
@@ -41,9 +49,9 @@ private:
 
     Studio& studio_;
     bool results_shown_ = false;
-    int ticket_ = 0;                                     ///< what an earlier reading found is dropped
-    std::map<QString, std::vector<ReviewRun>> results_;  ///< by take
-    QMap<QString, QString> chosen_;                      ///< by take
+    int ticket_ = 0;                 ///< what an earlier reading found is dropped
+    ResultsOfTakes results_;         ///< by take
+    QMap<QString, QString> chosen_;  ///< by take
 };
 
 }  // namespace noctule::ui

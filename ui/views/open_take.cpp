@@ -11,9 +11,8 @@ int openTakeIndex(Studio& studio) {
     const QString open = QFileInfo(studio.take().path()).canonicalFilePath();
     const Session& session = studio.session().session();
     for (size_t i = 0; i < session.takes.size(); ++i) {
-        const QString path = QString::fromStdString(session.pathOf(session.takes[i]).string());
-        if (QFileInfo(path).fileName() == QFileInfo(open).fileName() &&
-            QFileInfo(path).canonicalFilePath() == open)
+        const QFileInfo take(studio.session().takePath(static_cast<int>(i)));
+        if (take.fileName() == QFileInfo(open).fileName() && take.canonicalFilePath() == open)
             return static_cast<int>(i);
     }
     return -1;

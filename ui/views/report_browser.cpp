@@ -50,7 +50,9 @@ void ReportBrowser::layOut() {
     const QScrollBar* bar = verticalScrollBar();
     const double place = bar->maximum() > 0 ? static_cast<double>(bar->value()) / bar->maximum() : 0;
     laid_out_width_ = pageWidth();
-    setStyleSheet(QString("QTextBrowser{background:%1}").arg(Theme::get().tokens().panel.name()));
+    QPalette colors = palette();
+    colors.setColor(QPalette::Base, Theme::get().tokens().panel);
+    setPalette(colors);
     const int text_width = static_cast<int>(laid_out_width_ * zoom_) + 2 * Theme::get().px(kMargin);
     setHorizontalScrollBarPolicy(text_width > width() ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
     setLineWrapMode(QTextEdit::FixedPixelWidth);

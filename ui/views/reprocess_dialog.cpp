@@ -11,6 +11,7 @@
 #include "core/processing/outside_files.h"
 #include "ui/style/words.h"
 #include "ui/views/choice_row.h"
+#include "ui/views/open_take.h"
 #include "ui/views/review_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -48,7 +49,7 @@ QString calibrationInWords(const Calibration& calibration) {
 }  // namespace
 
 ReprocessDialog::ReprocessDialog(Studio& studio, const TakeOverview& overview, QWidget* parent)
-    : DialogFrame(tr("Reprocess %1").arg(QFileInfo(QString::fromStdString(overview.path)).completeBaseName()),
+    : DialogFrame(tr("Reprocess %1").arg(openTakeName(studio)),
                   tr("Adds a result to the take. The recording and earlier results stay as they are."),
                   tr("Reprocess"), parent),
       studio_(studio),

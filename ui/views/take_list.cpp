@@ -4,12 +4,14 @@
 #include <QContextMenuEvent>
 #include <QDesktopServices>
 #include <QDropEvent>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
 #include <QPainter>
 #include <QUrl>
 
 #include "ui/style/theme.h"
+#include "ui/views/session_marker.h"
 #include "ui/views/take_delegate.h"
 
 namespace noctule::ui {
@@ -59,7 +61,7 @@ void TakeList::openTake(int row) {
                             tr("The file stays where it is; nothing in it is changed."));
         return;
     }
-    const QString path = QString::fromStdString(studio_.session().session().pathOf(take).string());
+    const QString path = studio_.session().takePath(row);
     studio_.session().setCurrentTake(row);
     if (row != takes_->openRow() && studio_.take().path() != path)
         studio_.take().open(path);
@@ -117,7 +119,7 @@ void TakeList::showMenu(const QModelIndex& index, const QPoint& global) {
     QMenu menu(this);
     const int row = index.row();
     menu.addAction(tr("Open"), this, [this, row] { openTake(row); });
-    if (takes_->take(row).state == TakeState::kRecording)
+    if (canRecover(row))
         menu.addAction(tr("Recover"), this, [this, row] { studio_.session().recover(row); });
     menu.addAction(tr("Rename"), this, [this, row] { rename(row); })->setShortcut(Qt::Key_F2);
     QMenu* rating = menu.addMenu(tr("Rating"));
@@ -140,9 +142,16 @@ void TakeList::showMenu(const QModelIndex& index, const QPoint& global) {
     menu.exec(global);
 }
 
+/// What another program has open it may be recording just now.
+bool TakeList::canRecover(int row) const {
+    return takes_->take(row).state == TakeState::kRecording &&
+           !SessionMarker::isOpenElsewhere(
+               QString::fromStdString(studio_.session().session().folder.string()));
+}
+
 void TakeList::showInFolder(int row) {
-    const auto folder = studio_.session().session().pathOf(takes_->take(row)).parent_path();
-    QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(folder.string())));
+    const QFileInfo take(studio_.session().takePath(row));
+    QDesktopServices::openUrl(QUrl::fromLocalFile(take.path()));
 }
 
 void TakeList::dragEnterEvent(QDragEnterEvent* event) {

@@ -36,6 +36,7 @@ protected:
 private:
     void chooseOpen();
     void showMenu(const QModelIndex& index, const QPoint& global);
+    bool canRecover(int row) const;
     void showInFolder(int row);
 
     Studio& studio_;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the studio offers after a program died: recordings that broke off, and a session.json that cannot be
 // read.
+#include <QContextMenuEvent>
 #include <QDir>
 #include <QFile>
+#include <QProcess>
 #include <QSysInfo>
 
 #include "tests/core/session/session_folder.h"
@@ -10,6 +12,7 @@
 #include "ui/views/recent_sessions.h"
 #include "ui/views/session_list.h"
 #include "ui/views/start_page.h"
+#include "ui/views/take_list.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/problem_card.h"
 
@@ -68,6 +71,25 @@ protected:
         const Session& session = studio_->session().session();
         return session.takes.at(static_cast<size_t>(session.findTake(name))).state;
     }
+    /// Texts of the menu that a take has in the list.
+    QStringList menuOf(const char* name) {
+        auto* takes = window_->findChild<TakeList*>();
+        const int row = studio_->session().session().findTake(name);
+        if (!takes || row < 0)
+            return {"there is no list or no such take"};
+        QStringList texts;
+        QTimer::singleShot(0, takes, [&texts] {
+            if (QWidget* menu = QApplication::activePopupWidget()) {
+                for (const QAction* action : menu->actions())
+                    texts.append(action->text());
+                menu->close();
+            }
+        });
+        const QPoint at = takes->visualRect(takes->model()->index(row, 0)).center();
+        QContextMenuEvent event(QContextMenuEvent::Mouse, at, takes->viewport()->mapToGlobal(at));
+        QApplication::sendEvent(takes->viewport(), &event);
+        return texts;
+    }
     bool isRecovered(const char* name) {
         return waitFor([&] { return studio_->session().isOpen() && state(name) == TakeState::kRecovered; });
     }
@@ -120,6 +142,40 @@ TEST_F(Recovery, WhatAnotherProgramRecordsIsNotOffered) {
     EXPECT_EQ(lookAt(recent, {}).interrupted.size(), 1U);
     writeInto("session.lock", QString("1\nnoctule\n%1\n").arg(QSysInfo::machineHostName()).toUtf8());
     EXPECT_TRUE(lookAt(recent, {}).interrupted.empty()) << "the first process of a machine lives";
+}
+
+TEST_F(Recovery, WhatAnotherProgramRecordsIsNotRecovered) {
+    Takes::makeBrokenOff(take("fall_001"), 1);
+    ASSERT_EQ(cardsAfterALook(), QStringList{"The take fall_001 was not ended"});
+    QProcess other;
+    other.start("sleep", {"60"});
+    ASSERT_TRUE(other.waitForStarted());
+    writeInto("session.lock",
+              QString("%1\nsleep\n%2\n").arg(other.processId()).arg(QSysInfo::machineHostName()).toUtf8());
+    click(startPage(), "Recover fall_001");
+    ASSERT_TRUE(waitFor([this] { return studio_->session().isOpen() && studio_->jobs().idle(); }));
+    EXPECT_EQ(state("fall_001"), TakeState::kRecording);
+    EXPECT_FALSE(menuOf("fall_001").contains("Recover"));
+    other.kill();
+    other.waitForFinished();
+}
+
+TEST_F(Recovery, TheTakeListRecoversATake) {
+    Takes::makeBrokenOff(take("fall_001"), 1);
+    ASSERT_TRUE(openAndWait());
+    EXPECT_TRUE(menuOf("fall_001").contains("Recover"));
+    EXPECT_FALSE(menuOf("walk_001").contains("Recover"));
+}
+
+TEST_F(Recovery, ADamagedSessionIsNotRecoveredWhenItIsOpenedLater) {
+    Takes::makeBrokenOff(take("fall_001"), 1);
+    ASSERT_EQ(cardsAfterALook(), QStringList{"The take fall_001 was not ended"});
+    writeInto("session.json", "{");
+    click(startPage(), "Recover fall_001");
+    ASSERT_TRUE(waitFor([this] { return window_->notices().count() == 1 && studio_->jobs().idle(); }));
+    click(window_->notices(), "Rebuild session");
+    ASSERT_TRUE(waitFor([this] { return studio_->session().isOpen() && studio_->jobs().idle(); }));
+    EXPECT_EQ(state("fall_001"), TakeState::kRecording) << "nobody asked for it now";
 }
 
 TEST_F(Recovery, ADamagedSessionIsToldOnceAndRebuilt) {

@@ -237,6 +237,47 @@ TEST_F(SessionModelTest, ATakeThatAJobWorksOnStaysWhereItIs) {
     EXPECT_TRUE(isThere(takes() / "kick.noctule"));
 }
 
+TEST_F(SessionModelTest, AStepThatIsRefusedStaysWhereItIs) {
+    ASSERT_TRUE(openAndWait());
+    const std::unique_ptr<QAction> undo(model_.undoStack().createUndoAction(nullptr)),
+        redo(model_.undoStack().createRedoAction(nullptr));
+    model_.rate(0, 4);
+    model_.renameTake(0, "kick");
+    auto kept = model_.keepInPlace(QString::fromStdString((takes() / "kick.noctule").string()));
+    QSignalSpy failed(&model_, &SessionModel::failed);
+    undo->trigger();
+    EXPECT_EQ(failed.count(), 1);
+    EXPECT_EQ(model_.undoStack().index(), 2);
+    EXPECT_EQ(model_.session().takes[0].rating, 4);
+    kept.reset();
+    undo->trigger();
+    EXPECT_EQ(model_.session().takes[0].name, "walk_001");
+    undo->trigger();
+    EXPECT_EQ(model_.session().takes[0].rating, 0);
+
+    redo->trigger();
+    kept = model_.keepInPlace(QString::fromStdString((takes() / "walk_001.noctule").string()));
+    redo->trigger();
+    EXPECT_EQ(failed.count(), 2);
+    EXPECT_EQ(model_.undoStack().index(), 1);
+    model_.trashTake(0);
+    EXPECT_EQ(failed.count(), 3);
+    EXPECT_EQ(model_.undoStack().count(), 2) << "what fails costs nothing that could be done again";
+    kept.reset();
+    redo->trigger();
+    EXPECT_TRUE(isThere(takes() / "kick.noctule"));
+}
+
+TEST_F(SessionModelTest, ClosingForgetsSteps) {
+    ASSERT_TRUE(openAndWait());
+    model_.rate(0, 4);
+    model_.close();
+    EXPECT_EQ(model_.undoStack().count(), 0);
+    model_.undoStack().push(new QUndoCommand("a marker of a take that belongs to no session"));
+    ASSERT_TRUE(openAndWait());
+    EXPECT_EQ(model_.undoStack().count(), 0);
+}
+
 TEST_F(SessionModelTest, TrashThatFailsChangesNothing) {
     ASSERT_TRUE(openAndWait());
     std::filesystem::create_directories(folder() / "trash" / "walk_001.noctule");

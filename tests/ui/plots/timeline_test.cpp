@@ -39,7 +39,7 @@ protected:
         return bar_->handleKey(event);
     }
     TimeCursor& time() { return studio_->time(); }
-    QUndoStack& undo() { return studio_->session().undoStack(); }
+    UndoHistory& undo() { return studio_->session().undoStack(); }
     /// "0.50 Marker 1", as the document knows them.
     QStringList markers() const {
         QStringList markers;
@@ -188,6 +188,45 @@ TEST_F(TimelineTest, AMarkerThatCannotBeWrittenIsToldAndLeavesTheStack) {
     EXPECT_EQ(undo().count(), 2);
     undo().undo();
     EXPECT_TRUE(become({"0.50 Marker 1"}));
+}
+
+TEST_F(TimelineTest, AMarkerWhoseWayBackFailsCanBeUndoneLater) {
+    setMarkers();
+    QSignalSpy failed(studio_.get(), &Studio::failed);
+    std::filesystem::rename(path(), path() + ".away");
+    undo().undo();
+    ASSERT_TRUE(waitFor([&] { return failed.count() == 1; }));
+    std::filesystem::rename(path() + ".away", path());
+    undo().redo();
+    undo().undo();
+    EXPECT_TRUE(become({"0.50 Marker 1"}));
+    EXPECT_EQ(failed.count(), 1);
+    EXPECT_EQ(undo().count(), 2);
+}
+
+TEST_F(TimelineTest, MarkersAreUndoneWhereTheirTakeIsNow) {
+    setMarkers();
+    const std::string now = path() + ".kick.noctule";
+    std::filesystem::rename(path(), now);
+    emit studio_->session().takeRenamed(QString::fromStdString(path()), QString::fromStdString(now));
+    undo().undo();
+    EXPECT_TRUE(become({"0.50 Marker 1"}));
+    EXPECT_EQ(studio_->take().path().toStdString(), now);
+}
+
+TEST_F(TimelineTest, ANameGoesToTheMarkerThatItWasTypedFor) {
+    setMarkers();
+    timeline_->goToMarker(-1);
+    timeline_->nameMarker();
+    auto* field = timeline_->findChild<MarkerField*>();
+    ASSERT_TRUE(field);
+    QTest::keyClicks(field, "jump");
+    studio_->markers().add(0.2);  // the take is read anew, with another one before it
+    ASSERT_TRUE(become({"0.20 Marker 3", "0.50 Marker 1", "1.50 Marker 2"}));
+    timeline_->goToMarker(1);
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_TRUE(become({"0.20 Marker 3", "0.50 jump", "1.50 Marker 2"}))
+        << markers().join(", ").toStdString();
 }
 
 TEST_F(TimelineTest, KeysOfThePage) {

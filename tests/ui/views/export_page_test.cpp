@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLineEdit>
+#include <QPointer>
 
 #include "core/job/atomic_file.h"
 #include "tests/ui/views/reviewed_session.h"
@@ -95,6 +96,10 @@ TEST_F(ExportPageTest, EveryTakeMayGoOutWithAResultOfItsOwn) {
     EXPECT_EQ(page_->plan()->front().request.run, "") << "the last";
     takes.resultsOf("swing_001")->setCurrentIndex(0);
     EXPECT_EQ(page_->plan()->front().request.run, first);
+    const QPointer<QComboBox> box = takes.resultsOf("swing_001");
+    studio_->take().setShownRun(0);
+    ASSERT_TRUE(waitFor([&] { return jobsAreDone(); }));
+    EXPECT_TRUE(box) << "what is known is not read again";
     studio_->session().renameTake(0, "kick");
     ASSERT_TRUE(page_->plan()) << "it stays ticked: " << page_->plan().error().text();
     EXPECT_EQ(page_->plan()->front().request.run, first) << "and its result chosen";

@@ -50,7 +50,7 @@ protected:
 
     PerformerEditor& editor() { return page_->editor(); }
     const Performer& performer() { return studio_->session().session().performers.at(0); }
-    QUndoStack& undo() { return studio_->session().undoStack(); }
+    UndoHistory& undo() { return studio_->session().undoStack(); }
     void chooseBoard(const char* id) {
         editor().choosePart({SuitPart::Kind::kBoard, performer().suit.findBoard(id)});
     }
