@@ -32,15 +32,15 @@ RemoteTrigger::RemoteTrigger(QHostAddress only_from, Listener listener)
 }
 
 Status RemoteTrigger::open(uint16_t port) {
-    std::promise<QString> outcome;
-    thread_->post([&] {
+    const auto outcome = std::make_shared<std::promise<QString>>();
+    thread_->post([this, outcome, port] {
         socket_ = std::make_unique<QUdpSocket>();
         QObject::connect(socket_.get(), &QUdpSocket::readyRead, socket_.get(), [this] { read(); });
         const bool bound = socket_->bind(QHostAddress::AnyIPv4, port, QAbstractSocket::DontShareAddress);
         port_ = socket_->localPort();
-        outcome.set_value(bound ? QString() : socket_->errorString());
+        outcome->set_value(bound ? QString() : socket_->errorString());
     });
-    const QString why = outcome.get_future().get();
+    const QString why = outcome->get_future().get();
     if (why.isEmpty())
         return Done{};
     return Error{ErrorKind::kDevice,
