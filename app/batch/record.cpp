@@ -18,6 +18,7 @@ Result<StreamRequest> streamRequestOf(const Arguments& arguments) {
     request.take->folder = arguments.text("out-dir");
     request.take->name = arguments.text("name");
     request.take->take_kind = arguments.text("kind");
+    request.take->pre_roll_s = *arguments.number("pre-roll");
     request.take->reserve_bytes = std::llround(*arguments.number("reserve-mb") * kBytesPerMegabyte);
     request.software = softwareName();
     request.created_utc = utcNow();
@@ -78,15 +79,37 @@ std::string recordingText(const RecordReport& report) {
     return all;
 }
 
+Status checkTrigger(const Arguments& arguments) {
+    for (const char* option : {"trigger-from", "pre-roll"})
+        if (arguments.given(option) && !arguments.given("trigger"))
+            return Error{ErrorKind::kUsage, std::string("--") + option + " belongs to --trigger",
+                         "Give a --trigger port as well, or leave it out"};
+    return Done{};
+}
+
+Result<RecordReport> record(const VerbContext& context, std::unique_ptr<Device> device,
+                            const StreamRequest& request) {
+    const Arguments& arguments = context.arguments;
+    const auto seconds = arguments.number("seconds");
+    const auto port = arguments.whole("trigger");
+    if (!port)
+        return recordTake(std::move(device), request, seconds, context.job());
+    return recordWhenTriggered(std::move(device), request,
+                               {static_cast<uint16_t>(*port), arguments.text("trigger-from")}, seconds,
+                               context.job());
+}
+
 Result<Outcome> runRecord(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
+    if (const Status checked = checkTrigger(arguments); !checked)
+        return checked.error();
     const auto request = streamRequestOf(arguments);
     if (!request)
         return request.error();
     auto device = makeDevice(arguments.text("device"));
     if (!device)
         return device.error();
-    const auto report = recordTake(std::move(*device), *request, arguments.number("seconds"), context.job());
+    const auto report = record(context, std::move(*device), *request);
     if (!report)
         return report.error();
     for (const std::string& warning : report->stream.warnings)
@@ -114,6 +137,12 @@ Verb recordVerb() {
         text("out-dir", "D", "folder of the take; made if it is missing").needed(),
         text("name", "N", "the take becomes the next free N_###").orElse("take"),
         number("seconds", "S", 0.01, 1e6, "how long; until Ctrl-C when not given"),
+        whole("trigger", "PORT", 1, 65535,
+              "wait for CaptureStart on this UDP port, and end on CaptureStop; the take has its name"),
+        text("trigger-from", "ADDRESS", "listen to this computer alone, such as 10.0.0.5"),
+        number("pre-roll", "S", 0, LiveSession::kLongestPreRoll_s,
+               "with --trigger: the take begins so long before CaptureStart")
+            .orElse("0"),
         choice("kind", {"motion", "jig", "level", "turntable"}, "what is recorded").orElse("motion"),
         text("suit", "S.json", "the suit as it is worn, matched by serial numbers"),
         text("calibration", "C.json", "goes into the take; with it poses are made while recording"),

@@ -14,11 +14,13 @@
 namespace noctule {
 
 struct ArrivedBlock {
-    std::shared_ptr<const link::AdcBlock> sound;
-    int64_t arrived_ns = 0;  ///< of its last byte, std::chrono::steady_clock
+    std::shared_ptr<const link::AdcBlock> sound;  ///< on the device's clock
+    int64_t arrived_ns = 0;                       ///< of its last byte, std::chrono::steady_clock
+    int64_t origin = 0;                           ///< the device's sample that is 0 here
 
-    int64_t firstSample() const { return sound->first_sample; }
-    int64_t endSample() const { return sound->first_sample + sound->sampleCount(); }
+    int64_t firstSample() const { return sound->first_sample - origin; }
+    int64_t sampleCount() const { return sound->sampleCount(); }
+    int64_t endSample() const { return firstSample() + sampleCount(); }
 };
 
 /// Pulses carry the ids that the take's table will give them.

@@ -34,11 +34,11 @@ LiveProcessor::LiveProcessor(const LivePlan& plan, std::unique_ptr<LivePipeline>
                              std::optional<ResultSpool> spool)
     : sample_rate_hz_(static_cast<int>(plan.pipeline.decoder.train.sample_rate_hz)),
       board_count_(plan.suit.boards.size()),
-      latency_from_ns_(latencyFrom_ns(plan)),
       pipeline_(std::move(pipeline)),
       spool_(std::move(spool)),
       queue_(static_cast<int64_t>(plan.queue_s * sample_rate_hz_)),
-      health_(plan.suit, sample_rate_hz_) {
+      health_(plan.suit, sample_rate_hz_),
+      latency_from_ns_(latencyFrom_ns(plan)) {
     frame_.ranges.resize(board_count_ * plan.suit.sources.size());
     frame_.readings.resize(board_count_);
     thread_ = std::thread([this] { work(); });
@@ -77,7 +77,15 @@ void LiveProcessor::endWith(const char* why) {
     published_.set(frame_);
 }
 
+int64_t LiveProcessor::time_ns(int64_t sample) const {
+    return std::llround(static_cast<double>(sample) * 1e9 / sample_rate_hz_);
+}
+
 void LiveProcessor::handle(const ArrivedBlock& block) {
+    if (!caught_up_ && queue_.depth().samples == 0) {
+        caught_up_ = true;
+        latency_from_ns_ = std::max(latency_from_ns_, time_ns(block.endSample()));
+    }
     arrivals_.push_back({block.endSample(), block.arrived_ns});
     health_.addBlock(block.firstSample(), block.sound->values);
     pipeline_->pushBlock(block.firstSample(), block.sound->values);
@@ -131,7 +139,7 @@ void LiveProcessor::collect() {
 void LiveProcessor::measureLatency(const std::vector<TimedPose>& poses) {
     const int64_t now_ns = steadyNow_ns();
     for (const TimedPose& timed : poses) {
-        if (timed.time_ns < latency_from_ns_)
+        if (!caught_up_ || timed.time_ns < latency_from_ns_)
             continue;
         const double instant = static_cast<double>(timed.time_ns) * 1e-9 * sample_rate_hz_;
         const auto last_bit =

@@ -61,6 +61,7 @@ private:
     LiveProcessor(const LivePlan& plan, std::unique_ptr<LivePipeline> pipeline,
                   std::optional<ResultSpool> spool);
     void work();
+    int64_t time_ns(int64_t sample) const;
     void handle(const ArrivedBlock& block);
     void handle(const std::vector<Pulse>& pulses);
     void handle(const GapRow& gap);
@@ -74,7 +75,6 @@ private:
 
     const int sample_rate_hz_;
     const size_t board_count_;
-    const int64_t latency_from_ns_;  ///< the poses of the rest come all at once when it is over
     std::unique_ptr<LivePipeline> pipeline_;
     std::optional<ResultSpool> spool_;
     LiveQueue queue_;
@@ -88,6 +88,8 @@ private:
         int64_t end_sample, arrived_ns;
     };
     std::deque<Arrival> arrivals_;
+    int64_t latency_from_ns_;  ///< the poses of the rest come all at once when it is over
+    bool caught_up_ = false;   ///< with a pre-roll, which keeps what follows waiting: that is no latency
     std::thread thread_;
 };
 

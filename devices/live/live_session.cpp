@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/live/live_session.h"
 
-#include <cmath>
-
 namespace noctule {
 
 LiveSession::LiveSession(std::unique_ptr<Device> device) : device_(std::move(device)) {}
 
 LiveSession::~LiveSession() {
     device_.reset();
-    finish();
-}
-
-template <class Change>
-void LiveSession::change(Change change) {
-    const std::lock_guard lock(mutex_);
-    change(state_);
-    status_.set(state_);
+    endStream(std::nullopt, LinkState::kClosed);
+    while (newest())
+        finish();
 }
 
 void LiveSession::connect() {
@@ -32,26 +25,50 @@ void LiveSession::stop() {
     device_->stop();
 }
 
-std::shared_ptr<StreamFeed> LiveSession::feed() const {
-    const std::lock_guard lock(mutex_);
-    return stream_ && state_.stream_is_open && started_ ? stream_->feed : nullptr;
-}
-
 void LiveSession::onEvent(DeviceEvent event) {
     follow(event.event);
-    if (const auto open = feed())
-        open->take(std::move(event));
+    feed(std::move(event));
+}
+
+void LiveSession::feed(DeviceEvent&& event) {
+    const std::lock_guard lock(order_);
+    if (!started_)
+        return;
+    const auto data = streamEventOf(std::move(event), board_count_);
+    if (!data)
+        return;
+    if (past_)
+        past_->add(*data);
+    for (const auto& fed : feeds_)
+        fed->take(*data);
+}
+
+void LiveSession::markStarted() {
+    const std::lock_guard lock(order_);
+    started_ = true;
 }
 
 /// `link`: as it is from then on.
 void LiveSession::endStream(const std::optional<Error>& why, LinkState link) {
-    if (const auto open = feed())
-        open->flush();
+    {
+        const std::lock_guard lock(order_);
+        started_ = false;
+        for (const auto& fed : feeds_)
+            fed->flush();
+    }
     change([&](SessionStatus& s) {
         if (why && (s.stream_is_open || link == LinkState::kRefused))
             s.trouble = why;
         s.stream_is_open = false;
         if (s.link != LinkState::kRefused)
+            s.link = link;
+    });
+}
+
+/// What flows while the box is being stopped is the rest.
+void LiveSession::showFlow(LinkState link) {
+    change([&](SessionStatus& s) {
+        if (s.stream_is_open && s.link != LinkState::kStopping)
             s.link = link;
     });
 }
@@ -65,28 +82,24 @@ void LiveSession::follow(const link::StudioEvent& event) {
     if (const auto* greeted = std::get_if<link::Greeted>(&event)) {
         change([&](SessionStatus& s) {
             s.hello = greeted->hello;
-            if (!s.stream_is_open)
+            if (!s.stream_is_open && s.link != LinkState::kStopping)
                 s.link = LinkState::kReady;
         });
     } else if (std::get_if<link::Started>(&event)) {
-        change([this](SessionStatus& s) {
-            s.link = LinkState::kStreaming;
-            started_ = true;
-        });
+        markStarted();
+        showFlow(LinkState::kStreaming);
     } else if (std::get_if<link::Flowing>(&event)) {
-        change([](SessionStatus& s) { s.link = LinkState::kStreaming; });
+        showFlow(LinkState::kStreaming);
     } else if (std::get_if<link::Stalled>(&event)) {
-        change([](SessionStatus& s) { s.link = LinkState::kStalled; });
+        showFlow(LinkState::kStalled);
     } else if (const auto* lost = std::get_if<link::LinkLost>(&event)) {
         change([&](SessionStatus& s) {
             s.link = LinkState::kLost;
             s.last_message = lost->why.text();
         });
     } else if (std::get_if<link::Resumed>(&event)) {
-        change([](SessionStatus& s) {
-            s.link = LinkState::kStreaming;
-            ++s.reconnections;
-        });
+        showFlow(LinkState::kStreaming);
+        change([](SessionStatus& s) { ++s.reconnections; });
     } else if (std::get_if<link::Stopped>(&event)) {
         endStream(std::nullopt, linkWithoutStream());
     } else if (const auto* ended = std::get_if<link::TakeEnded>(&event)) {
@@ -105,42 +118,49 @@ void LiveSession::follow(const link::StudioEvent& event) {
     }
 }
 
+LiveSession::StreamPointer LiveSession::newest() const {
+    const std::lock_guard lock(mutex_);
+    return take_ ? take_ : stream_;
+}
+
 void LiveSession::addMarker(const std::string& kind, const std::string& label) {
-    if (const auto open = feed())
-        open->addMarker(kind, label);
+    if (const auto stream = newest())
+        stream->feed->addMarker(kind, label);
 }
 
 void LiveSession::addNote(const std::string& text) {
-    if (const auto open = feed())
-        open->addNote(text);
+    if (const auto stream = newest())
+        stream->feed->addNote(text);
 }
 
 std::shared_ptr<const LiveFrame> LiveSession::latest() const {
     const std::lock_guard lock(mutex_);
-    return stream_ && stream_->processor ? stream_->processor->latest() : nullptr;
-}
-
-std::optional<Error> LiveSession::processingTrouble() const {
-    const std::lock_guard lock(mutex_);
-    return stream_ ? stream_->processingTrouble() : std::nullopt;
+    for (const auto& stream : {stream_, take_})
+        if (stream && stream->processor)
+            return stream->processor->latest();
+    return nullptr;
 }
 
 std::optional<Error> LiveSession::Stream::processingTrouble() const {
     return processor ? processor->latest()->trouble : not_processed;
 }
 
+std::optional<Error> LiveSession::processingTrouble() const {
+    const std::lock_guard lock(mutex_);
+    for (const auto& stream : {take_, stream_})
+        if (const auto trouble = stream ? stream->processingTrouble() : std::nullopt)
+            return trouble;
+    return std::nullopt;
+}
+
 std::optional<RecorderState> LiveSession::recording() const {
-    std::shared_ptr<Recorder> recorder;
-    {
-        const std::lock_guard lock(mutex_);
-        recorder = stream_ ? stream_->recorder : nullptr;
-    }
-    return recorder ? std::optional(recorder->state()) : std::nullopt;
+    const auto stream = newest();
+    return stream && stream->recorder ? std::optional(stream->recorder->state()) : std::nullopt;
 }
 
 int64_t LiveSession::reachedSample() const {
-    const std::lock_guard lock(mutex_);
-    return stream_ ? stream_->feed->reachedSample() : 0;
+    const auto stream = newest();
+    return stream ? stream->feed->reachedSample() : 0;
 }
 
 }  // namespace noctule

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // A device at work: connects it, records and processes its streams, and shows how all of it fares. A stream
 // reaches from begin() to finish(); with a take in its request it is recorded, without one it is only looked
-// at. A link that breaks and comes back leaves a gap in the take; a box that restarts ends it, intact.
-// For one thread of control; latest(), status() and recording() from any thread, without waiting.
+// at. While somebody only looks, takes can begin and end in the stream's midst, even some seconds before they
+// were asked for. A link that breaks and comes back leaves a gap in the take; a box that restarts ends it,
+// intact.
+//
+// begin() (it opens a file) and finish() (it waits for the disk and the pipeline) belong into a job: on any
+// thread, one after the other. All others return at once and may be called from any thread meanwhile.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 
-#include "devices/device/device.h"
 #include "devices/live/published.h"
 #include "devices/live/stream_feed.h"
+#include "devices/live/stream_past.h"
+#include "devices/live/stream_request.h"
 
 namespace noctule {
 
@@ -39,51 +43,27 @@ struct SessionStatus {
     int64_t reconnections = 0;
 };
 
-struct RecordingRequest {
-    std::filesystem::path folder;
-    std::string name = "take";
-    std::string take_kind = "motion";
-    std::map<std::string, std::string> meta;  ///< performer, actor_name, ...
-    int64_t reserve_bytes = RecorderSettings{}.reserve_bytes;
-    bool compress = false;
-};
-
-struct StreamRequest {
-    std::optional<RecordingRequest> take;
-    std::optional<Suit> suit;  ///< as this performer wears it, matched by serial; else as the box says
-    std::optional<Calibration> calibration;
-    std::optional<Actor> actor;
-    bool process = true;
-    bool keep_results = false;  ///< the live results become derived runs of the take
-    TrackerSettings tracker;
-    Detector detector = Detector::kInflection;
-    double rest_s = 0;  ///< the performer begins in the rest pose and holds it so long
-    std::string software, created_utc;
-};
-
-struct StreamResult {
-    std::optional<RecorderState> recording;
-    std::shared_ptr<const LiveFrame> frame;  ///< the last one; null without processing
-    std::optional<ProcessSummary> results;   ///< in the take
-    std::vector<std::string> warnings;       ///< whole sentences
-    std::optional<Error> trouble;            ///< of the device; the recorder's own stands in recording
-};
-
 class LiveSession {
 public:
+    static constexpr double kLongestPreRoll_s = 10;
+
     explicit LiveSession(std::unique_ptr<Device> device);
     LiveSession(const LiveSession&) = delete;
     LiveSession& operator=(const LiveSession&) = delete;
     /// Closes the device; an open take ends where it is.
     ~LiveSession();
 
+    /// Once, and before the rest.
     void connect();
-    /// In kReady: makes the take, then starts the device. A pipeline that cannot work does not hinder the
-    /// recording; why is a warning of the result.
+    /// In kReady: makes the take, then starts the device; its first sample is the take's. While a stream
+    /// without a take runs: the take begins in its midst, `pre_roll_s` before now, and the looking goes on.
+    /// A pipeline that cannot work does not hinder the recording; processingTrouble() says why.
     Status begin(const StreamRequest& request);
     /// Asks the box to stop; the stream is open until all that it holds has come.
     void stop();
-    /// Ends the stream here and now, completes the take and, if asked for, writes the results into it.
+    /// Ends what began last, here and now: completes the take and, if asked for, writes the results into it.
+    /// After a take that began in the midst of a stream the looking goes on; otherwise the device is stopped
+    /// unless it was before.
     StreamResult finish();
 
     /// Lights a board's lamp. A box that cannot says so in status().
@@ -91,16 +71,19 @@ public:
     /// Before begin(): holds from the next stream on.
     void set(const link::Settings& settings) { device_->set(settings); }
 
+    /// Into the take that began last.
     void addMarker(const std::string& kind, const std::string& label);
     void addNote(const std::string& text);
 
     std::shared_ptr<const SessionStatus> status() const { return status_.get(); }
-    /// Null without processing.
+    /// Null without processing. A take that begins in the midst of a processed stream leaves undisturbed what
+    /// is shown: the frames stay those of the stream, on its clock.
     std::shared_ptr<const LiveFrame> latest() const;
     /// Why nothing is processed, or nothing any more, although that was asked for.
     std::optional<Error> processingTrouble() const;
     /// Absent without a take.
     std::optional<RecorderState> recording() const;
+    /// Of what began last, on its clock.
     int64_t reachedSample() const;
     link::LinkStatistics linkStatistics() const { return device_->statistics(); }
 
@@ -115,22 +98,47 @@ private:
 
         std::optional<Error> processingTrouble() const;
     };
+    using StreamPointer = std::shared_ptr<Stream>;
+
     void onEvent(DeviceEvent event);
+    void feed(DeviceEvent&& event);
     template <class Change>
-    void change(Change change);
+    void change(Change change) {
+        const std::lock_guard lock(mutex_);
+        change(state_);
+        status_.set(state_);
+    }
     void follow(const link::StudioEvent& event);
+    void markStarted();
+    void showFlow(LinkState link);
     void endStream(const std::optional<Error>& why, LinkState link);
     LinkState linkWithoutStream() const;
-    std::shared_ptr<StreamFeed> feed() const;
+    /// Of what began last; null when nothing is open.
+    StreamPointer newest() const;
+
+    Status beginWithDevice(const StreamRequest& request, const link::Hello& hello);
+    Status beginInMidst(const StreamRequest& request, const link::Hello& hello);
+    Result<StreamPointer> makeStream(const StreamRequest& request, const link::Hello& hello,
+                                     int64_t pre_roll_samples);
     Result<std::shared_ptr<Recorder>> makeRecorder(const StreamRequest& request, const link::Hello& hello,
-                                                   const Suit& suit);
-    void startProcessor(Stream& stream, const link::Hello& hello, const Suit& suit);
+                                                   const Suit& suit, int64_t pre_roll_samples);
+    void startProcessor(Stream& stream, const link::Hello& hello, const Suit& suit, int64_t pre_roll_samples);
+    Error notReady() const;
+    StreamPointer detachNewest();
+    void stopAfterLast();
+    StreamResult finishNewest();
     void keepResults(Stream& stream, StreamResult& result);
 
-    mutable std::mutex mutex_;  ///< held for moments
+    std::mutex control_;  ///< of begin() and finish()
+    std::mutex order_;    ///< of the following: data come to all that are fed in one order
+    std::vector<std::shared_ptr<StreamFeed>> feeds_;
+    std::optional<StreamPast> past_;  ///< of a stream that is only looked at
+    bool started_ = false;            ///< its first data have come, its last have not
+    int board_count_ = 0;             ///< of its blocks
+
+    mutable std::mutex mutex_;  ///< of the following, held for moments
     SessionStatus state_;
-    std::shared_ptr<Stream> stream_;
-    bool started_ = false;  ///< its first data have come
+    StreamPointer stream_, take_;  ///< the device's, and the take that began in its midst
     Published<SessionStatus> status_;
     std::unique_ptr<Device> device_;  ///< last: it goes first, and its events with it
 };

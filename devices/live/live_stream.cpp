@@ -1,86 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
-// The beginning and the end of a LiveSession's stream.
+// The beginning and the end of a LiveSession's streams.
+#include <algorithm>
 #include <cmath>
 
+#include "devices/live/live_plans.h"
 #include "devices/live/live_session.h"
 
 namespace noctule {
 namespace {
 
-std::optional<std::pair<int64_t, int64_t>> restOf(const StreamRequest& request, int sample_rate_hz) {
-    const int64_t samples = std::llround(request.rest_s * sample_rate_hz);
-    return samples > 0 ? std::optional(std::pair<int64_t, int64_t>{0, samples - 1}) : std::nullopt;
-}
-
-TakePlan planOf(const StreamRequest& request, const link::Hello& hello, const Suit& suit) {
-    TakePlan plan;
-    plan.folder = request.take->folder;
-    plan.name = request.take->name;
-    plan.compress = request.take->compress;
-    plan.suit = suit;
-    plan.calibration = request.calibration;
-    plan.actor = request.actor;
-    plan.meta = request.take->meta;
-    plan.meta["box_serial"] = hello.serial;
-    TakeHeader& header = plan.header;
-    header.created_utc = request.created_utc;
-    header.software = request.software;
-    header.sample_rate_hz = hello.sample_rate_hz;
-    header.board_count = hello.boardCount();
-    header.source_count = static_cast<int>(suit.sources.size());
-    header.pulse_interval_samples = hello.pulse_interval_samples;
-    header.pulse_cycles = hello.pulse_cycles;
-    header.drive_hz = hello.drive_hz;
-    header.take_kind = request.take->take_kind;
-    if (const auto rest = restOf(request, hello.sample_rate_hz))
-        plan.markers = {{rest->first, "rest", "begin"}, {rest->second, "rest", "end"}};
-    return plan;
-}
-
-/// As the take's file will give it back, to the last bit.
-template <class Document>
-Result<Document> asStored(const Document& document,
-                          Result<Document> (*fromJson)(const nlohmann::json&, const std::string&)) {
-    return fromJson(toJson(document), "the live view");
-}
-
-Result<LivePlan> livePlanOf(const StreamRequest& request, const link::Hello& hello, const Suit& worn) {
-    const auto suit = asStored<Suit>(worn, suitFromJson);
-    if (!suit)
-        return suit.error();
-    const auto actor =
-        request.actor ? asStored<Actor>(*request.actor, actorFromJson) : Result<Actor>(defaultActor());
-    if (!actor)
-        return actor.error();
-    const auto calibration = request.calibration
-                                 ? asStored<Calibration>(*request.calibration, calibrationFromJson)
-                                 : Result<Calibration>(nominalCalibration(*suit));
-    if (!calibration)
-        return calibration.error();
-    PipelineSettings pipeline;
-    pipeline.decoder = {{static_cast<double>(hello.sample_rate_hz), hello.pulse_interval_samples,
-                         hello.drive_hz, hello.pulse_cycles},
-                        request.detector};
-    pipeline.tracker = request.tracker;
-    pipeline.rest = restOf(request, hello.sample_rate_hz);
-    return LivePlan{*suit, *calibration, *actor, pipeline};
-}
+/// Beyond what is held for the longest pre-roll: a slow disk may need so long to make the file.
+constexpr double kSpareHeld_s = 2;
 
 }  // namespace
 
 Result<std::shared_ptr<Recorder>> LiveSession::makeRecorder(const StreamRequest& request,
-                                                            const link::Hello& hello, const Suit& suit) {
-    auto file = makeTakeFile(planOf(request, hello, suit));
+                                                            const link::Hello& hello, const Suit& suit,
+                                                            int64_t pre_roll_samples) {
+    auto file = makeTakeFile(takePlanOf(request, hello, suit, pre_roll_samples));
     if (!file)
         return file.error();
     RecorderSettings settings;
     settings.sample_rate_hz = hello.sample_rate_hz;
     settings.reserve_bytes = request.take->reserve_bytes;
+    settings.queue_s = queueLength_s(pre_roll_samples, hello.sample_rate_hz);
     return std::make_shared<Recorder>(std::move(*file), settings);
 }
 
-void LiveSession::startProcessor(Stream& stream, const link::Hello& hello, const Suit& suit) {
-    const auto plan = livePlanOf(stream.request, hello, suit);
+void LiveSession::startProcessor(Stream& stream, const link::Hello& hello, const Suit& suit,
+                                 int64_t pre_roll_samples) {
+    const auto plan = livePlanOf(stream.request, hello, suit, pre_roll_samples);
     if (!plan) {
         stream.not_processed = plan.error();
         return;
@@ -100,13 +49,9 @@ void LiveSession::startProcessor(Stream& stream, const link::Hello& hello, const
         stream.not_processed = started.error();
 }
 
-Status LiveSession::begin(const StreamRequest& request) {
-    const auto now = status();
-    if (now->link != LinkState::kReady || now->stream_is_open || !now->hello)
-        return Error{ErrorKind::kDevice, device_->address() + ": is not ready to start",
-                     "Wait until the driver box has answered and the stream before has ended"};
-    finish();
-    const link::Hello& hello = *now->hello;
+Result<LiveSession::StreamPointer> LiveSession::makeStream(const StreamRequest& request,
+                                                           const link::Hello& hello,
+                                                           int64_t pre_roll_samples) {
     const auto suit =
         request.suit ? link::placedBySerial(hello.suit, *request.suit) : Result<Suit>(hello.suit);
     if (!suit)
@@ -114,23 +59,82 @@ Status LiveSession::begin(const StreamRequest& request) {
     auto stream = std::make_shared<Stream>();
     stream->request = request;
     if (request.take) {
-        auto recorder = makeRecorder(request, hello, *suit);
+        auto recorder = makeRecorder(request, hello, *suit, pre_roll_samples);
         if (!recorder)
             return recorder.error();
         stream->recorder = *recorder;
     }
     if (request.process)
-        startProcessor(*stream, hello, *suit);
+        startProcessor(*stream, hello, *suit, pre_roll_samples);
+    return stream;
+}
+
+Error LiveSession::notReady() const {
+    return {ErrorKind::kDevice, device_->address() + ": is not ready to start",
+            "Wait until the driver box has answered and the stream before has ended"};
+}
+
+Status LiveSession::begin(const StreamRequest& request) {
+    const std::lock_guard one_at_a_time(control_);
+    const auto now = status();
+    const bool flows = now->link == LinkState::kStreaming || now->link == LinkState::kStalled;
+    if (now->stream_is_open && flows)
+        return beginInMidst(request, *now->hello);
+    if (now->stream_is_open || now->link != LinkState::kReady)
+        return notReady();
+    while (newest())
+        finishNewest();
+    return beginWithDevice(request, *now->hello);
+}
+
+Status LiveSession::beginWithDevice(const StreamRequest& request, const link::Hello& hello) {
+    const auto made = makeStream(request, hello, 0);
+    if (!made)
+        return made.error();
+    const StreamPointer& stream = *made;
     stream->feed = std::make_shared<StreamFeed>(stream->recorder, stream->processor, hello.boardCount(),
-                                                hello.sample_rate_hz);
+                                                StreamFeed::Clock{hello.sample_rate_hz, 0});
+    {
+        const std::lock_guard lock(order_);
+        feeds_ = {stream->feed};
+        board_count_ = hello.boardCount();
+        if (!request.take)
+            past_.emplace(std::llround((kLongestPreRoll_s + kSpareHeld_s) * hello.sample_rate_hz));
+    }
     change([&](SessionStatus& s) {
         stream_ = stream;
-        started_ = false;
         s.stream_is_open = true;
         s.link = LinkState::kStarting;
         s.trouble.reset();
     });
     device_->start();
+    return Done{};
+}
+
+Status LiveSession::beginInMidst(const StreamRequest& request, const link::Hello& hello) {
+    int64_t origin = 0, pre_roll_samples = 0;
+    {
+        const std::lock_guard lock(order_);
+        if (!request.take || !past_ || newest() != stream_)
+            return notReady();
+        const double pre_roll_s = std::clamp(request.take->pre_roll_s, 0.0, kLongestPreRoll_s);
+        const int64_t now = past_->endSample();
+        origin = past_->boundaryAt(now - std::llround(pre_roll_s * hello.sample_rate_hz));
+        pre_roll_samples = now - origin;
+    }
+    const auto made = makeStream(request, hello, pre_roll_samples);
+    if (!made)
+        return made.error();
+    const StreamPointer& stream = *made;
+    stream->feed = std::make_shared<StreamFeed>(stream->recorder, stream->processor, hello.boardCount(),
+                                                StreamFeed::Clock{hello.sample_rate_hz, origin});
+    // The device's thread waits for this: some milliseconds, in which its link goes on buffering.
+    const std::lock_guard lock(order_);
+    for (const StreamEvent& event : past_->since(origin))
+        stream->feed->take(event);
+    feeds_.push_back(stream->feed);
+    const std::lock_guard state_lock(mutex_);
+    take_ = stream;
     return Done{};
 }
 
@@ -160,22 +164,48 @@ void LiveSession::keepResults(Stream& stream, StreamResult& result) {
         result.warnings.push_back("The live results are not in the take: " + written.error().text() + ".");
 }
 
-StreamResult LiveSession::finish() {
-    std::shared_ptr<Stream> stream;
-    StreamResult result;
-    if (const auto open = feed())
-        open->flush();
-    change([&](SessionStatus& s) {
-        stream.swap(stream_);
-        s.stream_is_open = false;
-        started_ = false;
-        if (stream && s.link != LinkState::kRefused && s.link != LinkState::kClosed &&
-            s.link != LinkState::kLost)
-            s.link = LinkState::kReady;
-        result.trouble = stream ? s.trouble : std::nullopt;
-    });
+/// Nothing is fed to it any more, and nobody sees it.
+LiveSession::StreamPointer LiveSession::detachNewest() {
+    const std::lock_guard lock(order_);
+    const StreamPointer stream = newest();
     if (!stream)
-        return result;
+        return nullptr;
+    std::erase(feeds_, stream->feed);
+    stream->feed->flush();
+    if (stream == stream_) {
+        started_ = false;
+        past_.reset();
+    }
+    const std::lock_guard state_lock(mutex_);
+    (take_ ? take_ : stream_).reset();
+    return stream;
+}
+
+/// Of a stream that is still open.
+void LiveSession::stopAfterLast() {
+    bool runs = false;
+    change([&](SessionStatus& s) {
+        runs = std::exchange(s.stream_is_open, false) && s.link != LinkState::kStopping;
+        if (runs && s.link != LinkState::kLost)
+            s.link = LinkState::kStopping;
+    });
+    if (runs)
+        device_->stop();
+}
+
+StreamResult LiveSession::finish() {
+    const std::lock_guard one_at_a_time(control_);
+    return finishNewest();
+}
+
+StreamResult LiveSession::finishNewest() {
+    const StreamPointer stream = detachNewest();
+    if (!stream)
+        return {};
+    StreamResult result;
+    result.trouble = status()->trouble;
+    if (!newest())
+        stopAfterLast();
     result.warnings = stream->warnings;
     if (stream->recorder)
         result.recording = stream->recorder->finish();

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <mutex>
 #include <thread>
 
 namespace noctule {
@@ -50,10 +51,12 @@ std::string progressText(const LiveSession& session, double reached_s) {
     return text;
 }
 
-/// Until the time is over, somebody stops it, or it ends by itself.
-bool watch(LiveSession& session, std::optional<double> seconds, const JobContext& job) {
+/// Until the time is over, somebody stops it or ends it from elsewhere, or it ends by itself.
+template <class Ended>
+bool watch(LiveSession& session, std::optional<double> seconds, const JobContext& job,
+           Ended ended_elsewhere) {
     const double rate_hz = session.status()->hello->sample_rate_hz;
-    while (session.status()->stream_is_open && !session.recording()->ended) {
+    while (session.status()->stream_is_open && !session.recording()->ended && !ended_elsewhere()) {
         const double reached_s = static_cast<double>(session.reachedSample()) / rate_hz;
         if (seconds && reached_s >= *seconds)
             return false;
@@ -63,6 +66,69 @@ bool watch(LiveSession& session, std::optional<double> seconds, const JobContext
         std::this_thread::sleep_for(kLook);
     }
     return false;
+}
+
+/// Until all has come that the box still held.
+void stopAndWait(LiveSession& session) {
+    if (!session.status()->stream_is_open)
+        return;
+    session.stop();
+    if (!waitUntil(kStopTimeout, [&] { return !session.status()->stream_is_open; }))
+        session.addNote("The driver box did not confirm that it had sent everything.");
+}
+
+/// What another program wishes, from its thread to ours.
+class CaptureWishes {
+public:
+    void hear(const CaptureMessage& message) {
+        const std::lock_guard lock(mutex_);
+        if (message.kind == CaptureMessage::Kind::kStop)
+            ended_ = begun_.has_value();
+        else if (!begun_)
+            begun_ = message;
+    }
+    std::optional<CaptureMessage> begun() const {
+        const std::lock_guard lock(mutex_);
+        return begun_;
+    }
+    bool ended() const {
+        const std::lock_guard lock(mutex_);
+        return ended_;
+    }
+
+private:
+    mutable std::mutex mutex_;
+    std::optional<CaptureMessage> begun_;
+    bool ended_ = false;
+};
+
+/// Streams and looks on; fails when the wish does not come.
+Result<CaptureMessage> waitForWish(LiveSession& session, const CaptureWishes& wishes, uint16_t port,
+                                   const JobContext& job) {
+    StreamRequest look;
+    look.process = false;
+    if (const Status begun = session.begin(look); !begun)
+        return begun.error();
+    while (session.status()->stream_is_open) {
+        const auto wish = wishes.begun();
+        if (wish && session.status()->link == LinkState::kStreaming)
+            return *wish;
+        if (job.cancelled())
+            return JobContext::cancelledError();
+        job.progress(0, "Waiting for CaptureStart on UDP port " + std::to_string(port));
+        std::this_thread::sleep_for(kLook);
+    }
+    return session.status()->trouble.value_or(
+        Error{ErrorKind::kDevice, "The device stopped before a recording was begun",
+              "Begin while it streams; a take that is played again has an end"});
+}
+
+StreamRequest asWished(StreamRequest request, const CaptureMessage& wish) {
+    if (!wish.name.empty()) {
+        request.take->name = wish.name;
+        request.take->meta["x_trigger_name"] = wish.name;
+    }
+    return request;
 }
 
 }  // namespace
@@ -78,13 +144,39 @@ Result<RecordReport> recordTake(std::unique_ptr<Device> device, const StreamRequ
         return begun.error();
     RecordReport report;
     report.sample_rate_hz = session.status()->hello->sample_rate_hz;
-    report.interrupted = watch(session, seconds, job) && seconds.has_value();
-    if (session.status()->stream_is_open) {
-        session.stop();
-        if (!waitUntil(kStopTimeout, [&] { return !session.status()->stream_is_open; }))
-            session.addNote("The driver box did not confirm that it had sent everything.");
-    }
+    report.interrupted = watch(session, seconds, job, [] { return false; }) && seconds.has_value();
+    stopAndWait(session);
     report.stream = session.finish();
+    report.link = session.linkStatistics();
+    return report;
+}
+
+Result<RecordReport> recordWhenTriggered(std::unique_ptr<Device> device, const StreamRequest& request,
+                                         const RemoteTriggerOptions& options, std::optional<double> seconds,
+                                         const JobContext& job) {
+    require(request.take.has_value(), "a recording needs a take");
+    CaptureWishes wishes;
+    const auto trigger =
+        RemoteTrigger::listen(options, [&](const CaptureMessage& message) { wishes.hear(message); });
+    if (!trigger)
+        return trigger.error();
+    const std::string address = device->address();
+    LiveSession session(std::move(device));
+    if (const Status greeted = greet(session, address, job); !greeted)
+        return greeted.error();
+    const auto wish = waitForWish(session, wishes, (*trigger)->port(), job);
+    if (!wish)
+        return wish.error();
+    if (const Status begun = session.begin(asWished(request, *wish)); !begun)
+        return begun.error();
+    for (const std::string& text : {wish->notes, wish->description})
+        if (!text.empty())
+            session.addNote(text);
+    RecordReport report;
+    report.sample_rate_hz = session.status()->hello->sample_rate_hz;
+    report.interrupted = watch(session, seconds, job, [&] { return wishes.ended(); }) && seconds.has_value();
+    report.stream = session.finish();
+    stopAndWait(session);
     report.link = session.linkStatistics();
     return report;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole of a recording as one job: connects the device, records so many seconds or until cancelled, ends
-// the take in good order. Waits; the studio's screens use LiveSession instead.
+// The whole of a recording as one job: connects the device, records so many seconds, until cancelled or as
+// another program wishes, ends the take in good order. Waits; the studio's screens use LiveSession instead.
 #pragma once
 
 #include "core/job/job.h"
 #include "devices/live/live_session.h"
+#include "devices/remote/remote_trigger.h"
 
 namespace noctule {
 
@@ -19,5 +20,12 @@ struct RecordReport {
 /// what ended one early stands in the report.
 Result<RecordReport> recordTake(std::unique_ptr<Device> device, const StreamRequest& request,
                                 std::optional<double> seconds, const JobContext& job);
+
+/// Waits, streaming, until another program begins a recording, and records until it ends it, `seconds` are
+/// over or the job is cancelled. The take has the name that it gives, and its notes. Cancelled before it
+/// began, no take comes to be.
+Result<RecordReport> recordWhenTriggered(std::unique_ptr<Device> device, const StreamRequest& request,
+                                         const RemoteTriggerOptions& options, std::optional<double> seconds,
+                                         const JobContext& job);
 
 }  // namespace noctule

@@ -27,24 +27,15 @@ std::optional<double> widened(const std::optional<float>& value) {
 }  // namespace
 
 StreamFeed::StreamFeed(std::shared_ptr<Recorder> recorder, std::shared_ptr<LiveProcessor> processor,
-                       int board_count, int sample_rate_hz)
+                       int board_count, const Clock& clock)
     : recorder_(std::move(recorder)),
       processor_(std::move(processor)),
-      sample_rate_hz_(sample_rate_hz),
+      clock_(clock),
       silences_(static_cast<size_t>(board_count)) {}
 
-void StreamFeed::take(DeviceEvent&& event) {
+void StreamFeed::take(const StreamEvent& event) {
     const std::lock_guard lock(mutex_);
-    if (auto* block = std::get_if<link::AdcBlock>(&event.event))
-        give(std::move(*block), event.arrived_ns);
-    else if (const auto* pulses = std::get_if<link::Pulses>(&event.event))
-        give(*pulses);
-    else if (const auto* gap = std::get_if<link::Gap>(&event.event))
-        give(*gap);
-    else if (const auto* status = std::get_if<link::BoxStatus>(&event.event))
-        give(*status);
-    else if (const auto* error = std::get_if<link::BoxError>(&event.event))
-        give(*error);
+    std::visit([this](const auto& data) { give(data); }, event);
 }
 
 void StreamFeed::hand(const LiveItem& item) {
@@ -54,30 +45,28 @@ void StreamFeed::hand(const LiveItem& item) {
         processor_->push(item);
 }
 
-void StreamFeed::give(link::AdcBlock&& block, int64_t arrived_ns) {
-    if (block.values.empty() || block.board_count != static_cast<int>(silences_.size()))
-        return;
-    noteSilence(block);
-    const ArrivedBlock arrived{std::make_shared<const link::AdcBlock>(std::move(block)), arrived_ns};
-    reached_sample_ = std::max(reached_sample_.load(), arrived.endSample());
-    hand(arrived);
+void StreamFeed::give(const ArrivedBlock& block) {
+    const ArrivedBlock here{block.sound, block.arrived_ns, clock_.origin};
+    noteSilence(here);
+    reached_sample_ = std::max(reached_sample_.load(), here.endSample());
+    hand(here);
 }
 
-void StreamFeed::noteSilence(const link::AdcBlock& block) {
+void StreamFeed::noteSilence(const ArrivedBlock& block) {
     for (size_t board = 0; board < silences_.size(); ++board) {
         Silence& silence = silences_[board];
-        if (!isSilent(block, board)) {
+        if (!isSilent(*block.sound, board)) {
             flushSilence(board);
             continue;
         }
         if (processor_)
             processor_->push(
-                GapRow{block.first_sample, block.sampleCount(), static_cast<int>(board), kGapOfBoard});
-        if (silence.first_sample + silence.sample_count != block.first_sample ||
-            silence.sample_count >= sample_rate_hz_)
+                GapRow{block.firstSample(), block.sampleCount(), static_cast<int>(board), kGapOfBoard});
+        if (silence.first_sample + silence.sample_count != block.firstSample() ||
+            silence.sample_count >= clock_.sample_rate_hz)
             flushSilence(board);
         if (silence.sample_count == 0)
-            silence.first_sample = block.first_sample;
+            silence.first_sample = block.firstSample();
         silence.sample_count += block.sampleCount();
     }
 }
@@ -98,25 +87,27 @@ void StreamFeed::flush() {
 void StreamFeed::give(const link::Pulses& pulses) {
     std::vector<Pulse> numbered;
     for (const link::Pulse& pulse : pulses)
-        numbered.push_back({++last_pulse_id_, pulse.sample, pulse.source});
-    hand(numbered);
+        if (pulse.sample >= clock_.origin)
+            numbered.push_back({++last_pulse_id_, pulse.sample - clock_.origin, pulse.source});
+    if (!numbered.empty())
+        hand(numbered);
 }
 
 void StreamFeed::give(const link::Gap& gap) {
-    hand(GapRow{gap.first_sample, gap.sample_count, std::nullopt,
+    hand(GapRow{gap.first_sample - clock_.origin, gap.sample_count, std::nullopt,
                 gap.reason == link::GapReason::kBox ? kGapOfBox : kGapOfLink});
 }
 
 void StreamFeed::give(const link::BoxStatus& status) {
     // Never before what has come already: live and from file it must count from the same sample on.
-    hand(StatusRow{std::max(status.sample, reached_sample_.load()), widened(status.temperature_c),
-                   widened(status.humidity_percent), widened(status.battery_v),
+    hand(StatusRow{std::max(status.sample - clock_.origin, reached_sample_.load()),
+                   widened(status.temperature_c), widened(status.humidity_percent), widened(status.battery_v),
                    widened(status.battery_percent)});
 }
 
 void StreamFeed::give(const link::BoxError& error) {
-    handNote("Driver box, at sample " + std::to_string(error.sample) + ": " + nameOf(error.code) +
-             (error.text.empty() ? "" : ": " + error.text));
+    handNote("Driver box, at sample " + std::to_string(error.sample - clock_.origin) + ": " +
+             nameOf(error.code) + (error.text.empty() ? "" : ": " + error.text));
 }
 
 void StreamFeed::addMarker(const std::string& kind, const std::string& label) {

@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a device tells between Started and Stopped, handed to the recorder and to the processor in the terms
-// of take files. Runs on the device's thread and never waits.
+// What a device tells while it streams, handed to the recorder and to the processor in the terms of take
+// files and on the clock of the take, whose sample 0 may lie anywhere in the device's stream. Never waits.
 #pragma once
 
 #include <atomic>
 #include <memory>
 #include <vector>
 
-#include "devices/device/device.h"
 #include "devices/live/live_processor.h"
 #include "devices/live/recorder.h"
+#include "devices/live/stream_event.h"
 
 namespace noctule {
 
 class StreamFeed {
 public:
-    /// Either may be absent.
+    struct Clock {
+        int sample_rate_hz = 150000;
+        int64_t origin = 0;  ///< the device's sample that is 0 here; no block begins before it and ends after
+    };
+    /// Either of the two may be absent.
     StreamFeed(std::shared_ptr<Recorder> recorder, std::shared_ptr<LiveProcessor> processor, int board_count,
-               int sample_rate_hz);
+               const Clock& clock);
 
-    /// Events that are no data are ignored.
-    void take(DeviceEvent&& event);
+    void take(const StreamEvent& event);
     /// What the operator adds; markers stand at the newest sample.
     void addMarker(const std::string& kind, const std::string& label);
     void addNote(const std::string& text);
@@ -34,12 +37,12 @@ private:
     struct Silence {  ///< of one board
         int64_t first_sample = 0, sample_count = 0;
     };
-    void give(link::AdcBlock&& block, int64_t arrived_ns);
+    void give(const ArrivedBlock& block);
     void give(const link::Pulses& pulses);
     void give(const link::Gap& gap);
     void give(const link::BoxStatus& status);
     void give(const link::BoxError& error);
-    void noteSilence(const link::AdcBlock& block);
+    void noteSilence(const ArrivedBlock& block);
     void flushSilence(size_t board);
     void hand(const LiveItem& item);
     void handNote(const std::string& text);
@@ -47,7 +50,7 @@ private:
     std::mutex mutex_;  ///< keeps the items of all callers in one order
     std::shared_ptr<Recorder> recorder_;
     std::shared_ptr<LiveProcessor> processor_;
-    int sample_rate_hz_;
+    const Clock clock_;
     std::atomic<int64_t> reached_sample_{0};
     int64_t last_pulse_id_ = 0;
     std::vector<Silence> silences_;  ///< per board, not yet recorded

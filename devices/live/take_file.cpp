@@ -32,7 +32,7 @@ public:
 
 private:
     Status add(const ArrivedBlock& block) {
-        return writer_.addBlock({block.sound->first_sample, block.sound->values}, board_count_, 1, compress_);
+        return writer_.addBlock({block.firstSample(), block.sound->values}, board_count_, 1, compress_);
     }
     Status add(const std::vector<Pulse>& pulses) {
         for (const Pulse& pulse : pulses) {

@@ -108,6 +108,14 @@ TEST(Usage, ValuesAreChecked) {
     expectRefusal({"export", "t", "--bvh", "x", "--angles"}, 2, {"--angles"});
     expectRefusal({"export", "t", "--bvh", "x", "--from", "3", "--to", "2"}, 2, {"--from"});
     expectRefusal({"export", "t", "u", "--bvh", "x"}, 2, {"{name}"});
+    const std::vector<std::string> record = {"record", "--device", "replay:" + kTinyTake, "--out-dir", "d"};
+    const auto recordWith = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), record.begin(), record.end());
+        return words;
+    };
+    expectRefusal(recordWith({"--pre-roll", "1"}), 2, {"--pre-roll", "--trigger"});
+    expectRefusal(recordWith({"--trigger", "40111", "--trigger-from", "next door"}), 2,
+                  {"next door", "10.0.0.5"});
 }
 
 TEST(Usage, WhatComesLaterIsRefusedByName) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A device that says what a test lets it say, when it lets it, on the test's own thread.
+// A device that says what a test lets it say, when it lets it, on the test's own thread, and a session that
+// looks at it.
 #pragma once
 
-#include <chrono>
-
 #include "devices/device/clock.h"
-#include "tests/devices/live/made_sound.h"
+#include "devices/live/live_session.h"
+#include "tests/devices/live/fake_device.h"
 
 namespace noctule::test {
 
@@ -32,6 +32,25 @@ public:
 private:
     std::string address_ = "hand://box";
     Listener listener_;
+};
+
+/// Two boards, greeted and streaming, for somebody who only looks.
+struct LookedAt {
+    static constexpr int kBoards = 2;
+
+    LookedAt() {
+        session.connect();
+        hand->tell(link::Greeted{madeHello(kBoards)});
+        StreamRequest look;
+        look.process = false;
+        EXPECT_TRUE(session.begin(look));
+        hand->tell(link::Started{});
+    }
+    void hear(int64_t first, int64_t end) { hand->tell(madeEvents(first, end, kBoards)); }
+    LinkState link() const { return session.status()->link; }
+
+    HandDevice* hand = new HandDevice;  ///< the session's
+    LiveSession session{std::unique_ptr<Device>(hand)};
 };
 
 }  // namespace noctule::test

@@ -31,6 +31,18 @@ StreamRequest requestOfTinyTake(const Folder& folder) {
     return request;
 }
 
+std::vector<int16_t> soundOf(const std::string& path, int64_t from_sample) {
+    const Take take = std::move(Take::open(path).value());
+    const auto boards = take.suit().value().boards.size();
+    std::vector<int16_t> sound;
+    EXPECT_TRUE(take.forEachBlock(1, [&](const AdcBlock& block) {
+        sound.insert(sound.end(), block.values.begin(), block.values.end());
+        return true;
+    }));
+    sound.erase(sound.begin(), sound.begin() + from_sample * static_cast<int64_t>(boards));
+    return sound;
+}
+
 class LiveResults : public testing::TestWithParam<int> {};
 
 TEST_P(LiveResults, AreThoseOfTheFile) {
@@ -79,6 +91,51 @@ TEST_P(LiveResults, AlsoWithHolesAndAnUnpluggedBoard) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfBlocks, LiveResults, testing::Values(600, 4096, 757));
+
+/// A take that began in the midst of the tiny take, with a pre-roll of half a second.
+StreamResult recordedInTheMidst(const Folder& folder) {
+    FakeDevice::Script script = test::tinyTakeScript(600);
+    script.speed = 1;
+    LiveSession session(std::make_unique<FakeDevice>(std::move(script)));
+    const auto soon = [](auto condition) {
+        for (int i = 0; i < 1000 && !condition(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        EXPECT_TRUE(condition());
+    };
+    session.connect();
+    soon([&] { return session.status()->link == LinkState::kReady; });
+    StreamRequest look = requestOfTinyTake(folder);
+    look.take.reset();
+    EXPECT_TRUE(session.begin(look));
+    soon([&] { return session.reachedSample() > 90'000; });
+    StreamRequest request = requestOfTinyTake(folder);
+    request.take->pre_roll_s = 0.5;
+    request.rest_s = 0.1;
+    EXPECT_TRUE(session.begin(request));
+    soon([&] { return !session.status()->stream_is_open; });
+    soon([&] { return session.latest()->sample > 300'000; });  // the look went on to the end
+    return session.finish();
+}
+
+TEST(LiveResultsOf, ATakeThatBeganInTheMidstAreThoseOfTheFile) {
+    const Folder folder;
+    const StreamResult recorded = recordedInTheMidst(folder);
+    ASSERT_TRUE(recorded.recording);
+    for (const std::string& warning : recorded.warnings)
+        ADD_FAILURE() << warning;
+    ASSERT_TRUE(recorded.results);
+    EXPECT_GT(recorded.results->poses, 100);
+    EXPECT_GT(recorded.results->ranges, 50);
+    const std::string live = folder.file("live_001.noctule");
+    const int64_t origin = 302'500 - recorded.recording->samples;
+    EXPECT_EQ(origin % 600, 0) << "it begins with a block";
+    const std::string shift = std::to_string(origin);
+    EXPECT_EQ(rowsOf(live, "SELECT sample FROM pulse ORDER BY sample"),
+              rowsOf(test::kTinyTake,
+                     "SELECT sample-" + shift + " FROM pulse WHERE sample>=" + shift + " ORDER BY sample"));
+    EXPECT_EQ(soundOf(live, 0), soundOf(test::kTinyTake, origin));
+    expectSameResults(live, processedFromFile(folder, live));
+}
 
 TEST(LiveResultsOf, ATakeWithMissingSoundAreNotKept) {
     const Folder folder;

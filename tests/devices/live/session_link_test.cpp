@@ -2,40 +2,21 @@
 // What a LiveSession says of its link, event by event.
 #include <gtest/gtest.h>
 
-#include "devices/live/live_session.h"
-#include "tests/devices/live/fake_device.h"
 #include "tests/devices/live/hand_device.h"
 
 namespace noctule {
 namespace {
 
 using test::HandDevice;
-
-constexpr int kHandBoards = 2;
+using test::LookedAt;
 
 Error because(const std::string& what) {
     return {ErrorKind::kDevice, what, "Look at the box"};
 }
 
-/// A session that is greeted, and streams for somebody who only looks.
-struct Looking {
-    Looking() {
-        session.connect();
-        hand->tell(link::Greeted{test::madeHello(kHandBoards)});
-        StreamRequest look;
-        look.process = false;
-        EXPECT_TRUE(session.begin(look));
-        hand->tell(link::Started{});
-        hand->tell(*test::madeBlock(0, 600, kHandBoards).sound);
-    }
-    LinkState link() const { return session.status()->link; }
-
-    HandDevice* hand = new HandDevice;  ///< the session's
-    LiveSession session{std::unique_ptr<Device>(hand)};
-};
-
 TEST(SessionLink, AStopWhileItIsLostLeavesItLostUntilTheBoxGreetsAgain) {
-    Looking looking;
+    LookedAt looking;
+    looking.hear(0, 600);
     EXPECT_EQ(looking.link(), LinkState::kStreaming);
     looking.hand->tell(link::LinkLost{because("cut")});
     looking.session.stop();
@@ -47,12 +28,13 @@ TEST(SessionLink, AStopWhileItIsLostLeavesItLostUntilTheBoxGreetsAgain) {
     looking.session.finish();
     EXPECT_EQ(looking.link(), LinkState::kLost);
     EXPECT_FALSE(looking.session.begin({})) << "nobody would hear it";
-    looking.hand->tell(link::Greeted{test::madeHello(kHandBoards)});
+    looking.hand->tell(link::Greeted{test::madeHello(LookedAt::kBoards)});
     EXPECT_EQ(looking.link(), LinkState::kReady);
 }
 
 TEST(SessionLink, FinishWhileItIsLostLeavesItLost) {
-    Looking looking;
+    LookedAt looking;
+    looking.hear(0, 600);
     looking.hand->tell(link::LinkLost{because("cut")});
     looking.session.finish();
     EXPECT_EQ(looking.link(), LinkState::kLost);
@@ -61,16 +43,18 @@ TEST(SessionLink, FinishWhileItIsLostLeavesItLost) {
 }
 
 TEST(SessionLink, ABoxThatHasRestartedIsReadyAgain) {
-    Looking looking;
+    LookedAt looking;
+    looking.hear(0, 600);
     looking.hand->tell(link::LinkLost{because("cut")});
-    looking.hand->tell(link::Greeted{test::madeHello(kHandBoards)});
+    looking.hand->tell(link::Greeted{test::madeHello(LookedAt::kBoards)});
     looking.hand->tell(link::TakeEnded{because("restarted")});
     EXPECT_EQ(looking.link(), LinkState::kReady);
     EXPECT_EQ(looking.session.status()->trouble->message, "restarted");
 }
 
 TEST(SessionLink, ARefusalIsForGood) {
-    Looking looking;
+    LookedAt looking;
+    looking.hear(0, 600);
     looking.hand->tell(link::LinkLost{because("cut")});
     looking.hand->tell(link::Refused{because("another protocol")});
     looking.hand->tell(link::TakeEnded{because("closed while recording")});
@@ -104,7 +88,7 @@ TEST(SessionLink, AStartThatFailsIsToldAndLeavesItReady) {
     auto* hand = new HandDevice;
     LiveSession session{std::unique_ptr<Device>(hand)};
     session.connect();
-    hand->tell(link::Greeted{test::madeHello(kHandBoards)});
+    hand->tell(link::Greeted{test::madeHello(LookedAt::kBoards)});
     ASSERT_TRUE(session.begin({}));
     hand->tell(link::RequestFailed{link::Type::kStart, because("no sound comes")});
     EXPECT_EQ(session.status()->link, LinkState::kReady);
