@@ -108,7 +108,7 @@ int runBatch(const std::vector<std::string>& words, const CancelFlag& cancel) {
         return report(runVerb(*verb, {words.begin() + 1, words.end()}, console, cancel), console);
     } catch (const std::exception& mistake) {
         return report(Error{ErrorKind::kInternal, std::string("internal error: ") + mistake.what(),
-                            "Please report it with the command line and the input"},
+                            "Report it with the command line and the input"},
                       console);
     }
 }

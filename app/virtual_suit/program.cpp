@@ -185,7 +185,7 @@ int runVirtualSuit(const std::vector<std::string>& words, const CancelFlag& canc
         return runChecked(words, cancel);
     } catch (const std::exception& mistake) {
         return failed({ErrorKind::kInternal, std::string("internal error: ") + mistake.what(),
-                       "Please report it with the command line and the input"});
+                       "Report it with the command line and the input"});
     }
 }
 

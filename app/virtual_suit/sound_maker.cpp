@@ -112,7 +112,7 @@ Result<SoundBlock> SoundMaker::make(const std::vector<std::function<void(SoundSo
     } catch (const std::exception& mistake) {
         source_is_over_ = true;
         return Error{ErrorKind::kInternal, std::string("internal error: ") + mistake.what(),
-                     "Please report it with the command line and the input"};
+                     "Report it with the command line and the input"};
     }
 }
 
