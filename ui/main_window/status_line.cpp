@@ -140,9 +140,15 @@ void StatusLine::showOpen() {
     const bool link_holds = studio_.suit().status()->link != LinkState::kLost &&
                             studio_.suit().phase() != LiveSuit::Phase::kRefused;
     safe_->setVisible((something_open || !suit.isEmpty()) && said_.isEmpty());
-    safe_->setPixmap(theme.pixmap(suit.isEmpty() ? "safe" : "link", theme.px(14),
-                                  link_holds ? theme.tokens().ok : theme.tokens().err));
-    open_->setText(!said_.isEmpty() ? said_ : suit.isEmpty() ? sessionWords() : suit);
+    const QColor color = link_holds ? theme.tokens().ok : theme.tokens().err;
+    const QString picture = suit.isEmpty() ? "safe" : "link";
+    if (const QString drawn = picture + color.name() + QString::number(theme.px(14)); drawn != drawn_) {
+        drawn_ = drawn;
+        safe_->setPixmap(theme.pixmap(picture, theme.px(14), color));
+    }
+    const QString words = !said_.isEmpty() ? said_ : suit.isEmpty() ? sessionWords() : suit;
+    if (words != open_->text())
+        open_->setText(words);
 }
 
 void StatusLine::showJobs() {

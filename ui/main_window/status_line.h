@@ -53,6 +53,7 @@ private:
     StatusButton *jobs_, *cancel_, *shortcuts_;
     QTimer said_timer_, storage_timer_;
     QString said_;
+    QString drawn_;  ///< what safe_ shows
 };
 
 }  // namespace noctule::ui

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "ui/models/suit_finder.h"
 #include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -14,10 +15,12 @@
 namespace noctule::ui {
 namespace {
 
-/// The colours of several suits; the same six that tell axes and states apart elsewhere.
+/// Of several suits, told apart by name as well; none of them is a colour of states.
 QColor suitColour(int index) {
     const Tokens& tokens = Theme::get().tokens();
-    const std::array colours{tokens.acc, tokens.x, tokens.y, tokens.warn, tokens.ok, tokens.z};
+    const std::array colours{tokens.acc,           tokens.x,  tokens.y, tokens.confidence[2],
+                             tokens.confidence[4], tokens.ref};
+    static_assert(std::tuple_size_v<decltype(colours)> == SuitFinder::kSuitColours);
     return index < 0 ? tokens.t2 : colours[static_cast<size_t>(index) % colours.size()];
 }
 

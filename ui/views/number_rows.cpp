@@ -46,11 +46,15 @@ int NumberRows::addRow(const QString& icon, const QString& name) {
 }
 
 void NumberRows::setValue(int row, const QString& value, Tone tone, double fraction) {
-    const Row& shown = rows_.at(static_cast<size_t>(row));
-    shown.widget->setVisible(!value.isEmpty());
-    shown.value->setText(value);
-    shown.value->setAccessibleName(shown.name->text() + QStringLiteral(": ") + value);
-    shown.icon->setIcon(shown.icon_name, [tone] { return iconColor(tone); });
+    Row& shown = rows_.at(static_cast<size_t>(row));
+    if (shown.tone != tone)
+        shown.icon->setIcon(shown.icon_name, [tone] { return iconColor(tone); });
+    shown.tone = tone;
+    if (shown.value->text() != value) {
+        shown.widget->setVisible(!value.isEmpty());
+        shown.value->setText(value);
+        shown.value->setAccessibleName(shown.name->text() + QStringLiteral(": ") + value);
+    }
     shown.bar->setVisible(fraction >= 0);
     if (fraction >= 0)
         shown.bar->setValue(fraction, tone == Tone::kNeutral ? Tone::kAccent : tone, value);

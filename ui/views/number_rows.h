@@ -35,6 +35,7 @@ private:
         QString icon_name;
         Label *name, *value, *hint;
         BarMeter* bar;
+        Tone tone = Tone::kNeutral;
     };
     QVBoxLayout* column_;
     std::vector<Row> rows_;
