@@ -262,7 +262,7 @@ std::vector<RecordReadiness::Problem> RecordReadiness::problemsNow() const {
         // While a take runs its recorder knows better how long the disk lasts.
         if (judged.accepted || (runs && judged.kind == ProblemKind::kStorageShort))
             continue;
-        const ProblemWords words = wordsOf(judged, check);
+        const HindranceWords words = wordsOf(judged, check);
         Problem problem{judged.hinders ? Tone::kError : Tone::kWarn,
                         words.title,
                         words.text,
