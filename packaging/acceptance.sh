@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The full figures, by name, as in packaging/acceptance.sh table1 drift benchmarks speed studio accessibility blender
+# The full figures, by name, as in packaging/acceptance.sh table1 drift benchmarks speed studio record accessibility blender
 # sanitizers long-fuzz (or all).
 # They go into out/acceptance/YYYY-MM-DD.md, which the numbers of README.md are taken from.
 set -euo pipefail

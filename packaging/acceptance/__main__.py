@@ -14,6 +14,7 @@ import blender
 import drift
 import interface
 import long_fuzz
+import record
 import sanitizers
 import speed
 import studio
@@ -25,6 +26,7 @@ FIGURES = {
     "benchmarks": ("Benchmarks", benchmarks.figure),
     "speed": ("Speed on one core", speed.figure),
     "studio": ("The studio: start, a long take, memory", interface.figure),
+    "record": ("A live take through the studio", record.figure),
     "accessibility": ("The studio over AT-SPI", accessibility.figure),
     "blender": ("Exports opened in Blender", blender.figure),
     "sanitizers": ("Unit tests under sanitizers", sanitizers.figure),
