@@ -10,17 +10,17 @@
 namespace noctule {
 namespace {
 
-constexpr int kMovingRate_hz = 150000;
+constexpr int kBoardRate_hz = 150000;
 
 /// Seconds in which board 5 swings with one amplitude and all others with another.
 std::optional<int> foundAfter(double seconds, double swing_rad_per_s, double others_rad_per_s) {
     const Suit suit = defaultSuit();
-    MovingBoard finder(suit, kMovingRate_hz);
+    MovingBoard finder(suit, kBoardRate_hz);
     for (int frame = 0; frame < seconds * kInertialFramesPerSecond; ++frame)
         for (int board = 0; board < static_cast<int>(suit.boards.size()); ++board) {
             InertialReading reading;
             reading.board = board;
-            reading.sample = frame * static_cast<double>(kMovingRate_hz) / kInertialFramesPerSecond;
+            reading.sample = frame * static_cast<double>(kBoardRate_hz) / kInertialFramesPerSecond;
             const double swing = (board == 5 ? swing_rad_per_s : others_rad_per_s) * std::sin(frame * 0.05);
             for (size_t axis = 0; axis < 3; ++axis)
                 reading.counts[axis] = 2048 + (axis == 1 ? std::round(swing / 17.5 * 2048) : 0);
@@ -43,7 +43,7 @@ TEST(MovingBoard, NobodyIsNamedWhileAllStandStillOrAllMove) {
 }
 
 TEST(MovingBoard, LostReadingsSayNothing) {
-    MovingBoard finder(defaultSuit(), kMovingRate_hz);
+    MovingBoard finder(defaultSuit(), kBoardRate_hz);
     InertialReading lost;
     for (int frame = 1; frame < 500; ++frame) {
         lost.sample = frame * 1000;
