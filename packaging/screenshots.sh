@@ -14,7 +14,7 @@ rm -rf "$out"
 mkdir -p "$out"
 runtime=$(mktemp -d)
 trap 'rm -rf "$runtime"' EXIT
-build/release/bin/noctule --batch --quiet simulate --motion resources/motions/sample.bvh --duration 20 \
+build/release/bin/noctule --batch simulate --quiet --motion resources/motions/sample.bvh --duration 20 \
     --out "$runtime/suit.noctule"
 NOCTULE_SCREENSHOTS=$out NOCTULE_SCREENSHOT_SUIT=$runtime/suit.noctule \
     NOCTULE_SCREENSHOT_TAKE=${1:+$(realpath "$1")} XDG_RUNTIME_DIR=$runtime LC_ALL=C.UTF-8 \

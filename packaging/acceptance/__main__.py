@@ -16,6 +16,7 @@ import fuzz
 import interface
 import kills
 import long_fuzz
+import record
 import sanitizers
 import speed
 import studio
@@ -27,6 +28,7 @@ FIGURES = {
     "benchmarks": ("Benchmarks", benchmarks.figure),
     "speed": ("Speed on one core", speed.figure),
     "studio": ("The studio: start, a long take, memory", interface.figure),
+    "record": ("A live take through the studio", record.figure),
     "accessibility": ("The studio over AT-SPI", accessibility.figure),
     "blender": ("Exports opened in Blender", blender.figure),
     "kills": ("Recordings that are killed, without power, with every fault", kills.figure),

@@ -3887,14 +3887,52 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::RecordProblems</name>
+    <message>
+        <source>To look at</source>
+        <translation>Anzusehen</translation>
+    </message>
+    <message>
+        <source>The disk has %1 left</source>
+        <translation>Die Platte reicht noch für %1</translation>
+    </message>
+    <message>
+        <source>Recording stops by itself then, and the take is complete. Free some space, or choose another folder.</source>
+        <translation>Dann endet die Aufnahme von selbst und ist vollständig. Platz schaffen oder einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>%1 are missing in this take</source>
+        <translation>%1 fehlen in dieser Aufnahme</translation>
+    </message>
+    <message numerus="yes">
+        <source>They are marked as %n gap(s), and time does not shift.</source>
+        <translation>
+            <numerusform>Sie sind als eine Lücke markiert, und die Zeit verschiebt sich nicht.</numerusform>
+            <numerusform>Sie sind als %n Lücken markiert, und die Zeit verschiebt sich nicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The take is safe up to here and goes on when the box is back; the gap will be marked.</source>
+        <translation>Die Aufnahme ist bis hierher sicher und geht weiter, wenn die Steuerbox zurück ist; die Lücke wird markiert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>things to look at</comment>
+        <translation>
+            <numerusform>eine weitere</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show on body</source>
+        <translation>Am Körper zeigen</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::RecordReadiness</name>
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>To look at</source>
-        <translation>Anzusehen</translation>
     </message>
     <message>
         <source>Boards</source>
@@ -3991,47 +4029,12 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>zu unbekannter Zeit</translation>
     </message>
     <message>
-        <source>The disk has %1 left</source>
-        <translation>Die Platte reicht noch für %1</translation>
-    </message>
-    <message>
-        <source>Recording stops by itself then, and the take is complete. Free some space, or choose another folder.</source>
-        <translation>Dann endet die Aufnahme von selbst und ist vollständig. Platz schaffen oder einen anderen Ordner wählen.</translation>
-    </message>
-    <message>
-        <source>%1 are missing in this take</source>
-        <translation>%1 fehlen in dieser Aufnahme</translation>
-    </message>
-    <message numerus="yes">
-        <source>They are marked as %n gap(s), and time does not shift.</source>
-        <translation>
-            <numerusform>Sie sind als eine Lücke markiert, und die Zeit verschiebt sich nicht.</numerusform>
-            <numerusform>Sie sind als %n Lücken markiert, und die Zeit verschiebt sich nicht.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The take is safe up to here and goes on when the box is back; the gap will be marked.</source>
-        <translation>Die Aufnahme ist bis hierher sicher und geht weiter, wenn die Steuerbox zurück ist; die Lücke wird markiert.</translation>
-    </message>
-    <message>
         <source>Recording well</source>
         <translation>Nimmt gut auf</translation>
     </message>
     <message>
         <source>Recording, but look</source>
         <translation>Nimmt auf, aber ansehen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more</source>
-        <comment>things to look at</comment>
-        <translation>
-            <numerusform>eine weitere</numerusform>
-            <numerusform>%n weitere</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Show on body</source>
-        <translation>Am Körper zeigen</translation>
     </message>
 </context>
 <context>

@@ -259,7 +259,7 @@
     </message>
 </context>
 <context>
-    <name>noctule::ui::RecordReadiness</name>
+    <name>noctule::ui::RecordProblems</name>
     <message numerus="yes">
         <source>They are marked as %n gap(s), and time does not shift.</source>
         <translation>

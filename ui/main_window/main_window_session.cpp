@@ -136,7 +136,10 @@ void MainWindow::onSessionOpened() {
     recoverWanted(finding);
     session_notices_->tellMarker(finding);
     recent_.remember(folder);
-    goTo(session.session().takes.empty() ? Step::kConnect : Step::kReview);
+    const bool is_new = session.session().takes.empty();
+    if (is_new && step_ == Step::kRecord)
+        return;  // it was made for the take that begins here
+    goTo(is_new ? Step::kConnect : Step::kReview);
 }
 
 void MainWindow::onTakeOpened() {

@@ -6,6 +6,7 @@
 #include <QPointer>
 #include <numeric>
 
+#include "core/session/shot_list.h"
 #include "ui/models/live_steps.h"
 #include "ui/models/live_suit.h"
 
@@ -40,7 +41,7 @@ StreamRequest LiveSuit::requestOf(const std::optional<TakePlan>& plan) const {
     if (!wearing_.performer.empty())
         take.meta["performer"] = wearing_.performer;
     if (!plan->shot.isEmpty())
-        take.meta["x_shot"] = plan->shot.toStdString();
+        take.meta[kShotKey] = plan->shot.toStdString();
     request.take = std::move(take);
     return request;
 }

@@ -76,11 +76,14 @@ VirtualSuit::VirtualSuit(Jobs& jobs, Parts parts, QObject* parent)
     : QObject(parent), jobs_(jobs), parts_(std::move(parts)) {}
 
 VirtualSuit::~VirtualSuit() {
-    if (!program_)
-        return;
-    program_->disconnect(this);
-    program_->kill();
-    program_->waitForFinished();
+    QList<QProcess*> programs = findChildren<QProcess*>();  // that were told to end and have not yet
+    if (program_)
+        programs.append(program_.get());
+    for (QProcess* program : programs) {
+        program->disconnect(this);
+        program->kill();
+        program->waitForFinished();
+    }
 }
 
 qint64 VirtualSuit::processId() const {

@@ -21,7 +21,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kRow = 26, kNumberWidth = 44, kMovedWidth = 76, kFewestRows = 6;
+constexpr int kPartRow = 26, kNumberWidth = 44, kMovedWidth = 76, kFewestParts = 6;
 constexpr double kFarthest_mm = 2000;
 
 QDoubleSpinBox* makeNumber(double limit, double step, const QString& suffix) {
@@ -93,8 +93,8 @@ void PerformerPlacementPanel::fitTable() {
     header.setSectionResizeMode(SuitPartsModel::kMoved, QHeaderView::Fixed);
     header.resizeSection(SuitPartsModel::kNumber, theme.px(kNumberWidth));
     header.resizeSection(SuitPartsModel::kMoved, theme.px(kMovedWidth));
-    table_->verticalHeader()->setDefaultSectionSize(theme.px(kRow));
-    table_->setMinimumHeight(theme.px(kRow) * kFewestRows);
+    table_->verticalHeader()->setDefaultSectionSize(theme.px(kPartRow));
+    table_->setMinimumHeight(theme.px(kPartRow) * kFewestParts);
 }
 
 QWidget* PerformerPlacementPanel::makeDetail() {

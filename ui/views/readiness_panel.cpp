@@ -125,7 +125,7 @@ void ReadinessPanel::showProblems() {
     for (const ReadinessProblem& problem : problems) {
         if (problem.accepted)
             continue;
-        const ProblemWords words = wordsOf(problem, studio_.check());
+        const HindranceWords words = wordsOf(problem, studio_.check());
         cards_[index]->setTexts(words.title, words.text);
         cards_[index]->setVisible(shows_all_ || index < kMostCards);
         ++index;
@@ -136,7 +136,7 @@ void ReadinessPanel::showProblems() {
 }
 
 void ReadinessPanel::addCard(const ReadinessProblem& problem) {
-    const ProblemWords words = wordsOf(problem, studio_.check());
+    const HindranceWords words = wordsOf(problem, studio_.check());
     auto* card = new ProblemCard(problem.hinders ? Tone::kError : Tone::kWarn, words.title, words.text);
     if (!words.action.isEmpty())
         connect(card->addAction(words.action, words.action_icon), &QPushButton::clicked, this,

@@ -18,7 +18,7 @@ QString clockText(const QTime& time) {
     return time.toString(QStringLiteral("HH:mm:ss"));
 }
 
-ProblemWords aboutLink(const ReadinessProblem& problem, const SuitCheck& check) {
+HindranceWords aboutLink(const ReadinessProblem& problem, const SuitCheck& check) {
     if (problem.kind == ProblemKind::kNoSound)
         return {ReadinessText::tr("No sound arrives"),
                 ReadinessText::tr("The driver box is there and sends nothing. Wait a moment; if it stays so, "
@@ -48,12 +48,12 @@ QString silentText(const Board& board, int number, const QTime& since) {
     return what + ' ' + remedy;
 }
 
-ProblemWords aboutBoard(const ReadinessProblem& problem, const SuitCheck& check) {
+HindranceWords aboutBoard(const ReadinessProblem& problem, const SuitCheck& check) {
     const Suit& suit = check.suit().suit();
     const Board& board = suit.boards[static_cast<size_t>(problem.board)];
     const int number = problem.board + 1;
     const QString name = boardName(board);
-    ProblemWords words;
+    HindranceWords words;
     words.action = ReadinessText::tr("Blink board %1").arg(number);
     words.action_icon = "blink";
     words.accept = ReadinessText::tr("Go on without it");
@@ -98,12 +98,12 @@ ProblemWords aboutBoard(const ReadinessProblem& problem, const SuitCheck& check)
     return words;
 }
 
-ProblemWords aboutSource(const ReadinessProblem& problem, const SuitCheck& check) {
+HindranceWords aboutSource(const ReadinessProblem& problem, const SuitCheck& check) {
     const Suit& suit = check.suit().suit();
     const Source& source = suit.sources[static_cast<size_t>(problem.source)];
     const int number = problem.source + 1;
     const bool silent = problem.kind == ProblemKind::kSourceSilent;
-    ProblemWords words;
+    HindranceWords words;
     words.title =
         (silent ? ReadinessText::tr("Source %1 is not heard") : ReadinessText::tr("Source %1 is faint"))
             .arg(number);
@@ -123,7 +123,7 @@ ProblemWords aboutSource(const ReadinessProblem& problem, const SuitCheck& check
     return words;
 }
 
-ProblemWords aboutSupplies(const ReadinessProblem& problem) {
+HindranceWords aboutSupplies(const ReadinessProblem& problem) {
     switch (problem.kind) {
         case ProblemKind::kBatteryEmpty:
             return {
@@ -174,7 +174,7 @@ QString countWords(const Readiness& readiness) {
 
 }  // namespace
 
-ProblemWords wordsOf(const ReadinessProblem& problem, const SuitCheck& check) {
+HindranceWords wordsOf(const ReadinessProblem& problem, const SuitCheck& check) {
     if (problem.kind == ProblemKind::kLinkLost || problem.kind == ProblemKind::kNoSound)
         return aboutLink(problem, check);
     if (problem.board >= 0)

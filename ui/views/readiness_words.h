@@ -9,12 +9,12 @@
 
 namespace noctule::ui {
 
-struct ProblemWords {
+struct HindranceWords {
     QString title, text;
     QString action, action_icon;  ///< empty: there is none
     QString accept;               ///< "Go on without it"; empty: nothing to accept
 };
-ProblemWords wordsOf(const ReadinessProblem& problem, const SuitCheck& check);
+HindranceWords wordsOf(const ReadinessProblem& problem, const SuitCheck& check);
 
 struct VerdictWords {
     Tone tone = Tone::kNeutral;

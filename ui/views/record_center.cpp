@@ -85,6 +85,8 @@ void RecordCenter::showTake() {
     showTime();
     if (refusal_ && run_.state() != RecordRun::State::kRefused)
         closeRefusal();
+    else if (refusal_ && refusal_->title() != run_.obstacle().title)
+        showRefusal();
 }
 
 void RecordCenter::showTime() {

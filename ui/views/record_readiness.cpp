@@ -7,12 +7,11 @@
 #include "ui/style/words.h"
 #include "ui/views/number_rows.h"
 #include "ui/views/readiness_words.h"
+#include "ui/views/record_problems.h"
 #include "ui/views/scaled_layout.h"
-#include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/label.h"
-#include "ui/widgets/problem_card.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/widgets/section_header.h"
 #include "ui/widgets/verdict_header.h"
@@ -24,7 +23,6 @@ constexpr qint64 kRateEvery_ms = 2000;
 /// The take will end by itself so soon that it should be said.
 constexpr double kLittleTime_s = 40;
 constexpr double kShortStorage_s = 600, kLowBattery_percent = 20;
-constexpr size_t kMostTakeCards = 3;
 const QString kNotKnown = QChar(0x2013);
 
 Tone toneOfPart(qint64 part, qint64 whole) {
@@ -45,17 +43,13 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
       verdict_(new VerdictHeader),
-      to_look_at_(new QWidget),
-      more_(new Label({}, TextRole::kSecondary, Ink::kHint)),
+      problems_(new RecordProblems(studio)),
       numbers_(new NumberRows) {
     auto* content = new QWidget;
     auto* column = makeColumn(content, {0, 12, 0, 12}, 12);
     verdict_->setCompact(true);
     addRow(column, 0, {12, 0, 12, 0})->addWidget(verdict_);
-    cards_ = makeColumn(to_look_at_, {12, 0, 12, 0}, 8);
-    cards_->addWidget(new SectionHeader(tr("To look at")));
-    cards_->addWidget(more_);
-    column->addWidget(to_look_at_);
+    column->addWidget(problems_);
     column->addWidget(new Divider);
     addFacts();
     addRow(column, 0, {12, 0, 12, 0})->addWidget(numbers_);
@@ -116,9 +110,8 @@ void RecordReadiness::refresh() {
     showSupplies();
     showAir();
     showCalibration();
-    const std::vector<Problem> problems = problemsNow();
-    showVerdict(problems);
-    showCards(problems);
+    problems_->refresh();
+    showVerdict();
 }
 
 void RecordReadiness::showHealth() {
@@ -225,112 +218,14 @@ void RecordReadiness::showCalibration() {
     boards_->setText(partText(std::ssize(calibration->boards), std::ssize(suit.suit().boards)));
 }
 
-std::vector<RecordReadiness::Problem> RecordReadiness::problemsOfTake() const {
-    std::vector<Problem> problems;
-    const auto recording = studio_.suit().recording();
-    const auto hello = studio_.suit().status()->hello;
-    if (!recording || !hello)
-        return problems;
-    if (recording->remaining_s && *recording->remaining_s < kLittleTime_s)
-        problems.push_back(
-            {Tone::kError,
-             tr("The disk has %1 left").arg(durationWords(std::max(0.0, *recording->remaining_s))),
-             tr("Recording stops by itself then, and the take is complete. Free some space, or choose "
-                "another "
-                "folder."),
-             -1,
-             {},
-             {}});
-    if (recording->lost_samples > 0) {
-        const double lost_s = static_cast<double>(recording->lost_samples) / hello->sample_rate_hz;
-        problems.push_back({Tone::kWarn,
-                            tr("%1 are missing in this take").arg(secondsText(lost_s, 1)),
-                            tr("They are marked as %n gap(s), and time does not shift.", nullptr,
-                               static_cast<int>(recording->gaps)),
-                            -1,
-                            {},
-                            {}});
-    }
-    return problems;
-}
-
-std::vector<RecordReadiness::Problem> RecordReadiness::problemsNow() const {
-    const SuitCheck& check = studio_.check();
-    std::vector<Problem> problems = problemsOfTake();
-    const bool runs = studio_.suit().phase() == LiveSuit::Phase::kRecording;
-    for (const ReadinessProblem& judged : check.readiness().problems) {
-        // While a take runs its recorder knows better how long the disk lasts.
-        if (judged.accepted || (runs && judged.kind == ProblemKind::kStorageShort))
-            continue;
-        const ProblemWords words = wordsOf(judged, check);
-        Problem problem{judged.hinders ? Tone::kError : Tone::kWarn,
-                        words.title,
-                        words.text,
-                        judged.board,
-                        judged,
-                        words.accept};
-        if (runs && judged.kind == ProblemKind::kLinkLost)
-            problem.text +=
-                ' ' + tr("The take is safe up to here and goes on when the box is back; the gap will "
-                         "be marked.");
-        problems.push_back(std::move(problem));
-    }
-    return problems;
-}
-
-QStringList RecordReadiness::problems() const {
-    QStringList titles;
-    for (const ProblemCard* card : shown_)
-        titles.append(card->title());
-    return titles;
-}
-
-void RecordReadiness::showVerdict(const std::vector<Problem>& problems) {
+void RecordReadiness::showVerdict() {
     VerdictWords words = verdictOf(studio_.check());
     if (studio_.suit().phase() == LiveSuit::Phase::kRecording) {
-        const bool error = std::any_of(problems.begin(), problems.end(),
-                                       [](const Problem& problem) { return problem.tone == Tone::kError; });
-        words = problems.empty()
-                    ? VerdictWords{Tone::kOk, tr("Recording well"), {}}
-                    : VerdictWords{error ? Tone::kError : Tone::kWarn, tr("Recording, but look"), {}};
+        words = problems_->count() == 0 ? VerdictWords{Tone::kOk, tr("Recording well"), {}}
+                                        : VerdictWords{problems_->worst(), tr("Recording, but look"), {}};
     }
     verdict_text_ = words.verdict;
     verdict_->setVerdict(words.tone, words.verdict, words.text);
-}
-
-/// Cards stay while their titles do; what they say may go on changing.
-void RecordReadiness::showCards(const std::vector<Problem>& problems) {
-    const size_t count = std::min(problems.size(), kMostTakeCards);
-    bool same = count == shown_.size();
-    for (size_t i = 0; same && i < count; ++i)
-        same = shown_[i]->title() == problems[i].title;
-    if (!same) {
-        for (ProblemCard* card : shown_) {
-            card->hide();
-            card->deleteLater();
-        }
-        shown_.clear();
-        for (size_t i = 0; i < count; ++i)
-            shown_.push_back(makeCard(problems[i]));
-    }
-    for (size_t i = 0; i < count; ++i)
-        shown_[i]->setTexts(problems[i].title, problems[i].text);
-    more_->setText(tr("%n more", "things to look at", static_cast<int>(problems.size() - count)));
-    more_->setVisible(problems.size() > count);
-    to_look_at_->setVisible(count > 0);
-}
-
-ProblemCard* RecordReadiness::makeCard(const Problem& problem) {
-    auto* card = new ProblemCard(problem.tone, problem.title, problem.text);
-    if (problem.board >= 0)
-        connect(card->addAction(tr("Show on body")), &QPushButton::clicked, this,
-                [this, board = problem.board] { studio_.selection().setPair(-1, board); });
-    if (problem.judged && !problem.accept.isEmpty())
-        connect(
-            card->addAction(problem.accept), &QPushButton::clicked, this,
-            [this, judged = *problem.judged] { studio_.check().goOnWithout(judged); }, Qt::QueuedConnection);
-    cards_->insertWidget(cards_->indexOf(more_), card);
-    return card;
 }
 
 }  // namespace noctule::ui

@@ -59,7 +59,7 @@ RecordObstacle RecordRun::obstacleNow() const {
                 tr("Recording can begin as soon as it is back; the studio tries by itself.")};
     for (const ReadinessProblem& problem : studio_.check().readiness().problems)
         if (problem.hinders && !problem.accepted) {
-            const ProblemWords words = wordsOf(problem, studio_.check());
+            const HindranceWords words = wordsOf(problem, studio_.check());
             // Without sound there is no take to make; anything else costs a part of it.
             return {words.title, words.text, problem.kind != ProblemKind::kNoSound};
         }

@@ -8,17 +8,17 @@
 namespace noctule {
 namespace {
 
-constexpr int kBoards = 4, kSources = 3, kRate_hz = 1000;
+constexpr int kJudgedBoards = 4, kJudgedSources = 3, kJudgedRate_hz = 1000;
 
 /// Everything as it should be at `t_s`.
 HealthReport wellAt(double t_s) {
     HealthReport health;
-    health.sample = static_cast<int64_t>(t_s * kRate_hz);
+    health.sample = static_cast<int64_t>(t_s * kJudgedRate_hz);
     BoardHealth board;
     board.frames_per_s = 140;
     board.silent = false;
-    health.boards.assign(kBoards, board);
-    health.pairs.assign(kBoards * kSources, PairHealth{0.05, 0.8, 0.5});
+    health.boards.assign(kJudgedBoards, board);
+    health.pairs.assign(kJudgedBoards * kJudgedSources, PairHealth{0.05, 0.8, 0.5});
     health.suit.battery_percent = 78;
     return health;
 }
@@ -26,7 +26,7 @@ HealthReport wellAt(double t_s) {
 class ReadinessTest : public testing::Test {
 protected:
     PairHealth& pair(HealthReport& health, int source, int board) {
-        return health.pairs[static_cast<size_t>(source * kBoards + board)];
+        return health.pairs[static_cast<size_t>(source * kJudgedBoards + board)];
     }
     Readiness judge(const HealthReport& health) {
         facts_.health = &health;
@@ -38,7 +38,7 @@ protected:
         return readiness.problems.empty() ? ReadinessProblem{} : readiness.problems[0];
     }
 
-    ReadinessJudge judge_{kBoards, kSources, kRate_hz};
+    ReadinessJudge judge_{kJudgedBoards, kJudgedSources, kJudgedRate_hz};
     ReadinessFacts facts_;
 };
 
@@ -54,11 +54,11 @@ TEST_F(ReadinessTest, AGoodSuitIsReady) {
     const Readiness ready = judge(wellAt(3));
     EXPECT_EQ(ready.verdict, Readiness::Verdict::kReady);
     EXPECT_TRUE(ready.problems.empty());
-    EXPECT_EQ(ready.boards_there, kBoards);
-    EXPECT_EQ(ready.sources_heard, kSources);
-    EXPECT_EQ(ready.good_pairs, kBoards * kSources);
-    EXPECT_EQ(ready.boards[2].good_pairs, kSources);
-    EXPECT_EQ(ready.source_good_pairs[1], kBoards);
+    EXPECT_EQ(ready.boards_there, kJudgedBoards);
+    EXPECT_EQ(ready.sources_heard, kJudgedSources);
+    EXPECT_EQ(ready.good_pairs, kJudgedBoards * kJudgedSources);
+    EXPECT_EQ(ready.boards[2].good_pairs, kJudgedSources);
+    EXPECT_EQ(ready.source_good_pairs[1], kJudgedBoards);
     EXPECT_EQ(ready.boards[0].state, BoardReadiness::State::kFine);
 }
 
@@ -69,8 +69,8 @@ TEST_F(ReadinessTest, ASilentBoardHindersUntilTheOperatorGoesOnWithoutIt) {
     EXPECT_EQ(readiness.verdict, Readiness::Verdict::kNotReady);
     EXPECT_EQ(only(readiness), (ReadinessProblem{ProblemKind::kBoardSilent, true, 2, -1, 0, false}));
     EXPECT_EQ(readiness.boards[2].state, BoardReadiness::State::kSilent);
-    EXPECT_EQ(readiness.boards_there, kBoards - 1);
-    EXPECT_EQ(readiness.good_pairs, (kBoards - 1) * kSources) << "what it heard before is void";
+    EXPECT_EQ(readiness.boards_there, kJudgedBoards - 1);
+    EXPECT_EQ(readiness.good_pairs, (kJudgedBoards - 1) * kJudgedSources) << "what it heard before is void";
     facts_.without_boards = {2};
     readiness = judge(health);
     EXPECT_EQ(readiness.verdict, Readiness::Verdict::kReady);
@@ -113,16 +113,16 @@ TEST_F(ReadinessTest, APairCountsForHalfASecondAfterItWasGood) {
 TEST_F(ReadinessTest, ASourceThatNobodyHearsForSecondsIsSilentAndAMuffledOneFaint) {
     judge(wellAt(3));
     HealthReport health = wellAt(4);
-    for (int board = 0; board < kBoards; ++board)
+    for (int board = 0; board < kJudgedBoards; ++board)
         pair(health, 1, board) = {1.0, 0.8, 0.5};
     EXPECT_TRUE(judge(health).problems.empty()) << "for a second: the performer turned";
-    health.sample = 6 * kRate_hz;
-    for (int board = 0; board < kBoards; ++board)
+    health.sample = 6 * kJudgedRate_hz;
+    for (int board = 0; board < kJudgedBoards; ++board)
         pair(health, 1, board).age_s = 3.0;
     Readiness readiness = judge(health);
     EXPECT_EQ(only(readiness), (ReadinessProblem{ProblemKind::kSourceSilent, false, -1, 1, 0, false}));
-    EXPECT_EQ(readiness.sources_heard, kSources - 1);
-    for (int board = 0; board < kBoards; ++board)
+    EXPECT_EQ(readiness.sources_heard, kJudgedSources - 1);
+    for (int board = 0; board < kJudgedBoards; ++board)
         pair(health, 1, board) = {0.05, 0.25, 0.5};
     EXPECT_EQ(only(judge(health)).kind, ProblemKind::kSourceFaint);
     facts_.without_sources = {1};
@@ -132,10 +132,10 @@ TEST_F(ReadinessTest, ASourceThatNobodyHearsForSecondsIsSilentAndAMuffledOneFain
 TEST_F(ReadinessTest, ABoardMayHearNothingForAWhile) {
     judge(wellAt(3));
     HealthReport health = wellAt(8);
-    for (int source = 0; source < kSources; ++source)
+    for (int source = 0; source < kJudgedSources; ++source)
         pair(health, source, 3).confidence = 0;
     EXPECT_TRUE(judge(health).problems.empty());
-    health.sample = 14 * kRate_hz;
+    health.sample = 14 * kJudgedRate_hz;
     const ReadinessProblem problem = only(judge(health));
     EXPECT_EQ(problem.kind, ProblemKind::kBoardDeaf);
     EXPECT_EQ(problem.board, 3);

@@ -63,6 +63,7 @@ public:
         bool pty = false;
         bool answers = true;
         double speed = 1;
+        bool loops = false;        ///< the take again and again instead of silence after its end
         link::Bytes garbage = {};  ///< written to every new client first
     };
 
@@ -154,13 +155,17 @@ private:
         const double rate_hz = sound.hello.sample_rate_hz * options_.speed;
         while (static_cast<double>(box_->nextSample() + link::kUsualBlockSamples) / rate_hz * 1e9 <=
                static_cast<double>(now_ns - begun_ns_)) {
-            const int64_t first = box_->nextSample(), end = first + link::kUsualBlockSamples;
+            const int64_t now = box_->nextSample();
+            const int64_t first = options_.loops ? now % sound.sampleCount() : now;
+            const int64_t end = first + link::kUsualBlockSamples;
             link::Pulses pulses;
             for (const link::Pulse& pulse : sound.pulses)
                 if (pulse.sample >= first && pulse.sample < end)
-                    pulses.push_back(pulse);
+                    pulses.push_back({pulse.sample + now - first, pulse.source});
+            link::AdcBlock block = sound.block(first, link::kUsualBlockSamples);
+            block.first_sample = now;
             box_->offer(pulses);
-            box_->offer(sound.block(first, link::kUsualBlockSamples));
+            box_->offer(block);
         }
         sampled_ = box_->nextSample();
     }

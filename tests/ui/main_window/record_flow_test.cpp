@@ -87,7 +87,7 @@ protected:
                                30'000 + static_cast<int>(seconds * 1e3));
     }
 
-    TestBox box_{{}};
+    TestBox box_{{.loops = true}};
     link::Announcement announced_;
     Answerer answerer_{noctule::test::testAnnouncement()};
     int clicks_ = 0;
@@ -179,11 +179,11 @@ TEST_F(RecordFlow, TheLiveBodyIsOnTheScreenSoonAndLeavesTheInterfaceFree) {
     QTest::qWait(500);  // the first picture compiles what the others draw with
     LatencyHistogram sample_to_screen;
     QObject::connect(&record().center().scene(), &SceneView::frameDrawn, window_.get(),
-            [&](const std::shared_ptr<const LiveFrame>& frame) {
-                const int64_t behind = box_.sampledSamples() - frame->sample;
-                if (behind >= 0)  // else another stream has begun
-                    sample_to_screen.add(behind * 1'000'000'000 / 150'000);
-            });
+                     [&](const std::shared_ptr<const LiveFrame>& frame) {
+                         const int64_t behind = box_.sampledSamples() - frame->sample;
+                         if (behind >= 0)  // else another stream has begun
+                             sample_to_screen.add(behind * 1'000'000'000 / 150'000);
+                     });
     record().run().press();
     ASSERT_TRUE(recordFor(0.5));
     test::StallWatch watch;

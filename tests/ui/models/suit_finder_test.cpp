@@ -35,7 +35,9 @@ TEST_F(SuitFinderTest, ABoxHasTheSameNameAndColourAtEveryMeeting) {
         EXPECT_EQ(finder.at(QString::fromStdString(suit.device.address)), &finder.suits()[0]);
         finder.rename("NB-000777", "Stage left");
         EXPECT_EQ(finder.suits()[0].name, "Stage left");
-        box.announce(testAnnouncement("NB-000778"));
+        auto other = testAnnouncement("NB-000778");
+        other.tcp_port = 50124;
+        box.announce(other);
         ASSERT_TRUE(waitFor([&] { return finder.suits().size() == 2; }));
         EXPECT_NE(finder.suits()[0].colour, finder.suits()[1].colour);
         box.announce(testAnnouncement());

@@ -38,6 +38,8 @@ namespace {
 using noctule::test::TestBox;
 using State = RecordRun::State;
 
+const TestBox::Options kLooping{.loops = true};
+
 class RecordPageTest : public testing::Test {
 protected:
     void SetUp() override {
@@ -100,7 +102,7 @@ TEST_F(RecordPageTest, WithoutASuitItSaysSoAndShowsTheWays) {
 }
 
 TEST_F(RecordPageTest, SpaceRecordsAndStopsAndTheTakeOpensInReview) {
-    TestBox box({});
+    TestBox box(kLooping);
     openSession();
     ASSERT_TRUE(connectTo(box));
     EXPECT_TRUE(page_->showsSuit());
@@ -124,7 +126,7 @@ TEST_F(RecordPageTest, SpaceRecordsAndStopsAndTheTakeOpensInReview) {
 }
 
 TEST_F(RecordPageTest, AfterStopItStaysWhenTheOperatorWantsItSo) {
-    TestBox box({});
+    TestBox box(kLooping);
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setOpensReview(false);
@@ -137,7 +139,7 @@ TEST_F(RecordPageTest, AfterStopItStaysWhenTheOperatorWantsItSo) {
 }
 
 TEST_F(RecordPageTest, TheCountdownCountsAndEscEndsIt) {
-    TestBox box({});
+    TestBox box(kLooping);
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setCountdownSeconds(3);
@@ -158,7 +160,7 @@ TEST_F(RecordPageTest, TheCountdownCountsAndEscEndsIt) {
 }
 
 TEST_F(RecordPageTest, LeavingThePageEndsACountdownButNotATake) {
-    TestBox box({});
+    TestBox box(kLooping);
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setCountdownSeconds(10);
@@ -176,7 +178,7 @@ TEST_F(RecordPageTest, LeavingThePageEndsACountdownButNotATake) {
 }
 
 TEST_F(RecordPageTest, MarkersAndNotesAreListedAndInTheTake) {
-    TestBox box({});
+    TestBox box(kLooping);
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setOpensReview(false);
@@ -205,7 +207,7 @@ TEST_F(RecordPageTest, MarkersAndNotesAreListedAndInTheTake) {
 }
 
 TEST_F(RecordPageTest, TheNameIsTypedOnceAndCountsByItself) {
-    TestBox box({});
+    TestBox box(kLooping);
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setOpensReview(false);
@@ -213,17 +215,17 @@ TEST_F(RecordPageTest, TheNameIsTypedOnceAndCountsByItself) {
     ASSERT_TRUE(bar().name().hasFocus());
     QTest::keyClicks(&bar().name(), "jump high");
     QTest::keyClick(&bar().name(), Qt::Key_Return);
-    EXPECT_EQ(bar().name().text(), "jump high_001");
+    EXPECT_EQ(bar().name().text(), "jump_high_001");
     EXPECT_FALSE(bar().name().hasFocus()) << "the space bar is the page's again";
     ASSERT_TRUE(recordFor(0.2));
     key(Qt::Key_Space);
     ASSERT_TRUE(waitFor([&] { return session().takes.size() == 1; }));
-    EXPECT_EQ(session().takes[0].name, "jump high_001");
-    EXPECT_EQ(bar().name().text(), "jump high_002");
+    EXPECT_EQ(session().takes[0].name, "jump_high_001");
+    EXPECT_EQ(bar().name().text(), "jump_high_002");
 }
 
 TEST_F(RecordPageTest, TheShotListCountsAndGoesOn) {
-    TestBox box({});
+    TestBox box(kLooping);
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setOpensReview(false);
@@ -251,7 +253,7 @@ TEST_F(RecordPageTest, TheShotListCountsAndGoesOn) {
 }
 
 TEST_F(RecordPageTest, ABrokenLinkIsNamedWhenTheButtonIsPressed) {
-    TestBox box({});
+    TestBox box(kLooping);
     openSession();
     ASSERT_TRUE(connectTo(box));
     box.freeze(true);
@@ -269,7 +271,7 @@ TEST_F(RecordPageTest, ABrokenLinkIsNamedWhenTheButtonIsPressed) {
 }
 
 TEST_F(RecordPageTest, ShowsLevelsPairsAndReadiness) {
-    TestBox box({});
+    TestBox box(kLooping);
     openSession();
     ASSERT_TRUE(connectTo(box));
     LevelsPanel& levels = page_->center().levels();
