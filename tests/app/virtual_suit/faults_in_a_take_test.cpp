@@ -151,7 +151,8 @@ TEST(FaultsInATake, RecordingGoesOnAndTimeDoesNotShift) {
 
     std::map<std::string, int64_t> lost;
     std::vector<std::pair<int64_t, int64_t>> gaps;
-    for (const GapRow& gap : *take->gaps()) {
+    const std::vector<GapRow> gap_rows = take->gaps().value();
+    for (const GapRow& gap : gap_rows) {
         EXPECT_FALSE(gap.board);
         lost[gap.reason] += gap.sample_count;
         if (!gaps.empty() && gaps.back().first + gaps.back().second == gap.first_sample)
@@ -169,7 +170,8 @@ TEST(FaultsInATake, RecordingGoesOnAndTimeDoesNotShift) {
     EXPECT_EQ(found.right + found.swapped + found.unplugged + lost_in_all, found.end);
 
     int64_t before = -1;
-    for (const Pulse& pulse : *take->pulses()) {
+    const std::vector<Pulse> pulses = take->pulses().value();
+    for (const Pulse& pulse : pulses) {
         const int64_t lap = pulse.sample / sound.samples();
         const auto same = std::find_if(sound.pulses.begin(), sound.pulses.end(), [&](const Pulse& one) {
             return one.sample == pulse.sample - lap * sound.samples() && one.source == pulse.source;
@@ -179,7 +181,8 @@ TEST(FaultsInATake, RecordingGoesOnAndTimeDoesNotShift) {
         before = pulse.sample;
     }
     bool was_warm = false, was_low = false, was_charged = false;
-    for (const StatusRow& row : *take->statusRows()) {
+    const std::vector<StatusRow> status_rows = take->statusRows().value();
+    for (const StatusRow& row : status_rows) {
         was_warm |= row.temperature_c && std::abs(*row.temperature_c - 31.5) < 1e-4;
         was_low |= row.battery_percent && *row.battery_percent < 8.5;
         was_charged |= was_low && row.battery_percent && *row.battery_percent > 55;
