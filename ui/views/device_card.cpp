@@ -55,7 +55,7 @@ DeviceCard::DeviceCard(QWidget* parent)
     head_->addWidget(state_icon_);
     head_->addWidget(state_);
     column->addWidget(detail_);
-    foot_ = addRow(column, 0, {-8, 0, 0, -4});  // the words stand below the others
+    foot_ = addRow(column, 0, {0, 0, -8, -6});  // the words end where the state does
     connect(button_, &QPushButton::clicked, this, &DeviceCard::activated);
 }
 
@@ -75,7 +75,7 @@ void DeviceCard::setWords(const DeviceWords& words) {
     // Beside the name where nothing else stands there.
     const bool below = !words.state.isEmpty() && !words.action.isEmpty();
     if (below)
-        foot_->addWidget(button_, 0, Qt::AlignLeft);
+        foot_->addWidget(button_, 0, Qt::AlignRight);
     else
         head_->addWidget(button_);
     foot_->parentWidget()->setVisible(below);
