@@ -2424,6 +2424,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Looking</source>
         <translation>Schaut nach</translation>
     </message>
+    <message>
+        <source>Link broken</source>
+        <translation>Verbindung unterbrochen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::MapLegend</name>

@@ -57,6 +57,8 @@ void MainWindow::showSuit() {
     if (studio_.suit().phase() == LiveSuit::Phase::kNone || !hello)
         return top_bar_->showSuit(Tone::kNeutral, {}, {});
     const Readiness& readiness = studio_.check().readiness();
+    if (studio_.check().lostSince().isValid())
+        return top_bar_->showSuit(Tone::kError, tr("Link broken"), QString::fromStdString(hello->serial));
     const bool waits = readiness.verdict == Readiness::Verdict::kWaiting;
     const bool all = readiness.boards_there == hello->boardCount() && readiness.problems.empty();
     const Tone tone = waits                                                ? Tone::kNeutral

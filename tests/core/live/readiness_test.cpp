@@ -202,10 +202,14 @@ TEST(BatteryForecast, LastsAsLongAsTheLossSoFarSays) {
     BatteryForecast forecast;
     EXPECT_FALSE(forecast.left_s());
     forecast.add(0, 80);
-    forecast.add(300, 79);
+    forecast.add(150, 79);
     EXPECT_FALSE(forecast.left_s()) << "one percent may be rounding";
+    forecast.add(300, 78);
+    forecast.add(450, 77);
     forecast.add(600, 76);
     EXPECT_NEAR(*forecast.left_s(), 76 * 150.0, 1e-6);
+    forecast.add(601, 40);
+    EXPECT_FALSE(forecast.left_s()) << "it was changed";
     forecast.add(700, 90);
     EXPECT_FALSE(forecast.left_s()) << "it was charged";
 }
