@@ -2424,10 +2424,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Looking</source>
         <translation>Schaut nach</translation>
     </message>
-    <message>
-        <source>Link broken</source>
-        <translation>Verbindung unterbrochen</translation>
-    </message>
 </context>
 <context>
     <name>noctule::ui::MapLegend</name>
@@ -3543,6 +3539,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>%1 h %2 min</source>
         <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>Link broken</source>
+        <translation>Verbindung unterbrochen</translation>
     </message>
 </context>
 <context>
