@@ -32,10 +32,14 @@ void ReadinessJudge::remember(const HealthReport& health) {
     if (health.sample < now_ || pair_good_at_.empty()) {
         pair_good_at_.assign(static_cast<size_t>(board_count_) * static_cast<size_t>(source_count_), kNever);
         board_heard_at_.assign(static_cast<size_t>(board_count_), 0);
+        board_whole_at_ = board_heard_at_;
         source_heard_at_.assign(static_cast<size_t>(source_count_), 0);
         source_clear_at_ = source_heard_at_;
     }
     now_ = health.sample;
+    for (size_t board = 0; board < health.boards.size(); ++board)
+        if (health.boards[board].frames_per_s >= limits_.least_frames_per_s)
+            board_whole_at_[board] = now_;
     if (health.pairs.empty())
         return;
     for (int source = 0; source < source_count_; ++source)
@@ -86,9 +90,10 @@ void ReadinessJudge::judgeBoard(const ReadinessFacts& facts, int board, Readines
     }
     ++readiness.boards_there;
     state.state = BoardReadiness::State::kPoor;
-    if (health.frames_per_s < limits_.readable_frames_per_s)
+    const bool poor = secondsSince(board_whole_at_[index]) > limits_.frames_poor_s;
+    if (poor && health.frames_per_s < limits_.readable_frames_per_s)
         return addProblem(readiness, ProblemKind::kBoardUnreadable, true, health.frames_per_s, board);
-    if (health.frames_per_s < limits_.least_frames_per_s)
+    if (poor)
         return addProblem(readiness, ProblemKind::kBoardLosesFrames, false, health.frames_per_s, board);
     const int64_t clipped = std::max(health.clipped_samples, health.clipped_readings);
     if (clipped > limits_.clipped_per_s)

@@ -45,6 +45,8 @@ struct ReadinessLimits {
     double least_frames_per_s = 126;
     /// Below this it is noise that happens to look like frames.
     double readable_frames_per_s = 14;
+    /// So long it may be so: a stream that begins anew (a take streamed in a loop) is found within a second.
+    double frames_poor_s = 2;
     double good_confidence = 0.5;   ///< style guide: "good" on every screen
     double heard_confidence = 0.2;  ///< below, rays are not drawn either
     double pair_holds_s = 0.5;      ///< eight rounds
@@ -104,7 +106,7 @@ private:
     const ReadinessLimits limits_;
     int64_t now_ = 0;
     std::vector<int64_t> pair_good_at_;  ///< samples; kNever
-    std::vector<int64_t> board_heard_at_, source_heard_at_, source_clear_at_;
+    std::vector<int64_t> board_heard_at_, board_whole_at_, source_heard_at_, source_clear_at_;
 };
 
 }  // namespace noctule

@@ -3668,6 +3668,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>%1 h %2 min</source>
         <translation>%1 h %2 min</translation>
     </message>
+    <message>
+        <source>Link broken</source>
+        <translation>Verbindung unterbrochen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RecentSessionModel</name>

@@ -14,6 +14,7 @@
 #include "ui/main_window/side_docks.h"
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
+#include "ui/views/readiness_words.h"
 #include "ui/views/session_commands.h"
 #include "ui/widgets/step_bar.h"
 
@@ -57,6 +58,8 @@ void MainWindow::showSuit() {
     if (studio_.suit().phase() == LiveSuit::Phase::kNone || !hello)
         return top_bar_->showSuit(Tone::kNeutral, {}, {});
     const Readiness& readiness = studio_.check().readiness();
+    if (studio_.check().lostSince().isValid())
+        return top_bar_->showSuit(Tone::kError, linkBrokenInShort(), QString::fromStdString(hello->serial));
     const bool waits = readiness.verdict == Readiness::Verdict::kWaiting;
     const bool all = readiness.boards_there == hello->boardCount() && readiness.problems.empty();
     const Tone tone = waits                                                ? Tone::kNeutral

@@ -83,6 +83,7 @@ void BoardCard::addCurves(QVBoxLayout& column) {
     const std::array letters{"X", "Y", "Z"};
     for (size_t axis = 0; axis < 3; ++axis) {
         auto* letter = new Label({}, TextRole::kSecondary, Ink::kLabel);
+        letter->setTextFormat(Qt::RichText);
         const auto paint = [letter, axis, text = QString(letters[axis])] {
             const Tokens& tokens = Theme::get().tokens();
             const QColor color = axis == 0 ? tokens.x : axis == 1 ? tokens.y : tokens.z;

@@ -191,7 +191,10 @@ QImage BodyFigure::segmentImage(int height_px) const {
 
 QImage BodyFigure::paint(int height_px, const QColor& body,
                          const std::map<std::string, QColor>& marked) const {
-    const QImage codes = segmentImage(height_px * kOversampling);
+    if (codes_height_px_ != height_px)
+        codes_ = segmentImage(height_px * kOversampling);
+    codes_height_px_ = height_px;
+    const QImage& codes = codes_;
     std::vector<QRgb> colors{0};
     for (const std::string& segment : segments_) {
         const auto mark = marked.find(segment);

@@ -57,6 +57,8 @@ private:
     std::vector<Face> faces_;  ///< far ones first
     std::vector<std::string> segments_;
     double height_m_ = 1, half_width_m_ = 0.5;
+    mutable QImage codes_;  ///< which segment is where, of the size painted last: new colours are quick
+    mutable int codes_height_px_ = 0;
 };
 
 }  // namespace noctule::ui

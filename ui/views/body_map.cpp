@@ -128,10 +128,16 @@ double BodyMap::labelHeight() const {
            QFontMetrics(theme.font(TextRole::kSecondary)).height() + theme.px(6);
 }
 
+int BodyMap::drawingHeight() const {
+    const Theme& theme = Theme::get();
+    const double beside = width() / 2.0 - theme.px(kLabelWidth + kLabelGap);
+    const double widest = beside / (figure_.half_width_m() * figure_.scale(1));
+    return static_cast<int>(std::min<double>(height() - theme.px(kTop + kBottom), widest));
+}
+
 QPointF BodyMap::toPixels(const QPointF& p_m) const {
     const Theme& theme = Theme::get();
-    const int drawing = height() - theme.px(kTop + kBottom);
-    const double scale = figure_.scale(drawing);
+    const double scale = figure_.scale(drawingHeight());
     return {width() / 2.0 + scale * p_m.x(), height() - theme.px(kBottom) - scale * p_m.y()};
 }
 

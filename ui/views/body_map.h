@@ -54,6 +54,7 @@ protected:
 
 private:
     static constexpr int kTop = 36, kBottom = 12;  ///< pixels above and below the drawing
+    static constexpr int kLabelWidth = 132, kLabelGap = 20, kLeader = 28;
 
     struct Place {
         MapMarker* marker;
@@ -69,6 +70,8 @@ private:
     void arrange();
     void separateMarkers();
     void spreadLabels(bool left_column);
+    /// As high as there is room, and no wider than the labels leave.
+    int drawingHeight() const;
     QPointF toPixels(const QPointF& p_m) const;
     double labelHeight() const;
     void paintLabel(QPainter& painter, const Place& place) const;

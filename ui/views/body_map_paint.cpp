@@ -9,15 +9,9 @@
 #include "ui/views/map_marker.h"
 
 namespace noctule::ui {
-namespace {
-
-constexpr int kLabelWidth = 132, kLabelGap = 20, kLeader = 28;
-
-}  // namespace
-
 void BodyMap::renewFigure() {
     const Theme& theme = Theme::get();
-    const int drawing = height() - theme.px(kTop + kBottom);
+    const int drawing = drawingHeight();
     if (drawing < 50)
         return;
     std::map<std::string, QColor> marked;
@@ -38,8 +32,9 @@ void BodyMap::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (picture_.isNull())
         renewFigure();
-    painter.drawPixmap(
-        QPointF((width() - picture_.width() / picture_.devicePixelRatio()) / 2, theme.px(kTop)), picture_);
+    const QSizeF size = QSizeF(picture_.size()) / picture_.devicePixelRatio();
+    painter.drawPixmap(QPointF((width() - size.width()) / 2, height() - theme.px(kBottom) - size.height()),
+                       picture_);
     painter.setFont(theme.font(TextRole::kSecondary));
     painter.setPen(tokens.t3);
     const QRect head(0, 0, width(), theme.px(kTop - 8));
@@ -69,8 +64,7 @@ void BodyMap::paintDragged(QPainter& painter) const {
 void BodyMap::paintLabel(QPainter& painter, const Place& place) const {
     const Theme& theme = Theme::get();
     const Tokens& tokens = theme.tokens();
-    const int reach =
-        static_cast<int>(figure_.half_width_m() * figure_.scale(height() - theme.px(kTop + kBottom)));
+    const int reach = static_cast<int>(figure_.half_width_m() * figure_.scale(drawingHeight()));
     const int side = std::min(width() / 2 - theme.px(kLabelWidth), reach + theme.px(kLabelGap + kLeader));
     const int edge = width() / 2 + (place.left_column ? -side : side);
     const int direction = place.left_column ? -1 : 1;

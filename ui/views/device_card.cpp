@@ -52,10 +52,10 @@ DeviceCard::DeviceCard(QWidget* parent)
     head_ = addRow(column, 6);
     head_->addWidget(icon_);
     head_->addWidget(name_, 1);
-    head_->addWidget(state_icon_);
-    head_->addWidget(state_);
     column->addWidget(detail_);
-    foot_ = addRow(column, 0, {-8, 0, 0, -4});  // the words stand below the others
+    foot_ = addRow(column, 6);
+    foot_->addWidget(state_icon_);
+    foot_->addWidget(state_, 1);
     connect(button_, &QPushButton::clicked, this, &DeviceCard::activated);
 }
 
@@ -72,12 +72,9 @@ void DeviceCard::setWords(const DeviceWords& words) {
     detail_->setText(words.detail);
     detail_->setVisible(!words.detail.isEmpty());
     button_->setText(words.action);
-    // Beside the name where nothing else stands there.
-    const bool below = !words.state.isEmpty() && !words.action.isEmpty();
-    if (below)
-        foot_->addWidget(button_, 0, Qt::AlignLeft);
-    else
-        head_->addWidget(button_);
+    // Beside the name where no state has to be read first.
+    const bool below = !words.state.isEmpty();
+    (below ? foot_ : head_)->addWidget(button_);
     foot_->parentWidget()->setVisible(below);
     button_->setVisible(!words.action.isEmpty());
     button_->setAccessibleName(words.action + ' ' + words.name);

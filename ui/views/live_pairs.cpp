@@ -7,6 +7,7 @@
 #include "ui/models/part_names.h"
 #include "ui/plots/confidence_legend.h"
 #include "ui/plots/pair_columns.h"
+#include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/elided_label.h"
@@ -16,6 +17,7 @@ namespace noctule::ui {
 namespace {
 
 constexpr double kNow_s = 0.2;  ///< three rounds
+constexpr int kLeastRow = 16, kAroundRows = 52;
 
 }  // namespace
 
@@ -77,7 +79,7 @@ PairCell LivePairs::cellOf(const Readiness& readiness, int source, int board) co
     if (readiness.boards[static_cast<size_t>(board)].state == BoardReadiness::State::kSilent)
         return {PairCell::State::kLost, 0, tr("%1: the board sends nothing", "a pair").arg(name)};
     const PairHealth& pair = frame->health.pair(source, board);
-    if (!pair.age_s || *pair.age_s > kNow_s)
+    if (check_.lostSince().isValid() || !pair.age_s || *pair.age_s > kNow_s)
         return {PairCell::State::kSilent, 0, tr("%1: not heard", "a pair").arg(name)};
     return {PairCell::State::kHeard, pair.confidence,
             tr("%1: confidence %2, distance %3", "a pair")
@@ -97,6 +99,8 @@ void LivePairs::show(const Readiness& readiness) {
         for (size_t board = 0; board < suit.boards.size(); ++board)
             content.cells.push_back(cellOf(readiness, static_cast<int>(source), static_cast<int>(board)));
     grid_->setContent(std::move(content));
+    // Each row has its name beside it, which wants to be read.
+    grid_->setMinimumHeight(Theme::get().px(kAroundRows + kLeastRow * grid_->rowCount()));
     tellCell();
 }
 

@@ -258,6 +258,10 @@ QString linkSentence(const LiveSuit& suit, double bytes_per_s) {
     }
 }
 
+QString linkBrokenInShort() {
+    return ReadinessText::tr("Link broken");
+}
+
 QString durationWords(double seconds) {
     const auto minutes = static_cast<int>(seconds / 60);
     if (seconds < 100)

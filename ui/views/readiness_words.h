@@ -28,6 +28,8 @@ Tone toneOf(BoardReadiness::State state);
 
 /// "NB-000123 streaming, 5.4 MB/s, 0 blocks lost"; empty without a suit.
 QString linkSentence(const LiveSuit& suit, double bytes_per_s);
+/// For a chip: "Link broken".
+QString linkBrokenInShort();
 /// "3 h 20 min", "45 min", "50 s"
 QString durationWords(double seconds);
 

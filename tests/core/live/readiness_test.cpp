@@ -83,8 +83,11 @@ TEST_F(ReadinessTest, ABoardThatTheBoxMissesIsSilentThoughItsWireHums) {
 }
 
 TEST_F(ReadinessTest, FramesTellAPoorWireFromAnUnreadableOne) {
-    HealthReport health = wellAt(3);
+    judge(wellAt(3));
+    HealthReport health = wellAt(4);
     health.boards[1].frames_per_s = 100;
+    EXPECT_TRUE(judge(health).problems.empty()) << "for a second: a take in a loop begins anew";
+    health.sample = static_cast<int64_t>(5.1 * kJudgedRate_hz);
     ReadinessProblem problem = only(judge(health));
     EXPECT_EQ(problem.kind, ProblemKind::kBoardLosesFrames);
     EXPECT_FALSE(problem.hinders);
@@ -158,6 +161,7 @@ TEST_F(ReadinessTest, SuppliesAndPlacesAreJudged) {
 }
 
 TEST_F(ReadinessTest, TheWorstStandsFirst) {
+    judge(wellAt(0.5));
     HealthReport health = wellAt(3);
     health.suit.battery_percent = 15;
     health.boards[0].frames_per_s = 90;
@@ -198,10 +202,14 @@ TEST(BatteryForecast, LastsAsLongAsTheLossSoFarSays) {
     BatteryForecast forecast;
     EXPECT_FALSE(forecast.left_s());
     forecast.add(0, 80);
-    forecast.add(300, 79);
+    forecast.add(150, 79);
     EXPECT_FALSE(forecast.left_s()) << "one percent may be rounding";
+    forecast.add(300, 78);
+    forecast.add(450, 77);
     forecast.add(600, 76);
     EXPECT_NEAR(*forecast.left_s(), 76 * 150.0, 1e-6);
+    forecast.add(601, 40);
+    EXPECT_FALSE(forecast.left_s()) << "it was changed";
     forecast.add(700, 90);
     EXPECT_FALSE(forecast.left_s()) << "it was charged";
 }

@@ -30,11 +30,6 @@ protected:
         };
         return parts;
     }
-    void SetUp() override {
-        std::filesystem::remove_all(
-            QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString());
-        StudioWindow::SetUp();
-    }
     ConnectPage& page() { return dynamic_cast<ConnectPage&>(window_->page(Step::kConnect)); }
     QStringList chips() {
         QStringList texts;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/main_window/studio_fixture.h"
 
+#include <QDir>
+#include <QStandardPaths>
+
 #include "core/formats/bvh.h"
 #include "tests/support/simulated_take.h"
 #include "ui/main_window/language.h"
@@ -28,6 +31,7 @@ void StudioWindow::SetUp() {
     Theme::get().setScheme(Scheme::kDark);
     Theme::get().setScale(1);
     QSettings().clear();
+    QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).removeRecursively();
     QSettings().setValue("folders/sessions", home());
     applyLanguage(QSettings());
     start();
