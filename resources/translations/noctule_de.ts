@@ -4040,6 +4040,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Recording, but look</source>
         <translation>Nimmt auf, aber ansehen</translation>
     </message>
+    <message>
+        <source>Connect one, and this says whether it is ready.</source>
+        <translation>Einen verbinden, dann steht hier, ob er bereit ist.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RecordRun</name>

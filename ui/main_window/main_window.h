@@ -102,7 +102,7 @@ private:
     StatusLine* status_;
     JobsPanel* jobs_panel_;
     bool closes_after_take_ = false;  ///< everything has been asked
-    QString recovery_wanted_;  ///< path of a take whose session is being opened
+    QString recovery_wanted_;         ///< path of a take whose session is being opened
 };
 
 }  // namespace noctule::ui

@@ -28,7 +28,8 @@ SceneLayers loadLayers(QSettings& settings, Step step) {
         const auto layer = static_cast<SceneLayer>(i);
         layers.set(layer, settings.value(key(step, settingsName(layer)), layers.has(layer)).toBool());
     }
-    layers.follow = settings.value(key(step, QStringLiteral("follow")), layers.follow).toBool();
+    // Who is recorded walks about; a take under review is looked at as a whole.
+    layers.follow = settings.value(key(step, QStringLiteral("follow")), step == Step::kRecord).toBool();
     return layers;
 }
 

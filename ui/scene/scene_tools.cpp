@@ -105,10 +105,10 @@ void SceneTools::setView(CameraView view) {
     views_->setCurrentIndex(views_->findData(static_cast<int>(view)));
 }
 
-void SceneTools::setOffered(const std::vector<SceneLayer>& layers) {
+void SceneTools::setOffered(const std::vector<SceneLayer>& layers, bool follow) {
     for (LayerTool& tool : layers_)
         tool.offered = std::find(layers.begin(), layers.end(), tool.layer) != layers.end();
-    follow_->setVisible(std::find(layers.begin(), layers.end(), SceneLayer::kTrails) != layers.end());
+    follow_->setVisible(follow);
 }
 
 int SceneTools::widthNeeded() const {

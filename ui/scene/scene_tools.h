@@ -24,7 +24,7 @@ public:
     void setLayers(const SceneLayers& layers);
     void setView(CameraView view);
     /// Layers that make no sense here (rays of a figure at rest) are left out.
-    void setOffered(const std::vector<SceneLayer>& layers);
+    void setOffered(const std::vector<SceneLayer>& layers, bool follow);
     /// Shows as much as fits and takes that much room.
     void fitInto(int width_px);
 

@@ -31,7 +31,7 @@ void SceneView::setFigure(const Actor& actor, const Suit& suit) {
     } else {
         parts_->figure.emplace(actor, suit);
         parts_->tools->setOffered(
-            {SceneLayer::kMesh, SceneLayer::kSkeleton, SceneLayer::kBoards, SceneLayer::kGrid});
+            {SceneLayer::kMesh, SceneLayer::kSkeleton, SceneLayer::kBoards, SceneLayer::kGrid}, false);
         layOut();
     }
     updateMessage();
@@ -45,9 +45,10 @@ void SceneView::setSubject(SceneSubject subject) {
 
 void SceneView::clearFigure() {
     parts_->figure.reset();
-    parts_->tools->setOffered({SceneLayer::kMesh, SceneLayer::kSkeleton, SceneLayer::kBoards,
-                               SceneLayer::kRays, SceneLayer::kTrails, SceneLayer::kContacts,
-                               SceneLayer::kGhost, SceneLayer::kGrid});
+    parts_->tools->setOffered(
+        {SceneLayer::kMesh, SceneLayer::kSkeleton, SceneLayer::kBoards, SceneLayer::kRays,
+         SceneLayer::kTrails, SceneLayer::kContacts, SceneLayer::kGhost, SceneLayer::kGrid},
+        true);
     layOut();
     updateMessage();
     refresh();
@@ -57,7 +58,8 @@ void SceneView::setLive(LiveWearer wearer) {
     if (!parts_->live) {
         parts_->live.emplace();
         parts_->tools->setOffered({SceneLayer::kMesh, SceneLayer::kSkeleton, SceneLayer::kBoards,
-                                   SceneLayer::kRays, SceneLayer::kGrid});
+                                   SceneLayer::kRays, SceneLayer::kGrid},
+                                  true);
         layOut();
     }
     parts_->live->setWearer(std::move(wearer));
@@ -72,6 +74,9 @@ void SceneView::showFrame(std::shared_ptr<const LiveFrame> frame) {
         parts_->since_frame.start();
         parts_->frame_painted = false;
     }
+    const auto& before = parts_->live->frame();
+    if (frame && before && frame->sample < before->sample && parts_->untouched)
+        parts_->framed.clear();  // another stream: the body begins where it began
     parts_->live->setFrame(std::move(frame));
     parts_->canvas->refresh(true);
 }

@@ -18,9 +18,11 @@ NoSuit::NoSuit(Studio& studio, QWidget* parent)
     auto* column = makeColumn(this, {32, 32, 32, 32}, 16);
     column->addStretch();
     sentence_->setAlignment(Qt::AlignHCenter);
-    keepMinimumWidth(*sentence_, 320);
     keepMaximumWidth(*sentence_, 520);
-    column->addWidget(sentence_->wrapped(), 0, Qt::AlignHCenter);
+    auto* words = addRow(column);
+    words->addStretch();
+    words->addWidget(sentence_->wrapped(), 1000);
+    words->addStretch();
     auto* buttons = addRow(column, 12);
     buttons->addStretch();
     virtual_->setTall(true);

@@ -44,17 +44,20 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
       studio_(studio),
       verdict_(new VerdictHeader),
       problems_(new RecordProblems(studio)),
+      of_suit_(new QWidget),
       numbers_(new NumberRows) {
     auto* content = new QWidget;
     auto* column = makeColumn(content, {0, 12, 0, 12}, 12);
     verdict_->setCompact(true);
     addRow(column, 0, {12, 0, 12, 0})->addWidget(verdict_);
     column->addWidget(problems_);
-    column->addWidget(new Divider);
+    auto* of_suit = makeColumn(of_suit_, {}, 12);
+    of_suit->addWidget(new Divider);
     addFacts();
-    addRow(column, 0, {12, 0, 12, 0})->addWidget(numbers_);
-    column->addWidget(new Divider);
-    column->addWidget(makeCalibration());
+    addRow(of_suit, 0, {12, 0, 12, 0})->addWidget(numbers_);
+    of_suit->addWidget(new Divider);
+    of_suit->addWidget(makeCalibration());
+    column->addWidget(of_suit_);
     column->addStretch();
     makeColumn(this)->addWidget(new ScrollArea(content));
     connect(&studio.check(), &SuitCheck::changed, this, &RecordReadiness::refresh);
@@ -220,6 +223,10 @@ void RecordReadiness::showCalibration() {
 
 void RecordReadiness::showVerdict() {
     VerdictWords words = verdictOf(studio_.check());
+    const bool connected = studio_.suit().phase() != LiveSuit::Phase::kNone;
+    if (!connected)
+        words.text = tr("Connect one, and this says whether it is ready.");
+    of_suit_->setVisible(connected);
     if (studio_.suit().phase() == LiveSuit::Phase::kRecording) {
         words = problems_->count() == 0 ? VerdictWords{Tone::kOk, tr("Recording well"), {}}
                                         : VerdictWords{problems_->worst(), tr("Recording, but look"), {}};

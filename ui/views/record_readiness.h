@@ -49,6 +49,7 @@ private:
     VerdictHeader* verdict_;
     QString verdict_text_;
     RecordProblems* problems_;
+    QWidget* of_suit_;
     NumberRows* numbers_;  ///< a row per Fact
     Label *made_, *offsets_, *boards_;
     QElapsedTimer since_rate_;

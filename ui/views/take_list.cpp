@@ -42,6 +42,7 @@ TakeList::TakeList(Studio& studio, QWidget* parent)
     setAccessibleName(tr("Takes"));
     connect(this, &QListView::activated, this, [this](const QModelIndex& index) { openTake(index.row()); });
     connect(&studio.take(), &TakeDocument::opened, this, &TakeList::chooseOpen);
+    connect(&studio.session(), &SessionModel::opened, viewport(), QOverload<>::of(&QWidget::update));
     connect(takes_, &QAbstractItemModel::modelReset, this, &TakeList::chooseOpen);
     connect(&Theme::get(), &Theme::changed, this, [this] { doItemsLayout(), updateGeometry(); });
     chooseOpen();

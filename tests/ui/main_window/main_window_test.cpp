@@ -172,7 +172,7 @@ TEST_F(MainWindowTest, ClosingNamesRunningJobsAndAsks) {
 }
 
 TEST_F(MainWindowTest, F6WalksThePanels) {
-    window_->goTo(Step::kConnect);
+    window_->goTo(Step::kCalibrate);
     const auto panelOfFocus = [this]() -> QWidget* {
         for (QWidget* panel : {static_cast<QWidget*>(&window_->topBar()), window_->centralWidget(),
                                static_cast<QWidget*>(&window_->sideDocks().right()),

@@ -34,6 +34,7 @@ TEST_F(RecordPictures, FromWithoutASuitToFaults) {
     save("record-without", {{1440, 900}});
     studio_->startVirtualSuit();
     ASSERT_TRUE(isReady());
+    QDir().mkpath(home());
     ASSERT_TRUE(studio_->session().create(QDir(home()).filePath("Stage tests"), "Stage tests"));
     window_->goTo(Step::kRecord);
     studio_->session().setShots(
