@@ -84,7 +84,6 @@ public:
     std::optional<int64_t> integer(int column) const;  ///< also a REAL without fraction
     std::optional<double> real(int column) const;      ///< finite
     std::optional<std::string> text(int column) const;
-    std::optional<std::string_view> textView(int column) const;  ///< until the next step
     /// Valid until the next step() or reset().
     std::optional<std::span<const std::byte>> blob(int column) const;
 

@@ -160,8 +160,7 @@ Result<RangeCursor> RangeCursor::open(const RunOfTake& run) {
         if (run.pulses)
             sql += " AND range.pulse BETWEEN " + std::to_string(run.pulses->first) + " AND " +
                    std::to_string(run.pulses->second);
-        // All of the key, also what is the same in every row: with less of it SQLite sorts.
-        sql += " ORDER BY range.pulse,range.suit,range.board";
+        sql += " ORDER BY range.pulse,range.board";
     }
     Result<Statement> rows = run.database->prepare(sql);
     if (!rows)
@@ -180,7 +179,8 @@ Result<std::optional<RangeMeasurement>> RangeCursor::next() {
         RangeMeasurement range;
         const RowVerdict verdict = readRange(rows_, run_, range);
         if (verdict.empty()) {
-            range.fate = rangeFateFromName(rows_.textView(11).value_or(""));
+            detector_ = rows_.text(10).value_or("");
+            range.fate = rangeFateFromName(rows_.text(11).value_or(""));
             range.innovation_m = rows_.real(12).value_or(0);
             return std::optional(range);
         }

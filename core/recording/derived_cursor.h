@@ -53,13 +53,14 @@ public:
     static Result<RangeCursor> open(const RunOfTake& run);
     Result<std::optional<RangeMeasurement>> next();
     /// That measured the last range that next() gave.
-    std::string detector() const { return rows_.text(10).value_or(""); }
+    const std::string& detector() const { return detector_; }
 
 private:
     RangeCursor(const RunOfTake& run, Statement rows) : run_(run), rows_(std::move(rows)) {}
 
     RunOfTake run_;
     Statement rows_;
+    std::string detector_;
     bool at_end_ = false;  ///< SQLite would start again
 };
 

@@ -81,42 +81,32 @@ bool Statement::isNull(int column) const {
     return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
 }
 
-// The columns as values, once each: asking a column for its type and then for its number takes twice as long,
-// and takes have millions of them. SQLite allows that to one thread at a time, which a Database has anyway.
-
 std::optional<int64_t> Statement::integer(int column) const {
     constexpr double kExact = 9007199254740992.0;  // 2^53
-    sqlite3_value* const cell = sqlite3_column_value(statement_.get(), column);
-    const int type = sqlite3_value_type(cell);
+    const int type = sqlite3_column_type(statement_.get(), column);
     if (type == SQLITE_INTEGER)
-        return sqlite3_value_int64(cell);
-    const double value = type == SQLITE_FLOAT ? sqlite3_value_double(cell) : 0.5;
+        return sqlite3_column_int64(statement_.get(), column);
+    const double value = type == SQLITE_FLOAT ? sqlite3_column_double(statement_.get(), column) : 0.5;
     if (std::abs(value) <= kExact && value == std::floor(value))
         return static_cast<int64_t>(value);
     return std::nullopt;
 }
 
 std::optional<double> Statement::real(int column) const {
-    sqlite3_value* const cell = sqlite3_column_value(statement_.get(), column);
-    const int type = sqlite3_value_type(cell);
+    const int type = sqlite3_column_type(statement_.get(), column);
     if (type != SQLITE_INTEGER && type != SQLITE_FLOAT)
         return std::nullopt;
-    const double value = sqlite3_value_double(cell);
+    const double value = sqlite3_column_double(statement_.get(), column);
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::optional<std::string_view> Statement::textView(int column) const {
+std::optional<std::string> Statement::text(int column) const {
     if (sqlite3_column_type(statement_.get(), column) != SQLITE_TEXT)
         return std::nullopt;
     const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
     if (!text)
         return std::nullopt;
-    return std::string_view(text, static_cast<size_t>(sqlite3_column_bytes(statement_.get(), column)));
-}
-
-std::optional<std::string> Statement::text(int column) const {
-    const auto view = textView(column);
-    return view ? std::optional<std::string>(*view) : std::nullopt;
+    return std::string(text, static_cast<size_t>(sqlite3_column_bytes(statement_.get(), column)));
 }
 
 std::optional<std::span<const std::byte>> Statement::blob(int column) const {
