@@ -126,8 +126,6 @@ TEST(Usage, WhatComesLaterIsRefusedByName) {
         expectRefusal({"process", "t", "--smooth", smoother}, 2, {smoother, "not available"});
     for (const char* option : {"--fbx", "--glb", "--mot", "--sto", "--video", "--png", "--mesh"})
         expectRefusal({"export", "t", option, "x"}, 2, {option, "not available"});
-    for (const char* rig : {"jig", "level", "turntable"})
-        expectRefusal({"simulate", "--rig", rig, "--out", "x"}, 2, {rig, "not available"});
 }
 
 TEST(Usage, ErrorsAreJsonTooWhenAskedFor) {

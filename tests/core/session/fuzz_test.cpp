@@ -12,9 +12,12 @@ TEST(FuzzSession, DamagedDocuments) {
     session.name = "Stage tests";
     session.performers.resize(2);
     session.performers[0].name = "Ada";
-    session.takes.resize(3);
-    session.takes[1].name = "walk_001";
-    session.takes[1].file = "takes/walk_001.noctule";
+    session.performers[1].name = "Grace";
+    for (const std::string name : {"walk_001", "walk_002", "turn_001"}) {
+        session.takes.emplace_back().name = name;
+        session.takes.back().file = "takes/" + name + ".noctule";
+    }
+    session.shots.push_back({"Walk, straight line", 2});
     const std::vector<std::string> examples{toJson(session).dump()};
     int64_t read = 0;
     feedDamaged(examples, 3000, 32 * 1024, [&](const std::string& text, int64_t) {

@@ -172,24 +172,25 @@ TEST_F(MainWindowTest, ClosingNamesRunningJobsAndAsks) {
 }
 
 TEST_F(MainWindowTest, F6WalksThePanels) {
-    window_->goTo(Step::kCalibrate);
+    window_->goTo(Step::kConnect);
     const auto panelOfFocus = [this]() -> QWidget* {
-        for (QWidget* panel : {static_cast<QWidget*>(&window_->topBar()), window_->centralWidget(),
-                               static_cast<QWidget*>(&window_->sideDocks().right()),
-                               static_cast<QWidget*>(&window_->statusLine())})
+        for (QWidget* panel :
+             {static_cast<QWidget*>(&window_->topBar()), static_cast<QWidget*>(&window_->sideDocks().left()),
+              window_->centralWidget(), static_cast<QWidget*>(&window_->sideDocks().right()),
+              static_cast<QWidget*>(&window_->statusLine())})
             if (panel->isAncestorOf(QApplication::focusWidget()))
                 return panel;
         return nullptr;
     };
     std::vector<QWidget*> visited;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 5; ++i) {
         press(Qt::Key_F6);
         visited.push_back(panelOfFocus());
     }
-    EXPECT_EQ(std::set<QWidget*>(visited.begin(), visited.end()).size(), 4U);
+    EXPECT_EQ(std::set<QWidget*>(visited.begin(), visited.end()).size(), 5U);
     EXPECT_FALSE(std::count(visited.begin(), visited.end(), nullptr));
     press(Qt::Key_F6, Qt::ShiftModifier);
-    EXPECT_EQ(panelOfFocus(), visited[2]);
+    EXPECT_EQ(panelOfFocus(), visited[3]);
 }
 
 TEST_F(MainWindowTest, LayoutsAreKeptPerStepAndSurviveARestart) {

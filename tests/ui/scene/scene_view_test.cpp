@@ -75,7 +75,7 @@ TEST_F(SceneViewTest, KeysToggleLayersAndFollow) {
     // The choice survives, and belongs to this step.
     EXPECT_EQ(SceneView(*studio_).isShown(SceneLayer::kRays), !rays);
     EXPECT_TRUE(SceneView(*studio_).follows());
-    EXPECT_FALSE(SceneView(*studio_, nullptr, Step::kRecord).follows());
+    EXPECT_FALSE(SceneView(*studio_, nullptr, Step::kPerformer).follows());
 }
 
 TEST_F(SceneViewTest, RaysComeAndGo) {
