@@ -9,5 +9,5 @@ cd "$(dirname "$0")/.."
 packaging/dependencies.sh
 python3 -B packaging/acceptance --check "$@"
 cmake --preset release >/dev/null
-cmake --build --preset release --parallel "$(nproc)"
+cmake --build --preset release --parallel "$(nproc)" --target all benchmarks
 exec python3 -B packaging/acceptance "$@"
