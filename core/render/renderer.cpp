@@ -12,7 +12,7 @@ namespace noctule {
 struct Renderer::Parts {
     std::unique_ptr<ShapePainter> shapes;
     std::unique_ptr<BodyPainter> bodies;
-    GlTarget smooth, plain;  ///< both stay: a view changes between them whenever it begins to move
+    GlTarget target;
     std::string description;
 };
 
@@ -91,9 +91,8 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const PictureSize&
         return;
     const ScreenView view{camera, size, options.pixel_ratio};
     ShapePainter& shapes = *parts_->shapes;
-    GlTarget& target = options.samples > 0 ? parts_->smooth : parts_->plain;
-    target.fit(size, options.samples);
-    target.bind();
+    parts_->target.fit(size, options.samples);
+    parts_->target.bind();
     setState(size);
     shapes.drawBackground(scene.background);
     if (scene.grid)
@@ -101,9 +100,9 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const PictureSize&
     shapes.drawDiscs(scene.discs, view);
     parts_->bodies->drawSolids(scene.bodies, view);
     if (BodyPainter::hasOutlines(scene.bodies)) {
-        target.bindApart();
+        parts_->target.bindApart();
         parts_->bodies->drawOutlines(scene.bodies, view);
-        target.bind();
+        parts_->target.bind();
     }
 
     std::vector<LineShape> seen_through, hidden;
@@ -121,7 +120,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const PictureSize&
     if (scene.gizmo)
         shapes.drawLines(gizmoLines(*scene.gizmo, view), view, Hiding::kNone);
     leaveState();
-    target.copyTo(options.framebuffer);
+    parts_->target.copyTo(options.framebuffer);
 }
 
 }  // namespace noctule

@@ -16,22 +16,6 @@ namespace {
 constexpr int kFrame_ms = 16;
 constexpr int kRest_ms = 180;
 constexpr int kSamples = 4;
-constexpr int kKinds = 5;
-
-/// The background and the first kinds of what is drawn, each by programs of its own.
-Scene withFirstKinds(const Scene& scene, int kinds) {
-    Scene part;
-    part.background = scene.background;
-    if (kinds > 0)
-        part.grid = scene.grid, part.discs = scene.discs;
-    if (kinds > 1)
-        part.bodies = scene.bodies;
-    if (kinds > 2)
-        part.bones = scene.bones, part.joints = scene.joints;
-    if (kinds > 3)
-        part.trails = scene.trails, part.rays = scene.rays;
-    return part;
-}
 
 QSurfaceFormat neededFormat() {
     QSurfaceFormat format;
@@ -116,36 +100,16 @@ void SceneCanvas::initializeGL() {
     }
     renderer_ = std::move(*renderer);
     slow_ = isSoftware(renderer_->description());
-    firsts_left_ = slow_ ? 2 * kKinds : 0;
-}
-
-/// QOpenGLWidget paints with every step of a layout too, before anything of it is seen.
-void SceneCanvas::resizeEvent(QResizeEvent* event) {
-    is_resizing_ = true;
-    QOpenGLWidget::resizeEvent(event);
-    is_resizing_ = false;
-    update();
 }
 
 void SceneCanvas::paintGL() {
-    if (!renderer_ || is_resizing_)
+    if (!renderer_)
         return;
     since_paint_.start();
-    if (firsts_left_ > 0)
-        return paintFirst();
-    renderer_->draw(compose_(), camera_(), surfaceSize(),
+    const Scene& scene = compose_();
+    renderer_->draw(scene, camera_(), surfaceSize(),
                     {moving_ ? 0 : kSamples, ratio(), defaultFramebufferObject()});
     emit painted();
-}
-
-/// A processor that draws compiles a program when something is drawn with it for the first time, tens of
-/// milliseconds each and for smooth edges once more. So the first pictures show one kind of thing more each,
-/// and the interface answers in between.
-void SceneCanvas::paintFirst() {
-    const int number = 2 * kKinds - firsts_left_--;
-    renderer_->draw(withFirstKinds(compose_(), number / 2), camera_(), surfaceSize(),
-                    {number % 2 ? kSamples : 0, ratio(), defaultFramebufferObject()});
-    repaint_.start(0);
 }
 
 QImage SceneCanvas::picture(double scale) {

@@ -40,10 +40,8 @@ signals:
 protected:
     void initializeGL() override;
     void paintGL() override;
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void paintFirst();
     void release();
 
     Compose compose_;
@@ -51,8 +49,6 @@ private:
     std::unique_ptr<Renderer> renderer_;
     bool slow_ = false;    ///< drawn by the processor
     bool moving_ = false;  ///< since the last picture at rest
-    bool is_resizing_ = false;
-    int firsts_left_ = 0;  ///< pictures that show a part only
     QTimer repaint_, rest_;
     QElapsedTimer since_paint_;
 };
