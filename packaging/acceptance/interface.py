@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the studio asks of the one who waits for it: how long until it is there, until a long take is open, until a
-frame follows the cursor; and whether an hour of use leaves its memory as it was."""
+frame follows the cursor, and whether it ever stops answering; and whether an hour of use leaves its memory as it was."""
 import json
 import re
 import statistics
 import subprocess
 import time
 
+import built_tests
 import screen
 import studio
 
@@ -15,7 +16,7 @@ LONGEST_START_MS = 1500
 FIRST_FRAME = re.compile(rb"first frame (\d+) ms after the start of the process")
 PATIENCE_S = 60
 LONG_TAKE_S = 600
-LONGEST_OPENING_MS, LONGEST_STEP_MS = 2000, 40
+LONGEST_OPENING_MS, LONGEST_STEP_MS, LONGEST_STALL_MS = 2000, 40, 50
 # A day of eight hours may add a third to the 300 MB or so that the studio takes; what only grows is a leak.
 MOST_GROWTH_MB_PER_HOUR = 12
 ROUNDS_PER_HOUR = 60  # of drive_studio: each is what is done in a minute
@@ -88,6 +89,20 @@ def waiting(missed):
             studio.markdown_table(head, rows))
 
 
+def stalls(missed):
+    text = ""
+    for program, cases in (("test_ui_main_window", "Stalls.*:ConnectFlow.WatchingASuitHoldsNothingUp"),
+                           ("test_ui_models", "LiveSuitTest.TheInterfaceNeverWaits")):
+        with screen.own_screen() as display, screen.own_home(display, NOCTULE_ALONE="1") as environment:
+            try:
+                text += built_tests.run(program, cases, "longest gap", **environment)
+            except studio.Missed as error:
+                text += error.text
+                missed.append(str(error))
+    return ("### Stalls\n\nThe longest time in which the interface did not answer, and what of it is not the machine's "
+            f"(no core was free); at most {LONGEST_STALL_MS} ms.\n\n{text}")
+
+
 def slope(values):
     """Of the line through values[0], values[1], ..., per step."""
     n = len(values)
@@ -120,7 +135,7 @@ def memory(rounds, missed):
 
 def figure(options):
     missed = []
-    text = "\n".join([startup(missed), waiting(missed), memory(options.studio_rounds, missed)])
+    text = "\n".join([startup(missed), waiting(missed), stalls(missed), memory(options.studio_rounds, missed)])
     if missed:
         raise studio.Missed(missed, text)
     return text

@@ -15,7 +15,8 @@ LIVE = re.compile(r"^live: (\d+) pictures, sample to screen (\d+) ms in the medi
 
 
 def figure(_):
-    with screen.own_screen() as display, screen.own_home(display, NOCTULE_RECORD_S=str(SECONDS)) as environment:
+    with screen.own_screen() as display, screen.own_home(display, NOCTULE_RECORD_S=str(SECONDS),
+                                                               NOCTULE_ALONE="1") as environment:
         done = subprocess.run([studio.BUILD / "test_ui_main_window", "--gtest_filter=RecordFlow.*"],
                               capture_output=True, text=True, env=environment)
     clicks, live = CLICKS.search(done.stdout), LIVE.search(done.stdout)

@@ -59,17 +59,18 @@ TEST_F(ConnectFlow, FromLaunchToReadyInTwoClicksAndOnToRecord) {
 }
 
 TEST_F(ConnectFlow, WatchingASuitHoldsNothingUp) {
+    if (!test::timesAreJudged())
+        GTEST_SKIP() << test::kWhyNotJudged;
     window_->goTo(Step::kConnect);
     studio_->startVirtualSuit();
     ASSERT_TRUE(waitFor([&] { return page().readiness().verdict() == "Ready"; }));
     page().map().boardButton(1)->click();
     QTest::qWait(500);
     test::StallWatch watch;
-    if (!watch.seesQueue())
-        GTEST_SKIP() << "the kernel keeps no schedstat";
     QTest::qWait(3000);
-    // Alone it stays below 50 ms; beside other tests the figure's painting takes longer.
-    EXPECT_LT(watch.longestOwn_ms(), 120);
+    std::printf("watching a suit: longest gap %.0f ms, of it ours %.0f ms\n", watch.longest_ms(),
+                watch.longestOwn_ms());
+    EXPECT_LT(watch.longestOwn_ms(), test::kLongestStall_ms);
 }
 
 TEST_F(ConnectFlow, EveryControlHasANameAndTheKeysAreThere) {

@@ -202,9 +202,9 @@ TEST_F(LiveSuitTest, StoppingBeforeTheFirstSoundStillMakesATake) {
 TEST_F(LiveSuitTest, TheInterfaceNeverWaits) {
     TestBox box({});
     openSession();
+    if (!ui::test::timesAreJudged())
+        GTEST_SKIP() << ui::test::kWhyNotJudged;
     ui::test::StallWatch watch;
-    if (!watch.seesQueue())
-        GTEST_SKIP() << "the kernel keeps no schedstat";
     ASSERT_TRUE(connectTo(box));
     QSignalSpy ended(suit_.get(), &LiveSuit::recordingEnded);
     ASSERT_TRUE(recordFor(0.5));
@@ -212,7 +212,9 @@ TEST_F(LiveSuitTest, TheInterfaceNeverWaits) {
     ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }));
     suit_->disconnectSuit();
     ASSERT_TRUE(waitFor([&] { return jobs_.idle(); }));
-    EXPECT_LT(watch.longestOwn_ms(), 50);
+    std::printf("a take of a suit: longest gap %.0f ms, of it ours %.0f ms\n", watch.longest_ms(),
+                watch.longestOwn_ms());
+    EXPECT_LT(watch.longestOwn_ms(), ui::test::kLongestStall_ms);
 }
 
 TEST_F(LiveSuitTest, AnotherPerformersSuitIsTakenBySerialNumber) {
