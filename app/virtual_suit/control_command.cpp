@@ -13,11 +13,9 @@
 namespace noctule::virtual_suit {
 namespace {
 
-using Kind = ControlCommand::Kind;
-
 struct Shape {
     const char* name;
-    Kind kind;
+    ControlKind kind;
     size_t boards;
     const char* word;    ///< what it names: a pose, a side; null: none
     const char* number;  ///< its name; null: none
@@ -27,21 +25,21 @@ struct Shape {
 constexpr double kFastest_rpm = 200;
 
 constexpr Shape kShapes[] = {
-    {"unplug", Kind::kUnplug, 1, nullptr, nullptr, 0, 0},
-    {"plug", Kind::kPlug, 1, nullptr, nullptr, 0, 0},
-    {"swap", Kind::kSwap, 2, nullptr, nullptr, 0, 0},
-    {"slip", Kind::kSlip, 1, nullptr, "DEGREES", -360, 360},
-    {"pose", Kind::kPose, 0, "NAME", nullptr, 0, 0},
-    {"side", Kind::kSide, 0, "SIDE", nullptr, 0, 0},
-    {"spin", Kind::kSpin, 0, "SIDE", "RPM", -kFastest_rpm, kFastest_rpm},
-    {"placement", Kind::kPlacement, 0, nullptr, "N", 1, 100},
-    {"drop-bytes", Kind::kDropBytes, 0, nullptr, "RATE", 0, 1},
-    {"flip-bits", Kind::kFlipBits, 0, nullptr, "RATE", 0, 1},
-    {"stall", Kind::kStall, 0, nullptr, "SECONDS", 0, 3600},
-    {"cut", Kind::kCut, 0, nullptr, "SECONDS", 0, 3600},
-    {"battery", Kind::kBattery, 0, nullptr, "PERCENT", 0, 100},
-    {"temperature", Kind::kTemperature, 0, nullptr, "C", -40, 85},
-    {"quit", Kind::kQuit, 0, nullptr, nullptr, 0, 0},
+    {"unplug", ControlKind::kUnplug, 1, nullptr, nullptr, 0, 0},
+    {"plug", ControlKind::kPlug, 1, nullptr, nullptr, 0, 0},
+    {"swap", ControlKind::kSwap, 2, nullptr, nullptr, 0, 0},
+    {"slip", ControlKind::kSlip, 1, nullptr, "DEGREES", -360, 360},
+    {"pose", ControlKind::kPose, 0, "NAME", nullptr, 0, 0},
+    {"side", ControlKind::kSide, 0, "SIDE", nullptr, 0, 0},
+    {"spin", ControlKind::kSpin, 0, "SIDE", "RPM", -kFastest_rpm, kFastest_rpm},
+    {"placement", ControlKind::kPlacement, 0, nullptr, "N", 1, 100},
+    {"drop-bytes", ControlKind::kDropBytes, 0, nullptr, "RATE", 0, 1},
+    {"flip-bits", ControlKind::kFlipBits, 0, nullptr, "RATE", 0, 1},
+    {"stall", ControlKind::kStall, 0, nullptr, "SECONDS", 0, 3600},
+    {"cut", ControlKind::kCut, 0, nullptr, "SECONDS", 0, 3600},
+    {"battery", ControlKind::kBattery, 0, nullptr, "PERCENT", 0, 100},
+    {"temperature", ControlKind::kTemperature, 0, nullptr, "C", -40, 85},
+    {"quit", ControlKind::kQuit, 0, nullptr, nullptr, 0, 0},
 };
 
 std::string shortNumber(double value) {
@@ -120,7 +118,7 @@ Result<ControlCommand> filledIn(const Shape& shape, const std::vector<std::strin
     if (command.board >= 0 && command.board == command.other_board)
         return mistake("both are board " + suit.boards[command.board].id, "Name two boards");
     if (shape.word)
-        if (Status read = (shape.kind == Kind::kPose ? readPose : readSide)(words[1], command); !read)
+        if (Status read = (shape.kind == ControlKind::kPose ? readPose : readSide)(words[1], command); !read)
             return read.error();
     if (!shape.number)
         return command;
@@ -128,7 +126,7 @@ Result<ControlCommand> filledIn(const Shape& shape, const std::vector<std::strin
     if (!number || *number < shape.min || *number > shape.max)
         return mistake(words[0] + " cannot be '" + words.back() + "'",
                        "Give a number from " + shortNumber(shape.min) + " to " + shortNumber(shape.max));
-    if (shape.kind == Kind::kPlacement && *number != std::floor(*number))
+    if (shape.kind == ControlKind::kPlacement && *number != std::floor(*number))
         return mistake("no placement '" + words.back() + "'", "Give a whole number");
     command.number = *number;
     return command;

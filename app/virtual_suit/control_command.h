@@ -13,25 +13,26 @@ namespace noctule::virtual_suit {
 
 inline constexpr const char* kPoses[] = {"rest", "t", "sit"};
 
+enum class ControlKind {
+    kUnplug,
+    kPlug,
+    kSwap,
+    kSlip,
+    kPose,
+    kSide,
+    kSpin,
+    kPlacement,
+    kDropBytes,
+    kFlipBits,
+    kStall,
+    kCut,
+    kBattery,
+    kTemperature,
+    kQuit,
+};
+
 struct ControlCommand {
-    enum class Kind {
-        kUnplug,
-        kPlug,
-        kSwap,
-        kSlip,
-        kPose,
-        kSide,
-        kSpin,
-        kPlacement,
-        kDropBytes,
-        kFlipBits,
-        kStall,
-        kCut,
-        kBattery,
-        kTemperature,
-        kQuit,
-    };
-    Kind kind = Kind::kQuit;
+    ControlKind kind = ControlKind::kQuit;
     int board = -1, other_board = -1;  ///< indices in the suit
     double number = 0;  ///< degrees, rate, seconds, percent, degrees Celsius, turns a minute, placement
     simulation::RigSide side{};  ///< of the boards, upwards

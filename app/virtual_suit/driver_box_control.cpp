@@ -22,46 +22,45 @@ Status DriverBox::changeWorld(const ControlCommand& command) {
 }
 
 Status DriverBox::execute(const ControlCommand& command) {
-    using Kind = ControlCommand::Kind;
     const int64_t now_ns = nowNs();
     const auto until_ns = now_ns + static_cast<int64_t>(command.number * 1e9);
     Status done = Done{};
     switch (command.kind) {
-        case Kind::kUnplug:
-        case Kind::kPlug:
-            done = plug(command.board, command.kind == Kind::kPlug);
+        case ControlKind::kUnplug:
+        case ControlKind::kPlug:
+            done = plug(command.board, command.kind == ControlKind::kPlug);
             break;
-        case Kind::kSwap:
+        case ControlKind::kSwap:
             wiring_.swap(command.board, command.other_board);
             break;
-        case Kind::kSlip:
-        case Kind::kPose:
-        case Kind::kSide:
-        case Kind::kSpin:
-        case Kind::kPlacement:
+        case ControlKind::kSlip:
+        case ControlKind::kPose:
+        case ControlKind::kSide:
+        case ControlKind::kSpin:
+        case ControlKind::kPlacement:
             return changeWorld(command);
-        case Kind::kDropBytes:
+        case ControlKind::kDropBytes:
             faults_.setDropRate(command.number);
             break;
-        case Kind::kFlipBits:
+        case ControlKind::kFlipBits:
             faults_.setFlipRate(command.number);
             break;
-        case Kind::kStall:
+        case ControlKind::kStall:
             stalled_until_ns_ = until_ns;
             break;
-        case Kind::kCut:
+        case ControlKind::kCut:
             loseClient("the cable was cut");
             cut_until_ns_ = until_ns;
             for (const auto& port : ports_)
                 port->setReachable(false);
             break;
-        case Kind::kBattery:
+        case ControlKind::kBattery:
             instruments_.setBattery(command.number, now_ns);
             break;
-        case Kind::kTemperature:
+        case ControlKind::kTemperature:
             instruments_.setTemperature(command.number);
             break;
-        case Kind::kQuit:
+        case ControlKind::kQuit:
             break;
     }
     measure(now_ns);

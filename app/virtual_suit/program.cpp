@@ -147,7 +147,7 @@ private:
         const auto command = parseControlCommand(line, box_.hello().suit);
         if (!command)
             return command.error();
-        if (command->kind == ControlCommand::Kind::kQuit)
+        if (command->kind == ControlKind::kQuit)
             QTimer::singleShot(0, QCoreApplication::instance(), [] { QCoreApplication::exit(0); });
         return box_.execute(*command);
     }

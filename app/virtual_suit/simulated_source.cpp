@@ -22,28 +22,26 @@ Error notHere(const std::string& what, const std::string& option) {
 
 /// Whether a performer, or the rig, can do that.
 Status wornAccepts(const ControlCommand& command, const Stage& stage) {
-    using Kind = ControlCommand::Kind;
-    if (command.kind == Kind::kSlip && stage.suit.boards[command.board].segment.empty())
+    if (command.kind == ControlKind::kSlip && stage.suit.boards[command.board].segment.empty())
         return Error{ErrorKind::kUsage,
                      "board " + stage.suit.boards[command.board].id + " is fixed in the room",
                      "Choose one that is worn"};
-    if (command.kind == Kind::kPose && !stage.motion.rows.empty())
+    if (command.kind == ControlKind::kPose && !stage.motion.rows.empty())
         return notHere("the performer does what the motion says", "--rig rest");
-    return command.kind == Kind::kSlip || command.kind == Kind::kPose
+    return command.kind == ControlKind::kSlip || command.kind == ControlKind::kPose
                ? Status(Done{})
                : notHere("the suit is worn, there is no rig to move", "--rig level, turntable or jig");
 }
 
 Status rigAccepts(const ControlCommand& command, const RigWorld& rig) {
-    using Kind = ControlCommand::Kind;
     switch (command.kind) {
-        case Kind::kSide:
+        case ControlKind::kSide:
             return rig.kind() == RigKind::kLevelPlate ? Status(Done{})
                                                       : notHere("no level plate is here", "--rig level");
-        case Kind::kSpin:
+        case ControlKind::kSpin:
             return rig.kind() == RigKind::kTurntable ? Status(Done{})
                                                      : notHere("no turntable is here", "--rig turntable");
-        case Kind::kPlacement:
+        case ControlKind::kPlacement:
             if (rig.kind() != RigKind::kJig)
                 return notHere("no jig is here", "--rig jig");
             if (command.number > rig.placementCount())
@@ -101,17 +99,16 @@ public:
         return stage_.rig ? rigAccepts(command, *stage_.rig) : wornAccepts(command, stage_);
     }
     void obey(const ControlCommand& command) override {
-        using Kind = ControlCommand::Kind;
         const double soon_s = static_cast<double>(next_sample_) / stage_.scenario.sample_rate_hz + kSoon_s;
-        if (command.kind == Kind::kSlip)
+        if (command.kind == ControlKind::kSlip)
             stage_.body->slip(command.board, radians(command.number), soon_s);
-        else if (command.kind == Kind::kPose)
+        else if (command.kind == ControlKind::kPose)
             stage_.body->takePose(poseNamed(command.pose, stage_.mover), soon_s);
-        else if (command.kind == Kind::kSide)
+        else if (command.kind == ControlKind::kSide)
             stage_.rig->layOn(command.side, soon_s);
-        else if (command.kind == Kind::kSpin)
+        else if (command.kind == ControlKind::kSpin)
             stage_.rig->spin(command.side, command.number, soon_s);
-        else if (command.kind == Kind::kPlacement)
+        else if (command.kind == ControlKind::kPlacement)
             stage_.rig->place(static_cast<int>(command.number) - 1, soon_s);
     }
     void set(const link::Settings& settings) override {

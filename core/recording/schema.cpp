@@ -7,98 +7,107 @@ namespace noctule {
 
 namespace {
 
-std::vector<TableDefinition> makeTables() {
-    const ColumnDefinition id{"id", "INTEGER PRIMARY KEY"};
-    const ColumnDefinition suit{"suit", "INTEGER NOT NULL DEFAULT 1"};
-    const ColumnDefinition sample{"sample", "INTEGER NOT NULL"};
-    const ColumnDefinition first_sample{"first_sample", "INTEGER NOT NULL"};
-    const ColumnDefinition sample_count{"sample_count", "INTEGER NOT NULL"};
-    const ColumnDefinition json{"json", "TEXT NOT NULL"};
-    const ColumnDefinition created_utc{"created_utc", "TEXT"};
-    const auto integer = [](const char* name) { return ColumnDefinition{name, "INTEGER"}; };
-    const auto real = [](const char* name) { return ColumnDefinition{name, "REAL"}; };
-    const auto text = [](const char* name) { return ColumnDefinition{name, "TEXT"}; };
-    const auto blob = [](const char* name) { return ColumnDefinition{name, "BLOB"}; };
+const ColumnDefinition kId{"id", "INTEGER PRIMARY KEY"};
+const ColumnDefinition kSuit{"suit", "INTEGER NOT NULL DEFAULT 1"};
+const ColumnDefinition kSample{"sample", "INTEGER NOT NULL"};
+const ColumnDefinition kFirstSample{"first_sample", "INTEGER NOT NULL"};
+const ColumnDefinition kSampleCount{"sample_count", "INTEGER NOT NULL"};
+const ColumnDefinition kJson{"json", "TEXT NOT NULL"};
+const ColumnDefinition kCreated{"created_utc", "TEXT"};
+
+ColumnDefinition integer(const char* name) {
+    return {name, "INTEGER"};
+}
+ColumnDefinition real(const char* name) {
+    return {name, "REAL"};
+}
+ColumnDefinition text(const char* name) {
+    return {name, "TEXT"};
+}
+ColumnDefinition blob(const char* name) {
+    return {name, "BLOB"};
+}
+
+/// Written as it happens: every take has them.
+std::vector<TableDefinition> recordedTables() {
     return {
-        {"meta", {{"key", "TEXT PRIMARY KEY"}, {"value", "TEXT NOT NULL"}}, "", "", true},
+        {"meta", {{"key", "TEXT PRIMARY KEY"}, {"value", "TEXT NOT NULL"}}},
         {"suit",
-         {id,
-          json,
+         {kId,
+          kJson,
           {"clock_offset_ns", "REAL NOT NULL DEFAULT 0"},
-          {"clock_rate", "REAL NOT NULL DEFAULT 1"}},
-         "",
-         "",
-         true},
-        {"calibration", {id, suit, created_utc, json}, "", "", true},
-        {"actor", {id, suit, created_utc, json}, "", "", true},
-        {"adc_block",
-         {id,
-          suit,
-          first_sample,
-          sample_count,
-          {"codec", "INTEGER NOT NULL DEFAULT 0"},
-          {"data", "BLOB NOT NULL"}},
-         "",
-         "CREATE UNIQUE INDEX adc_block_first ON adc_block(suit, first_sample)",
-         true},
-        {"pulse",
-         {id, suit, sample, {"source", "INTEGER NOT NULL"}},
-         "",
-         "CREATE INDEX pulse_sample ON pulse(suit, sample)",
-         true},
+          {"clock_rate", "REAL NOT NULL DEFAULT 1"}}},
+        {"calibration", {kId, kSuit, kCreated, kJson}},
+        {"actor", {kId, kSuit, kCreated, kJson}},
+        {.name = "adc_block",
+         .columns = {kId,
+                     kSuit,
+                     kFirstSample,
+                     kSampleCount,
+                     {"codec", "INTEGER NOT NULL DEFAULT 0"},
+                     {"data", "BLOB NOT NULL"}},
+         .index = "CREATE UNIQUE INDEX adc_block_first ON adc_block(suit, first_sample)"},
+        {.name = "pulse",
+         .columns = {kId, kSuit, kSample, {"source", "INTEGER NOT NULL"}},
+         .index = "CREATE INDEX pulse_sample ON pulse(suit, sample)"},
         {"status",
-         {id, suit, sample, real("temperature_c"), real("humidity_percent"), real("battery_v"),
-          real("battery_percent")},
-         "",
-         "",
-         true},
-        {"gap", {id, suit, first_sample, sample_count, integer("board"), text("reason")}, "", "", true},
-        {"marker", {id, suit, sample, {"kind", "TEXT NOT NULL"}, {"label", "TEXT NOT NULL"}}, "", "", true},
-        {"note", {id, {"created_utc", "TEXT NOT NULL"}, {"text", "TEXT NOT NULL"}}, "", "", true},
+         {kId, kSuit, kSample, real("temperature_c"), real("humidity_percent"), real("battery_v"),
+          real("battery_percent")}},
+        {"gap", {kId, kSuit, kFirstSample, kSampleCount, integer("board"), text("reason")}},
+        {"marker", {kId, kSuit, kSample, {"kind", "TEXT NOT NULL"}, {"label", "TEXT NOT NULL"}}},
+        {"note", {kId, {"created_utc", "TEXT NOT NULL"}, {"text", "TEXT NOT NULL"}}},
+    };
+}
+
+/// Computed from what was recorded, one set for each run.
+std::vector<TableDefinition> derivedTables() {
+    return {
         {"derived",
          {{"run", "INTEGER PRIMARY KEY"},
           text("kind"),
           text("name"),
-          created_utc,
+          kCreated,
           text("software"),
           text("settings"),
           integer("calibration_id"),
-          integer("actor_id")},
-         "",
-         "",
-         false},
+          integer("actor_id")}},
         {"inertial",
-         {integer("run"), suit, integer("board"), integer("frame"), real("sample"), integer("gx"),
+         {integer("run"), kSuit, integer("board"), integer("frame"), real("sample"), integer("gx"),
           integer("gy"), integer("gz"), integer("ax"), integer("ay"), integer("az"), integer("mx"),
           integer("my"), integer("mz"), integer("corrected")},
-         "PRIMARY KEY(run, suit, board, frame)",
-         "",
-         false},
+         "PRIMARY KEY(run, suit, board, frame)"},
         {"range",
-         {integer("run"), integer("pulse"), suit, integer("board"), text("detector"), real("arrival_sample"),
+         {integer("run"), integer("pulse"), kSuit, integer("board"), text("detector"), real("arrival_sample"),
           real("distance_m"), real("w_s"), real("w_t"), real("w_a"), real("sigma_m"), text("fate"),
           real("innovation_m")},
-         "PRIMARY KEY(run, pulse, suit, board)",
-         "",
-         false},
+         "PRIMARY KEY(run, pulse, suit, board)"},
         {"pose",
-         {integer("run"), suit, integer("time_ns"), blob("sigma"), real("px"), real("py"), real("pz"),
+         {integer("run"), kSuit, integer("time_ns"), blob("sigma"), real("px"), real("py"), real("pz"),
           blob("q")},
-         "PRIMARY KEY(run, suit, time_ns)",
-         "",
-         false},
-        {"reference",
-         {suit, integer("time_ns"), real("px"), real("py"), real("pz"), blob("q")},
-         "PRIMARY KEY(suit, time_ns)",
-         "",
-         false},
-        {"external_root",
-         {suit, integer("time_ns"), real("px"), real("py"), real("pz"), real("qw"), real("qx"), real("qy"),
-          real("qz"), real("sigma_p_m"), real("sigma_q_rad")},
-         "PRIMARY KEY(suit, time_ns)",
-         "",
-         false},
+         "PRIMARY KEY(run, suit, time_ns)"},
     };
+}
+
+/// What another system saw of the same performance.
+std::vector<TableDefinition> attachedTables() {
+    return {
+        {"reference",
+         {kSuit, integer("time_ns"), real("px"), real("py"), real("pz"), blob("q")},
+         "PRIMARY KEY(suit, time_ns)"},
+        {"external_root",
+         {kSuit, integer("time_ns"), real("px"), real("py"), real("pz"), real("qw"), real("qx"), real("qy"),
+          real("qz"), real("sigma_p_m"), real("sigma_q_rad")},
+         "PRIMARY KEY(suit, time_ns)"},
+    };
+}
+
+std::vector<TableDefinition> makeTables() {
+    std::vector<TableDefinition> tables = recordedTables();
+    for (TableDefinition& table : tables)
+        table.required = true;
+    for (const std::vector<TableDefinition>& optional : {derivedTables(), attachedTables()})
+        tables.insert(tables.end(), optional.begin(), optional.end());
+    return tables;
 }
 
 std::string createStatement(const TableDefinition& table) {

@@ -25,9 +25,9 @@ struct ColumnDefinition {
 struct TableDefinition {
     std::string name;
     std::vector<ColumnDefinition> columns;
-    std::string constraint;  ///< "PRIMARY KEY(run, board)" or empty
-    std::string index;       ///< "CREATE ... INDEX" statement or empty
-    bool required = false;   ///< a writer must create it
+    std::string constraint = {};  ///< "PRIMARY KEY(run, board)" or empty
+    std::string index = {};       ///< "CREATE ... INDEX" statement or empty
+    bool required = false;        ///< a writer must create it
 };
 
 /// All tables; required ones first.

@@ -154,7 +154,7 @@ private:
     mutable std::vector<QAccessible::Id> cells_;
 };
 
-QAccessibleInterface* makeInterface(const QString&, QObject* object) {
+QAccessibleInterface* makeGridInterface(const QString&, QObject* object) {
     auto* grid = qobject_cast<PairGrid*>(object);
     return grid ? new GridInterface(grid) : nullptr;
 }
@@ -163,7 +163,7 @@ QAccessibleInterface* makeInterface(const QString&, QObject* object) {
 
 void PairGridAccessible::install() {
     static const bool installed = [] {
-        QAccessible::installFactory(makeInterface);
+        QAccessible::installFactory(makeGridInterface);
         return true;
     }();
     static_cast<void>(installed);

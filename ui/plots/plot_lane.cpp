@@ -18,7 +18,7 @@ namespace noctule::ui {
 namespace {
 
 // Pixels at 100 percent.
-constexpr double kAbove = 6, kBelow = 8, kPixelsPerTick = 22;
+constexpr double kAboveArea = 6, kBelowArea = 8, kPixelsPerTick = 22;
 constexpr int kMostTicks = 4;
 /// A band may take this share of the values' height on either side; uncertainty without end would else
 /// flatten the curve.
@@ -160,9 +160,9 @@ void PlotLane::setRightExtent(int right_px) {
 
 QRect PlotLane::canvas() const {
     const Theme& theme = Theme::get();
-    const int left = theme.px(PlotPanel::kLeftExtent), top = theme.px(kTitleRow + kAbove);
+    const int left = theme.px(PlotPanel::kLeftExtent), top = theme.px(kTitleRow + kAboveArea);
     return {left, top, std::max(1, width() - left - right_px_),
-            std::max(1, height() - top - theme.px(kBelow))};
+            std::max(1, height() - top - theme.px(kBelowArea))};
 }
 
 void PlotLane::placeCanvas() {

@@ -32,7 +32,7 @@ private:
     Timeline* timeline_;
 };
 
-QAccessibleInterface* makeInterface(const QString&, QObject* object) {
+QAccessibleInterface* makeSliderInterface(const QString&, QObject* object) {
     auto* timeline = qobject_cast<Timeline*>(object);
     return timeline ? new SliderInterface(timeline) : nullptr;
 }
@@ -41,7 +41,7 @@ QAccessibleInterface* makeInterface(const QString&, QObject* object) {
 
 void TimelineAccessible::install() {
     static const bool installed = [] {
-        QAccessible::installFactory(makeInterface);
+        QAccessible::installFactory(makeSliderInterface);
         return true;
     }();
     static_cast<void>(installed);

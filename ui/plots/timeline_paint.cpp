@@ -13,7 +13,7 @@ namespace noctule::ui {
 namespace {
 
 constexpr double kOutside = 0.45;
-constexpr double kGrip = 5, kFlagWidth = 9, kFlagHeight = 7, kTitleLeft = 16,
+constexpr double kGrip = 5, kFlagWidth = 9, kFlagHeight = 7, kRowTitleLeft = 16,
                  kLeastName = 24;  // pixels at 100 percent
 
 /// A flag that flies to the right of its time.
@@ -46,8 +46,8 @@ void Timeline::paintFeet(QPainter& painter, const Rows& rows) const {
     for (size_t foot = 0; foot < 2; ++foot) {
         const QRect& row = rows.feet[foot];
         painter.setPen(theme.tokens().t2);
-        painter.drawText(QRect(theme.px(kTitleLeft), row.top() - theme.px(4),
-                               row.left() - theme.px(kTitleLeft), row.height() + theme.px(8)),
+        painter.drawText(QRect(theme.px(kRowTitleLeft), row.top() - theme.px(4),
+                               row.left() - theme.px(kRowTitleLeft), row.height() + theme.px(8)),
                          Qt::AlignLeft | Qt::AlignVCenter, names[foot]);
     }
     if (!contacts_)

@@ -17,7 +17,7 @@
 namespace noctule::ui {
 namespace {
 
-Tone toneOf(const ExportOutcome& outcome) {
+Tone outcomeTone(const ExportOutcome& outcome) {
     if (outcome.error || !outcome.check.ok())
         return Tone::kError;
     return outcome.check.silent.empty() ? Tone::kOk : Tone::kWarn;
@@ -71,7 +71,7 @@ void ExportResultsPanel::setResults(const ExportResults& results, bool is_trial)
     const int written = results.written(), faulty = results.faulty();
     const auto remarked =
         std::count_if(results.outcomes.begin(), results.outcomes.end(),
-                      [](const ExportOutcome& outcome) { return toneOf(outcome) == Tone::kWarn; });
+                      [](const ExportOutcome& outcome) { return outcomeTone(outcome) == Tone::kWarn; });
     const Tone tone = faulty > 0 ? Tone::kError : remarked > 0 ? Tone::kWarn : Tone::kOk;
     const QString title = is_trial ? tr("One frame written, read back and deleted")
                                    : tr("%n files written and read back", nullptr, written);
@@ -90,7 +90,7 @@ void ExportResultsPanel::setResults(const ExportResults& results, bool is_trial)
 
 QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full) const {
     const ExportCheck& check = outcome.check;
-    const Tone tone = toneOf(outcome);
+    const Tone tone = outcomeTone(outcome);
     auto* card = new Card;
     auto* column = makeColumn(card, {12, 10, 12, 12}, 8);
     auto* head = addRow(column, 8);

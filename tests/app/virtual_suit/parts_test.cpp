@@ -158,7 +158,6 @@ TEST(Instruments, AccidentsReplaceWhatTheSourceMeasures) {
 }
 
 TEST(ControlCommand, EveryCommandIsUnderstood) {
-    using Kind = ControlCommand::Kind;
     const Suit suit = defaultSuit();
     const std::string id = suit.boards[3].id;
     const auto parsed = [&](const std::string& line) {
@@ -172,12 +171,12 @@ TEST(ControlCommand, EveryCommandIsUnderstood) {
     EXPECT_EQ(parsed("swap 1 2").other_board, 1);
     EXPECT_EQ(parsed("slip 2 -12.5").number, -12.5);
     EXPECT_EQ(parsed("drop-bytes 1e-5").number, 1e-5);
-    EXPECT_EQ(parsed("flip-bits 0").kind, Kind::kFlipBits);
-    EXPECT_EQ(parsed("stall 2").kind, Kind::kStall);
-    EXPECT_EQ(parsed("cut 0.5").kind, Kind::kCut);
+    EXPECT_EQ(parsed("flip-bits 0").kind, ControlKind::kFlipBits);
+    EXPECT_EQ(parsed("stall 2").kind, ControlKind::kStall);
+    EXPECT_EQ(parsed("cut 0.5").kind, ControlKind::kCut);
     EXPECT_EQ(parsed("battery 100").number, 100);
     EXPECT_EQ(parsed("temperature -10").number, -10);
-    EXPECT_EQ(parsed("quit").kind, Kind::kQuit);
+    EXPECT_EQ(parsed("quit").kind, ControlKind::kQuit);
     EXPECT_EQ(parsed("pose sit").pose, "sit");
     EXPECT_EQ(parsed("side -z").side, (simulation::RigSide{2, -1}));
     EXPECT_EQ(parsed("spin x -33.3").side, (simulation::RigSide{0, +1}));

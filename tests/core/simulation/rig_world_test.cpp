@@ -188,17 +188,21 @@ TEST(RigTakes, ReadingsOfTheLevelPlateAreGravityBeyondTheScenariosErrors) {
     }
 }
 
+Result<Take> takeOf(const Stage& stage, const test::Folder& folder) {
+    TakeRequest request;
+    request.out_path = folder.file("rig.noctule");
+    request.level = Level::kReadings;
+    const auto written = writeTake(stage, request, {});
+    return written ? Take::open(request.out_path) : Result<Take>(written.error());
+}
+
 TEST(RigTakes, AJigTakeHoldsThePlacementsAndItsRangesFit) {
     const test::Folder folder;
     StageRequest request = onRig(RigKind::kJig, Scenario::ideal());
     request.duration_s = 22;
     const auto stage = prepareStage(request);
     ASSERT_TRUE(stage) << stage.error().text();
-    TakeRequest take_request;
-    take_request.out_path = folder.file("jig.noctule");
-    take_request.level = Level::kReadings;
-    ASSERT_TRUE(writeTake(*stage, take_request, {}));
-    const auto take = Take::open(take_request.out_path);
+    const auto take = takeOf(*stage, folder);
     ASSERT_TRUE(take);
     EXPECT_EQ(take->header().take_kind, "jig");
     const auto markers = *take->markers();
@@ -236,11 +240,7 @@ TEST(RigTakes, ATurntableTakeNamesItsSpeedAndSides) {
     const auto stage = prepareStage(onRig(RigKind::kTurntable, Scenario::nominal()));
     ASSERT_TRUE(stage);
     EXPECT_NEAR(stage->truthJson()["turntable"]["rpm"].get<double>(), 45, 45 * 5 * 0.0008);
-    TakeRequest take_request;
-    take_request.out_path = folder.file("table.noctule");
-    take_request.level = Level::kReadings;
-    ASSERT_TRUE(writeTake(*stage, take_request, {}));
-    const auto take = Take::open(take_request.out_path);
+    const auto take = takeOf(*stage, folder);
     ASSERT_TRUE(take);
     EXPECT_EQ(take->header().take_kind, "turntable");
     EXPECT_EQ(take->meta().at("turntable_rpm"), "45");

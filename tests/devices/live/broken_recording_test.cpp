@@ -35,6 +35,10 @@ constexpr int kSuitBoards = 18;
 struct Reached {
     std::atomic<int64_t> pushed{0}, committed{0};
 };
+/// How far a recording had come when the accident happened.
+struct Progress {
+    int64_t pushed = 0, committed = 0;
+};
 
 class SharedReached {
 public:
@@ -147,61 +151,66 @@ private:
     std::vector<double> lost_ms_;
 };
 
-TEST(BrokenRecording, KilledAtRandomMoments) {
-    const unsigned seed = 20;
+/// As many accidents as NOCTULE_KILLS says, each to a recording in a folder of its own. `accident(folder,
+/// random)` gives its progress until then.
+template <class Accident>
+void recoverFrom(const char* name, unsigned seed, Accident accident) {
     std::mt19937 random(seed);
     Losses losses;
-    const int64_t kills = test::countFromEnvironment("NOCTULE_KILLS", 4);
-    for (int64_t number = 0; number < kills; ++number) {
-        const std::string which = "seed " + std::to_string(seed) + ", kill " + std::to_string(number);
+    const int64_t count = test::countFromEnvironment("NOCTULE_KILLS", 4);
+    for (int64_t number = 0; number < count && !testing::Test::HasFailure(); ++number) {
+        const std::string which =
+            "seed " + std::to_string(seed) + ", of " + name + " number " + std::to_string(number);
         const Folder folder;
+        const Progress progress = accident(folder, random);
+        if (!testing::Test::HasFailure())
+            losses.add(progress.pushed - expectRecovered(folder, progress.committed, which), which);
+    }
+    if (!testing::Test::HasFailure())
+        losses.print(name);
+}
+
+TEST(BrokenRecording, KilledAtRandomMoments) {
+    recoverFrom("kills", 20, [](const Folder& folder, std::mt19937& random) {
         const SharedReached reached;
         const pid_t child = fork();
         if (child == 0)
             recordForEver(folder.path(), *reached);
         std::this_thread::sleep_for(std::chrono::milliseconds(300 + random() % 1500));
-        ASSERT_EQ(kill(child, SIGKILL), 0);
+        EXPECT_EQ(kill(child, SIGKILL), 0);
         int status = 0;
         waitpid(child, &status, 0);
-        ASSERT_TRUE(WIFSIGNALED(status)) << "the recording ended by itself";
+        EXPECT_TRUE(WIFSIGNALED(status)) << "the recording ended by itself";
         EXPECT_EQ(Take::open(folder.file("walk_001.noctule"))->meta().at("state"), "recording");
-        losses.add(reached->pushed - expectRecovered(folder, reached->committed, which), which);
-        if (HasFailure())
-            return;
-    }
-    losses.print("kills");
+        return Progress{reached->pushed, reached->committed};
+    });
 }
 
 TEST(BrokenRecording, WithoutPowerAtRandomMoments) {
-    const unsigned seed = 21;
-    std::mt19937 random(seed);
-    Losses losses;
-    const int64_t failures = test::countFromEnvironment("NOCTULE_KILLS", 4);
-    for (int64_t number = 0; number < failures; ++number) {
-        const std::string which = "seed " + std::to_string(seed) + ", failure " + std::to_string(number);
-        const Folder folder;
-        Reached reached;
-        int64_t committed = 0, pushed = 0;
+    bool keeps_some = false;
+    recoverFrom("power failures", 21, [&keeps_some](const Folder& folder, std::mt19937& random) {
+        Progress progress;
         {
+            Reached reached;
             test::UnsyncedDisk disk;
             const auto recorder = recorderInto(folder.path(), reached);
-            ASSERT_TRUE(recorder);
+            EXPECT_TRUE(recorder);
+            if (!recorder)
+                return progress;
             const auto end =
                 std::chrono::steady_clock::now() + std::chrono::milliseconds(300 + random() % 900);
             recordMadeSound(*recorder, reached, [&] { return std::chrono::steady_clock::now() < end; });
-            committed = reached.committed;
-            disk.losePower(number % 2 == 0 ? nullptr : &random);
-            pushed = reached.pushed;
+            progress.committed = reached.committed;
+            disk.losePower(keeps_some ? &random : nullptr);
+            keeps_some = !keeps_some;
+            progress.pushed = reached.pushed;
             EXPECT_GT(disk.syncs(), 1) << "a commit that nobody syncs is none";
             recorder->finish();
         }
         // The computer starts again: what only lived in memory is gone.
         std::filesystem::remove(folder.file("walk_001.noctule-shm"));
-        losses.add(pushed - expectRecovered(folder, committed, which), which);
-        if (HasFailure())
-            return;
-    }
-    losses.print("power failures");
+        return progress;
+    });
 }
 
 /// A disk of its own, gone with the object.

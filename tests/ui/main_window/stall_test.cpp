@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nothing keeps the interface from answering for more than 50 ms, whatever is opened, computed or played. Times are
-// judged where nothing else needs the cores (packaging/acceptance.sh studio), elsewhere the cases skip.
+// Nothing keeps the interface from answering for more than 50 ms, whatever is opened, computed or played.
+// Times are judged where nothing else needs the cores (packaging/acceptance.sh studio), elsewhere the cases
+// skip.
 #include <QElapsedTimer>
 #include <atomic>
 #include <cstdio>
