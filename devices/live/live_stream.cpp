@@ -150,6 +150,11 @@ void LiveSession::keepResults(Stream& stream, StreamResult& result) {
             "or has more of it; process it.");
         return;
     }
+    if (!spool->hasPoses()) {
+        result.warnings.push_back(
+            "The take ended before its rest pose did. All of its sound is there, but no pose.");
+        return;
+    }
     ProcessRequest request;
     request.take_path = recording.path;
     request.tracker = stream.request.tracker;

@@ -81,6 +81,7 @@ private:
     void showSuit();
     void onFailure(const QString& what, const QString& remedy);
     void onSessionFailure(const QString& message);
+    void onWarning(const QString& message);
     bool mayClose();
     void connectSuit();
     void recordOrStop();

@@ -27,6 +27,17 @@ bool isTake(const QString& path) {
     return path.endsWith(".noctule", Qt::CaseInsensitive);
 }
 
+int endOfFirstSentence(const QString& text) {
+    const int end = text.indexOf(". ");
+    return end < 0 ? text.size() : end;
+}
+QString firstSentence(const QString& text) {
+    return text.left(endOfFirstSentence(text));
+}
+QString otherSentences(const QString& text) {
+    return text.mid(endOfFirstSentence(text) + 2);
+}
+
 QStringList localPaths(const QMimeData& data) {
     QStringList paths;
     for (const QUrl& url : data.urls())
@@ -49,6 +60,7 @@ void MainWindow::connectStudio() {
     connect(&studio_.take(), &TakeDocument::opened, this, &MainWindow::onTakeOpened);
     connect(&studio_.take(), &TakeDocument::failed, this, &MainWindow::onSessionFailure);
     connect(&studio_, &Studio::failed, this, &MainWindow::onFailure);
+    connect(&studio_, &Studio::warned, this, &MainWindow::onWarning);
     connect(&studio_.check(), &SuitCheck::changed, this, &MainWindow::showSuit);
     connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &MainWindow::showSuit);
     showSuit();
@@ -167,11 +179,11 @@ void MainWindow::onFailure(const QString& what, const QString& remedy) {
 
 /// The model words the whole: what happened, what is safe, what to do; its first sentence becomes the title.
 void MainWindow::onSessionFailure(const QString& message) {
-    const int end = message.indexOf(". ");
-    if (end < 0)
-        onFailure(message, {});
-    else
-        onFailure(message.left(end), message.mid(end + 2));
+    onFailure(firstSentence(message), otherSentences(message));
+}
+
+void MainWindow::onWarning(const QString& message) {
+    notices_->add({Tone::kWarn, firstSentence(message), otherSentences(message), {}, {}, {}});
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

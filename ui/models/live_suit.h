@@ -94,6 +94,8 @@ signals:
     /// Over and saved; the take is in the session's list. `trouble` is empty when the operator stopped it.
     void recordingEnded(const QString& take_name, const QString& trouble);
     void failed(const QString& what, const QString& remedy);
+    /// Nothing failed, but it should be known: whole sentences.
+    void warned(const QString& what);
 
 private:
     void look();

@@ -197,7 +197,7 @@ void LiveSuit::ended(const StreamResult& result) {
         session_.refresh(wordsOf(result.recording->path));
     }
     for (const std::string& warning : result.warnings)
-        emit failed(wordsOf(warning), {});
+        emit warned(wordsOf(warning));
     const QString name = take_name_;
     if (leave_wanted_)
         release();

@@ -69,6 +69,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
     });
     connect(&markers_, &MarkerEditor::failed, this, &Studio::failed);
     connect(&suit_, &LiveSuit::failed, this, &Studio::failed);
+    connect(&suit_, &LiveSuit::warned, this, &Studio::warned);
     connect(&suit_, &LiveSuit::phaseChanged, this, &Studio::followSuit);
     connect(&virtual_suit_, &VirtualSuit::failed, this, &Studio::failed);
     connect(&virtual_suit_, &VirtualSuit::started, this,

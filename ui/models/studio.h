@@ -88,6 +88,8 @@ signals:
     void said(const QString& text);
     /// Something failed: what happened, and what to do.
     void failed(const QString& what, const QString& remedy);
+    /// Nothing failed, but it should be known: whole sentences.
+    void warned(const QString& what);
 
 private:
     StudioParts parts_;

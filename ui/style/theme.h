@@ -19,7 +19,7 @@ enum class Scheme { kDark, kLight, kDesktop };
 /// Names as in tokens.json.
 struct Tokens {
     QColor bg, panel, raised, ctl, ctlh, line, edge, t1, t2, t3, acc, onacc, sel, ok, warn, err, rec, view,
-        view2, grid, scrim, okbg, warnbg, errbg, ref, x, y, z;
+        view2, figure, grid, scrim, okbg, warnbg, errbg, ref, x, y, z;
     std::array<QColor, 5> confidence;
 };
 

@@ -22,10 +22,10 @@ constexpr NamedColor kColors[] = {
     {"t3", &Tokens::t3},       {"acc", &Tokens::acc},       {"onacc", &Tokens::onacc},
     {"sel", &Tokens::sel},     {"ok", &Tokens::ok},         {"warn", &Tokens::warn},
     {"err", &Tokens::err},     {"rec", &Tokens::rec},       {"view", &Tokens::view},
-    {"view2", &Tokens::view2}, {"grid", &Tokens::grid},     {"scrim", &Tokens::scrim},
-    {"okbg", &Tokens::okbg},   {"warnbg", &Tokens::warnbg}, {"errbg", &Tokens::errbg},
-    {"ref", &Tokens::ref},     {"x", &Tokens::x},           {"y", &Tokens::y},
-    {"z", &Tokens::z},
+    {"view2", &Tokens::view2}, {"figure", &Tokens::figure}, {"grid", &Tokens::grid},
+    {"scrim", &Tokens::scrim}, {"okbg", &Tokens::okbg},     {"warnbg", &Tokens::warnbg},
+    {"errbg", &Tokens::errbg}, {"ref", &Tokens::ref},       {"x", &Tokens::x},
+    {"y", &Tokens::y},         {"z", &Tokens::z},
 };
 
 /// "#0E1116" or, as the web writes it, "rgba(6,8,11,.62)"; throws naming `name`.

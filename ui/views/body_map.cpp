@@ -135,10 +135,15 @@ int BodyMap::drawingHeight() const {
     return static_cast<int>(std::min<double>(height() - theme.px(kTop + kBottom), widest));
 }
 
-QPointF BodyMap::toPixels(const QPointF& p_m) const {
+double BodyMap::floor() const {
     const Theme& theme = Theme::get();
+    const double spare = height() - theme.px(kTop + kBottom) - drawingHeight();
+    return height() - theme.px(kBottom) - spare / 2;
+}
+
+QPointF BodyMap::toPixels(const QPointF& p_m) const {
     const double scale = figure_->scale(drawingHeight());
-    return {width() / 2.0 + scale * p_m.x(), height() - theme.px(kBottom) - scale * p_m.y()};
+    return {width() / 2.0 + scale * p_m.x(), floor() - scale * p_m.y()};
 }
 
 void BodyMap::resizeEvent(QResizeEvent*) {

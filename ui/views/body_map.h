@@ -73,6 +73,8 @@ private:
     void spreadLabels(bool left_column);
     /// As high as there is room, and no wider than the labels leave.
     int drawingHeight() const;
+    /// Where the figure stands, in pixels from the top; in the middle of what it does not fill.
+    double floor() const;
     QPointF toPixels(const QPointF& p_m) const;
     double labelHeight() const;
     void paintLabel(QPainter& painter, const Place& place) const;

@@ -20,7 +20,7 @@ void BodyMap::renewFigure() {
             marked[suit_.boards[static_cast<size_t>(place.index)].segment] =
                 backgroundOf(place.marker->tone());
     const double ratio = devicePixelRatioF();
-    const QImage image = figure_->paint(static_cast<int>(drawing * ratio), theme.tokens().ctlh, marked);
+    const QImage image = figure_->paint(static_cast<int>(drawing * ratio), theme.tokens().figure, marked);
     picture_ = QPixmap::fromImage(image);
     picture_.setDevicePixelRatio(ratio);
 }
@@ -33,8 +33,7 @@ void BodyMap::paintEvent(QPaintEvent*) {
     if (picture_.isNull())
         renewFigure();
     const QSizeF size = QSizeF(picture_.size()) / picture_.devicePixelRatio();
-    painter.drawPixmap(QPointF((width() - size.width()) / 2, height() - theme.px(kBottom) - size.height()),
-                       picture_);
+    painter.drawPixmap(QPointF((width() - size.width()) / 2, floor() - size.height()), picture_);
     painter.setFont(theme.font(TextRole::kSecondary));
     painter.setPen(tokens.t3);
     const QRect head(0, 0, width(), theme.px(kTop - 8));

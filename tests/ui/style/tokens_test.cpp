@@ -58,6 +58,7 @@ TEST_P(TokensTest, edgesAndCurvesCanBeSeen) {
         EXPECT_GE(contrast(tokens.edge, surface), 3.0) << surface.name().toStdString();
     for (const QColor& curve : {tokens.x, tokens.y, tokens.z, tokens.acc, tokens.ref})
         EXPECT_GE(contrast(curve, tokens.panel), 3.0) << curve.name().toStdString();
+    EXPECT_GE(contrast(tokens.figure, tokens.bg), 1.3) << "a quiet surface below marks that have edges";
 }
 
 TEST_P(TokensTest, confidenceRampIsMonotonicInLightness) {
