@@ -5,7 +5,6 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
-#include <QSurfaceFormat>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +13,7 @@
 #include "app/batch/program.h"
 #include "app/studio/sample_take.h"
 #include "app/studio/start_clock.h"
+#include "core/job/heap.h"
 #include "devices/device/clock.h"
 #include "ui/main_window/look.h"
 #include "ui/main_window/studio_windows.h"
@@ -58,14 +58,6 @@ void refuseWithoutDisplay() {
     endWithoutDisplay();
 }
 
-void chooseSurface() {
-    QSurfaceFormat format;
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setDepthBufferSize(24);
-    QSurfaceFormat::setDefaultFormat(format);
-}
-
 StudioParts parts() {
     StudioParts parts;
     parts.software = batch::softwareName();
@@ -82,12 +74,11 @@ StudioParts parts() {
 }  // namespace
 
 int runStudio(int argc, char** argv) {
+    shareHeaps();
     refuseWithoutDisplay();
     qInstallMessageHandler(onQtMessage);
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    chooseSurface();
     QApplication application(argc, argv);
     has_display = true;
     std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's; files and JSON are the same everywhere

@@ -4185,6 +4185,13 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::RenderThread</name>
+    <message>
+        <source>The 3D view cannot be drawn: no OpenGL context could be made.</source>
+        <translation>Die 3D-Ansicht kann nicht gezeichnet werden: Es ließ sich kein OpenGL-Kontext anlegen.</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ReportBrowser</name>
     <message>
         <source>Report</source>

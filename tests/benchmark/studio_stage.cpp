@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <clocale>
 
+#include "core/job/heap.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/scene/scene_canvas.h"
 #include "ui/style/theme.h"
@@ -62,10 +63,10 @@ private:
 };
 
 void prepareApplication() {
+    shareHeaps();
     QStandardPaths::setTestModeEnabled(true);
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 }
 
 void dressApplication() {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/scene_canvas.h"
 
-#include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QOpenGLFramebufferObject>
+#include <QPainter>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/scene/gl_format.h"
 #include "ui/style/theme.h"
 
 namespace noctule::ui {
@@ -17,66 +17,106 @@ constexpr int kFrame_ms = 16;
 constexpr int kRest_ms = 180;
 constexpr int kSamples = 4;
 
-QSurfaceFormat neededFormat() {
-    QSurfaceFormat format;
-    format.setRenderableType(QSurfaceFormat::OpenGL);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setVersion(3, 3);
-    return format;
-}
+/// Whether a context can be had, and which version it is.
+struct OfferedGl {
+    bool made;
+    QPair<int, int> version;
 
-bool isSoftware(const std::string& description) {
-    const auto has = [&](const char* word) { return description.find(word) != std::string::npos; };
-    return has("llvmpipe") || has("softpipe") || has("SWR") || has("Software");
-}
+    static OfferedGl find() {
+        QOpenGLContext context;
+        context.setFormat(neededGlFormat());
+        const bool made = context.create();
+        return {made, context.format().version()};
+    }
+};
 
 }  // namespace
 
 SceneCanvas::SceneCanvas(Compose compose, std::function<Camera()> camera, QWidget* parent)
-    : QOpenGLWidget(parent), compose_(std::move(compose)), camera_(std::move(camera)) {
-    setFormat(neededFormat());
+    : QWidget(parent),
+      compose_(std::move(compose)),
+      camera_(std::move(camera)),
+      renderer_(RenderThread::get()) {
     setMouseTracking(true);
-    repaint_.setSingleShot(true);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    next_.setSingleShot(true);
     rest_.setSingleShot(true);
     rest_.setInterval(kRest_ms);
-    connect(&repaint_, &QTimer::timeout, this, QOverload<>::of(&QWidget::update));
+    connect(&next_, &QTimer::timeout, this, &SceneCanvas::ask);
     connect(&rest_, &QTimer::timeout, this, [this] {
         moving_ = false;
-        update();
+        ask();
     });
-}
-
-SceneCanvas::~SceneCanvas() {
-    release();
+    connect(renderer_.get(), &RenderThread::drawn, this, &SceneCanvas::take);
 }
 
 QString SceneCanvas::missing() {
-    QOpenGLContext context;
-    context.setFormat(neededFormat());
-    const bool made = context.create();
-    const auto version = context.format().version();
-    if (made && version >= qMakePair(3, 3))
+    static const OfferedGl offered = OfferedGl::find();
+    if (offered.made && offered.version >= qMakePair(3, 3))
         return {};
-    const QString offered =
-        made ? tr("This computer offers OpenGL %1.%2 only.").arg(version.first).arg(version.second)
-             : tr("This computer offers no OpenGL.");
+    const QString found = offered.made ? tr("This computer offers OpenGL %1.%2 only.")
+                                             .arg(offered.version.first)
+                                             .arg(offered.version.second)
+                                       : tr("This computer offers no OpenGL.");
     return tr("The 3D view needs OpenGL 3.3. %1 Install the driver of the graphics card; plots, processing "
               "and "
               "export work without it.")
-        .arg(offered);
+        .arg(found);
 }
 
 void SceneCanvas::refresh(bool moving) {
     if (!isVisible())
         return;
-    if (moving && slow_) {
+    if (moving && renderer_->isSlow()) {
         moving_ = true;
         rest_.start();
     }
-    if (repaint_.isActive())
+    if (next_.isActive())
         return;
-    const qint64 since = since_paint_.isValid() ? since_paint_.elapsed() : kFrame_ms;
-    repaint_.start(static_cast<int>(std::clamp<qint64>(kFrame_ms - since, 0, kFrame_ms)));
+    const qint64 since = since_asked_.isValid() ? since_asked_.elapsed() : kFrame_ms;
+    next_.start(static_cast<int>(std::clamp<qint64>(kFrame_ms - since, 0, kFrame_ms)));
+}
+
+RenderThread::Wish SceneCanvas::wish(double scale, int samples) {
+    const PictureSize shown = surfaceSize();
+    const PictureSize size{static_cast<int>(std::lround(shown.width_px * scale)),
+                           static_cast<int>(std::lround(shown.height_px * scale))};
+    const Scene& scene = compose_();  // which may move the camera
+    return {scene, camera_(), size, samples, ratio() * scale};
+}
+
+void SceneCanvas::ask() {
+    wanted_ = asked_for_ != 0;
+    if (wanted_ || !isVisible())
+        return;
+    since_asked_.start();
+    asked_for_ = renderer_->draw(wish(1, moving_ ? 0 : kSamples));
+}
+
+void SceneCanvas::take(quint64 number, const QImage& picture, const QString& trouble) {
+    if (number != asked_for_)
+        return;
+    asked_for_ = 0;
+    if (picture.isNull()) {
+        emit unavailable(trouble);
+        return;
+    }
+    picture_ = picture;
+    to_be_shown_ = true;
+    update();
+    emit painted();
+    if (wanted_)
+        ask();
+}
+
+void SceneCanvas::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    if (picture_.isNull())
+        painter.fillRect(rect(), Theme::get().tokens().view);
+    else
+        painter.drawImage(rect(), picture_);
+    if (std::exchange(to_be_shown_, false))
+        QMetaObject::invokeMethod(this, &SceneCanvas::shown, Qt::QueuedConnection);
 }
 
 PictureSize SceneCanvas::surfaceSize() const {
@@ -89,50 +129,8 @@ double SceneCanvas::ratio() const {
     return devicePixelRatioF() * Theme::get().scale();
 }
 
-void SceneCanvas::initializeGL() {
-    // A dock that floats gets a new window and with it a new context.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &SceneCanvas::release,
-            Qt::UniqueConnection);
-    auto renderer = Renderer::create();
-    if (!renderer) {
-        emit unavailable(QString::fromStdString(renderer.error().text()));
-        return;
-    }
-    renderer_ = std::move(*renderer);
-    slow_ = isSoftware(renderer_->description());
-}
-
-void SceneCanvas::paintGL() {
-    if (!renderer_)
-        return;
-    since_paint_.start();
-    const Scene& scene = compose_();
-    renderer_->draw(scene, camera_(), surfaceSize(),
-                    {moving_ ? 0 : kSamples, ratio(), defaultFramebufferObject()});
-    emit painted();
-}
-
 QImage SceneCanvas::picture(double scale) {
-    if (!renderer_)
-        return {};
-    const PictureSize shown = surfaceSize();
-    const PictureSize size{static_cast<int>(std::lround(shown.width_px * scale)),
-                           static_cast<int>(std::lround(shown.height_px * scale))};
-    makeCurrent();
-    QOpenGLFramebufferObject target(size.width_px, size.height_px);
-    renderer_->draw(compose_(), camera_(), size, {kSamples, ratio() * scale, target.handle()});
-    QImage image = target.toImage().convertToFormat(QImage::Format_RGB32);
-    target.release();
-    doneCurrent();
-    return image;
-}
-
-void SceneCanvas::release() {
-    if (!renderer_)
-        return;
-    makeCurrent();
-    renderer_.reset();
-    doneCurrent();
+    return renderer_->drawNow(wish(scale, kSamples));
 }
 
 }  // namespace noctule::ui

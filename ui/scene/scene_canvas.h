@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// The OpenGL surface of a 3D view. It asks for the scene when it paints, at most 60 times a second, and never
-// while hidden. On a software renderer the edges of bodies are smoothed only while the picture stands still.
+// The picture of a 3D view. It asks for the scene at most 60 times a second, never while hidden and never
+// before the last picture is there, and has it drawn in another thread. On a software renderer the edges of
+// bodies are smoothed only while the picture stands still.
 #pragma once
 
 #include <QElapsedTimer>
-#include <QOpenGLWidget>
 #include <QTimer>
+#include <QWidget>
 #include <functional>
 #include <memory>
 
-#include "core/render/renderer.h"
+#include "ui/scene/render_thread.h"
 
 namespace noctule::ui {
 
-class SceneCanvas : public QOpenGLWidget {
+class SceneCanvas : public QWidget {
     Q_OBJECT
 public:
     using Compose = std::function<const Scene&()>;
 
     SceneCanvas(Compose compose, std::function<Camera()> camera, QWidget* parent);
-    ~SceneCanvas() override;
 
     /// What is missing, in words, before any canvas is made; empty when OpenGL can be used.
     static QString missing();
@@ -34,23 +34,30 @@ public:
     double ratio() const;
 
 signals:
+    /// A new picture is there and about to be shown.
     void painted();
+    /// It is on the screen.
+    void shown();
     void unavailable(const QString& message);
 
 protected:
-    void initializeGL() override;
-    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
 
 private:
-    void release();
+    RenderThread::Wish wish(double scale, int samples);
+    void ask();
+    void take(quint64 number, const QImage& picture, const QString& trouble);
 
     Compose compose_;
     std::function<Camera()> camera_;
-    std::unique_ptr<Renderer> renderer_;
-    bool slow_ = false;    ///< drawn by the processor
-    bool moving_ = false;  ///< since the last picture at rest
-    QTimer repaint_, rest_;
-    QElapsedTimer since_paint_;
+    std::shared_ptr<RenderThread> renderer_;
+    QImage picture_;
+    quint64 asked_for_ = 0;     ///< 0: nothing is being drawn
+    bool wanted_ = false;       ///< another picture, once this one is there
+    bool moving_ = false;       ///< since the last picture at rest
+    bool to_be_shown_ = false;  ///< the picture has not been on the screen yet
+    QTimer next_, rest_;
+    QElapsedTimer since_asked_;
 };
 
 }  // namespace noctule::ui

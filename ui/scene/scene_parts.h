@@ -33,8 +33,12 @@ struct SceneView::Parts {
     TakeScene take;
     std::optional<FigureScene> figure;
     std::optional<LiveScene> live;
-    QElapsedTimer since_frame;  ///< valid: a live frame has come and is not on the screen yet
-    bool frame_painted = false;
+    QElapsedTimer since_frame;  ///< the live frame came
+    struct Drawing {
+        std::shared_ptr<const LiveFrame> frame;
+        QElapsedTimer since;
+    } drawing;                                   ///< the live frame composed last; null: none
+    std::shared_ptr<const LiveFrame> on_screen;  ///< likewise, shown last
     LatencyHistogram frame_delays;
     ComposedScene composed;  ///< what was drawn last
 

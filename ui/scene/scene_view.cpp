@@ -71,7 +71,7 @@ void SceneView::makeCanvas() {
     parts_->canvas->installEventFilter(this);
     parts_->canvas->setFocusProxy(this);
     connect(parts_->canvas, &SceneCanvas::painted, this, &SceneView::updateOverlay);
-    connect(parts_->canvas, &QOpenGLWidget::frameSwapped, this, &SceneView::noteDrawn);
+    connect(parts_->canvas, &SceneCanvas::shown, this, &SceneView::noteDrawn);
     connect(parts_->canvas, &SceneCanvas::unavailable, this, [this](const QString& message) {
         parts_->tools->hide();
         parts_->overlay->hide();
@@ -168,6 +168,8 @@ const Scene& SceneView::compose() {
     parts.composed = parts.figure ? parts.figure->compose(parts.layers, studio_.body())
                      : parts.live ? parts.live->compose(studio_, parts.layers)
                                   : parts.take.compose(parts.layers);
+    if (parts.live)
+        parts.drawing = {parts.live->frame(), parts.since_frame};
     const QString shown = parts.figure ? kFigure : parts.live ? kLive : studio_.take().path();
     if (parts.composed.hasBody() && parts.framed != shown) {
         parts.framed = shown;
@@ -213,7 +215,6 @@ void SceneView::refresh() {
 
 void SceneView::updateOverlay() {
     Parts& parts = *parts_;
-    parts.frame_painted = true;
     OverlayContent content;
     content.camera_axes = parts.control->camera().axes();
     std::optional<Vector3d> at;

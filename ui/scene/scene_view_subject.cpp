@@ -70,10 +70,8 @@ void SceneView::setLive(LiveWearer wearer) {
 void SceneView::showFrame(std::shared_ptr<const LiveFrame> frame) {
     if (!parts_->live || !parts_->canvas)
         return;
-    if (frame && !parts_->since_frame.isValid()) {
+    if (frame)
         parts_->since_frame.start();
-        parts_->frame_painted = false;
-    }
     const auto& before = parts_->live->frame();
     if (frame && before && frame->sample < before->sample && parts_->untouched)
         parts_->framed.clear();  // another stream: the body begins where it began
@@ -83,11 +81,11 @@ void SceneView::showFrame(std::shared_ptr<const LiveFrame> frame) {
 
 void SceneView::noteDrawn() {
     Parts& parts = *parts_;
-    if (!parts.live || !parts.since_frame.isValid() || !std::exchange(parts.frame_painted, false))
+    if (!parts.live || !parts.drawing.frame || parts.drawing.frame == parts.on_screen)
         return;
-    parts.frame_delays.add(parts.since_frame.nsecsElapsed());
-    parts.since_frame.invalidate();
-    emit frameDrawn(parts.live->frame());
+    parts.on_screen = parts.drawing.frame;
+    parts.frame_delays.add(parts.drawing.since.nsecsElapsed());
+    emit frameDrawn(parts.on_screen);
 }
 
 const LatencyHistogram& SceneView::frameDelays() const {

@@ -24,7 +24,7 @@ bool isKeyboard(Qt::FocusReason reason) {
 QWidget* markedBy(QWidget* focus) {
     if (!focus || focus->isWindow() || focus->property(kOwnMark).toBool())
         return nullptr;
-    if (focus->inherits("QMenuBar") || focus->inherits("QMenu") || focus->inherits("QOpenGLWidget"))
+    if (focus->inherits("QMenuBar") || focus->inherits("QMenu"))
         return nullptr;
     return focus->focusPolicy() == Qt::NoFocus ? nullptr : focus;
 }
