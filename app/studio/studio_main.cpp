@@ -95,6 +95,7 @@ int runStudio(int argc, char** argv) {
     MainWindow& window = windows.show(Step::kStart);
     logFirstFrame(window);
     studio.finder().start();
+    studio.remoteStart().begin();
     if (application.arguments().size() > 1)
         window.open(QFileInfo(application.arguments().at(1)).absoluteFilePath());
     else

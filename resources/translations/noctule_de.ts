@@ -3234,6 +3234,26 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>There is nothing to save by hand: every change of a session is on disk within a second, and a take is never changed, results are added to it. After a crash the start page says what is safe.</source>
         <translation>Von Hand ist nichts zu sichern: jede Änderung einer Sitzung ist binnen einer Sekunde auf der Platte, und eine Aufnahme wird nie verändert, Ergebnisse kommen hinzu. Nach einem Absturz sagt die Startseite, was sicher ist.</translation>
     </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Other programs may start and stop it</source>
+        <translation>Andere Programme dürfen sie starten und beenden</translation>
+    </message>
+    <message>
+        <source>They send CaptureStart and CaptureStop over UDP, as motion capture systems do.</source>
+        <translation>Sie senden CaptureStart und CaptureStop über UDP, wie es Systeme der Bewegungsaufnahme tun.</translation>
+    </message>
+    <message>
+        <source>UDP port</source>
+        <translation>UDP-Port</translation>
+    </message>
+    <message>
+        <source>Listening. They send to this computer.</source>
+        <translation>Empfangsbereit. Sie senden an diesen Rechner.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ProblemCard</name>
@@ -3836,6 +3856,22 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Markers and notes belong to a take that is being recorded.</source>
         <translation>Marken und Notizen gehören zu einer laufenden Aufnahme.</translation>
     </message>
+    <message>
+        <source>%1, pre-roll %2&#xa0;s</source>
+        <translation>%1, Vorlauf %2&#xa0;s</translation>
+    </message>
+    <message>
+        <source>How long you have after the button, and how much of what was before it belongs to the take. With a pre-roll, stand in the rest pose so long before you press.</source>
+        <translation>Wie viel Zeit nach dem Knopf bleibt, und wie viel von davor zum Take gehört. Mit Vorlauf so lange vor dem Knopf in der Ruhehaltung stehen.</translation>
+    </message>
+    <message>
+        <source>Countdown</source>
+        <translation>Countdown</translation>
+    </message>
+    <message>
+        <source>Pre-roll, from before the button</source>
+        <translation>Vorlauf, von vor dem Knopf</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RecordButton</name>
@@ -4080,6 +4116,18 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Marker %1</source>
         <translation>Marke %1</translation>
+    </message>
+    <message>
+        <source>No suit is connected. Connect one first.</source>
+        <translation>Kein Anzug ist verbunden. Zuerst einen verbinden.</translation>
+    </message>
+    <message>
+        <source>A take is being recorded already, or being saved.</source>
+        <translation>Eine Aufnahme läuft schon oder wird gerade gesichert.</translation>
+    </message>
+    <message>
+        <source>Another program asked for a recording, which did not begin</source>
+        <translation>Ein anderes Programm wollte eine Aufnahme, die nicht begann</translation>
     </message>
 </context>
 <context>

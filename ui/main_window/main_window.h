@@ -19,6 +19,7 @@ namespace noctule::ui {
 
 class JobsPanel;
 class Page;
+class RecordRun;
 class SessionNotices;
 class SideDocks;
 class StatusLine;
@@ -84,6 +85,7 @@ private:
     void onWarning(const QString& message);
     bool mayClose();
     void connectSuit();
+    RecordRun& recordRun();
     void recordOrStop();
     void showRecording();
     bool mayStopTake();

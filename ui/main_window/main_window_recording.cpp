@@ -28,6 +28,11 @@ void MainWindow::connectSuit() {
     });
     connect(&suit, &LiveSuit::statusChanged, this, &MainWindow::showRecording);
     connect(
+        &studio_.remoteStart(), &RemoteStart::startWanted, this,
+        [this](const QString& name, const QString& notes) { recordRun().beginFromElsewhere(name, notes); });
+    connect(&studio_.remoteStart(), &RemoteStart::stopWanted, this,
+            [this] { recordRun().stopFromElsewhere(); });
+    connect(
         &suit, &LiveSuit::recordingEnded, this,
         [this] {
             if (closes_after_take_)
@@ -37,13 +42,16 @@ void MainWindow::connectSuit() {
     showRecording();
 }
 
+RecordRun& MainWindow::recordRun() {
+    return dynamic_cast<RecordPage&>(page(Step::kRecord)).run();
+}
+
 void MainWindow::recordOrStop() {
-    auto& record = dynamic_cast<RecordPage&>(page(Step::kRecord));
-    const bool runs = record.run().state() == RecordRun::State::kRecording;
-    if (!runs)
+    RecordRun& run = recordRun();
+    if (run.state() != RecordRun::State::kRecording)
         goTo(Step::kRecord);
-    if (record.run().state() != RecordRun::State::kNoSuit)
-        record.run().press();
+    if (run.state() != RecordRun::State::kNoSuit)
+        run.press();
 }
 
 void MainWindow::showRecording() {

@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -47,6 +48,7 @@ PreferencesDialog::PreferencesDialog(Studio& studio, QWidget* parent) : QDialog(
     addLanguage(*column);
     addView3d(*column);
     addFolders(*column);
+    addRecording(*column);
     addSaving(*column);
     column->addStretch();
     outer->addWidget(new ScrollArea(content), 1);
@@ -141,6 +143,33 @@ void PreferencesDialog::chooseSessionsFolder() {
         return;
     studio_.settings().setValue("folders/sessions", folder);
     folder_->setText(QDir::toNativeSeparators(folder));
+}
+
+void PreferencesDialog::addRecording(QVBoxLayout& column) {
+    FormRows* rows = addSection(column, tr("Recording"));
+    RemoteStart& remote = studio_.remoteStart();
+    auto* allowed = new QCheckBox(tr("Other programs may start and stop it"));
+    allowed->setToolTip(tr("They send CaptureStart and CaptureStop over UDP, as motion capture systems do."));
+    allowed->setChecked(remote.isAllowed());
+    auto* port = new QSpinBox;
+    port->setRange(1, 65535);
+    port->setKeyboardTracking(false);
+    port->setValue(remote.port());
+    auto* problem = new Label({}, TextRole::kSecondary, Ink::kHint);
+    problem->setWordWrap(true);
+    rows->addControl(allowed);
+    rows->addRow(tr("UDP port"), port);
+    rows->addControl(problem);
+    const auto show = [&remote, port, problem] {
+        port->setEnabled(remote.isAllowed());
+        problem->setText(remote.problem().isEmpty() && remote.isListening()
+                             ? tr("Listening. They send to this computer.")
+                             : remote.problem());
+    };
+    connect(allowed, &QCheckBox::toggled, &remote, &RemoteStart::setAllowed);
+    connect(port, QOverload<int>::of(&QSpinBox::valueChanged), &remote, &RemoteStart::setPort);
+    connect(&remote, &RemoteStart::changed, this, show);
+    show();
 }
 
 void PreferencesDialog::addSaving(QVBoxLayout& column) {

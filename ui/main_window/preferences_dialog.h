@@ -31,6 +31,7 @@ private:
     void addLanguage(QVBoxLayout& column);
     void addView3d(QVBoxLayout& column);
     void addFolders(QVBoxLayout& column);
+    void addRecording(QVBoxLayout& column);
     void addSaving(QVBoxLayout& column);
     void chooseSessionsFolder();
 

@@ -55,4 +55,9 @@ std::optional<Error> beginStream(LiveSession& session, const StreamRequest& requ
                                           "Switch it off and on again, then look again"});
 }
 
+std::optional<Error> beginInMidst(LiveSession& session, const StreamRequest& request) {
+    const Status begun = session.begin(request);
+    return begun ? std::nullopt : std::optional(begun.error());
+}
+
 }  // namespace noctule::ui

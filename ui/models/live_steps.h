@@ -16,6 +16,9 @@ namespace noctule::ui {
 std::optional<Error> beginStream(LiveSession& session, const StreamRequest& request,
                                  const std::optional<link::Settings>& settings, const JobContext& job);
 
+/// The take begins in the midst of the stream that is looked at, which goes on.
+std::optional<Error> beginInMidst(LiveSession& session, const StreamRequest& request);
+
 /// Waits until all that the device still held has come, then completes the take.
 StreamResult endStream(LiveSession& session, const JobContext& job);
 

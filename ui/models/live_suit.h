@@ -34,7 +34,7 @@ public:
         QString base_name;      ///< "walk": walk_001, walk_002, ...
         QString shot;           ///< of the shot list; empty: none
         double rest_s = 0;      ///< the performer begins in the rest pose
-        double pre_roll_s = 0;  ///< of what was seen before, kept in the take
+        double pre_roll_s = 0;  ///< so much of what was seen before stands in the take
     };
     struct Surroundings {
         std::string software;
@@ -109,6 +109,7 @@ private:
     std::optional<link::Settings> settings() const;
     void begin(const std::optional<TakePlan>& plan);
     void begun(bool of_take, const std::optional<Error>& trouble);
+    Phase phaseWithoutTake() const;
     void endTake();
     void ended(const StreamResult& result);
     void release();
@@ -124,6 +125,7 @@ private:
     bool look_again_ = false, stop_wanted_ = false, leave_wanted_ = false, told_ = false;
     std::optional<TakePlan> next_take_;
     std::optional<int> lone_source_;
+    bool in_midst_ = false;     ///< the take is part of a stream that is looked at
     bool sources_set_ = false;  ///< the box has not its own choice of sources
     Wearing wearing_;
     KnownWearing known_, next_known_;

@@ -37,6 +37,7 @@ StreamRequest LiveSuit::requestOf(const std::optional<TakePlan>& plan) const {
     RecordingRequest take;
     take.folder = session_.session().takesFolder();
     take.name = plan->base_name.toStdString();
+    take.pre_roll_s = plan->pre_roll_s;
     take.meta["actor_name"] = wearing_.actor.name;
     if (!wearing_.performer.empty())
         take.meta["performer"] = wearing_.performer;
@@ -62,6 +63,7 @@ void LiveSuit::begin(const std::optional<TakePlan>& plan) {
         return;
     working_ = true;
     look_again_ = false;
+    in_midst_ = plan && plan->pre_roll_s > 0 && !lone_source_ && live_->status()->stream_is_open;
     if (plan)
         lone_source_.reset();
     const auto settings = this->settings();
@@ -70,8 +72,9 @@ void LiveSuit::begin(const std::optional<TakePlan>& plan) {
     using Trouble = std::optional<Error>;
     jobs_.start<Trouble>(
         of_take ? tr("Starting the recording") : tr("Looking at %1").arg(address_),
-        [live = live_, request = requestOf(plan), settings](const JobContext& job) -> Result<Trouble> {
-            return beginStream(*live, request, settings, job);
+        [live = live_, request = requestOf(plan), settings,
+         in_midst = in_midst_](const JobContext& job) -> Result<Trouble> {
+            return in_midst ? beginInMidst(*live, request) : beginStream(*live, request, settings, job);
         },
         [self = QPointer(this), connection = connection_, of_take](Result<Trouble> trouble) -> QString {
             if (self && self->connection_ == connection)
@@ -91,7 +94,7 @@ void LiveSuit::begun(bool of_take, const std::optional<Error>& trouble) {
         stop_wanted_ = false;
         if (leave_wanted_)
             return release();
-        setPhase(Phase::kReady);
+        setPhase(phaseWithoutTake());
         if (tell && live_->status()->link != LinkState::kRefused)
             emit failed(wordsOf(trouble->message), wordsOf(trouble->remedy));
         return;
@@ -167,13 +170,19 @@ void LiveSuit::stopRecording() {
         endTake();
 }
 
+LiveSuit::Phase LiveSuit::phaseWithoutTake() const {
+    return live_->status()->stream_is_open ? Phase::kLooking : Phase::kReady;
+}
+
 void LiveSuit::endTake() {
     working_ = true;
     const bool unasked = !live_->status()->stream_is_open || live_->recording()->ended;
     setPhase(Phase::kSaving);
     jobs_.start<StreamResult>(
         tr("Saving %1").arg(take_name_),
-        [live = live_](const JobContext& job) -> Result<StreamResult> { return endStream(*live, job); },
+        [live = live_, in_midst = in_midst_](const JobContext& job) -> Result<StreamResult> {
+            return in_midst ? live->finish() : endStream(*live, job);
+        },
         [self = QPointer(this), connection = connection_, unasked](Result<StreamResult> result) -> QString {
             if (!self || self->connection_ != connection)
                 return {};
@@ -202,7 +211,7 @@ void LiveSuit::ended(const StreamResult& result) {
     if (leave_wanted_)
         release();
     else
-        setPhase(Phase::kReady);
+        setPhase(phaseWithoutTake());
     since_trouble_.invalidate();
     emit recordingEnded(name, trouble ? wordsOf(trouble->text()) : QString());
 }

@@ -57,6 +57,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
       virtual_suit_(jobs_, {words(parts_.virtual_suit_program),
                             QStandardPaths::writableLocation(QStandardPaths::CacheLocation), parts_.software,
                             parts_.make_sample_take}),
+      remote_start_(settings_),
       processing_(std::make_shared<std::timed_mutex>()) {
     connect(&session_, &SessionModel::currentTakeChanged, this, &Studio::openTakeUnderReview);
     connect(&session_, &SessionModel::recovered, this, [this](const QString& path) {

@@ -16,6 +16,7 @@
 #include "ui/jobs/jobs.h"
 #include "ui/models/live_suit.h"
 #include "ui/models/marker_editor.h"
+#include "ui/models/remote_start.h"
 #include "ui/models/selection.h"
 #include "ui/models/session_model.h"
 #include "ui/models/suit_check.h"
@@ -54,6 +55,7 @@ public:
     LiveSuit& suit() { return suit_; }
     SuitCheck& check() { return check_; }
     VirtualSuit& virtualSuit() { return virtual_suit_; }
+    RemoteStart& remoteStart() { return remote_start_; }
     QSettings& settings() { return settings_; }
     /// The body that ships with the studio; null until a job of the start has loaded it, or when it cannot be
     /// read.
@@ -104,6 +106,7 @@ private:
     LiveSuit suit_;
     SuitCheck check_;
     VirtualSuit virtual_suit_;
+    RemoteStart remote_start_;
     void openTakeUnderReview(int index);
     void loadBody();
     void followSuit();

@@ -127,9 +127,11 @@ void TakeDocument::judgeWhenAwaited() {
         judged();
 }
 
-/// Judging reads all of the take once more; what moves and is plotted does not wait for that.
+/// Judging reads all of the take once more; what moves and is plotted does not wait for that, whoever asks
+/// first.
 std::shared_ptr<const TakeDocument::Judged> TakeDocument::judged() {
     const ReviewRun* run = shown();
+    shownMotion();
     report_awaited_ = run && !reports_.contains(run->run.run) && readsForViews();
     if (!run || report_awaited_)
         return nullptr;

@@ -113,14 +113,16 @@ std::vector<LaneContent> inertialLanes(const LaneSources& sources) {
     empty.empty =
         laneWords(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see how its board moved"));
     const auto overview = sources.take.overview();
+    const std::vector<int> boards = overview ? boardsOf(sources, *overview) : std::vector<int>();
+    if (boards.empty())
+        return {empty};  // a long take has a million readings: they are read when somebody wants to see them
     const auto table = sources.take.readings();
-    if (!overview || !table) {
-        if (overview)
-            empty.empty = missingWords(sources.take, empty.empty);
+    if (!table) {
+        empty.empty = missingWords(sources.take, empty.empty);
         return {empty};
     }
     std::vector<LaneContent> lanes;
-    for (const int board : boardsOf(sources, *overview)) {
+    for (const int board : boards) {
         if (board >= static_cast<int>(table->boards.size()))
             continue;
         const QString place = boardInside(overview->suit, board);

@@ -20,9 +20,25 @@ namespace noctule::ui {
 namespace {
 
 constexpr int kCountdowns_s[] = {0, 3, 5, 10};
+constexpr int kPreRolls_s[] = {0, 2, 5, 10};
 
-QString countdownText(int seconds) {
-    return seconds == 0 ? RecordBar::tr("No countdown") : RecordBar::tr("Countdown %1\u00A0s").arg(seconds);
+QString countdownText(int seconds, int pre_roll_s) {
+    const QString text =
+        seconds == 0 ? RecordBar::tr("No countdown") : RecordBar::tr("Countdown %1\u00A0s").arg(seconds);
+    return pre_roll_s == 0 ? text : RecordBar::tr("%1, pre-roll %2\u00A0s").arg(text).arg(pre_roll_s);
+}
+
+/// One of some lengths in seconds, 0 for none.
+template <class Choose>
+void addSeconds(QMenu& menu, const QString& title, const int (&choices_s)[4], int chosen_s, Choose choose) {
+    menu.addSection(title);
+    for (const int seconds : choices_s) {
+        QAction* action = menu.addAction(
+            seconds == 0 ? RecordBar::tr("None") : RecordBar::tr("%n second(s)", nullptr, seconds), &menu,
+            [choose, seconds] { choose(seconds); });
+        action->setCheckable(true);
+        action->setChecked(seconds == chosen_s);
+    }
 }
 
 RecordButton::State look(RecordRun::State state) {
@@ -91,7 +107,10 @@ QWidget* RecordBar::makeLeft() {
     tones_ = keyboardFree(makeButton(ButtonKind::kText, {}, "sound"));
     auto* menu = new QMenu(countdown_);
     countdown_->setMenu(menu);
-    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillCountdownMenu(*menu); });
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillMenu(*menu); });
+    countdown_->setToolTip(tr(
+        "How long you have after the button, and how much of what was before it belongs to the take. With a "
+        "pre-roll, stand in the rest pose so long before you press."));
     connect(tones_, &QPushButton::clicked, this, [this] { run_.setTones(!run_.tones()); });
     tones_->setToolTip(tr("The system's bell with each second of the countdown, at start and at stop"));
     connect(name_, &QLineEdit::returnPressed, this, &RecordBar::fieldLeft);
@@ -169,14 +188,12 @@ QWidget* RecordBar::makeRight() {
     return right;
 }
 
-void RecordBar::fillCountdownMenu(QMenu& menu) {
+void RecordBar::fillMenu(QMenu& menu) {
     menu.clear();
-    for (const int seconds : kCountdowns_s) {
-        QAction* action = menu.addAction(seconds == 0 ? tr("None") : tr("%n second(s)", nullptr, seconds),
-                                         &run_, [this, seconds] { run_.setCountdownSeconds(seconds); });
-        action->setCheckable(true);
-        action->setChecked(seconds == run_.countdownSeconds());
-    }
+    addSeconds(menu, tr("Countdown"), kCountdowns_s, run_.countdownSeconds(),
+               [this](int seconds) { run_.setCountdownSeconds(seconds); });
+    addSeconds(menu, tr("Pre-roll, from before the button"), kPreRolls_s, run_.preRollSeconds(),
+               [this](int seconds) { run_.setPreRollSeconds(seconds); });
 }
 
 void RecordBar::refresh() {
@@ -186,7 +203,7 @@ void RecordBar::refresh() {
         name_->setText(run_.takeName());
     name_->setReadOnly(runs);
     next_->setText(runs ? tr("next: %1").arg(run_.nextName()) : QString());
-    countdown_->setText(countdownText(run_.countdownSeconds()));
+    countdown_->setText(countdownText(run_.countdownSeconds(), run_.preRollSeconds()));
     tones_->setText(run_.tones() ? tr("Tones on") : tr("Tones off"));
     button_->setState(look(state));
     if (state == RecordRun::State::kCountdown)

@@ -45,7 +45,7 @@ private:
     QWidget* makeLeft();
     QWidget* makeMiddle();
     QWidget* makeRight();
-    void fillCountdownMenu(QMenu& menu);
+    void fillMenu(QMenu& menu);
     void refresh();
     void closeNote();
 

@@ -11,9 +11,14 @@
 namespace noctule::ui {
 namespace {
 
-constexpr const char *kCountdown = "record/countdown_s", *kTones = "record/tones",
-                     *kReview = "record/open_review", *kBase = "record/base_name";
+constexpr const char *kCountdown = "record/countdown_s", *kPreRoll = "record/pre_roll_s",
+                     *kTones = "record/tones", *kReview = "record/open_review", *kBase = "record/base_name";
 constexpr int kTick_ms = 33, kUsualCountdown_s = 3;
+
+QString sentences(const RecordObstacle& obstacle) {
+    return obstacle.text.isEmpty() ? obstacle.title + QLatin1Char('.')
+                                   : obstacle.title + QStringLiteral(". ") + obstacle.text;
+}
 
 }  // namespace
 
@@ -21,6 +26,7 @@ RecordRun::RecordRun(Studio& studio, QObject* parent)
     : QObject(parent),
       studio_(studio),
       countdown_s_(studio.settings().value(kCountdown, kUsualCountdown_s).toInt()),
+      pre_roll_s_(studio.settings().value(kPreRoll, 0).toInt()),
       tones_(studio.settings().value(kTones, true).toBool()),
       opens_review_(studio.settings().value(kReview, true).toBool()),
       base_(studio.settings().value(kBase, tr("take", "first part of the names of takes")).toString()) {
@@ -164,6 +170,7 @@ void RecordRun::begin() {
     counting_.invalidate();
     LiveSuit::TakePlan plan;
     plan.base_name = base_;
+    plan.pre_roll_s = pre_roll_s_;
     if (shot_ >= 0)
         plan.shot =
             QString::fromStdString(studio_.session().session().shots[static_cast<size_t>(shot_)].name);
@@ -177,6 +184,28 @@ void RecordRun::stop() {
     studio_.suit().stopRecording();
 }
 
+void RecordRun::beginFromElsewhere(const QString& name, const QString& notes) {
+    const bool could = state_ == State::kReady || state_ == State::kCountdown ||
+                       (state_ == State::kRefused && obstacle_.may_record_anyway);
+    if (!could) {
+        const QString why = state_ == State::kNoSuit ? tr("No suit is connected. Connect one first.")
+                            : state_ == State::kRefused
+                                ? sentences(obstacle_)
+                                : tr("A take is being recorded already, or being saved.");
+        emit studio_.failed(tr("Another program asked for a recording, which did not begin"), why);
+        return;
+    }
+    if (!name.trimmed().isEmpty())
+        setName(name);
+    told_notes_ = notes.trimmed();
+    begin();
+}
+
+void RecordRun::stopFromElsewhere() {
+    if (state_ == State::kRecording)
+        stop();
+}
+
 void RecordRun::onStarted(const QString& take) {
     running_ = take;
     marks_.clear();
@@ -184,6 +213,7 @@ void RecordRun::onStarted(const QString& take) {
     tone();
     emit marksChanged();
     emit changed();
+    addNote(std::exchange(told_notes_, {}));
 }
 
 void RecordRun::onEnded(const QString& take, const QString& trouble) {
@@ -204,6 +234,12 @@ void RecordRun::onEnded(const QString& take, const QString& trouble) {
 void RecordRun::setCountdownSeconds(int seconds) {
     countdown_s_ = seconds;
     studio_.settings().setValue(kCountdown, seconds);
+    emit changed();
+}
+
+void RecordRun::setPreRollSeconds(int seconds) {
+    pre_roll_s_ = seconds;
+    studio_.settings().setValue(kPreRoll, seconds);
     emit changed();
 }
 

@@ -44,10 +44,17 @@ public:
     /// True when there was one.
     bool endCountdown();
     void stop();
+    /// Another program begins a take now, without a countdown. An empty name: ours.
+    void beginFromElsewhere(const QString& name, const QString& notes);
+    /// Another program ends it.
+    void stopFromElsewhere();
 
     double countdownLeft() const;
     int countdownSeconds() const { return countdown_s_; }
     void setCountdownSeconds(int seconds);
+    /// The take begins so long before the button was pressed.
+    int preRollSeconds() const { return pre_roll_s_; }
+    void setPreRollSeconds(int seconds);
     bool tones() const { return tones_; }
     void setTones(bool tones);
     bool opensReview() const { return opens_review_; }
@@ -93,9 +100,10 @@ private:
     Studio& studio_;
     State state_ = State::kNoSuit;
     RecordObstacle obstacle_;
-    int countdown_s_;
+    int countdown_s_, pre_roll_s_;
     bool tones_, opens_review_;
     QString base_, running_;
+    QString told_notes_;  ///< by another program, for the take that begins
     int shot_ = -1;
     bool without_shot_ = false;  ///< the operator wants it so
     std::vector<TakeMark> marks_;

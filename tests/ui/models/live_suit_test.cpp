@@ -107,6 +107,47 @@ TEST_F(LiveSuitTest, ATakeIsInTheSessionWithTheResultsThatTheFileGives) {
     EXPECT_TRUE(reach(Phase::kLooking)) << "and looks again";
 }
 
+TEST_F(LiveSuitTest, ATakeWithAPreRollBeginsBeforeItWasAskedForAndTheLookingGoesOn) {
+    TestBox box({.loops = true});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    ASSERT_TRUE(waitFor([&] { return suit_->frame() && suit_->frame()->sample > 150'000; }));
+    const int64_t looked_at = suit_->frame()->sample;
+    QSignalSpy ended(suit_.get(), &LiveSuit::recordingEnded);
+    EXPECT_EQ(suit_->record({"walk", {}, 0, 0.8}), "");
+    ASSERT_TRUE(reach(Phase::kRecording));
+    ASSERT_TRUE(waitFor([&] { return suit_->recordedSeconds() > 0; }));
+    EXPECT_GT(suit_->recordedSeconds(), 0.7) << "at once";
+    EXPECT_GE(suit_->frame()->sample, looked_at) << "what is shown goes on";
+    ASSERT_TRUE(waitFor([&] { return suit_->recordedSeconds() > 1.5; }));
+    suit_->stopRecording();
+    ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }));
+    EXPECT_EQ(suit_->phase(), Phase::kLooking) << "at once: the stream never ended";
+    EXPECT_GE(suit_->frame()->sample, looked_at);
+    EXPECT_TRUE(box.streaming());
+    EXPECT_GE(session_.session().takes[0].duration_s, 1.5);
+    EXPECT_EQ(session_.session().takes[0].state, TakeState::kComplete);
+    ASSERT_TRUE(recordFor(0.3)) << "and one without";
+    EXPECT_LT(suit_->frame()->sample, looked_at) << "begins a stream of its own";
+    suit_->stopRecording();
+    ASSERT_TRUE(waitFor([&] { return ended.count() == 2; }));
+}
+
+TEST_F(LiveSuitTest, ATakeShorterThanItsRestPoseIsToldAsThat) {
+    TestBox box({.loops = true});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    QSignalSpy ended(suit_.get(), &LiveSuit::recordingEnded), warned(suit_.get(), &LiveSuit::warned),
+        failed(suit_.get(), &LiveSuit::failed);
+    ASSERT_TRUE(recordFor(0.1));
+    suit_->stopRecording();
+    ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }));
+    ASSERT_EQ(warned.count(), 1);
+    EXPECT_EQ(warned[0][0].toString(),
+              "The take ended before its rest pose did. All of its sound is there, but no pose.");
+    EXPECT_EQ(failed.count(), 0);
+}
+
 TEST_F(LiveSuitTest, WithoutASessionOneIsMadeByDate) {
     TestBox box({});
     ASSERT_TRUE(connectTo(box));

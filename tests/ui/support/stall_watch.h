@@ -16,7 +16,9 @@ namespace noctule::ui::test {
 constexpr double kLongestStall_ms = 50;
 constexpr const char* kWhyNotJudged = "times are judged where nothing else needs the cores: NOCTULE_ALONE=1";
 /// Whether the caller promises that nothing else needs the cores, as packaging/acceptance.sh does.
-inline bool timesAreJudged() { return qEnvironmentVariableIsSet("NOCTULE_ALONE"); }
+inline bool timesAreJudged() {
+    return qEnvironmentVariableIsSet("NOCTULE_ALONE");
+}
 
 class StallWatch {
 public:

@@ -125,6 +125,38 @@ TEST_F(RecordPageTest, SpaceRecordsAndStopsAndTheTakeOpensInReview) {
     EXPECT_EQ(bar().name().text(), "take_002");
 }
 
+TEST_F(RecordPageTest, AnotherProgramBeginsAndEndsATakeOrIsToldWhyNot) {
+    QSignalSpy failed(studio_.get(), &Studio::failed);
+    run().beginFromElsewhere("dance", {});
+    ASSERT_EQ(failed.count(), 1);
+    EXPECT_EQ(failed[0][1].toString(), "No suit is connected. Connect one first.");
+    TestBox box(kLooping);
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    run().setCountdownSeconds(10);
+    ASSERT_TRUE(reach(State::kReady));
+    run().beginFromElsewhere("dance", "second try");
+    EXPECT_EQ(run().state(), State::kRecording) << "without a countdown";
+    ASSERT_TRUE(waitFor([&] { return studio_->suit().recordedSeconds() > 0.3; }));
+    EXPECT_EQ(run().takeName(), "dance_001");
+    ASSERT_EQ(run().marks().size(), 1u);
+    EXPECT_EQ(run().marks()[0].text, "second try");
+    run().beginFromElsewhere("dance", {});
+    EXPECT_EQ(failed.count(), 2);
+    run().stopFromElsewhere();
+    ASSERT_TRUE(waitFor([&] { return !session().takes.empty(); }));
+    EXPECT_EQ(Take::open(pathOf("dance_001"))->notes()->at(0).text, "second try");
+}
+
+TEST_F(RecordPageTest, ThePreRollIsRememberedAndSeen) {
+    run().setPreRollSeconds(5);
+    EXPECT_EQ(studio_->settings().value("record/pre_roll_s").toInt(), 5);
+    const auto buttons = bar().findChildren<Button*>();
+    EXPECT_TRUE(std::any_of(buttons.begin(), buttons.end(), [](const Button* button) {
+        return button->text() == "No countdown, pre-roll 5\u00A0s";
+    }));
+}
+
 TEST_F(RecordPageTest, AfterStopItStaysWhenTheOperatorWantsItSo) {
     TestBox box(kLooping);
     openSession();
