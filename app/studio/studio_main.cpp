@@ -100,6 +100,8 @@ int runStudio(int argc, char** argv) {
         window.open(QFileInfo(application.arguments().at(1)).absoluteFilePath());
     else
         window.offerTour();
+    if (const QString problem = studio.remoteStart().problem(); !problem.isEmpty())
+        emit studio.warned(problem);
     return QApplication::exec();
 }
 

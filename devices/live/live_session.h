@@ -75,6 +75,11 @@ public:
     void addMarker(const std::string& kind, const std::string& label);
     void addNote(const std::string& text);
 
+    /// Whether what began last is a take in the midst of a stream that goes on without it.
+    bool isInMidst() const {
+        const std::lock_guard lock(mutex_);
+        return take_ != nullptr;
+    }
     std::shared_ptr<const SessionStatus> status() const { return status_.get(); }
     /// Null without processing. A take that begins in the midst of a processed stream leaves undisturbed what
     /// is shown: the frames stay those of the stream, on its clock.

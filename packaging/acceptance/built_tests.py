@@ -7,10 +7,10 @@ import subprocess
 import studio
 
 
-def run(program, cases, wanted, **environment):
+def run(program, cases, wanted, inherited=os.environ, **environment):
     """What the cases print about themselves, one line each. `wanted`: what such a line looks like."""
     command = [str(studio.BUILD / program), f"--gtest_filter={cases}"]
-    done = subprocess.run(command, env={**os.environ, **environment}, text=True, stdout=subprocess.PIPE,
+    done = subprocess.run(command, env={**inherited, **environment}, text=True, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT)
     lines = [line for line in done.stdout.splitlines() if re.search(wanted, line)]
     text = "".join(f"- {line}\n" for line in lines)

@@ -95,7 +95,7 @@ def stalls(missed):
                            ("test_ui_models", "LiveSuitTest.TheInterfaceNeverWaits")):
         with screen.own_screen() as display, screen.own_home(display, NOCTULE_ALONE="1") as environment:
             try:
-                text += built_tests.run(program, cases, "longest gap", **environment)
+                text += built_tests.run(program, cases, "longest gap", environment)
             except studio.Missed as error:
                 text += error.text
                 missed.append(str(error))

@@ -3239,10 +3239,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Aufnahme</translation>
     </message>
     <message>
-        <source>Other programs may start and stop it</source>
-        <translation>Andere Programme dürfen sie starten und beenden</translation>
-    </message>
-    <message>
         <source>They send CaptureStart and CaptureStop over UDP, as motion capture systems do.</source>
         <translation>Sie senden CaptureStart und CaptureStop über UDP, wie es Systeme der Bewegungsaufnahme tun.</translation>
     </message>
@@ -3251,8 +3247,12 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>UDP-Port</translation>
     </message>
     <message>
-        <source>Listening. They send to this computer.</source>
-        <translation>Empfangsbereit. Sie senden an diesen Rechner.</translation>
+        <source>Other programs may start and stop recordings</source>
+        <translation>Andere Programme dürfen Aufnahmen starten und beenden</translation>
+    </message>
+    <message>
+        <source>Listening for other programs on this port.</source>
+        <translation>Auf diesem Port empfangsbereit für andere Programme.</translation>
     </message>
 </context>
 <context>
@@ -3841,6 +3841,26 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         </translation>
     </message>
     <message>
+        <source>%1, pre-roll %2&#xa0;s</source>
+        <translation>%1, Vorlauf %2&#xa0;s</translation>
+    </message>
+    <message>
+        <source>Countdown</source>
+        <translation>Countdown</translation>
+    </message>
+    <message>
+        <source>The countdown gives you time after the button. With a pre-roll the take begins that much earlier than the recording; be in the rest pose by then.</source>
+        <translation>Der Countdown gibt Zeit nach dem Knopf. Mit Vorlauf beginnt der Take um so viel vor der Aufnahme; dann schon in der Ruhehaltung stehen.</translation>
+    </message>
+    <message>
+        <source>Pre-roll, from before the recording begins</source>
+        <translation>Vorlauf, von vor dem Beginn der Aufnahme</translation>
+    </message>
+    <message>
+        <source>No pre-roll: each stream of this suit begins in the rest pose</source>
+        <translation>Kein Vorlauf: Jeder Strom dieses Anzugs beginnt in der Ruhehaltung</translation>
+    </message>
+    <message>
         <source>next: %1</source>
         <translation>dann: %1</translation>
     </message>
@@ -3855,22 +3875,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Markers and notes belong to a take that is being recorded.</source>
         <translation>Marken und Notizen gehören zu einer laufenden Aufnahme.</translation>
-    </message>
-    <message>
-        <source>%1, pre-roll %2&#xa0;s</source>
-        <translation>%1, Vorlauf %2&#xa0;s</translation>
-    </message>
-    <message>
-        <source>How long you have after the button, and how much of what was before it belongs to the take. With a pre-roll, stand in the rest pose so long before you press.</source>
-        <translation>Wie viel Zeit nach dem Knopf bleibt, und wie viel von davor zum Take gehört. Mit Vorlauf so lange vor dem Knopf in der Ruhehaltung stehen.</translation>
-    </message>
-    <message>
-        <source>Countdown</source>
-        <translation>Countdown</translation>
-    </message>
-    <message>
-        <source>Pre-roll, from before the button</source>
-        <translation>Vorlauf, von vor dem Knopf</translation>
     </message>
 </context>
 <context>

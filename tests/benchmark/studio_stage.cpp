@@ -36,7 +36,11 @@ public:
     Painted(QWidget& window, QEventLoop& loop) : loop_(loop) {
         for (SceneCanvas* canvas : visibleOnes<SceneCanvas>(window)) {
             missing_.push_back(canvas);
-            connect(canvas, &SceneCanvas::painted, this, [this, canvas] { came(canvas); });
+            connect(canvas, &SceneCanvas::shown, this,
+                    [this, canvas, before = canvas->lastAsked()](quint64 number) {
+                        if (number > before)
+                            came(canvas);
+                    });
         }
         for (LaneStack* stack : visibleOnes<LaneStack>(window)) {
             missing_.push_back(stack);

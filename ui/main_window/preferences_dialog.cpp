@@ -148,7 +148,7 @@ void PreferencesDialog::chooseSessionsFolder() {
 void PreferencesDialog::addRecording(QVBoxLayout& column) {
     FormRows* rows = addSection(column, tr("Recording"));
     RemoteStart& remote = studio_.remoteStart();
-    auto* allowed = new QCheckBox(tr("Other programs may start and stop it"));
+    auto* allowed = new QCheckBox(tr("Other programs may start and stop recordings"));
     allowed->setToolTip(tr("They send CaptureStart and CaptureStop over UDP, as motion capture systems do."));
     allowed->setChecked(remote.isAllowed());
     auto* port = new QSpinBox;
@@ -163,7 +163,7 @@ void PreferencesDialog::addRecording(QVBoxLayout& column) {
     const auto show = [&remote, port, problem] {
         port->setEnabled(remote.isAllowed());
         problem->setText(remote.problem().isEmpty() && remote.isListening()
-                             ? tr("Listening. They send to this computer.")
+                             ? tr("Listening for other programs on this port.")
                              : remote.problem());
     };
     connect(allowed, &QCheckBox::toggled, &remote, &RemoteStart::setAllowed);

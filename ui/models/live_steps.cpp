@@ -29,23 +29,19 @@ void dropEmptyTake(const StreamResult& result) {
 }  // namespace
 
 StreamResult endStream(LiveSession& session, const JobContext& job) {
-    if (session.status()->stream_is_open) {
+    if (session.status()->stream_is_open && !session.isInMidst()) {
         session.stop();
         waitUntil(kStopTimeout, job, [&] { return !session.status()->stream_is_open; });
     }
     return session.finish();
 }
 
-std::optional<Error> beginStream(LiveSession& session, const StreamRequest& request,
-                                 const std::optional<link::Settings>& settings, const JobContext& job) {
-    endStream(session, job);
-    if (settings)
-        session.set(*settings);
+std::optional<Error> beginStream(LiveSession& session, const StreamRequest& request, const JobContext& job) {
     if (const Status begun = session.begin(request); !begun)
         return begun.error();
     waitUntil(kFirstSoundTimeout, job, [&] {
         const auto status = session.status();
-        return !status->stream_is_open || status->link == LinkState::kStreaming;
+        return !status->stream_is_open || status->link == LinkState::kStreaming || session.isInMidst();
     });
     const auto status = session.status();
     if (status->stream_is_open)
@@ -53,11 +49,6 @@ std::optional<Error> beginStream(LiveSession& session, const StreamRequest& requ
     dropEmptyTake(session.finish());
     return status->trouble.value_or(Error{ErrorKind::kDevice, "The driver box sends no sound",
                                           "Switch it off and on again, then look again"});
-}
-
-std::optional<Error> beginInMidst(LiveSession& session, const StreamRequest& request) {
-    const Status begun = session.begin(request);
-    return begun ? std::nullopt : std::optional(begun.error());
 }
 
 }  // namespace noctule::ui

@@ -11,15 +11,11 @@
 
 namespace noctule::ui {
 
-/// Ends the stream that is open in good order, begins the next and waits for its first sound. `settings`
-/// are the box's before it starts.
-std::optional<Error> beginStream(LiveSession& session, const StreamRequest& request,
-                                 const std::optional<link::Settings>& settings, const JobContext& job);
+/// Begins a stream, or a take in the midst of the one that is looked at, and waits for its first sound.
+std::optional<Error> beginStream(LiveSession& session, const StreamRequest& request, const JobContext& job);
 
-/// The take begins in the midst of the stream that is looked at, which goes on.
-std::optional<Error> beginInMidst(LiveSession& session, const StreamRequest& request);
-
-/// Waits until all that the device still held has come, then completes the take.
+/// Ends what began last in good order: waits until all that the device still held has come, unless its stream
+/// goes on, then completes the take.
 StreamResult endStream(LiveSession& session, const JobContext& job);
 
 }  // namespace noctule::ui

@@ -73,6 +73,9 @@ public:
     /// Begins a take in the session's folder; without a session one is made by date. In words why not, else
     /// empty.
     QString record(const TakePlan& plan);
+    /// Whether a take can begin before it is asked for: not when each stream begins in the rest pose, as the
+    /// virtual suit's do.
+    bool canPreRoll() const { return known_.rest_s == 0; }
     void stopRecording();
     /// Makes one by date when none is open; false: it could not be made.
     bool makeSureOfSession();
@@ -125,7 +128,6 @@ private:
     bool look_again_ = false, stop_wanted_ = false, leave_wanted_ = false, told_ = false;
     std::optional<TakePlan> next_take_;
     std::optional<int> lone_source_;
-    bool in_midst_ = false;     ///< the take is part of a stream that is looked at
     bool sources_set_ = false;  ///< the box has not its own choice of sources
     Wearing wearing_;
     KnownWearing known_, next_known_;

@@ -37,7 +37,7 @@ StreamRequest LiveSuit::requestOf(const std::optional<TakePlan>& plan) const {
     RecordingRequest take;
     take.folder = session_.session().takesFolder();
     take.name = plan->base_name.toStdString();
-    take.pre_roll_s = plan->pre_roll_s;
+    take.pre_roll_s = canPreRoll() ? plan->pre_roll_s : 0;
     take.meta["actor_name"] = wearing_.actor.name;
     if (!wearing_.performer.empty())
         take.meta["performer"] = wearing_.performer;
@@ -62,8 +62,9 @@ void LiveSuit::begin(const std::optional<TakePlan>& plan) {
     if (!live_ || working_)
         return;
     working_ = true;
-    look_again_ = false;
-    in_midst_ = plan && plan->pre_roll_s > 0 && !lone_source_ && live_->status()->stream_is_open;
+    const bool in_midst = plan && plan->pre_roll_s > 0 && canPreRoll() && !lone_source_ && !sources_set_ &&
+                          live_->status()->stream_is_open;
+    look_again_ = look_again_ && in_midst;
     if (plan)
         lone_source_.reset();
     const auto settings = this->settings();
@@ -73,8 +74,13 @@ void LiveSuit::begin(const std::optional<TakePlan>& plan) {
     jobs_.start<Trouble>(
         of_take ? tr("Starting the recording") : tr("Looking at %1").arg(address_),
         [live = live_, request = requestOf(plan), settings,
-         in_midst = in_midst_](const JobContext& job) -> Result<Trouble> {
-            return in_midst ? beginInMidst(*live, request) : beginStream(*live, request, settings, job);
+         in_midst](const JobContext& job) -> Result<Trouble> {
+            if (!in_midst) {
+                endStream(*live, job);
+                if (settings)
+                    live->set(*settings);
+            }
+            return beginStream(*live, request, job);
         },
         [self = QPointer(this), connection = connection_, of_take](Result<Trouble> trouble) -> QString {
             if (self && self->connection_ == connection)
@@ -180,9 +186,7 @@ void LiveSuit::endTake() {
     setPhase(Phase::kSaving);
     jobs_.start<StreamResult>(
         tr("Saving %1").arg(take_name_),
-        [live = live_, in_midst = in_midst_](const JobContext& job) -> Result<StreamResult> {
-            return in_midst ? live->finish() : endStream(*live, job);
-        },
+        [live = live_](const JobContext& job) -> Result<StreamResult> { return endStream(*live, job); },
         [self = QPointer(this), connection = connection_, unasked](Result<StreamResult> result) -> QString {
             if (!self || self->connection_ != connection)
                 return {};
@@ -206,7 +210,7 @@ void LiveSuit::ended(const StreamResult& result) {
         session_.refresh(wordsOf(result.recording->path));
     }
     for (const std::string& warning : result.warnings)
-        emit warned(wordsOf(warning));
+        emit warned(QStringLiteral("%1: %2").arg(take_name_, wordsOf(warning)));
     const QString name = take_name_;
     if (leave_wanted_)
         release();

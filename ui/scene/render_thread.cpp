@@ -45,7 +45,7 @@ public:
 
     QImage draw(const Wish& wish) {
         if (!renderer_ || !context_.makeCurrent(&surface_))
-            return {};
+            return {};  // without a trouble: of a driver that starts anew the next picture may come
         const QSize size(wish.size.width_px, wish.size.height_px);
         if (!target_ || target_->size() != size)
             target_ = std::make_unique<QOpenGLFramebufferObject>(size);
@@ -75,14 +75,22 @@ std::shared_ptr<RenderThread> RenderThread::get() {
 RenderThread::RenderThread() : surface_(std::make_unique<QOffscreenSurface>()) {
     surface_->setFormat(neededGlFormat());
     surface_->create();
-    inside_.moveToThread(&thread_);
+    if (QOpenGLContext::supportsThreadedOpenGL())  // some old drivers do not: then in the interface's own
+        inside_.moveToThread(&thread_);
     thread_.setObjectName(QStringLiteral("render"));
     thread_.start();
 }
 
+template <class Work>
+void RenderThread::callInside(Work work) {
+    if (QThread::currentThread() == inside_.thread())
+        work();
+    else
+        QMetaObject::invokeMethod(&inside_, work, Qt::BlockingQueuedConnection);
+}
+
 RenderThread::~RenderThread() {
-    QMetaObject::invokeMethod(
-        &inside_, [this] { drawing_.reset(); }, Qt::BlockingQueuedConnection);
+    callInside([this] { drawing_.reset(); });
     thread_.quit();
     thread_.wait();
 }
@@ -97,17 +105,19 @@ RenderThread::Drawing& RenderThread::drawing() {
 
 quint64 RenderThread::draw(Wish wish) {
     const quint64 number = ++last_number_;
-    QMetaObject::invokeMethod(&inside_, [this, number, wish = std::move(wish)] {
-        const QImage picture = drawing().draw(wish);
-        emit drawn(number, picture, drawing().trouble());
-    });
+    QMetaObject::invokeMethod(
+        &inside_,
+        [this, number, wish = std::move(wish)] {
+            const QImage picture = drawing().draw(wish);
+            emit drawn(number, picture, drawing().trouble());
+        },
+        Qt::QueuedConnection);
     return number;
 }
 
 QImage RenderThread::drawNow(Wish wish) {
     QImage picture;
-    QMetaObject::invokeMethod(
-        &inside_, [&] { picture = drawing().draw(wish); }, Qt::BlockingQueuedConnection);
+    callInside([&] { picture = drawing().draw(wish); });
     return picture;
 }
 

@@ -45,6 +45,9 @@ private:
     class Drawing;
     RenderThread();
     Drawing& drawing();
+    /// And waits.
+    template <class Work>
+    void callInside(Work work);
 
     QThread thread_;
     QObject inside_;  ///< lives in the thread

@@ -90,21 +90,22 @@ void SceneCanvas::ask() {
     if (wanted_ || !isVisible())
         return;
     since_asked_.start();
-    asked_for_ = renderer_->draw(wish(1, moving_ ? 0 : kSamples));
+    last_asked_ = asked_for_ = renderer_->draw(wish(1, moving_ ? 0 : kSamples));
+    emit asked(asked_for_);
 }
 
 void SceneCanvas::take(quint64 number, const QImage& picture, const QString& trouble) {
     if (number != asked_for_)
         return;
     asked_for_ = 0;
-    if (picture.isNull()) {
+    if (!picture.isNull()) {
+        picture_ = picture;
+        to_be_shown_ = number;
+        update();
+        emit arrived(number);
+    } else if (!trouble.isEmpty()) {
         emit unavailable(trouble);
-        return;
     }
-    picture_ = picture;
-    to_be_shown_ = true;
-    update();
-    emit painted();
     if (wanted_)
         ask();
 }
@@ -115,8 +116,15 @@ void SceneCanvas::paintEvent(QPaintEvent*) {
         painter.fillRect(rect(), Theme::get().tokens().view);
     else
         painter.drawImage(rect(), picture_);
-    if (std::exchange(to_be_shown_, false))
-        QMetaObject::invokeMethod(this, &SceneCanvas::shown, Qt::QueuedConnection);
+    if (const quint64 number = std::exchange(to_be_shown_, 0))
+        QMetaObject::invokeMethod(
+            this, [this, number] { emit shown(number); }, Qt::QueuedConnection);
+}
+
+/// What is shown again may show something else by then.
+void SceneCanvas::hideEvent(QHideEvent*) {
+    picture_ = {};
+    to_be_shown_ = 0;
 }
 
 PictureSize SceneCanvas::surfaceSize() const {

@@ -32,16 +32,23 @@ public:
     PictureSize surfaceSize() const;
     /// Pixels of the surface for one pixel of the style guide.
     double ratio() const;
+    /// Nothing is being drawn, wanted or about to be shown.
+    bool isUpToDate() const { return asked_for_ == 0 && !next_.isActive() && !to_be_shown_; }
+    /// The number of the picture that was asked for last.
+    quint64 lastAsked() const { return last_asked_; }
 
 signals:
-    /// A new picture is there and about to be shown.
-    void painted();
+    /// The scene has been composed and is being drawn.
+    void asked(quint64 number);
+    /// The picture is there and about to be shown.
+    void arrived(quint64 number);
     /// It is on the screen.
-    void shown();
+    void shown(quint64 number);
     void unavailable(const QString& message);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     RenderThread::Wish wish(double scale, int samples);
@@ -52,10 +59,11 @@ private:
     std::function<Camera()> camera_;
     std::shared_ptr<RenderThread> renderer_;
     QImage picture_;
-    quint64 asked_for_ = 0;     ///< 0: nothing is being drawn
-    bool wanted_ = false;       ///< another picture, once this one is there
-    bool moving_ = false;       ///< since the last picture at rest
-    bool to_be_shown_ = false;  ///< the picture has not been on the screen yet
+    quint64 asked_for_ = 0;  ///< 0: nothing is being drawn
+    quint64 last_asked_ = 0;
+    bool wanted_ = false;      ///< another picture, once this one is there
+    bool moving_ = false;      ///< since the last picture at rest
+    quint64 to_be_shown_ = 0;  ///< the picture, if it has not been on the screen yet
     QTimer next_, rest_;
     QElapsedTimer since_asked_;
 };

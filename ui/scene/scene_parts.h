@@ -4,6 +4,7 @@
 
 #include <QElapsedTimer>
 #include <QPointer>
+#include <map>
 #include <optional>
 
 #include "ui/scene/camera_control.h"
@@ -34,13 +35,16 @@ struct SceneView::Parts {
     std::optional<FigureScene> figure;
     std::optional<LiveScene> live;
     QElapsedTimer since_frame;  ///< the live frame came
-    struct Drawing {
-        std::shared_ptr<const LiveFrame> frame;
-        QElapsedTimer since;
-    } drawing;                                   ///< the live frame composed last; null: none
-    std::shared_ptr<const LiveFrame> on_screen;  ///< likewise, shown last
+    struct Asked {
+        std::shared_ptr<const LiveFrame> frame;  ///< null: none
+        QElapsedTimer since_frame;
+        Camera camera;
+    };
+    std::map<quint64, Asked> asked;              ///< pictures that are not on the screen yet, by number
+    std::shared_ptr<const LiveFrame> on_screen;  ///< the live frame shown last
+    QString trouble;                             ///< why nothing can be drawn
     LatencyHistogram frame_delays;
-    ComposedScene composed;  ///< what was drawn last
+    ComposedScene composed;  ///< last
 
     QString framed;         ///< what the camera has been put in front of: a take's path or the figure
     bool untouched = true;  ///< the operator has not moved the camera since

@@ -70,12 +70,17 @@ void SceneView::makeCanvas() {
                                      [this] { return parts_->control->camera(); }, this);
     parts_->canvas->installEventFilter(this);
     parts_->canvas->setFocusProxy(this);
-    connect(parts_->canvas, &SceneCanvas::painted, this, &SceneView::updateOverlay);
-    connect(parts_->canvas, &SceneCanvas::shown, this, &SceneView::noteDrawn);
+    connect(parts_->canvas, &SceneCanvas::asked, this, [this](quint64 number) {
+        parts_->asked[number] = {parts_->live ? parts_->live->frame() : nullptr, parts_->since_frame,
+                                 parts_->control->camera()};
+    });
+    connect(parts_->canvas, &SceneCanvas::arrived, this, &SceneView::updateOverlay);
+    connect(parts_->canvas, &SceneCanvas::shown, this, &SceneView::noteShown);
     connect(parts_->canvas, &SceneCanvas::unavailable, this, [this](const QString& message) {
         parts_->tools->hide();
         parts_->overlay->hide();
-        showMessage(message);
+        parts_->trouble = message;
+        updateMessage();
     });
 }
 
@@ -129,7 +134,9 @@ void SceneView::showMessage(const QString& sentence) {
 
 void SceneView::updateMessage() {
     if (parts_->canvas)
-        showMessage(parts_->composed.hasBody() ? QString() : whyNoBody());
+        showMessage(!parts_->trouble.isEmpty()   ? parts_->trouble
+                    : parts_->composed.hasBody() ? QString()
+                                                 : whyNoBody());
 }
 
 void SceneView::layOut() {
@@ -168,8 +175,6 @@ const Scene& SceneView::compose() {
     parts.composed = parts.figure ? parts.figure->compose(parts.layers, studio_.body())
                      : parts.live ? parts.live->compose(studio_, parts.layers)
                                   : parts.take.compose(parts.layers);
-    if (parts.live)
-        parts.drawing = {parts.live->frame(), parts.since_frame};
     const QString shown = parts.figure ? kFigure : parts.live ? kLive : studio_.take().path();
     if (parts.composed.hasBody() && parts.framed != shown) {
         parts.framed = shown;
@@ -213,10 +218,12 @@ void SceneView::refresh() {
         parts_->canvas->refresh(isPlayed(studio_) || parts_->control->isMoving());
 }
 
-void SceneView::updateOverlay() {
+void SceneView::updateOverlay(quint64 number) {
     Parts& parts = *parts_;
+    const auto asked = parts.asked.find(number);
+    const Camera& camera = asked == parts.asked.end() ? parts.control->camera() : asked->second.camera;
     OverlayContent content;
-    content.camera_axes = parts.control->camera().axes();
+    content.camera_axes = camera.axes();
     std::optional<Vector3d> at;
     if (parts.figure) {
         content.callout = figureCallout(*parts.figure);
@@ -230,7 +237,7 @@ void SceneView::updateOverlay() {
         if (!parts.composed.scene.rings.empty())
             at = parts.composed.scene.rings.back().p_m.cast<double>();
     }
-    const auto on_screen = at ? parts.control->camera().project(*at, parts.control->size()) : std::nullopt;
+    const auto on_screen = at ? camera.project(*at, parts.control->size()) : std::nullopt;
     if (content.callout && on_screen)
         content.callout->at = QPointF(on_screen->x(), on_screen->y()) / parts.canvas->devicePixelRatioF();
     else

@@ -98,11 +98,11 @@ private:
     QString whyNoBody() const;
     const Suit* shownSuit() const;
     std::optional<SceneCallout> callout() const;
-    void noteDrawn();
+    void noteShown(quint64 number);
 
     const Scene& compose();
     void refresh();
-    void updateOverlay();
+    void updateOverlay(quint64 number);
     void changeLayers();
     /// What the camera frames: the body, and room for the tools above it.
     Eigen::AlignedBox3d bodyBox() const;
@@ -123,7 +123,7 @@ private:
 
 /// A small picture of a motion's body at a time (seconds of the take's clock), in the colours of the theme,
 /// without a window. Null when there is no mesh, no pose near the time or no OpenGL. Must not be called while
-/// an OpenGL context is current in the thread other than Qt's, which it releases.
+/// an OpenGL context is current in the thread.
 QImage thumbnail(const std::shared_ptr<const SkinnedMesh>& body, const TimedMotion& motion, double t_s,
                  const QSize& size_px);
 QImage thumbnail(const std::shared_ptr<const SkinnedMesh>& body, const Actor& actor, const QSize& size_px);

@@ -79,13 +79,16 @@ void SceneView::showFrame(std::shared_ptr<const LiveFrame> frame) {
     parts_->canvas->refresh(true);
 }
 
-void SceneView::noteDrawn() {
+void SceneView::noteShown(quint64 number) {
     Parts& parts = *parts_;
-    if (!parts.live || !parts.drawing.frame || parts.drawing.frame == parts.on_screen)
+    const auto found = parts.asked.find(number);
+    const Parts::Asked asked = found == parts.asked.end() ? Parts::Asked{} : found->second;
+    parts.asked.erase(parts.asked.begin(), parts.asked.upper_bound(number));
+    if (!parts.live || !asked.frame || asked.frame == parts.on_screen)
         return;
-    parts.on_screen = parts.drawing.frame;
-    parts.frame_delays.add(parts.drawing.since.nsecsElapsed());
-    emit frameDrawn(parts.on_screen);
+    parts.on_screen = asked.frame;
+    parts.frame_delays.add(asked.since_frame.nsecsElapsed());
+    emit frameDrawn(asked.frame);
 }
 
 const LatencyHistogram& SceneView::frameDelays() const {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <QOpenGLContext>
 #include <cmath>
 
 #include "core/render/offscreen.h"
@@ -26,8 +25,6 @@ QImage drawn(const std::shared_ptr<const SkinnedMesh>& body, const Skeleton& ske
     box.extend(Vector3d(box.max() + Vector3d(0.1, 0.1, 0.1)));
     camera.frame(box, size, 0.06);
 
-    if (QOpenGLContext* current = QOpenGLContext::currentContext())
-        current->doneCurrent();
     auto offscreen = Offscreen::create();
     if (!offscreen)
         return {};

@@ -108,9 +108,9 @@ QWidget* RecordBar::makeLeft() {
     auto* menu = new QMenu(countdown_);
     countdown_->setMenu(menu);
     connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillMenu(*menu); });
-    countdown_->setToolTip(tr(
-        "How long you have after the button, and how much of what was before it belongs to the take. With a "
-        "pre-roll, stand in the rest pose so long before you press."));
+    countdown_->setToolTip(
+        tr("The countdown gives you time after the button. With a pre-roll the take begins that much earlier "
+           "than the recording; be in the rest pose by then."));
     connect(tones_, &QPushButton::clicked, this, [this] { run_.setTones(!run_.tones()); });
     tones_->setToolTip(tr("The system's bell with each second of the countdown, at start and at stop"));
     connect(name_, &QLineEdit::returnPressed, this, &RecordBar::fieldLeft);
@@ -192,8 +192,12 @@ void RecordBar::fillMenu(QMenu& menu) {
     menu.clear();
     addSeconds(menu, tr("Countdown"), kCountdowns_s, run_.countdownSeconds(),
                [this](int seconds) { run_.setCountdownSeconds(seconds); });
-    addSeconds(menu, tr("Pre-roll, from before the button"), kPreRolls_s, run_.preRollSeconds(),
-               [this](int seconds) { run_.setPreRollSeconds(seconds); });
+    if (run_.canPreRoll())
+        addSeconds(menu, tr("Pre-roll, from before the recording begins"), kPreRolls_s, run_.preRollSeconds(),
+                   [this](int seconds) { run_.setPreRollSeconds(seconds); });
+    else
+        menu.addAction(tr("No pre-roll: each stream of this suit begins in the rest pose"))
+            ->setEnabled(false);
 }
 
 void RecordBar::refresh() {

@@ -40,6 +40,7 @@ RecordRun::RecordRun(Studio& studio, QObject* parent)
     connect(&suit, &LiveSuit::phaseChanged, this, &RecordRun::follow);
     connect(&suit, &LiveSuit::statusChanged, this, &RecordRun::follow);
     connect(&studio.check(), &SuitCheck::changed, this, &RecordRun::follow);
+    connect(&suit, &LiveSuit::wearingChanged, this, &RecordRun::changed);  // with or without a pre-roll
     connect(&suit, &LiveSuit::recordingStarted, this, &RecordRun::onStarted);
     connect(&suit, &LiveSuit::recordingEnded, this, &RecordRun::onEnded);
     connect(&studio.session(), &SessionModel::opened, this, [this] {
@@ -133,8 +134,9 @@ void RecordRun::recordAnyway() {
 }
 
 void RecordRun::beginOrCount() {
+    told_notes_.clear();
     if (countdown_s_ == 0)
-        return begin();
+        return begin(base_);
     counting_.start();
     last_second_ = countdown_s_;
     tone();
@@ -159,18 +161,18 @@ void RecordRun::count() {
         return;
     const double left_s = countdownLeft();
     if (left_s <= 0)
-        return begin();
+        return begin(base_);
     const int second = static_cast<int>(std::ceil(left_s));
     if (second != last_second_)
         tone();
     last_second_ = second;
 }
 
-void RecordRun::begin() {
+void RecordRun::begin(const QString& base) {
     counting_.invalidate();
     LiveSuit::TakePlan plan;
-    plan.base_name = base_;
-    plan.pre_roll_s = pre_roll_s_;
+    plan.base_name = base;
+    plan.pre_roll_s = preRollSeconds();
     if (shot_ >= 0)
         plan.shot =
             QString::fromStdString(studio_.session().session().shots[static_cast<size_t>(shot_)].name);
@@ -195,10 +197,9 @@ void RecordRun::beginFromElsewhere(const QString& name, const QString& notes) {
         emit studio_.failed(tr("Another program asked for a recording, which did not begin"), why);
         return;
     }
-    if (!name.trimmed().isEmpty())
-        setName(name);
     told_notes_ = notes.trimmed();
-    begin();
+    begin(name.trimmed().isEmpty() ? base_
+                                   : QString::fromStdString(takeBaseName(name.trimmed().toStdString())));
 }
 
 void RecordRun::stopFromElsewhere() {

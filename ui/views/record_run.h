@@ -52,8 +52,9 @@ public:
     double countdownLeft() const;
     int countdownSeconds() const { return countdown_s_; }
     void setCountdownSeconds(int seconds);
-    /// The take begins so long before the button was pressed.
-    int preRollSeconds() const { return pre_roll_s_; }
+    /// The take begins so long before the recording does; 0 where the suit allows none.
+    int preRollSeconds() const { return canPreRoll() ? pre_roll_s_ : 0; }
+    bool canPreRoll() const { return studio_.suit().canPreRoll(); }
     void setPreRollSeconds(int seconds);
     bool tones() const { return tones_; }
     void setTones(bool tones);
@@ -88,7 +89,7 @@ private:
     State stateNow() const;
     RecordObstacle obstacleNow() const;
     void beginOrCount();
-    void begin();
+    void begin(const QString& base);
     void count();
     void onStarted(const QString& take);
     void onEnded(const QString& take, const QString& trouble);

@@ -174,6 +174,9 @@ TEST(BrokenRecording, KilledAtRandomMoments) {
     recoverFrom("kills", 20, [](const Folder& folder, std::mt19937& random) {
         const SharedReached reached;
         const pid_t child = fork();
+        EXPECT_GE(child, 0);
+        if (child < 0)
+            return Progress{};
         if (child == 0)
             recordForEver(folder.path(), *reached);
         std::this_thread::sleep_for(std::chrono::milliseconds(300 + random() % 1500));

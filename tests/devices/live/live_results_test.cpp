@@ -98,7 +98,7 @@ StreamResult recordedInTheMidst(const Folder& folder) {
     script.speed = 1;
     LiveSession session(std::make_unique<FakeDevice>(std::move(script)));
     const auto soon = [](auto condition) {
-        for (int i = 0; i < 1000 && !condition(); ++i)
+        for (int i = 0; i < 12'000 && !condition(); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         EXPECT_TRUE(condition());
     };

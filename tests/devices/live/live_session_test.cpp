@@ -9,6 +9,12 @@
 namespace noctule {
 namespace {
 
+#ifdef NOCTULE_SANITIZED
+constexpr int kSlower = 10;
+#else
+constexpr int kSlower = 1;
+#endif
+
 using namespace std::chrono_literals;
 using test::FakeDevice;
 using test::Folder;
@@ -133,7 +139,7 @@ TEST(LiveSession, CancellingKeepsTheTake) {
     const Folder folder;
     CancelFlag cancel;
     std::thread later([&] {
-        std::this_thread::sleep_for(300ms);
+        std::this_thread::sleep_for(kSlower * 300ms);
         cancel.cancel();
     });
     auto report =
@@ -175,7 +181,9 @@ TEST(LiveSession, ShowsPosesAndHealthWithoutATakeAndTakesAfterwards) {
     EXPECT_TRUE(health.pair(0, 0).age_s);
     EXPECT_NEAR(*health.suit.temperature_c, 22.71, 0.01);
     EXPECT_GT(result.frame->latency_median_s, 0);
-    EXPECT_LT(result.frame->latency_median_s, 0.5);
+    if (kSlower == 1) {
+        EXPECT_LT(result.frame->latency_median_s, 0.5);
+    }
 }
 
 TEST(LiveSession, ASlowReaderMissesFramesAndKeepsNobodyWaiting) {

@@ -45,7 +45,11 @@ protected:
         view_->setFocus();
         settle();
     }
-    static void settle() { QTest::qWait(120); }
+    /// Until nothing moves any more and the last picture is on the screen.
+    void settle() {
+        QTest::qWait(120);
+        EXPECT_TRUE(waitFor([this] { return !canvas() || canvas()->isUpToDate(); }));
+    }
 
     void openTake() {
         studio_->take().open(QString::fromStdString(path()));
