@@ -8,8 +8,11 @@ namespace noctule {
 namespace {
 
 std::string whereRun(const RunOfTake& run, const std::string& table) {
-    return " WHERE " + run.schema->expression(table, "run") + "=" + std::to_string(run.run) + " AND " +
-           run.schema->expression(table, "suit") + "=" + std::to_string(run.suit);
+    return " WHERE " + run.schema->expression(table, "run") + "=" + std::to_string(run.run);
+}
+
+std::string isOfSuit(const RunOfTake& run, const std::string& table) {
+    return run.schema->expression(table, "suit") + "=" + std::to_string(run.suit);
 }
 
 /// A value that is there but is no number makes the row bad; NULL is a value that was not sent.
@@ -45,7 +48,7 @@ RowVerdict readReading(const Statement& row, int board, InertialReading& reading
 /// Readings of boards that the suit does not have.
 Status countStrangers(const RunOfTake& run) {
     const auto count = run.database->queryInteger(
-        "SELECT count(*) FROM inertial" + whereRun(run, "inertial") +
+        "SELECT count(*) FROM inertial" + whereRun(run, "inertial") + " AND " + isOfSuit(run, "inertial") +
         " AND (board<0 OR board IS NULL OR board>=" + std::to_string(run.board_count) + ")");
     if (!count)
         return count.error();
@@ -97,7 +100,8 @@ Result<ReadingCursor> ReadingCursor::open(const RunOfTake& run) {
         return counted.error();
     const std::string sql = run.schema->select("inertial", {"frame", "sample", "gx", "gy", "gz", "ax", "ay",
                                                             "az", "mx", "my", "mz", "corrected"}) +
-                            whereRun(run, "inertial") + " AND board=? ORDER BY frame";
+                            whereRun(run, "inertial") + " AND " + isOfSuit(run, "inertial") +
+                            " AND board=? ORDER BY frame";
     for (int board = 0; board < run.board_count; ++board) {
         Result<Statement> rows = run.database->prepare(sql);
         if (!rows)
@@ -151,16 +155,18 @@ Result<RangeCursor> RangeCursor::open(const RunOfTake& run) {
     std::string sql = "SELECT 1 WHERE 0";
     if (schema.has("range") && schema.has("pulse")) {
         // Left join, with the range outside: its primary key gives the order, and a range without its pulse
-        // shows.
+        // shows. The plus keeps SQLite from taking the suit for a constant: it would no longer see that the
+        // key (run, pulse, suit, board) has the order that is asked for, and sort.
         sql = "SELECT range.pulse,pulse.sample,pulse.source,range.board";
         for (const char* column : {"arrival_sample", "distance_m", "w_s", "w_t", "w_a", "sigma_m", "detector",
                                    "fate", "innovation_m"})
             sql += "," + schema.expression("range", column);
-        sql += " FROM range LEFT JOIN pulse ON pulse.id=range.pulse" + whereRun(run, "range");
+        sql += " FROM range LEFT JOIN pulse ON pulse.id=range.pulse" + whereRun(run, "range") + " AND +" +
+               isOfSuit(run, "range");
         if (run.pulses)
             sql += " AND range.pulse BETWEEN " + std::to_string(run.pulses->first) + " AND " +
                    std::to_string(run.pulses->second);
-        sql += " ORDER BY range.pulse,range.board";
+        sql += " ORDER BY range.pulse," + schema.expression("range", "suit") + ",range.board";
     }
     Result<Statement> rows = run.database->prepare(sql);
     if (!rows)

@@ -74,8 +74,15 @@ struct RangeTable {
         return pairs[static_cast<size_t>(source * board_count + board)];
     }
 };
-/// `run`: of kind range, or kPrimaryRun.
-Result<RangeTable> loadRanges(const std::string& path, int64_t run, const JobContext& job);
+/// A stretch of a take, for several readers at once: one of `count` with equally many pulses.
+struct TakeStretch {
+    int index = 0, count = 1;
+};
+/// `run`: of kind range, or kPrimaryRun. Only the ranges of that stretch, all the pulses.
+Result<RangeTable> loadRanges(const std::string& path, int64_t run, const JobContext& job,
+                              const TakeStretch& stretch = {});
+/// The whole table of all its stretches, in whatever order they come.
+RangeTable joinRanges(std::vector<RangeTable> stretches);
 
 /// Calibrated readings of one board: gyroscope x y z in rad/s, accelerometer x y z in m/s^2; NaN: lost.
 struct BoardTrack {

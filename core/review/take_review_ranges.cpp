@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <limits>
 #include <numeric>
 
+#include "core/job/contract.h"
 #include "core/review/review_file.h"
 #include "core/review/take_review.h"
 
@@ -45,20 +47,41 @@ void sortByTime(PairTrack& track) {
     reorder(track.fate, order);
 }
 
-Result<RangeTable> emptyTable(const ReviewFile& file) {
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+}
+
+/// First and last id of the stretch's pulses. Ranges whose pulse is not there belong to a stretch as well, so
+/// that they are counted as everywhere.
+std::pair<int64_t, int64_t> pulsesOf(const TakeStretch& stretch, const std::vector<Pulse>& pulses) {
+    std::vector<int64_t> ids;
+    ids.reserve(pulses.size());
+    for (const Pulse& pulse : pulses)
+        ids.push_back(pulse.id);
+    std::sort(ids.begin(), ids.end());
+    using Limits = std::numeric_limits<int64_t>;
+    const auto begin = [&](int index) {
+        if (index == 0)
+            return Limits::min();
+        const size_t first = ids.size() * static_cast<size_t>(index) / static_cast<size_t>(stretch.count);
+        return first < ids.size() ? ids[first] : Limits::max();
+    };
+    const bool is_last = stretch.index + 1 == stretch.count;
+    return {begin(stretch.index), is_last ? Limits::max() : begin(stretch.index + 1) - 1};
+}
+
+Result<RangeTable> emptyTable(const ReviewFile& file, const std::vector<Pulse>& pulses) {
     const auto boards = file.take.boardCount();
     if (!boards)
         return boards.error();
     const auto sources = file.take.sourceCount();
     if (!sources)
         return sources.error();
-    const auto pulses = file.take.pulses();
-    if (!pulses)
-        return pulses.error();
     RangeTable table{*sources, *boards, {}, {}};
     table.pairs.resize(static_cast<size_t>(*sources * *boards));
     table.pulse_t_s.resize(static_cast<size_t>(*sources));
-    for (const Pulse& pulse : *pulses)
+    for (const Pulse& pulse : pulses)
         table.pulse_t_s[static_cast<size_t>(pulse.source)].push_back(
             file.seconds(static_cast<double>(pulse.sample)));
     return table;
@@ -66,14 +89,20 @@ Result<RangeTable> emptyTable(const ReviewFile& file) {
 
 }  // namespace
 
-Result<RangeTable> loadRanges(const std::string& path, int64_t run, const JobContext& job) {
+Result<RangeTable> loadRanges(const std::string& path, int64_t run, const JobContext& job,
+                              const TakeStretch& stretch) {
+    require(stretch.index >= 0 && stretch.index < stretch.count, "a stretch that the take does not have");
     const auto file = ReviewFile::open(path);
     if (!file)
         return file.error();
-    auto table = emptyTable(*file);
+    const auto pulses = file->take.pulses();
+    if (!pulses)
+        return pulses.error();
+    auto table = emptyTable(*file, *pulses);
     if (!table)
         return table;
-    auto ranges = file->take.ranges(run);
+    const auto [first, last] = pulsesOf(stretch, *pulses);
+    auto ranges = file->take.rangesOfPulses(run, first, last);
     if (!ranges)
         return ranges.error();
     const auto samples = file->take.sampleCount();
@@ -93,6 +122,23 @@ Result<RangeTable> loadRanges(const std::string& path, int64_t run, const JobCon
     for (PairTrack& track : table->pairs)
         sortByTime(track);
     return table;
+}
+
+RangeTable joinRanges(std::vector<RangeTable> stretches) {
+    require(!stretches.empty(), "no ranges to be joined");
+    RangeTable whole = std::move(stretches.front());
+    for (size_t i = 1; i < stretches.size(); ++i)
+        for (size_t pair = 0; pair < whole.pairs.size(); ++pair) {
+            const PairTrack& more = stretches[i].pairs[pair];
+            PairTrack& track = whole.pairs[pair];
+            append(track.t_s, more.t_s);
+            append(track.distance_m, more.distance_m), append(track.confidence, more.confidence);
+            append(track.sigma_m, more.sigma_m), append(track.innovation_m, more.innovation_m);
+            append(track.fate, more.fate);
+        }
+    for (PairTrack& track : whole.pairs)
+        sortByTime(track);
+    return whole;
 }
 
 }  // namespace noctule

@@ -120,6 +120,24 @@ TEST_F(TakeReview, RangesOfPulsesOutOfOrderAreSorted) {
     EXPECT_EQ(track.fate.back(), RangeFate::kUsed);  // that of the first pulse by number
 }
 
+TEST_F(TakeReview, RangesOfTwoStretchesAreThoseOfTheWhole) {
+    const auto whole = loadRanges(path(), rangeRun(), {});
+    auto first = loadRanges(path(), rangeRun(), {}, {0, 2}),
+         second = loadRanges(path(), rangeRun(), {}, {1, 2});
+    ASSERT_TRUE(whole && first && second);
+    EXPECT_NEAR(static_cast<double>(first->pair(0, 0).t_s.size()),
+                static_cast<double>(second->pair(0, 0).t_s.size()), 1);
+    const RangeTable joined = joinRanges({*second, *first});
+    ASSERT_EQ(joined.pairs.size(), whole->pairs.size());
+    EXPECT_EQ(joined.pulse_t_s, whole->pulse_t_s);
+    EXPECT_EQ(joined.pair(0, 0).t_s, whole->pair(0, 0).t_s);
+    EXPECT_EQ(joined.pair(0, 0).confidence, whole->pair(0, 0).confidence);
+    EXPECT_EQ(joined.pair(0, 0).sigma_m, whole->pair(0, 0).sigma_m);
+    EXPECT_EQ(joined.pair(0, 0).distance_m, whole->pair(0, 0).distance_m);
+    EXPECT_EQ(joined.pair(0, 0).fate, whole->pair(0, 0).fate);
+    EXPECT_EQ(joined.pair(0, 0).innovation_m.size(), whole->pair(0, 0).innovation_m.size());
+}
+
 TEST_F(TakeReview, ReadingsAreCalibratedLostAndClipped) {
     const auto table = loadReadings(path(), kPrimaryRun, {});
     ASSERT_TRUE(table) << table.error().text();
