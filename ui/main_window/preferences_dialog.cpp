@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QScreen>
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -58,7 +59,8 @@ PreferencesDialog::PreferencesDialog(Studio& studio, QWidget* parent) : QDialog(
     Button* close = makeButton(ButtonKind::kOutlined, tr("Close"), {}, QKeySequence("Esc"));
     row->addWidget(close);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
-    resize(Theme::get().px(560), Theme::get().px(640));
+    const int room = screen()->availableGeometry().height() - Theme::get().px(40);
+    resize(Theme::get().px(560), std::min(Theme::get().px(740), room));
 }
 
 void PreferencesDialog::addLook(QVBoxLayout& column) {

@@ -101,8 +101,8 @@ void SceneCanvas::take(quint64 number, const QImage& picture, const QString& tro
     if (!picture.isNull()) {
         picture_ = picture;
         to_be_shown_ = number;
-        update();
         emit arrived(number);
+        repaint();  // update() would wait for up to 5 ms more
     } else if (!trouble.isEmpty()) {
         emit unavailable(trouble);
     }

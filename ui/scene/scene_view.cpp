@@ -196,8 +196,10 @@ const Scene& SceneView::compose() {
 
 Eigen::AlignedBox3d SceneView::bodyBox() const {
     constexpr double kMostCovered = 0.3;
+    constexpr double kReach = 0.22;  // of the height with raised arms
     const double covered = parts_->tools->geometry().bottom() / std::max(1.0, 1.0 * height());
-    return roomy(parts_->composed.places.box(), std::min(kMostCovered, covered));
+    return roomy(parts_->composed.places.box(),
+                 std::clamp(covered, parts_->live ? kReach : 0.0, kMostCovered));
 }
 
 void SceneView::keepFollowing() {

@@ -28,10 +28,17 @@ QString countdownText(int seconds, int pre_roll_s) {
     return pre_roll_s == 0 ? text : RecordBar::tr("%1, pre-roll %2\u00A0s").arg(text).arg(pre_roll_s);
 }
 
+/// A heading that every style draws: not all show the text of a section.
+void addHeading(QMenu& menu, const QString& title) {
+    if (!menu.isEmpty())
+        menu.addSeparator();
+    menu.addAction(title)->setEnabled(false);
+}
+
 /// One of some lengths in seconds, 0 for none.
 template <class Choose>
 void addSeconds(QMenu& menu, const QString& title, const int (&choices_s)[4], int chosen_s, Choose choose) {
-    menu.addSection(title);
+    addHeading(menu, title);
     for (const int seconds : choices_s) {
         QAction* action = menu.addAction(
             seconds == 0 ? RecordBar::tr("None") : RecordBar::tr("%n second(s)", nullptr, seconds), &menu,
@@ -196,8 +203,7 @@ void RecordBar::fillMenu(QMenu& menu) {
         addSeconds(menu, tr("Pre-roll, from before the recording begins"), kPreRolls_s, run_.preRollSeconds(),
                    [this](int seconds) { run_.setPreRollSeconds(seconds); });
     else
-        menu.addAction(tr("No pre-roll: each stream of this suit begins in the rest pose"))
-            ->setEnabled(false);
+        addHeading(menu, tr("No pre-roll: each stream of this suit begins in the rest pose"));
 }
 
 void RecordBar::refresh() {

@@ -61,8 +61,9 @@ protected:
         saveAs(name + "-150");
         Theme::get().setScale(1);
     }
-    void saveAs(const QString& name) {
-        EXPECT_TRUE(window_->grab().save(QDir(pictures_).filePath(name + ".png"))) << name.toStdString();
+    void saveAs(const QString& name) { saveAs(*window_, name); }
+    void saveAs(QWidget& widget, const QString& name) {
+        EXPECT_TRUE(widget.grab().save(QDir(pictures_).filePath(name + ".png"))) << name.toStdString();
     }
 
     QString pictures_;

@@ -21,6 +21,16 @@ protected:
                    studio_->suit().frame() && studio_->suit().frame()->pose;
         });
     }
+    /// The countdown's menu, by itself.
+    void saveMenu(const QString& name) {
+        for (auto* button : window_->findChildren<QPushButton*>())
+            if (button->menu() && button->isVisible()) {
+                button->menu()->popup(button->mapToGlobal(QPoint()));
+                QTest::qWait(300);
+                saveAs(*button->menu(), name);
+                button->menu()->close();
+            }
+    }
     void recordOneTake(double seconds) {
         run().press();
         ASSERT_TRUE(recordFor(seconds));
@@ -47,6 +57,10 @@ TEST_F(RecordPictures, FromWithoutASuitToFaults) {
     recordOneTake(2);
     QTest::qWait(3000);
     save("record-ready", kRecordSizes);
+    saveMenu("record-menu-dark");
+    Theme::get().setScheme(Scheme::kLight);
+    saveMenu("record-menu-light");
+    Theme::get().setScheme(Scheme::kDark);
     run().setCountdownSeconds(10);
     run().press();
     QTest::qWait(6500);

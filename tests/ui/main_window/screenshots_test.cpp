@@ -97,6 +97,9 @@ TEST_F(Screenshots, OfTheFirstStart) {
 TEST_F(Screenshots, OfDialogs) {
     dialog<NewSessionDialog>("dialog-new-session", *studio_);
     dialog<PreferencesDialog>("dialog-preferences", *studio_);
+    Theme::get().setScheme(Scheme::kLight);
+    dialog<PreferencesDialog>("dialog-preferences-light", *studio_);
+    Theme::get().setScheme(Scheme::kDark);
     dialog<PutOnDialog>("dialog-put-on", *studio_);
     dialog<AboutDialog>("dialog-about", "noctule 0.1.0");
     dialog<ShortcutsDialog>("dialog-shortcuts", QList<ShortcutGroup>{{"Anywhere", window_->actions().all()}});
