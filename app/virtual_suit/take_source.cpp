@@ -10,7 +10,7 @@
 namespace noctule::virtual_suit {
 namespace {
 
-constexpr double kReadAhead_s = 1.5;
+constexpr double kReadAhead_s = 0.2;
 /// Instead of one that the take does not name; boxes have six digits.
 constexpr const char* kSerialOfTakes = "NB-800000";
 

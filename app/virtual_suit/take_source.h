@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A take made before as a box's sound: the same samples, pulses, holes and measurements. Read ahead in large
-// steps.
+// A take made before as a box's sound: the same samples, pulses, holes and measurements. Read ahead a little
+// at a time: what plays and what listens to it need the processor as well.
 #pragma once
 
 #include <string>

@@ -15,6 +15,7 @@ import drift
 import fuzz
 import interface
 import kills
+import live
 import long_fuzz
 import record
 import sanitizers
@@ -28,6 +29,7 @@ FIGURES = {
     "benchmarks": ("Benchmarks", benchmarks.figure),
     "speed": ("Speed on one core", speed.figure),
     "studio": ("The studio: start, a long take, memory", interface.figure),
+    "live": ("A whole suit in real time", live.figure),
     "record": ("A live take through the studio", record.figure),
     "accessibility": ("The studio over AT-SPI", accessibility.figure),
     "blender": ("Exports opened in Blender", blender.figure),
@@ -49,6 +51,7 @@ def parse_options():
     parser.add_argument("--damaged-inputs", type=int, default=1_000_000, metavar="N", help="of fuzz, each reader")
     parser.add_argument("--fuzz-inputs", type=int, default=20000, metavar="N")
     parser.add_argument("--fuzz-seed", type=int, default=1, metavar="N")
+    parser.add_argument("--live-seconds", type=int, default=600, metavar="N", help="of live")
     parser.add_argument("--studio-rounds", type=int, default=interface.ROUNDS_PER_HOUR, metavar="N",
                         help="of drive_studio, each what is done in a minute; at least 4")
     parser.add_argument("--check", action="store_true", help="only look at the arguments")
