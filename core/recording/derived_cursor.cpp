@@ -149,26 +149,28 @@ Result<std::optional<InertialReading>> ReadingCursor::next() {
     return reading;
 }
 
+std::string RangeCursor::query(const RunOfTake& run) {
+    const TakeSchema& schema = *run.schema;
+    if (!schema.has("range") || !schema.has("pulse"))
+        return "SELECT 1 WHERE 0";
+    // Left join, with the range outside: its primary key gives the order, and a range without its pulse
+    // shows. The plus keeps SQLite from taking the suit for a constant: it would no longer see that the key
+    // (run, pulse, suit, board) has the order that is asked for, and sort.
+    std::string sql = "SELECT range.pulse,pulse.sample,pulse.source,range.board";
+    for (const char* column :
+         {"arrival_sample", "distance_m", "w_s", "w_t", "w_a", "sigma_m", "detector", "fate", "innovation_m"})
+        sql += "," + schema.expression("range", column);
+    sql += " FROM range LEFT JOIN pulse ON pulse.id=range.pulse" + whereRun(run, "range") + " AND +" +
+           isOfSuit(run, "range");
+    if (run.pulses)
+        sql += " AND range.pulse BETWEEN " + std::to_string(run.pulses->first) + " AND " +
+               std::to_string(run.pulses->second);
+    return sql + " ORDER BY range.pulse," + schema.expression("range", "suit") + ",range.board";
+}
+
 Result<RangeCursor> RangeCursor::open(const RunOfTake& run) {
     run.log->restart(rowsOfSuit("range", run.suit));
-    const TakeSchema& schema = *run.schema;
-    std::string sql = "SELECT 1 WHERE 0";
-    if (schema.has("range") && schema.has("pulse")) {
-        // Left join, with the range outside: its primary key gives the order, and a range without its pulse
-        // shows. The plus keeps SQLite from taking the suit for a constant: it would no longer see that the
-        // key (run, pulse, suit, board) has the order that is asked for, and sort.
-        sql = "SELECT range.pulse,pulse.sample,pulse.source,range.board";
-        for (const char* column : {"arrival_sample", "distance_m", "w_s", "w_t", "w_a", "sigma_m", "detector",
-                                   "fate", "innovation_m"})
-            sql += "," + schema.expression("range", column);
-        sql += " FROM range LEFT JOIN pulse ON pulse.id=range.pulse" + whereRun(run, "range") + " AND +" +
-               isOfSuit(run, "range");
-        if (run.pulses)
-            sql += " AND range.pulse BETWEEN " + std::to_string(run.pulses->first) + " AND " +
-                   std::to_string(run.pulses->second);
-        sql += " ORDER BY range.pulse," + schema.expression("range", "suit") + ",range.board";
-    }
-    Result<Statement> rows = run.database->prepare(sql);
+    Result<Statement> rows = run.database->prepare(query(run));
     if (!rows)
         return rows.error();
     return RangeCursor(run, std::move(*rows));

@@ -51,6 +51,8 @@ private:
 class RangeCursor {
 public:
     static Result<RangeCursor> open(const RunOfTake& run);
+    /// What open() asks the database: rows come in the order of the primary key, nothing is sorted.
+    static std::string query(const RunOfTake& run);
     Result<std::optional<RangeMeasurement>> next();
     /// That measured the last range that next() gave.
     const std::string& detector() const { return detector_; }

@@ -33,6 +33,13 @@ void reorder(std::vector<T>& values, const std::vector<size_t>& order) {
     values = std::move(sorted);
 }
 
+/// Calls visit(column of the first track, same column of the second, ...).
+template <class Visit, class... Track>
+void forEachColumn(Visit visit, Track&... tracks) {
+    visit(tracks.t_s...), visit(tracks.distance_m...), visit(tracks.confidence...);
+    visit(tracks.sigma_m...), visit(tracks.innovation_m...), visit(tracks.fate...);
+}
+
 /// Pulses of other programs may be numbered in another order than they were sent.
 void sortByTime(PairTrack& track) {
     if (std::is_sorted(track.t_s.begin(), track.t_s.end()))
@@ -41,15 +48,7 @@ void sortByTime(PairTrack& track) {
     std::iota(order.begin(), order.end(), size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](size_t a, size_t b) { return track.t_s[a] < track.t_s[b]; });
-    reorder(track.t_s, order);
-    reorder(track.distance_m, order), reorder(track.confidence, order);
-    reorder(track.sigma_m, order), reorder(track.innovation_m, order);
-    reorder(track.fate, order);
-}
-
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& more) {
-    to.insert(to.end(), more.begin(), more.end());
+    forEachColumn([&order](auto& column) { reorder(column, order); }, track);
 }
 
 /// First and last id of the stretch's pulses. Ranges whose pulse is not there belong to a stretch as well, so
@@ -106,7 +105,8 @@ Result<RangeTable> loadRanges(const std::string& path, int64_t run, const JobCon
     if (!ranges)
         return ranges.error();
     const auto samples = file->take.sampleCount();
-    RowProgress progress(job, "Loading ranges", samples ? file->seconds(static_cast<double>(*samples)) : 0);
+    const double duration_s = samples ? file->seconds(static_cast<double>(*samples)) : 0;
+    RowProgress progress(job, "Loading ranges", duration_s);
     while (true) {
         const auto range = ranges->next();
         if (!range)
@@ -116,7 +116,7 @@ Result<RangeTable> loadRanges(const std::string& path, int64_t run, const JobCon
         const double t_s = file->seconds(static_cast<double>((*range)->pulse_sample));
         const int pair = (*range)->source * table->board_count + (*range)->board;
         append(table->pairs[static_cast<size_t>(pair)], t_s, **range);
-        if (!progress.at(t_s))
+        if (!progress.at(t_s * stretch.count - duration_s * stretch.index))
             return JobContext::cancelledError();
     }
     for (PairTrack& track : table->pairs)
@@ -128,14 +128,9 @@ RangeTable joinRanges(std::vector<RangeTable> stretches) {
     require(!stretches.empty(), "no ranges to be joined");
     RangeTable whole = std::move(stretches.front());
     for (size_t i = 1; i < stretches.size(); ++i)
-        for (size_t pair = 0; pair < whole.pairs.size(); ++pair) {
-            const PairTrack& more = stretches[i].pairs[pair];
-            PairTrack& track = whole.pairs[pair];
-            append(track.t_s, more.t_s);
-            append(track.distance_m, more.distance_m), append(track.confidence, more.confidence);
-            append(track.sigma_m, more.sigma_m), append(track.innovation_m, more.innovation_m);
-            append(track.fate, more.fate);
-        }
+        for (size_t pair = 0; pair < whole.pairs.size(); ++pair)
+            forEachColumn([](auto& to, const auto& more) { to.insert(to.end(), more.begin(), more.end()); },
+                          whole.pairs[pair], stretches[i].pairs[pair]);
     for (PairTrack& track : whole.pairs)
         sortByTime(track);
     return whole;

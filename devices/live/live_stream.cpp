@@ -150,7 +150,7 @@ void LiveSession::keepResults(Stream& stream, StreamResult& result) {
             "or has more of it; process it.");
         return;
     }
-    if (!spool->hasPoses() && stream.request.rest_s > 0 && recording.samples > 0) {
+    if (result.frame->poses == 0 && stream.request.rest_s > 0 && recording.samples > 0) {
         result.warnings.push_back(
             "The take ended before its rest pose did. All of its sound is there, but no pose.");
         return;

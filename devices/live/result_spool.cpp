@@ -72,7 +72,6 @@ void ResultSpool::add(const std::vector<RangeMeasurement>& ranges) {
 void ResultSpool::add(const std::vector<TimedPose>& poses) {
     if (poses.empty())
         return;
-    has_poses_ = true;
     put(kPoses);
     put(poses.size());
     for (const TimedPose& timed : poses) {

@@ -22,8 +22,6 @@ public:
     void add(const std::vector<RangeMeasurement>& ranges);
     void add(const std::vector<TimedPose>& poses);
 
-    bool hasPoses() const { return has_poses_; }
-
     /// kDisk when something could not be written or read back.
     Status replay(ResultRuns& runs);
 
@@ -43,7 +41,7 @@ private:
     bool takePoses(std::vector<TimedPose>& poses);
 
     std::unique_ptr<std::FILE, Closer> file_;
-    bool failed_ = false, has_poses_ = false;
+    bool failed_ = false;
 };
 
 }  // namespace noctule

@@ -1334,6 +1334,21 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::DeviceCard</name>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Name of the suit</source>
+        <translation>Name des Anzugs</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::DevicesPanel</name>
     <message>
         <source>No driver box is found. Switch one on, or connect it by USB.</source>
@@ -1459,6 +1474,10 @@
     <message>
         <source>starting</source>
         <translation>startet</translation>
+    </message>
+    <message>
+        <source>link broken</source>
+        <translation>Verbindung unterbrochen</translation>
     </message>
 </context>
 <context>
@@ -2550,11 +2569,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
-    <name>noctule::ui::MarkerField</name>
-    <message>
-        <source>Name of the marker</source>
-        <translation>Name der Marke</translation>
-    </message>
+    <name>noctule::ui::NameField</name>
     <message>
         <source>Name</source>
         <translation>Name</translation>
@@ -4120,14 +4135,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Marker %1</source>
         <translation>Marke %1</translation>
-    </message>
-    <message>
-        <source>No suit is connected. Connect one first.</source>
-        <translation>Kein Anzug ist verbunden. Zuerst einen verbinden.</translation>
-    </message>
-    <message>
-        <source>A take is being recorded already, or being saved.</source>
-        <translation>Eine Aufnahme läuft schon oder wird gerade gesichert.</translation>
     </message>
     <message>
         <source>Another program asked for a recording, which did not begin</source>
@@ -6059,6 +6066,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Delete marker</source>
         <translation>Marke löschen</translation>
+    </message>
+    <message>
+        <source>Name of the marker</source>
+        <translation>Name der Marke</translation>
     </message>
 </context>
 <context>

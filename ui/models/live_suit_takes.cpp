@@ -37,7 +37,7 @@ StreamRequest LiveSuit::requestOf(const std::optional<TakePlan>& plan) const {
     RecordingRequest take;
     take.folder = session_.session().takesFolder();
     take.name = plan->base_name.toStdString();
-    take.pre_roll_s = canPreRoll() ? plan->pre_roll_s : 0;
+    take.pre_roll_s = plan->pre_roll_s;
     take.meta["actor_name"] = wearing_.actor.name;
     if (!wearing_.performer.empty())
         take.meta["performer"] = wearing_.performer;

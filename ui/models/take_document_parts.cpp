@@ -14,7 +14,7 @@ std::shared_ptr<const T> partOf(const std::shared_ptr<const Whole>& whole, T Who
     return whole ? std::shared_ptr<const T>(whole, &(whole.get()->*member)) : nullptr;
 }
 
-/// One thread of SQLite reads half a million rows in a second: two read a half each, the first tells
+/// One thread of SQLite reads half a million rows in a second: two read a half each; the later tells the
 /// progress.
 Result<RangeTable> loadRangesByTwo(const std::string& path, int64_t run, const JobContext& job) {
     const JobContext silent{nullptr, job.cancel};

@@ -5,9 +5,9 @@
 #include <QMenu>
 #include <cmath>
 
-#include "ui/plots/marker_field.h"
 #include "ui/plots/timeline.h"
 #include "ui/style/theme.h"
+#include "ui/widgets/name_field.h"
 
 namespace noctule::ui {
 namespace {
@@ -74,13 +74,13 @@ void Timeline::nameMarker() {
         return;
     const ReviewMarker& marker = overview_->markers[static_cast<size_t>(chosen_marker_)];
     window_.reveal(marker.t_s);
-    auto* field = new MarkerField(QString::fromStdString(marker.label), this);
+    auto* field = new NameField(tr("Name of the marker"), QString::fromStdString(marker.label), this);
     const int field_width = std::min(Theme::get().px(kFieldWidth), width());
     field->resize(field_width, field->sizeHint().height());
     field->move(std::clamp(qRound(xOf(marker.t_s)), 0, width() - field_width),
                 std::clamp(rows().ruler.top(), 0, std::max(0, height() - field->height())));
     // While a name is typed the take may be read anew, another marker chosen or another take opened.
-    connect(field, &MarkerField::named, this,
+    connect(field, &NameField::named, this,
             [this, path = studio_.take().path(), named = *chosen_](const QString& name) {
                 if (studio_.take().path() == path)
                     studio_.markers().rename(indexOf(named), name);

@@ -41,11 +41,13 @@ public:
     }
 
     const QString& trouble() const { return trouble_; }
+    /// The driver has started anew; another drawing may do.
+    bool isLost() const { return renderer_ && !context_.isValid(); }
     bool isSlow() const { return renderer_ && isSoftware(renderer_->description()); }
 
     QImage draw(const Wish& wish) {
         if (!renderer_ || !context_.makeCurrent(&surface_))
-            return {};  // without a trouble: of a driver that starts anew the next picture may come
+            return {};
         const QSize size(wish.size.width_px, wish.size.height_px);
         if (!target_ || target_->size() != size)
             target_ = std::make_unique<QOpenGLFramebufferObject>(size);
@@ -96,7 +98,7 @@ RenderThread::~RenderThread() {
 }
 
 RenderThread::Drawing& RenderThread::drawing() {
-    if (!drawing_) {
+    if (!drawing_ || drawing_->isLost()) {
         drawing_ = std::make_unique<Drawing>(*surface_);
         slow_ = drawing_->isSlow();
     }

@@ -124,7 +124,8 @@ void SceneCanvas::paintEvent(QPaintEvent*) {
 /// What is shown again may show something else by then.
 void SceneCanvas::hideEvent(QHideEvent*) {
     picture_ = {};
-    to_be_shown_ = 0;
+    to_be_shown_ = asked_for_ = 0;
+    wanted_ = false;
 }
 
 PictureSize SceneCanvas::surfaceSize() const {

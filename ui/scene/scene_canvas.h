@@ -33,7 +33,9 @@ public:
     /// Pixels of the surface for one pixel of the style guide.
     double ratio() const;
     /// Nothing is being drawn, wanted or about to be shown.
-    bool isUpToDate() const { return asked_for_ == 0 && !next_.isActive() && !to_be_shown_; }
+    bool isUpToDate() const {
+        return asked_for_ == 0 && !next_.isActive() && !rest_.isActive() && !to_be_shown_;
+    }
     /// The number of the picture that was asked for last.
     quint64 lastAsked() const { return last_asked_; }
 

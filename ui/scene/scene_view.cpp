@@ -77,6 +77,8 @@ void SceneView::makeCanvas() {
     connect(parts_->canvas, &SceneCanvas::arrived, this, &SceneView::updateOverlay);
     connect(parts_->canvas, &SceneCanvas::shown, this, &SceneView::noteShown);
     connect(parts_->canvas, &SceneCanvas::unavailable, this, [this](const QString& message) {
+        parts_->canvas->hide();  // asks for nothing any more
+        parts_->asked.clear();
         parts_->tools->hide();
         parts_->overlay->hide();
         parts_->trouble = message;

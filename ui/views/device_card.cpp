@@ -11,6 +11,8 @@
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/icon_label.h"
 #include "ui/widgets/label.h"
+#include "ui/widgets/name_field.h"
+#include "ui/widgets/tool_button.h"
 
 namespace noctule::ui {
 namespace {
@@ -47,19 +49,38 @@ DeviceCard::DeviceCard(QWidget* parent)
       name_(new ElidedLabel({}, TextRole::kBody, Ink::kValue, true)),
       state_(new Label({}, TextRole::kSecondary, Ink::kHint)),
       detail_((new Label({}, TextRole::kSecondary, Ink::kLabel))->wrapped()),
-      button_(makeButton(ButtonKind::kText, {})) {
+      button_(makeButton(ButtonKind::kText, {})),
+      rename_(new ToolButton("edit", tr("Rename"))) {
     auto* column = makeColumn(this, {12, 8, 12, 10}, 2);
     head_ = addRow(column, 6);
     head_->addWidget(icon_);
     head_->addWidget(name_, 1);
+    head_->addWidget(rename_);
+    setFocusProxy(rename_);  // where a name that was typed leaves the focus
     column->addWidget(detail_);
     foot_ = addRow(column, 6);
     foot_->addWidget(state_icon_);
     foot_->addWidget(state_, 1);
     connect(button_, &QPushButton::clicked, this, &DeviceCard::activated);
+    connect(rename_, &QToolButton::clicked, this, &DeviceCard::askForName);
+}
+
+void DeviceCard::askForName() {
+    auto* field = new NameField(tr("Name of the suit"), words_.name, this);
+    QRect place = name_->geometry().translated(name_->parentWidget()->mapTo(this, QPoint()));
+    place.setRight(rename_->mapTo(this, rename_->rect().bottomRight()).x());
+    const int height = field->sizeHint().height();
+    field->setGeometry(place.x(), place.center().y() - height / 2, place.width(), height);
+    // While a name is typed the list may change, and the card show another device.
+    connect(field, &NameField::named, this,
+            [this, serial = words_.serial](const QString& name) { emit named(serial, name); });
+    field->show();
+    field->setFocus(Qt::OtherFocusReason);
 }
 
 void DeviceCard::setWords(const DeviceWords& words) {
+    if (words == words_)
+        return;
     words_ = words;
     icon_->setIcon(words.icon, [this] { return suitColour(words_.colour); });
     name_->setText(words.name);
@@ -77,6 +98,8 @@ void DeviceCard::setWords(const DeviceWords& words) {
     (below ? foot_ : head_)->addWidget(button_);
     foot_->parentWidget()->setVisible(below);
     button_->setVisible(!words.action.isEmpty());
+    rename_->setVisible(!words.serial.isEmpty());
+    rename_->setAccessibleName(tr("Rename %1").arg(words.name));
     button_->setAccessibleName(words.action + ' ' + words.name);
     setSelected(words.chosen);
     setAccessibleName(words.name);

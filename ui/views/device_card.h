@@ -13,6 +13,7 @@ class Button;
 class ElidedLabel;
 class IconLabel;
 class Label;
+class ToolButton;
 
 struct DeviceWords {
     QString icon;
@@ -22,6 +23,7 @@ struct DeviceWords {
     Tone tone = Tone::kNeutral;
     QString detail;
     QString action;  ///< empty: none
+    QString serial;  ///< empty: it cannot be named
     bool chosen = false;
     bool operator==(const DeviceWords&) const = default;
 };
@@ -34,17 +36,22 @@ public:
     void setWords(const DeviceWords& words);
     const DeviceWords& words() const { return words_; }
     Button* button() const { return button_; }
+    ToolButton* renameButton() const { return rename_; }
 
 signals:
     void activated();
+    void named(const QString& serial, const QString& name);
 
 private:
+    void askForName();
+
     DeviceWords words_;
     IconLabel *icon_, *state_icon_;
     ElidedLabel* name_;
     Label *state_, *detail_;
     QHBoxLayout *head_, *foot_;
     Button* button_;
+    ToolButton* rename_;
 };
 
 }  // namespace noctule::ui

@@ -19,6 +19,13 @@ bool isSerialPort(const FoundDevice& device) {
     return device.address.starts_with("serial:");
 }
 
+/// Of the suit that is connected.
+void tellLink(const LiveSuit& live, DeviceWords& words) {
+    const bool lost = live.status()->link == LinkState::kLost;
+    words.state = lost ? DevicesPanel::tr("link broken") : DevicesPanel::tr("connected");
+    words.tone = lost ? Tone::kWarn : Tone::kOk;
+}
+
 }  // namespace
 
 DevicesPanel::DevicesPanel(Studio& studio, QWidget* parent)
@@ -40,9 +47,9 @@ DevicesPanel::DevicesPanel(Studio& studio, QWidget* parent)
     addAddressForm(*column);
     connect(virtual_card_, &DeviceCard::activated, this, &DevicesPanel::actOnVirtualSuit);
     connect(&studio_.finder(), &SuitFinder::changed, this, &DevicesPanel::showDevices);
-    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &DevicesPanel::showDevices);
+    connect(&studio_.suit(), &LiveSuit::statusChanged, this, &DevicesPanel::showDevices);
     connect(&studio_.virtualSuit(), &VirtualSuit::changed, this, &DevicesPanel::showVirtualSuit);
-    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &DevicesPanel::showVirtualSuit);
+    connect(&studio_.suit(), &LiveSuit::statusChanged, this, &DevicesPanel::showVirtualSuit);
     showDevices();
     showVirtualSuit();
 }
@@ -109,6 +116,7 @@ void DevicesPanel::showDevices() {
             const KnownSuit suit = studio_.finder().suits().at(index);
             act(suit);
         });
+        connect(card, &DeviceCard::named, &studio_.finder(), &SuitFinder::rename);
         cards_.push_back(card);
         list_column_->addWidget(card);
     }
@@ -124,6 +132,7 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
     words.icon = isSerialPort(device) ? "usb" : "net";
     words.colour = suit.colour;
     words.name = suit.name;
+    words.serial = qt(device.serial);
     const QString where = isSerialPort(device) ? tr("Driver box on USB") : tr("Driver box on the network");
     const QString holds = device.boards > 0 ? tr("%1, %2", "where a device is; what it has")
                                                   .arg(where, tr("%n board(s)", nullptr, device.boards))
@@ -135,14 +144,16 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
     } else if (isConnected(suit)) {
         const LiveSuit::Phase phase = studio_.suit().phase();
         words.chosen = true;
-        words.action = phase == LiveSuit::Phase::kRefused ? tr("Try again") : tr("Disconnect");
-        words.tone = phase == LiveSuit::Phase::kRefused ? Tone::kError : Tone::kOk;
-        words.detail = phase == LiveSuit::Phase::kConnecting ? tr("is being connected")
-                       : phase == LiveSuit::Phase::kRefused  ? tr("does not answer")
-                                                             : holds;
-        words.state = phase == LiveSuit::Phase::kRefused || phase == LiveSuit::Phase::kConnecting
-                          ? QString()
-                          : tr("connected");
+        words.action = tr("Disconnect");
+        if (phase == LiveSuit::Phase::kRefused) {
+            words.tone = Tone::kError;
+            words.detail = tr("does not answer");
+            words.action = tr("Try again");
+        } else if (phase == LiveSuit::Phase::kConnecting) {
+            words.detail = tr("is being connected");
+        } else {
+            tellLink(studio_.suit(), words);
+        }
     } else if (device.contact == FoundDevice::Contact::kAsking) {
         words.state = tr("asking");
     } else if (device.contact == FoundDevice::Contact::kSilent) {
@@ -198,8 +209,8 @@ void DevicesPanel::showVirtualSuit() {
             words.state = tr("starting");
             break;
         case VirtualSuit::State::kOn:
-            words.state = connected ? tr("connected") : QString();
-            words.tone = connected ? Tone::kOk : Tone::kNeutral;
+            if (connected)
+                tellLink(live, words);
             words.action = connected ? tr("Stop") : tr("Connect");
             words.chosen = connected;
     }

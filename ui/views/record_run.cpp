@@ -136,7 +136,7 @@ void RecordRun::recordAnyway() {
 void RecordRun::beginOrCount() {
     told_notes_.clear();
     if (countdown_s_ == 0)
-        return begin(base_);
+        return beginOwn();
     counting_.start();
     last_second_ = countdown_s_;
     tone();
@@ -161,14 +161,19 @@ void RecordRun::count() {
         return;
     const double left_s = countdownLeft();
     if (left_s <= 0)
-        return begin(base_);
+        return beginOwn();
     const int second = static_cast<int>(std::ceil(left_s));
     if (second != last_second_)
         tone();
     last_second_ = second;
 }
 
-void RecordRun::begin(const QString& base) {
+void RecordRun::beginOwn() {
+    if (const QString why = begin(base_); !why.isEmpty())
+        emit studio_.failed(tr("Recording did not begin"), why);
+}
+
+QString RecordRun::begin(const QString& base) {
     counting_.invalidate();
     LiveSuit::TakePlan plan;
     plan.base_name = base;
@@ -176,9 +181,9 @@ void RecordRun::begin(const QString& base) {
     if (shot_ >= 0)
         plan.shot =
             QString::fromStdString(studio_.session().session().shots[static_cast<size_t>(shot_)].name);
-    if (const QString why = studio_.suit().record(plan); !why.isEmpty())
-        emit studio_.failed(tr("Recording did not begin"), why);
+    const QString why = studio_.suit().record(plan);
     follow();
+    return why;
 }
 
 void RecordRun::stop() {
@@ -187,19 +192,17 @@ void RecordRun::stop() {
 }
 
 void RecordRun::beginFromElsewhere(const QString& name, const QString& notes) {
-    const bool could = state_ == State::kReady || state_ == State::kCountdown ||
-                       (state_ == State::kRefused && obstacle_.may_record_anyway);
-    if (!could) {
-        const QString why = state_ == State::kNoSuit ? tr("No suit is connected. Connect one first.")
-                            : state_ == State::kRefused
-                                ? sentences(obstacle_)
-                                : tr("A take is being recorded already, or being saved.");
+    QString why;
+    if (state_ == State::kRefused && !obstacle_.may_record_anyway)
+        why = sentences(obstacle_);
+    else
+        why = begin(name.trimmed().isEmpty()
+                        ? base_
+                        : QString::fromStdString(takeBaseName(name.trimmed().toStdString())));
+    if (why.isEmpty())
+        told_notes_ = notes.trimmed();
+    else
         emit studio_.failed(tr("Another program asked for a recording, which did not begin"), why);
-        return;
-    }
-    told_notes_ = notes.trimmed();
-    begin(name.trimmed().isEmpty() ? base_
-                                   : QString::fromStdString(takeBaseName(name.trimmed().toStdString())));
 }
 
 void RecordRun::stopFromElsewhere() {

@@ -89,7 +89,9 @@ private:
     State stateNow() const;
     RecordObstacle obstacleNow() const;
     void beginOrCount();
-    void begin(const QString& base);
+    void beginOwn();
+    /// Why it cannot begin; empty: it does.
+    QString begin(const QString& base);
     void count();
     void onStarted(const QString& take);
     void onEnded(const QString& take, const QString& trouble);

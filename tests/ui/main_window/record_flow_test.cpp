@@ -4,6 +4,7 @@
 // machine with nothing else to do.
 #include <QAbstractButton>
 #include <QMessageBox>
+#include <QUdpSocket>
 #include <cstdio>
 
 #include "core/live/latency.h"
@@ -136,6 +137,27 @@ TEST_F(RecordFlow, CtrlRRecordsFromAnywhereAndTheTopBarShowsIt) {
     QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier);
     EXPECT_TRUE(waitFor([&] { return window_->step() == Step::kReview; }));
     EXPECT_EQ(window_->topBar().recordButton().text(), "Record");
+}
+
+TEST_F(RecordFlow, AnotherProgramStartsAndStopsATake) {
+    ASSERT_TRUE(studio_->session().create(home() + "-live", "live"));
+    connectDirectly();
+    QUdpSocket sender;
+    sender.bind(QHostAddress(QHostAddress::LocalHost), 0);
+    const quint16 port = sender.localPort();  // free, once it is closed
+    sender.close();
+    studio_->remoteStart().setPort(port);
+    studio_->remoteStart().setAllowed(true);
+    ASSERT_TRUE(studio_->remoteStart().isListening()) << studio_->remoteStart().problem().toStdString();
+    const auto send = [&](const char* what) {
+        sender.writeDatagram(QByteArray("<") + what + "><Name VALUE=\"dance\"/></" + what + ">",
+                             QHostAddress(QHostAddress::LocalHost), port);
+    };
+    send("CaptureStart");
+    ASSERT_TRUE(recordFor(0.3));
+    send("CaptureStop");
+    ASSERT_TRUE(waitFor([&] { return studio_->session().session().takes.size() == 1; }));
+    EXPECT_EQ(studio_->session().session().takes[0].name, "dance_001");
 }
 
 TEST_F(RecordFlow, ClosingTheWindowAsksWhileATakeIsRecorded) {

@@ -5,9 +5,9 @@
 #include <QSignalSpy>
 
 #include "tests/ui/plots/plots_fixture.h"
-#include "ui/plots/marker_field.h"
 #include "ui/plots/time_ruler.h"
 #include "ui/plots/transport_bar.h"
+#include "ui/widgets/name_field.h"
 
 namespace noctule::ui {
 namespace {
@@ -140,7 +140,7 @@ TEST_F(TimelineTest, MarkersAreNamedWhereTheyStand) {
     setMarkers();
     EXPECT_EQ(timeline_->chosenMarker(), 1) << "the one that was set last";
     QTest::mouseDClick(timeline_.get(), Qt::LeftButton, {}, timeline_->flagPoint(0.5));
-    auto* field = timeline_->findChild<MarkerField*>();
+    auto* field = timeline_->findChild<NameField*>();
     ASSERT_TRUE(field);
     EXPECT_EQ(field->text(), "Marker 1");
     QTest::keyClicks(field, "jump");
@@ -148,9 +148,9 @@ TEST_F(TimelineTest, MarkersAreNamedWhereTheyStand) {
     ASSERT_TRUE(become({"0.50 jump", "1.50 Marker 2"}));
     EXPECT_EQ(timeline_->chosenMarker(), 0);
 
-    ASSERT_TRUE(waitFor([this] { return !timeline_->findChild<MarkerField*>(); }));
+    ASSERT_TRUE(waitFor([this] { return !timeline_->findChild<NameField*>(); }));
     EXPECT_TRUE(key(Qt::Key_F2));
-    field = timeline_->findChild<MarkerField*>();
+    field = timeline_->findChild<NameField*>();
     ASSERT_TRUE(field);
     QTest::keyClicks(field, "something else");
     QTest::keyClick(field, Qt::Key_Escape);
@@ -218,7 +218,7 @@ TEST_F(TimelineTest, ANameGoesToTheMarkerThatItWasTypedFor) {
     setMarkers();
     timeline_->goToMarker(-1);
     timeline_->nameMarker();
-    auto* field = timeline_->findChild<MarkerField*>();
+    auto* field = timeline_->findChild<NameField*>();
     ASSERT_TRUE(field);
     QTest::keyClicks(field, "jump");
     studio_->markers().add(0.2);  // the take is read anew, with another one before it

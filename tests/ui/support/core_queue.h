@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // For how long a thread could have run and the machine had no core for it: the second number of
 // /proc/PID/task/TID/schedstat (Documentation/scheduler/sched-stats.rst). The interface's thread also waits
-// for those who paint for it, a software OpenGL's threads ("llvmpipe-0") and the X server, and they wait for
-// cores themselves; of the time in which our thread neither ran nor queued, at most as much as they queued is
-// taken off. Where the kernel keeps no schedstat, nothing is taken off.
+// for the X server, which waits for cores itself; of the time in which our thread neither ran nor queued, at
+// most as much as the server queued is taken off. Where the kernel keeps no schedstat, nothing is taken off.
 #pragma once
 
 #include <fcntl.h>
@@ -14,10 +13,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <memory>
 #include <string>
 
 namespace noctule::ui::test {
@@ -26,11 +21,11 @@ class CoreQueue {
 public:
     /// Since the call before.
     struct Passed {
-        double ran_ms = 0, queued_ms = 0, painters_queued_ms = 0;
+        double ran_ms = 0, queued_ms = 0, server_queued_ms = 0;
 
         double withoutQueues_ms(double wall_ms) const {
             const double blocked_ms = std::max(0.0, wall_ms - ran_ms - queued_ms);
-            return wall_ms - queued_ms - std::min(blocked_ms, painters_queued_ms);
+            return wall_ms - queued_ms - std::min(blocked_ms, server_queued_ms);
         }
     };
 
@@ -40,17 +35,10 @@ public:
     bool isKept() const { return own_.isOpen(); }
 
     Passed passed() {
-        lookForPainters();
         Passed passed;
         own_.advance(passed.ran_ms, passed.queued_ms);
-        double ran_ms = 0, longest_ms = 0, server_ms = 0;
-        for (auto& [name, painter] : painters_) {
-            double queued_ms = 0;
-            painter->advance(ran_ms, queued_ms);
-            longest_ms = std::max(longest_ms, queued_ms);
-        }
-        server_.advance(ran_ms, server_ms);
-        passed.painters_queued_ms = longest_ms + server_ms;
+        double server_ran_ms = 0;
+        server_.advance(server_ran_ms, passed.server_queued_ms);
         return passed;
     }
 
@@ -84,22 +72,6 @@ private:
 
     static std::string taskFile(const std::string& tid) { return "/proc/self/task/" + tid + "/schedstat"; }
 
-    /// New ones begin with nothing queued, so that it is no matter when they are found.
-    void lookForPainters() {
-        std::error_code gone;
-        for (const auto& task : std::filesystem::directory_iterator("/proc/self/task", gone)) {
-            const std::string tid = task.path().filename().string();
-            if (known_.contains(tid))
-                continue;
-            std::string name;
-            std::getline(std::ifstream(task.path() / "comm"), name);
-            const bool paints = name.starts_with("llvmpipe");
-            known_[tid] = paints;
-            if (paints)
-                painters_[tid] = std::make_unique<Counter>(taskFile(tid));
-        }
-    }
-
     /// Who listens at the other end of our connection to the screen; "0" when there is none.
     static std::string serverPid() {
         constexpr int kMostFiles = 64;
@@ -120,8 +92,6 @@ private:
     }
 
     Counter own_, server_;
-    std::map<std::string, bool> known_;
-    std::map<std::string, std::unique_ptr<Counter>> painters_;
 };
 
 }  // namespace noctule::ui::test

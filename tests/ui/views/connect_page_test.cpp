@@ -27,7 +27,9 @@
 #include "ui/views/number_rows.h"
 #include "ui/views/readiness_panel.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/name_field.h"
 #include "ui/widgets/problem_card.h"
+#include "ui/widgets/tool_button.h"
 
 namespace noctule::ui {
 namespace {
@@ -167,7 +169,9 @@ TEST_F(ConnectPageTest, ACutLinkIsSaidAndComesBack) {
     tell("cut 2");
     ASSERT_TRUE(waitFor([&] { return problems().value(0) == "The link is broken"; }));
     EXPECT_EQ(verdict(), "Not ready yet");
-    EXPECT_TRUE(waitFor([&] { return verdict() == "Ready"; }));
+    const DeviceWords& words = page_->devices().virtualCard().words();
+    EXPECT_TRUE(waitFor([&] { return words.state == "link broken"; }));
+    EXPECT_TRUE(waitFor([&] { return verdict() == "Ready" && words.state == "connected"; }));
 }
 
 TEST_F(ConnectPageTest, ABoardDraggedOntoAnotherSwapsTheTwoAndIsUndone) {
@@ -218,6 +222,30 @@ TEST_F(ConnectPageTest, FoundBoxesAreCardsWithTheirState) {
     EXPECT_EQ(devices.cards()[0]->words().action, "Forget");
     QTest::mouseClick(devices.cards()[0]->button(), Qt::LeftButton);
     EXPECT_TRUE(waitFor([&] { return devices.cards().empty(); }));
+}
+
+TEST_F(ConnectPageTest, ABoxIsNamedInPlaceAndKeepsItsName) {
+    noctule::test::Answerer box(noctule::test::testAnnouncement());
+    studio_->finder().start({box.port(), false});
+    DevicesPanel& devices = page_->devices();
+    ASSERT_TRUE(waitFor([&] { return devices.cards().size() == 1; }));
+    DeviceCard& card = *devices.cards()[0];
+    const auto type = [&](const QString& name, Qt::Key end) {
+        QTest::mouseClick(card.renameButton(), Qt::LeftButton);
+        auto* field = card.findChild<NameField*>();
+        ASSERT_TRUE(field);
+        EXPECT_EQ(field->selectedText(), card.words().name);
+        QTest::keyClicks(field, name);
+        QTest::keyClick(field, end);
+        ASSERT_TRUE(waitFor([&] { return !card.findChild<NameField*>(); }));
+    };
+    type("Stage left", Qt::Key_Return);
+    EXPECT_EQ(card.words().name, "Stage left");
+    type("nothing", Qt::Key_Escape);
+    EXPECT_EQ(card.words().name, "Stage left");
+    EXPECT_EQ(studio_->finder().suits().at(0).name, "Stage left");
+    type("  ", Qt::Key_Return);
+    EXPECT_EQ(card.words().name, "Blue suit") << "without a name of one's own the box's is shown";
 }
 
 TEST_F(ConnectPageTest, AWrongAddressIsToldInPlaceAndASilentOneInTheList) {

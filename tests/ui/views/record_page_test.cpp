@@ -69,10 +69,10 @@ protected:
     bool reach(State state) {
         return waitFor([&] { return run().state() == state; });
     }
-    bool connectTo(const TestBox& box) {
+    bool connectTo(const TestBox& box, double rest_s = 0.5) {
         const Take take = std::move(Take::open(noctule::test::kTinyTake).value());
         studio_->suit().connectTo(QString::fromStdString(box.address()),
-                                  {take.calibrationInForce()->value, take.actorInForce()->value, 0.5});
+                                  {take.calibrationInForce()->value, take.actorInForce()->value, rest_s});
         return waitFor([&] { return studio_->suit().phase() == LiveSuit::Phase::kLooking; });
     }
     bool recordFor(double seconds) {
@@ -155,6 +155,20 @@ TEST_F(RecordPageTest, ThePreRollIsRememberedAndSeen) {
     EXPECT_TRUE(std::any_of(buttons.begin(), buttons.end(), [](const Button* button) {
         return button->text() == "No countdown, pre-roll 5\u00A0s";
     }));
+}
+
+TEST_F(RecordPageTest, ATakeBeginsWithThePreRoll) {
+    TestBox box(kLooping);
+    openSession();
+    ASSERT_TRUE(connectTo(box, 0));
+    run().setPreRollSeconds(2);
+    ASSERT_TRUE(reach(State::kReady));
+    QTest::qWait(2000);  // what is kept
+    key(Qt::Key_Space);
+    ASSERT_TRUE(waitFor([&] { return studio_->suit().recordedSeconds() > 0; }));
+    EXPECT_GT(studio_->suit().recordedSeconds(), 1);
+    run().stop();
+    ASSERT_TRUE(waitFor([&] { return !session().takes.empty(); }));
 }
 
 TEST_F(RecordPageTest, AfterStopItStaysWhenTheOperatorWantsItSo) {

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/plots/marker_field.h"
+#include "ui/widgets/name_field.h"
 
 #include <QKeyEvent>
 #include <utility>
 
 namespace noctule::ui {
 
-MarkerField::MarkerField(const QString& label, QWidget* parent) : QLineEdit(label, parent) {
-    setAccessibleName(tr("Name of the marker"));
+NameField::NameField(const QString& what, const QString& name, QWidget* parent) : QLineEdit(name, parent) {
+    setAccessibleName(what);
     setPlaceholderText(tr("Name"));
     selectAll();
 }
 
-void MarkerField::keyPressEvent(QKeyEvent* event) {
+void NameField::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape)
         end(false);
     else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
@@ -21,13 +21,13 @@ void MarkerField::keyPressEvent(QKeyEvent* event) {
         QLineEdit::keyPressEvent(event);
 }
 
-void MarkerField::focusOutEvent(QFocusEvent* event) {
+void NameField::focusOutEvent(QFocusEvent* event) {
     QLineEdit::focusOutEvent(event);
     if (event->reason() != Qt::PopupFocusReason)  // its own menu
         end(true);
 }
 
-void MarkerField::end(bool keep) {
+void NameField::end(bool keep) {
     if (std::exchange(ended_, true))
         return;
     if (keep)

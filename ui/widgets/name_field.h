@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The name of a marker, typed where its flag stands. Enter and a click elsewhere keep it, Esc does not.
+// A name that is typed where it stands, over the widget that shows it. Enter and a click elsewhere keep it,
+// Esc does not.
 #pragma once
 
 #include <QLineEdit>
 
 namespace noctule::ui {
 
-class MarkerField : public QLineEdit {
+class NameField : public QLineEdit {
     Q_OBJECT
 public:
-    explicit MarkerField(const QString& label, QWidget* parent);
+    /// `what`: what is named, for screen readers.
+    NameField(const QString& what, const QString& name, QWidget* parent);
 
 signals:
-    void named(const QString& label);
+    void named(const QString& name);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
