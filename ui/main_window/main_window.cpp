@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -14,6 +15,7 @@
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
 #include "ui/main_window/window_menus.h"
+#include "ui/scene/scene_canvas.h"
 #include "ui/style/theme.h"
 #include "ui/views/page.h"
 
@@ -22,6 +24,7 @@ namespace {
 
 constexpr const char* kGeometry = "window/geometry";
 constexpr const char* kMaximised = "window/maximised";
+constexpr int kWhenIdle_ms = 300;
 
 const std::map<Step, Command>& commandOfStep() {
     static const std::map<Step, Command> commands{
@@ -57,6 +60,8 @@ MainWindow::MainWindow(Studio& studio, QWidget* parent)
     if (studio_.session().isOpen())
         onSessionOpened();
     goTo(Step::kStart);
+    // The first page with a 3D view need not wait for the driver.
+    QTimer::singleShot(kWhenIdle_ms, this, [] { SceneCanvas::missing(); });
 }
 
 MainWindow::~MainWindow() {

@@ -78,6 +78,7 @@ PairGrid::Frame PairGrid::frame() const {
     const Theme& theme = Theme::get();
     Frame frame;
     frame.headings_height = theme.px(kHeadings);
+    frame.gap = theme.px(kGap);
     const int left = edgeWidth(false), right = std::max(edgeWidth(true), theme.px(2 * kRing));
     const int bottom = content_.groups.empty() ? theme.px(2 * kRing) : theme.px(kGroups);
     frame.cells = QRectF(left, frame.headings_height, std::max(1, width() - left - right),
@@ -87,14 +88,16 @@ PairGrid::Frame PairGrid::frame() const {
     return frame;
 }
 
-QRect PairGrid::cellRect(int row, int column) const {
-    const Frame f = frame();
-    const int left = qRound(f.cells.left() + column * f.cell_width);
-    const int top = qRound(f.cells.top() + row * f.cell_height);
-    const int right = qRound(f.cells.left() + (column + 1) * f.cell_width);
-    const int bottom = qRound(f.cells.top() + (row + 1) * f.cell_height);
-    const int gap = Theme::get().px(kGap);
+QRect PairGrid::Frame::cell(int row, int column) const {
+    const int left = qRound(cells.left() + column * cell_width);
+    const int top = qRound(cells.top() + row * cell_height);
+    const int right = qRound(cells.left() + (column + 1) * cell_width);
+    const int bottom = qRound(cells.top() + (row + 1) * cell_height);
     return {left, top, std::max(1, right - left - gap), std::max(1, bottom - top - gap)};
+}
+
+QRect PairGrid::cellRect(int row, int column) const {
+    return frame().cell(row, column);
 }
 
 QPoint PairGrid::cellAt(const QPoint& position) const {
@@ -189,20 +192,20 @@ void PairGrid::paintEvent(QPaintEvent*) {
         return;
     painter.setRenderHint(QPainter::Antialiasing);
     const Frame f = frame();
-    paintCells(painter);
+    paintCells(painter, f);
     paintHeadings(painter, f);
     paintGroups(painter, f);
     if (row_ >= 0)
-        paintCurrent(painter);
+        paintCurrent(painter, f);
 }
 
-void PairGrid::paintCells(QPainter& painter) const {
+void PairGrid::paintCells(QPainter& painter, const Frame& frame) const {
     const Theme& theme = Theme::get();
     const double radius = theme.px(kRadius);
     for (int row = 0; row < rowCount(); ++row)
         for (int column = 0; column < columnCount(); ++column) {
             const PairCell& cell = content_.cell(row, column);
-            const QRectF rect = cellRect(row, column);
+            const QRectF rect = frame.cell(row, column);
             if (cell.state == PairCell::State::kHeard) {
                 painter.setPen(Qt::NoPen);
                 painter.setBrush(theme.confidence(cell.confidence));
@@ -216,10 +219,10 @@ void PairGrid::paintCells(QPainter& painter) const {
         }
 }
 
-void PairGrid::paintCurrent(QPainter& painter) const {
+void PairGrid::paintCurrent(QPainter& painter, const Frame& frame) const {
     const Theme& theme = Theme::get();
     const double ring = theme.px(kRing);
-    const QRectF rect = cellRect(row_, column_);
+    const QRectF rect = frame.cell(row_, column_);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(theme.tokens().panel, 2 * ring));
     painter.drawRoundedRect(rect, ring, ring);
@@ -237,7 +240,7 @@ void PairGrid::paintHeadings(QPainter& painter, const Frame& frame) const {
     const int beside = theme.px(kBesideRows);
     for (int row = 0; row < rowCount(); ++row) {
         const auto index = static_cast<size_t>(row);
-        const QRect cell = cellRect(row, 0);
+        const QRect cell = frame.cell(row, 0);
         ink(content_.rows[index], row == row_);
         painter.drawText(QRect(0, cell.top(), cell.left() - beside, cell.height()),
                          Qt::AlignRight | Qt::AlignVCenter, content_.rows[index].text);
@@ -256,7 +259,7 @@ void PairGrid::paintHeadings(QPainter& painter, const Frame& frame) const {
         if (column % every != 0 && !current)
             continue;
         ink(heading, current);
-        const QRect cell = cellRect(0, column);
+        const QRect cell = frame.cell(0, column);
         const int spare = static_cast<int>(widest);
         painter.drawText(QRect(cell.left() - spare, 0, cell.width() + 2 * spare, frame.headings_height),
                          Qt::AlignHCenter | Qt::AlignVCenter, heading.text);
@@ -269,7 +272,7 @@ void PairGrid::paintGroups(QPainter& painter, const Frame& frame) const {
     const QFontMetrics metrics = painter.fontMetrics();
     const int y = qRound(frame.cells.bottom()) + theme.px(5);
     for (const PairColumnGroup& group : content_.groups) {
-        const int left = cellRect(0, group.first).left(), right = cellRect(0, group.last).right() + 1;
+        const int left = frame.cell(0, group.first).left(), right = frame.cell(0, group.last).right() + 1;
         painter.fillRect(QRect(left, y, right - left, theme.px(1)), theme.tokens().edge);
         painter.setPen(theme.tokens().t2);
         painter.drawText(QRect(left, y + theme.px(4), right - left, height() - y - theme.px(4)),

@@ -81,13 +81,14 @@ private:
     struct Frame {
         QRectF cells;
         double cell_width = 0, cell_height = 0;  ///< with the gap
-        int headings_height = 0;
+        int headings_height = 0, gap = 0;
+        QRect cell(int row, int column) const;
     };
     Frame frame() const;
     int edgeWidth(bool notes) const;
     void choose(int row, int column);
-    void paintCells(QPainter& painter) const;
-    void paintCurrent(QPainter& painter) const;
+    void paintCells(QPainter& painter, const Frame& frame) const;
+    void paintCurrent(QPainter& painter, const Frame& frame) const;
     void paintHeadings(QPainter& painter, const Frame& frame) const;
     void paintGroups(QPainter& painter, const Frame& frame) const;
 

@@ -92,7 +92,8 @@ private:
     bool movable_ = false;
     int chosen_ = -1, dragged_ = -1;  ///< boards
     QPoint pressed_at_, dragged_to_;
-    QPixmap picture_;  ///< null: to be painted again
+    QPixmap picture_;       ///< null: to be painted again
+    bool painted_ = false;  ///< at least once
 };
 
 }  // namespace noctule::ui

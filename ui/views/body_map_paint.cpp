@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the body map looks.
 #include <QPainter>
+#include <QTimer>
 #include <algorithm>
 
 #include "ui/models/part_names.h"
@@ -30,8 +31,11 @@ void BodyMap::paintEvent(QPaintEvent*) {
     const Tokens& tokens = theme.tokens();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (picture_.isNull())
+    if (picture_.isNull() && painted_)
         renewFigure();
+    else if (picture_.isNull())  // a new page is there first, its figure the moment after
+        QTimer::singleShot(0, this, [this] { update(); });
+    painted_ = true;
     const QSizeF size = QSizeF(picture_.size()) / picture_.devicePixelRatio();
     painter.drawPixmap(QPointF((width() - size.width()) / 2, floor() - size.height()), picture_);
     painter.setFont(theme.font(TextRole::kSecondary));
