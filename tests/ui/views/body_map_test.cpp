@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/suit/default_suit.h"
+#include "tests/ui/support/wait.h"
 #include "ui/style/theme.h"
 
 namespace noctule::ui {
@@ -25,7 +26,7 @@ TEST(BodyMap, ShowsTheBodyAtEverySize) {
     BodyMap map(defaultActor(), defaultSuit(), nullptr);
     for (const QSize size : {QSize(760, 640), QSize(1000, 800)}) {
         map.resize(size);
-        EXPECT_GT(figureShare(map), 0.03) << size.width();
+        EXPECT_TRUE(waitFor([&] { return figureShare(map) > 0.03; })) << size.width();
     }
 }
 
