@@ -51,8 +51,8 @@ void sortByTime(PairTrack& track) {
     forEachColumn([&order](auto& column) { reorder(column, order); }, track);
 }
 
-/// First and last id of the stretch's pulses. Ranges whose pulse is not there belong to a stretch as well, so
-/// that they are counted as everywhere.
+/// First and last id of the pulses of the stretch; the first and the last stretch have no end, for ranges
+/// whose pulse is not there.
 std::pair<int64_t, int64_t> pulsesOf(const TakeStretch& stretch, const std::vector<Pulse>& pulses) {
     std::vector<int64_t> ids;
     ids.reserve(pulses.size());

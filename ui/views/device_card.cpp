@@ -61,6 +61,7 @@ DeviceCard::DeviceCard(QWidget* parent)
     foot_ = addRow(column, 6);
     foot_->addWidget(state_icon_);
     foot_->addWidget(state_, 1);
+    foot_->addStretch();
     connect(button_, &QPushButton::clicked, this, &DeviceCard::activated);
     connect(rename_, &QToolButton::clicked, this, &DeviceCard::askForName);
 }
@@ -93,8 +94,8 @@ void DeviceCard::setWords(const DeviceWords& words) {
     detail_->setText(words.detail);
     detail_->setVisible(!words.detail.isEmpty());
     button_->setText(words.action);
-    // Beside the name where no state has to be read first.
-    const bool below = !words.state.isEmpty();
+    // Beside the name where that has room, and no state has to be read first.
+    const bool below = !words.state.isEmpty() || !words.serial.isEmpty();
     (below ? foot_ : head_)->addWidget(button_);
     foot_->parentWidget()->setVisible(below);
     button_->setVisible(!words.action.isEmpty());

@@ -1,21 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of Connect with a suit, well and with faults.
+#include "tests/devices/support/answerer.h"
 #include "tests/ui/main_window/live_pictures.h"
 #include "ui/views/body_map.h"
 #include "ui/views/connect_page.h"
+#include "ui/views/device_card.h"
+#include "ui/views/devices_panel.h"
 #include "ui/views/readiness_panel.h"
+#include "ui/widgets/name_field.h"
+#include "ui/widgets/tool_button.h"
 
 namespace noctule::ui {
 namespace {
 
 class ConnectPictures : public test::LivePictures {
 protected:
+    /// Found in the network, and while it gets a name.
+    void takePicturesOfABox() {
+        const noctule::test::Answerer box(noctule::test::testAnnouncement());
+        studio_->finder().start({box.port(), false});
+        const auto& cards = page().devices().cards();
+        ASSERT_TRUE(waitFor([&] { return cards.size() == 1; }));
+        save("connect-found");
+        cards[0]->renameButton()->click();
+        saveAs("connect-naming");
+        QTest::keyClick(cards[0]->findChild<NameField*>(), Qt::Key_Escape);
+    }
     ConnectPage& page() { return dynamic_cast<ConnectPage&>(window_->page(Step::kConnect)); }
 };
 
 TEST_F(ConnectPictures, WellAndWithFaults) {
     window_->goTo(Step::kConnect);
     save("connect-without");
+    takePicturesOfABox();
     studio_->startVirtualSuit();
     ASSERT_TRUE(waitFor([this] { return page().readiness().verdict() == "Ready"; }));
     QTest::qWait(6000);

@@ -41,7 +41,8 @@ protected:
         ASSERT_TRUE(waitFor([&] { return socket.canReadLine(); }));
     }
     /// Of the window, in both themes.
-    void save(const QString& name, const std::vector<QSize>& sizes = {{1440, 900}, {1280, 800}}) {
+    void save(const QString& name,
+              const std::vector<QSize>& sizes = {{1440, 900}, {1280, 800}, {1920, 1080}}) {
         for (const QSize size : sizes)
             for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
                 Theme::get().setScheme(scheme);

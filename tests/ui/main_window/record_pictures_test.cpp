@@ -7,8 +7,6 @@
 namespace noctule::ui {
 namespace {
 
-const std::vector<QSize> kRecordSizes{{1440, 900}, {1280, 800}, {1920, 1080}};
-
 class RecordPictures : public test::LivePictures {
 protected:
     RecordRun& run() { return dynamic_cast<RecordPage&>(window_->page(Step::kRecord)).run(); }
@@ -41,7 +39,7 @@ protected:
 
 TEST_F(RecordPictures, FromWithoutASuitToFaults) {
     window_->goTo(Step::kRecord);
-    save("record-without", {{1440, 900}});
+    save("record-without");
     studio_->startVirtualSuit();
     ASSERT_TRUE(isReady());
     QDir().mkpath(home());
@@ -56,7 +54,7 @@ TEST_F(RecordPictures, FromWithoutASuitToFaults) {
     recordOneTake(3);
     recordOneTake(2);
     QTest::qWait(3000);
-    save("record-ready", kRecordSizes);
+    save("record-ready");
     saveMenu("record-menu-dark");
     Theme::get().setScheme(Scheme::kLight);
     saveMenu("record-menu-light");
@@ -75,17 +73,17 @@ TEST_F(RecordPictures, FromWithoutASuitToFaults) {
     QTest::qWait(1500);
     run().addMarker();
     run().addNote("left heel slips");
-    save("record-recording", kRecordSizes);
+    save("record-recording");
     saveLarge("record-recording-dark");
     tell("unplug 14");
     ASSERT_TRUE(
         waitFor([&] { return studio_->check().readiness().verdict == Readiness::Verdict::kNotReady; }));
     QTest::qWait(1500);
-    save("record-fault", {{1280, 800}, {1440, 900}});
+    save("record-fault");
     run().stop();
     ASSERT_TRUE(waitFor([&] { return run().state() == RecordRun::State::kRefused; }));
     run().press();
-    save("record-refused", {{1280, 800}});
+    save("record-refused");
 }
 
 }  // namespace
