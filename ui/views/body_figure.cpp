@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kArmsDown_rad = 0.87, kLegsApart_rad = 0.09;
 constexpr double kMargin_m = 0.03;
-constexpr int kOversampling = 2;
 
 /// Arms half-way down and legs a little apart: nothing hides anything else.
 Pose openStance(const Skeleton& skeleton) {
@@ -26,52 +25,10 @@ Pose openStance(const Skeleton& skeleton) {
     return pose;
 }
 
-/// The bone with the most weight at a point of a triangle, given in barycentric coordinates.
-int strongestBone(const std::array<const SkinnedVertex*, 3>& corners, const std::array<double, 3>& at) {
-    std::array<double, 64> weight_of_bone{};
-    int strongest = corners[0]->bones[0];
-    for (size_t corner = 0; corner < 3; ++corner)
-        for (size_t i = 0; i < 4; ++i) {
-            const size_t bone = corners[corner]->bones[i] % weight_of_bone.size();
-            weight_of_bone[bone] += at[corner] * static_cast<double>(corners[corner]->weights[i]);
-            if (weight_of_bone[bone] > weight_of_bone[static_cast<size_t>(strongest)])
-                strongest = static_cast<int>(bone);
-        }
-    return strongest;
-}
-
 /// The outside of a closed mesh is where its corners run anticlockwise.
 bool facesViewer(const std::array<QPointF, 3>& corners) {
     const QPointF a = corners[1] - corners[0], b = corners[2] - corners[0];
     return a.x() * b.y() > a.y() * b.x();
-}
-
-/// Every pixel whose centre lies inside gets the code. Tens of thousands of small triangles: QPainter takes
-/// several times as long for them.
-void fillTriangle(QImage& image, const std::array<QPointF, 3>& corners, uchar code) {
-    const auto [left, right] = std::minmax({corners[0].x(), corners[1].x(), corners[2].x()});
-    const auto [top, bottom] = std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
-    const int first = std::max(0, static_cast<int>(left)),
-              last = std::min(image.width() - 1, static_cast<int>(right));
-    const int lowest = std::min(image.height() - 1, static_cast<int>(bottom));
-    const double turn = facesViewer(corners) ? 1 : -1;
-    for (int y = std::max(0, static_cast<int>(top)); y <= lowest; ++y) {
-        // Of each edge: how far inside the row begins, and what each pixel adds.
-        std::array<double, 3> inside{}, step{};
-        for (size_t i = 0; i < 3; ++i) {
-            const QPointF along = turn * (corners[(i + 1) % 3] - corners[i]);
-            const QPointF to = QPointF(first + 0.5, y + 0.5) - corners[i];
-            inside[i] = along.x() * to.y() - along.y() * to.x();
-            step[i] = -along.y();
-        }
-        uchar* row = image.scanLine(y);
-        for (int x = first; x <= last; ++x) {
-            if (std::min({inside[0], inside[1], inside[2]}) >= 0)
-                row[x] = code;
-            for (size_t i = 0; i < 3; ++i)
-                inside[i] += step[i];
-        }
-    }
 }
 
 Eigen::Vector3f skinned(const SkinnedVertex& vertex, const std::vector<Eigen::Matrix4f>& matrices) {
@@ -104,8 +61,6 @@ BodyFigure::BodyFigure(const Actor& actor, std::shared_ptr<const SkinnedMesh> me
         p.y() += kMargin_m - lowest;
     height_m_ = highest - lowest + 2 * kMargin_m;
     half_width_m_ = widest + kMargin_m;
-    std::stable_sort(faces_.begin(), faces_.end(),
-                     [](const Face& a, const Face& b) { return a.depth_m < b.depth_m; });
 }
 
 int BodyFigure::segmentIndex(const std::string& name) {
@@ -122,58 +77,63 @@ void BodyFigure::addMesh(const SkinnedMesh& mesh) {
     points.reserve(mesh.vertices.size());
     for (const SkinnedVertex& vertex : mesh.vertices)
         points.push_back(skinned(vertex, matrices));
-    std::vector<int> segments;
+    std::vector<int> segment_of_bone;
     for (const SkinBone& bone : mesh.bones)
-        segments.push_back(segmentIndex(bone.joint));
-    for (const auto& triangle : mesh.triangles) {
-        Corners corners{};
-        std::array<const SkinnedVertex*, 3> vertices{};
-        double depth_m = -1e9;
-        for (size_t i = 0; i < 3; ++i) {
-            const Eigen::Vector3f& p = points[triangle[i]];
-            corners[i] = {p.x(), p.y()};
-            vertices[i] = &mesh.vertices[triangle[i]];
-            depth_m = std::max(depth_m, static_cast<double>(p.z()));
-        }
-        if (facesViewer(corners))
-            addTriangle(corners, vertices, segments, depth_m);
-    }
+        segment_of_bone.push_back(segmentIndex(bone.joint));
+    const auto cornersOf = [&](const std::array<uint32_t, 3>& triangle) {
+        Corners corners;
+        for (size_t i = 0; i < 3; ++i)
+            corners[i] = {points[triangle[i]].x(), points[triangle[i]].y()};
+        return corners;
+    };
+    std::vector<std::pair<float, const std::array<uint32_t, 3>*>> visible;  // depth of the nearest corner, m
+    for (const auto& triangle : mesh.triangles)
+        if (facesViewer(cornersOf(triangle)))
+            visible.emplace_back(
+                std::max({points[triangle[0]].z(), points[triangle[1]].z(), points[triangle[2]].z()}),
+                &triangle);
+    std::ranges::stable_sort(visible, {}, [](const auto& entry) { return entry.first; });
+    faces_.reserve(visible.size());
+    for (const auto& [depth_m, triangle] : visible)
+        faces_.push_back(
+            {cornersOf(*triangle), sharesOf({&mesh.vertices[(*triangle)[0]], &mesh.vertices[(*triangle)[1]],
+                                             &mesh.vertices[(*triangle)[2]]},
+                                            segment_of_bone)});
 }
 
-/// Where two bones share a triangle it is cut into small ones, so that the border between segments is smooth.
-void BodyFigure::addTriangle(const Corners& corners, const std::array<const SkinnedVertex*, 3>& vertices,
-                             const std::vector<int>& segments, double depth_m) {
-    const auto boneAt = [&](double a, double b, double c) { return strongestBone(vertices, {a, b, c}); };
-    const int first = boneAt(1, 0, 0);
-    if (first == boneAt(0, 1, 0) && first == boneAt(0, 0, 1)) {
-        faces_.push_back({corners, depth_m, segments[static_cast<size_t>(first)]});
-        return;
-    }
-    constexpr int kParts = 6;
-    const auto point = [&](int i, int j) {
-        const double a = 1.0 * i / kParts, b = 1.0 * j / kParts;
-        return corners[0] * (1 - a - b) + corners[1] * a + corners[2] * b;
-    };
-    const auto add = [&](const Corners& part, double i, double j) {
-        const double a = i / kParts, b = j / kParts;
-        faces_.push_back({part, depth_m, segments[static_cast<size_t>(boneAt(1 - a - b, a, b))]});
-    };
-    for (int i = 0; i < kParts; ++i)
-        for (int j = 0; i + j < kParts; ++j) {
-            add({point(i, j), point(i + 1, j), point(i, j + 1)}, i + 1.0 / 3, j + 1.0 / 3);
-            if (i + j + 1 < kParts)
-                add({point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)}, i + 2.0 / 3, j + 2.0 / 3);
+/// The strongest alone where it is so at every corner: weights are linear, so it is so in between.
+std::vector<BodyFigure::Share> BodyFigure::sharesOf(const std::array<const SkinnedVertex*, 3>& vertices,
+                                                    const std::vector<int>& segment_of_bone) {
+    std::vector<Share> shares;
+    for (size_t corner = 0; corner < 3; ++corner)
+        for (size_t i = 0; i < vertices[corner]->weights.size(); ++i) {
+            const double weight = vertices[corner]->weights[i];
+            if (weight <= 0)
+                continue;
+            const int segment = segment_of_bone[vertices[corner]->bones[i]];
+            auto share = std::ranges::find(shares, segment, &Share::segment);
+            if (share == shares.end())
+                share = shares.insert(share, {segment, {}});
+            share->weights[corner] += weight;
         }
+    const auto everywhere = std::ranges::find_if(shares, [&](const Share& strongest) {
+        return std::ranges::all_of(shares, [&](const Share& other) {
+            return std::ranges::equal(strongest.weights, other.weights, std::greater_equal());
+        });
+    });
+    return everywhere == shares.end() ? shares : std::vector<Share>{*everywhere};
 }
 
 void BodyFigure::addCapsules(const Actor& actor) {
     constexpr int kCorners = 24;
-    for (const Capsule& capsule : actor.capsules) {
-        const int joint = skeleton_.find(capsule.segment);
-        if (joint < 0)
-            continue;
+    const auto depthOf = [this](const Capsule& capsule) {
+        return stance_.p_world_joint[static_cast<size_t>(skeleton_.find(capsule.segment))].z();
+    };
+    std::vector<Capsule> capsules = actor.capsules;
+    std::erase_if(capsules, [this](const Capsule& capsule) { return skeleton_.find(capsule.segment) < 0; });
+    std::ranges::stable_sort(capsules, {}, depthOf);
+    for (const Capsule& capsule : capsules) {
         const QPointF a = place(capsule.segment, capsule.a_m), b = place(capsule.segment, capsule.b_m);
-        const double depth = stance_.p_world_joint[static_cast<size_t>(joint)].z();
         const double heading = std::atan2(b.y() - a.y(), b.x() - a.x());
         std::vector<QPointF> outline;
         for (int i = 0; i < kCorners; ++i) {
@@ -183,9 +143,9 @@ void BodyFigure::addCapsules(const Actor& actor) {
             const QPointF centre = around_b ? b : a;
             outline.push_back(centre + capsule.radius_m * QPointF(std::cos(angle), std::sin(angle)));
         }
+        const std::vector<Share> flesh{{segmentIndex(capsule.segment), {1, 1, 1}}};
         for (size_t i = 2; i < outline.size(); ++i)
-            faces_.push_back(
-                {{outline[0], outline[i - 1], outline[i]}, depth, segmentIndex(capsule.segment)});
+            faces_.push_back({{outline[0], outline[i - 1], outline[i]}, flesh});
     }
 }
 
@@ -204,24 +164,6 @@ QPointF BodyFigure::source(const Source& source) const {
     return place(source.segment, source.p_segment_source_m);
 }
 
-/// Each pixel: index of its segment plus 1. Asked for with every change of colour.
-QImage BodyFigure::segmentImage(int height_px) const {
-    if (segment_image_.height() == height_px)
-        return segment_image_;
-    const double scale = this->scale(height_px);
-    QImage image(static_cast<int>(std::ceil(2 * half_width_m_ * scale)), height_px,
-                 QImage::Format_Grayscale8);
-    image.fill(0);
-    const QPointF centre(image.width() / 2.0, height_px);
-    for (const Face& face : faces_) {
-        std::array<QPointF, 3> corners;
-        for (size_t i = 0; i < 3; ++i)
-            corners[i] = centre + scale * QPointF(face.corners_m[i].x(), -face.corners_m[i].y());
-        fillTriangle(image, corners, static_cast<uchar>(face.segment + 1));
-    }
-    return segment_image_ = image;
-}
-
 std::shared_ptr<const BodyFigure> BodyFigure::of(const Actor& actor,
                                                  const std::shared_ptr<const SkinnedMesh>& mesh) {
     static std::weak_ptr<const SkinnedMesh> last_mesh;
@@ -236,45 +178,6 @@ std::shared_ptr<const BodyFigure> BodyFigure::of(const Actor& actor,
         last_bones = std::move(bones);
     }
     return last;
-}
-
-QImage BodyFigure::paint(int height_px, const QColor& body,
-                         const std::map<std::string, QColor>& marked) const {
-    const QImage codes = segmentImage(height_px * kOversampling);
-    std::vector<QRgb> colors{0};
-    for (const std::string& segment : segments_) {
-        const auto mark = marked.find(segment);
-        colors.push_back((mark == marked.end() ? body : mark->second).rgb());
-    }
-    QImage picture(codes.width() / kOversampling, height_px, QImage::Format_ARGB32_Premultiplied);
-    constexpr int kParts = kOversampling * kOversampling;
-    constexpr int kGap = kOversampling;  // of one pixel, where two segments meet; the outer edge stays whole
-    const uchar* bits = codes.constBits();
-    const int line = codes.bytesPerLine(), wide = codes.width(), high = codes.height();
-    const auto colorAt = [&](int x, int y) {
-        const uchar* at = bits + static_cast<ptrdiff_t>(y) * line + x;
-        const int segment = *at;
-        const int right = x + kGap < wide ? at[kGap] : 0;
-        const int below = y + kGap < high ? at[kGap * line] : 0;
-        const bool gap = (right != segment && right != 0) || (below != segment && below != 0);
-        return gap ? 0 : colors[static_cast<size_t>(segment)];
-    };
-    for (int y = 0; y < picture.height(); ++y) {
-        auto* out = reinterpret_cast<QRgb*>(picture.scanLine(y));
-        for (int x = 0; x < wide / kOversampling; ++x) {
-            int alpha = 0, red = 0, green = 0, blue = 0;
-            for (int i = 0; i < kParts; ++i) {
-                const QRgb color =
-                    colorAt(kOversampling * x + i % kOversampling, kOversampling * y + i / kOversampling);
-                alpha += qAlpha(color);
-                red += qRed(color);
-                green += qGreen(color);
-                blue += qBlue(color);
-            }
-            out[x] = qRgba(red / kParts, green / kParts, blue / kParts, alpha / kParts);
-        }
-    }
-    return picture;
 }
 
 }  // namespace noctule::ui

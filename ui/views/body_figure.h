@@ -42,17 +42,22 @@ public:
 
 private:
     using Corners = std::array<QPointF, 3>;
+    /// What part of the flesh at each corner moves with a segment, 0 to 1.
+    struct Share {
+        int segment;
+        std::array<double, 3> weights;
+    };
     struct Face {
         Corners corners_m;
-        double depth_m;
-        int segment;
+        std::vector<Share> shares;
     };
     void addMesh(const SkinnedMesh& mesh);
-    void addTriangle(const Corners& corners, const std::array<const SkinnedVertex*, 3>& vertices,
-                     const std::vector<int>& segments, double depth_m);
     void addCapsules(const Actor& actor);
     QPointF place(const std::string& segment, const Vector3d& p_segment_m) const;
     int segmentIndex(const std::string& name);
+    static void fill(QImage& image, const Corners& corners, const std::vector<Share>& shares);
+    static std::vector<Share> sharesOf(const std::array<const SkinnedVertex*, 3>& vertices,
+                                       const std::vector<int>& segment_of_bone);
     QImage segmentImage(int height_px) const;
 
     Skeleton skeleton_;
