@@ -60,8 +60,9 @@ MainWindow::MainWindow(Studio& studio, QWidget* parent)
     if (studio_.session().isOpen())
         onSessionOpened();
     goTo(Step::kStart);
-    // The first page with a 3D view need not wait for the driver.
+    // A first take need wait neither for the driver nor for its page, the largest of all.
     QTimer::singleShot(kWhenIdle_ms, this, [] { SceneCanvas::missing(); });
+    QTimer::singleShot(2 * kWhenIdle_ms, this, [this] { page(Step::kReview); });
 }
 
 MainWindow::~MainWindow() {
