@@ -5,6 +5,7 @@
 
 #include "core/live/live_pipeline.h"
 #include "core/processing/result_runs.h"
+#include "core/processing/sound_log.h"
 
 namespace noctule {
 namespace {
@@ -30,19 +31,14 @@ Status processSound(const Take& take, const Ingredients& in, const TrackerSettin
     if (!created)
         return created.error();
     LivePipeline& pipeline = **created;
-    const auto pulses = take.pulses();
-    const auto statuses = take.statusRows();
-    const auto gaps = take.gaps();
-    for (const auto* failed :
-         {pulses.ok() ? nullptr : &pulses.error(), statuses.ok() ? nullptr : &statuses.error(),
-          gaps.ok() ? nullptr : &gaps.error()})
-        if (failed)
-            return *failed;
-    for (const Pulse& pulse : *pulses)
+    const auto log = readSoundLog(take);
+    if (!log)
+        return log.error();
+    for (const Pulse& pulse : log->pulses)
         pipeline.pushPulse(pulse);
-    for (const StatusRow& row : *statuses)
-        pipeline.pushStatus({row.sample, row.temperature_c, row.humidity_percent});
-    for (const GapRow& gap : *gaps)
+    for (const TemperatureStatus& status : log->statuses)
+        pipeline.pushStatus(status);
+    for (const GapRow& gap : log->gaps)
         pipeline.pushGap(gap.first_sample, gap.sample_count, gap.board);
     for (const RootMeasurement& root : rootMeasurements(in.roots))
         pipeline.pushRoot(root);

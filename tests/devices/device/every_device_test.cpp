@@ -49,7 +49,7 @@ TEST_P(EveryDevice, GreetsWithTheSuitAndTellsHowItIs) {
     const link::Hello hello = rig.log.last<link::Greeted>().hello;
     EXPECT_EQ(hello.serial, "NB-000777");
     EXPECT_EQ(hello.sample_rate_hz, 150000);
-    EXPECT_EQ(toJson(hello.suit), toJson(TinySound::get().hello.suit));
+    EXPECT_EQ(toJson(hello.suit), toJson(TakeSound::tiny().hello.suit));
     ASSERT_TRUE(rig.log.waitFor<link::BoxStatus>());
     EXPECT_EQ(rig.log.last<link::BoxStatus>().board_flags, std::vector<uint16_t>(2, link::kBoardConnected));
     EXPECT_EQ(rig.log.count<link::Started>(), 0u);

@@ -24,13 +24,13 @@ TEST(ReplayDeviceTest, AsFastAsPossibleNothingIsMissing) {
     const int64_t before_ns = steadyNow_ns();
     ASSERT_TRUE(replay.playsToTheEnd());
     EXPECT_LT(steadyNow_ns() - before_ns, 1'500'000'000);
-    EXPECT_EQ(replay.log.expectTinySound(), TinySound::get().sampleCount());
+    EXPECT_EQ(replay.log.expectTinySound(), TakeSound::tiny().sampleCount());
     EXPECT_EQ(replay.log.lostSamples(), 0);
     size_t pulses = 0;
     for (const auto& event : replay.log.all())
         if (const auto* some = std::get_if<link::Pulses>(&event))
             pulses += some->size();
-    EXPECT_EQ(pulses, TinySound::get().pulses.size());
+    EXPECT_EQ(pulses, TakeSound::tiny().pulses.size());
 }
 
 TEST(ReplayDeviceTest, KeepsTime) {

@@ -57,7 +57,7 @@ public:
         int64_t next = 0, gaps = 0;
         size_t pulse = 0;
         bool link_was_lost = false;
-        const TinySound& sound = TinySound::get();
+        const TakeSound& sound = TakeSound::tiny();
         for (const link::StudioEvent& event : sinceStarted()) {
             if (const auto* gap = std::get_if<link::Gap>(&event)) {
                 EXPECT_EQ(gap->first_sample, next);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A driver box for tests: the box's side of the link behind a wire, on a thread of its own, that plays the
-// tiny take from its beginning with each START and goes on with silence after its end.
+// A driver box for tests: the box's side of the link behind a wire, on a thread of its own, that plays a
+// take, the tiny one if no other is named, from its beginning with each START and goes on with silence after
+// its end.
 #pragma once
 
 #include <atomic>
@@ -16,33 +17,34 @@
 
 namespace noctule::test {
 
-/// The tiny take as a box would say it.
-struct TinySound {
+/// A take as a box would say it.
+struct TakeSound {
     link::Hello hello;
     std::vector<int16_t> values;
     link::Pulses pulses;
 
     int64_t sampleCount() const { return static_cast<int64_t>(values.size()) / hello.boardCount(); }
 
-    static const TinySound& get() {
-        static const TinySound kSound = [] {
-            TinySound sound;
-            Take take = Take::open(kTinyTake).value();
-            sound.hello.serial = "NB-000777";
-            sound.hello.model = "test box";
-            sound.hello.suit = take.suit().value();
-            EXPECT_TRUE(take.forEachBlock(1,
-                                          [&](const AdcBlock& block) {
-                                              sound.values.insert(sound.values.end(), block.values.begin(),
-                                                                  block.values.end());
-                                              return true;
-                                          })
-                            .ok());
-            const auto pulses = take.pulses().value();
-            for (const Pulse& pulse : pulses)
-                sound.pulses.push_back({pulse.sample, pulse.source});
-            return sound;
-        }();
+    static TakeSound of(const std::string& path) {
+        TakeSound sound;
+        Take take = Take::open(path).value();
+        sound.hello.serial = "NB-000777";
+        sound.hello.model = "test box";
+        sound.hello.suit = take.suit().value();
+        EXPECT_TRUE(take.forEachBlock(1,
+                                      [&](const AdcBlock& block) {
+                                          sound.values.insert(sound.values.end(), block.values.begin(),
+                                                              block.values.end());
+                                          return true;
+                                      })
+                        .ok());
+        const auto pulses = take.pulses().value();
+        for (const Pulse& pulse : pulses)
+            sound.pulses.push_back({pulse.sample, pulse.source});
+        return sound;
+    }
+    static const TakeSound& tiny() {
+        static const TakeSound kSound = of(kTinyTake);
         return kSound;
     }
     link::AdcBlock block(int64_t first, int64_t samples) const {
@@ -65,9 +67,13 @@ public:
         double speed = 1;
         bool loops = false;        ///< the take again and again instead of silence after its end
         link::Bytes garbage = {};  ///< written to every new client first
+        std::string take = kTinyTake;
     };
 
-    explicit TestBox(const Options& options) : options_(options) {
+    explicit TestBox(const Options& options)
+        : options_(options),
+          other_sound_(options.take == kTinyTake ? TakeSound() : TakeSound::of(options.take)),
+          sound_(options.take == kTinyTake ? TakeSound::tiny() : other_sound_) {
         if (options.pty)
             stream_ = std::make_unique<PtyBoxStream>();
         else
@@ -99,7 +105,7 @@ private:
         link::BoxOptions options;
         options.buffer_s = 10;
         options.drops_silent_clients = !options_.pty;
-        return std::make_unique<link::BoxConversation>(TinySound::get().hello, options);
+        return std::make_unique<link::BoxConversation>(sound_.hello, options);
     }
 
     void run() {
@@ -151,18 +157,17 @@ private:
     void produce(int64_t now_ns) {
         if (!box_->streaming())
             return;
-        const TinySound& sound = TinySound::get();
-        const double rate_hz = sound.hello.sample_rate_hz * options_.speed;
+        const double rate_hz = sound_.hello.sample_rate_hz * options_.speed;
         while (static_cast<double>(box_->nextSample() + link::kUsualBlockSamples) / rate_hz * 1e9 <=
                static_cast<double>(now_ns - begun_ns_)) {
             const int64_t now = box_->nextSample();
-            const int64_t first = options_.loops ? now % sound.sampleCount() : now;
+            const int64_t first = options_.loops ? now % sound_.sampleCount() : now;
             const int64_t end = first + link::kUsualBlockSamples;
             link::Pulses pulses;
-            for (const link::Pulse& pulse : sound.pulses)
+            for (const link::Pulse& pulse : sound_.pulses)
                 if (pulse.sample >= first && pulse.sample < end)
                     pulses.push_back({pulse.sample + now - first, pulse.source});
-            link::AdcBlock block = sound.block(first, link::kUsualBlockSamples);
+            link::AdcBlock block = sound_.block(first, link::kUsualBlockSamples);
             block.first_sample = now;
             box_->offer(pulses);
             box_->offer(block);
@@ -181,6 +186,8 @@ private:
     }
 
     const Options options_;
+    const TakeSound other_sound_;
+    const TakeSound& sound_;
     std::unique_ptr<BoxStream> stream_;
     std::string address_;
     std::unique_ptr<link::BoxConversation> box_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From launch to an exported take of a live suit, every click counted; and what the live picture costs. The
 // box plays the tiny take over TCP in real time. NOCTULE_RECORD_S: another length than two seconds, on a
-// machine with nothing else to do.
+// machine with nothing else to do; NOCTULE_RECORD_TAKE: another take, with the calibration in it.
 #include <QAbstractButton>
 #include <QMessageBox>
 #include <QUdpSocket>
@@ -66,11 +66,15 @@ protected:
     RecordPage& record() { return pageOf<RecordPage>(Step::kRecord); }
     /// "Calibrated before" of the way from launch to an exported take.
     void calibrateAsBefore() {
-        const Take take = std::move(Take::open(noctule::test::kTinyTake).value());
+        const Take take = std::move(Take::open(playedTake()).value());
         studio_->suit().setCalibration(take.calibrationInForce()->value);
     }
+    static std::string playedTake() {
+        const std::string wanted = qEnvironmentVariable("NOCTULE_RECORD_TAKE").toStdString();
+        return wanted.empty() ? noctule::test::kTinyTake : wanted;
+    }
     void connectDirectly() {
-        const Take take = std::move(Take::open(noctule::test::kTinyTake).value());
+        const Take take = std::move(Take::open(playedTake()).value());
         studio_->suit().connectTo(QString::fromStdString(box_.address()),
                                   {take.calibrationInForce()->value, take.actorInForce()->value, 0.5});
         ASSERT_TRUE(waitFor([&] { return studio_->suit().phase() == LiveSuit::Phase::kLooking; }));
@@ -84,7 +88,7 @@ protected:
                                30'000 + static_cast<int>(seconds * 1e3));
     }
 
-    TestBox box_{{.loops = true}};
+    TestBox box_{{.loops = true, .take = playedTake()}};
     link::Announcement announced_;
     Answerer answerer_{noctule::test::testAnnouncement()};
     int clicks_ = 0;
