@@ -39,12 +39,29 @@ int report(const Result<Outcome>& result, Console& console) {
 }
 
 const Verb* findVerb(const std::string& name) {
-    const auto found =
-        std::find_if(verbs().begin(), verbs().end(), [&](const Verb& v) { return v.name == name; });
+    const auto found = std::ranges::find(verbs(), name, &Verb::name);
     return found == verbs().end() ? nullptr : &*found;
 }
 
+/// The longest name that the words begin with; empty: there is no word.
+std::string verbName(const std::vector<std::string>& words) {
+    if (words.size() > 1 && findVerb(words[0] + " " + words[1]))
+        return words[0] + " " + words[1];
+    return words.empty() ? "" : words[0];
+}
+
+/// Second words of the verbs that begin with this one.
+std::vector<std::string> kindsOf(const std::string& group) {
+    std::vector<std::string> kinds;
+    for (const Verb& verb : verbs())
+        if (verb.name.starts_with(group + " "))
+            kinds.push_back(verb.name.substr(group.size() + 1));
+    return kinds;
+}
+
 Error unknownVerb(const std::string& name) {
+    if (const auto kinds = kindsOf(name); !name.empty() && !kinds.empty())
+        return {ErrorKind::kUsage, name + " needs what to " + name, "Choose " + listed(kinds)};
     std::vector<std::string> names;
     for (const Verb& verb : verbs())
         if (verb.run)
@@ -89,7 +106,7 @@ Result<Outcome> runVerb(const Verb& verb, const std::vector<std::string>& words,
 }  // namespace
 
 int runBatch(const std::vector<std::string>& words, const CancelFlag& cancel) {
-    const std::string name = words.empty() ? "" : words.front();
+    const std::string name = verbName(words);
     const bool help = contains(words, "--help");
     Console console(!help && contains(words, "--quiet"), contains(words, "--json"));
     const Verb* verb = findVerb(name);
@@ -105,7 +122,8 @@ int runBatch(const std::vector<std::string>& words, const CancelFlag& cancel) {
             Error{ErrorKind::kUsage, name + " is not available yet", "It comes with a later version"},
             console);
     try {
-        return report(runVerb(*verb, {words.begin() + 1, words.end()}, console, cancel), console);
+        const ptrdiff_t own_words = 1 + std::ranges::count(name, ' ');
+        return report(runVerb(*verb, {words.begin() + own_words, words.end()}, console, cancel), console);
     } catch (const std::exception& mistake) {
         return report(Error{ErrorKind::kInternal, std::string("internal error: ") + mistake.what(),
                             "Report it with the command line and the input"},

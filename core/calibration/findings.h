@@ -6,30 +6,24 @@
 #include <string>
 #include <vector>
 
+#include "core/job/grade.h"
+
 namespace noctule {
 
-enum class Verdict { kGood, kUsable, kNotUsable };
-
-/// "good", "usable", "not usable", as on the command line.
-inline const char* verdictName(Verdict verdict) {
-    constexpr const char* kNames[] = {"good", "usable", "not usable"};
-    return kNames[static_cast<int>(verdict)];
-}
-
 struct Finding {
-    Verdict verdict = Verdict::kUsable;  ///< what it makes of the whole
-    std::string part;                    ///< id of the board or source; empty: of all
-    std::string what;                    ///< a whole sentence without its full stop; names the part
-    std::string remedy;                  ///< what to repeat or to mend, one sentence without its full stop
+    Grade grade = Grade::kUsable;  ///< what it makes of the whole
+    std::string part;              ///< id of the board or source; empty: of all
+    std::string what;              ///< a whole sentence without its full stop; names the part
+    std::string remedy;            ///< what to repeat or to mend, one sentence without its full stop
 
     bool operator==(const Finding&) const = default;
 };
 
 /// The worst of all; good when there is none.
-inline Verdict verdictOf(const std::vector<Finding>& findings) {
-    Verdict worst = Verdict::kGood;
+inline Grade gradeOf(const std::vector<Finding>& findings) {
+    Grade worst = Grade::kGood;
     for (const Finding& finding : findings)
-        worst = std::max(worst, finding.verdict);
+        worst = std::max(worst, finding.grade);
     return worst;
 }
 

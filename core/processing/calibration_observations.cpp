@@ -135,13 +135,6 @@ std::vector<Stretch> stretchesOf(const std::vector<MarkerRow>& markers, const st
     return stretches;
 }
 
-double metaNumber(const Take& take, const char* key, double fallback) {
-    const auto found = take.meta().find(key);
-    char* end = nullptr;
-    const double value = found == take.meta().end() ? 0 : std::strtod(found->second.c_str(), &end);
-    return end && *end == 0 && std::isfinite(value) && value > 0 ? value : fallback;
-}
-
 }  // namespace
 
 Result<Observations> readObservations(const Take& take, Detector detector, const JobContext& job) {
@@ -162,8 +155,8 @@ Result<Observations> readObservations(const Take& take, Detector detector, const
     all.take = std::filesystem::path(take.path()).filename().string();
     all.kind = take.header().take_kind;
     all.duration_s = static_cast<double>(in->sample_count) / rate_hz;
-    all.g_m_per_s2 = metaNumber(take, "g_m_per_s2", kStandardGravity_m_per_s2);
-    all.turntable_rpm = metaNumber(take, "turntable_rpm", 0);
+    all.g_m_per_s2 = take.header().g_m_per_s2;
+    all.turntable_rpm = take.header().turntable_rpm;
     all.suit = in->suit;
     all.calibration = in->calibration;
     all.actor = in->actor;

@@ -9,6 +9,29 @@ Error unusableTake(const Take& take, const std::string& what, const std::string&
 
 namespace {
 
+/// "l_hand (is NB-21, calibrated was NB-17)"; empty when nothing speaks against it.
+template <class Part, class Values>
+std::string otherSerial(const Part& part, const Values* values) {
+    if (!values || values->serial.empty() || part.serial.empty() || values->serial == part.serial)
+        return "";
+    return part.id + " (is " + part.serial + ", calibrated was " + values->serial + ")";
+}
+
+void warnOfOtherSerials(const Suit& suit, const Calibration& calibration,
+                        std::vector<std::string>& warnings) {
+    std::string others;
+    const auto add = [&others](const std::string& other) {
+        others += (others.empty() || other.empty() ? "" : ", ") + other;
+    };
+    for (const Board& board : suit.boards)
+        add(otherSerial(board, calibration.findBoard(board.id)));
+    for (const Source& source : suit.sources)
+        add(otherSerial(source, calibration.findSource(source.id)));
+    if (!others.empty())
+        warnings.push_back("The calibration is of other parts: " + others +
+                           ". Its values are used all the same; calibrate these parts.");
+}
+
 /// A calibration of another suit is refused; boards it lacks get nominal values and a warning.
 Status checkCalibration(const Take& take, const Suit& suit, const Calibration& calibration,
                         std::vector<std::string>& warnings) {
@@ -25,6 +48,7 @@ Status checkCalibration(const Take& take, const Suit& suit, const Calibration& c
                             "Give the calibration of this suit");
     if (!missing.empty())
         warnings.push_back("The calibration lacks " + missing + "; nominal values are used there.");
+    warnOfOtherSerials(suit, calibration, warnings);
     return Done{};
 }
 

@@ -135,8 +135,10 @@ Status processReadings(const Take& take, const Ingredients& in, const TrackerSet
 
 Result<ProcessSummary> processTake(const ProcessRequest& request, const JobContext& job) {
     return writeRuns(request, [&](const Take& take, const Ingredients& in, ResultRuns& results) {
-        return take.level() == TakeLevel::kSignal ? processSound(take, in, request.tracker, results, job)
-                                                  : processReadings(take, in, request.tracker, results, job);
+        TrackerSettings tracker = request.tracker;
+        tracker.g_m_per_s2 = take.header().g_m_per_s2;
+        return take.level() == TakeLevel::kSignal ? processSound(take, in, tracker, results, job)
+                                                  : processReadings(take, in, tracker, results, job);
     });
 }
 

@@ -25,7 +25,9 @@ struct TakeHeader {
     int64_t pulse_interval_samples = 1200;
     double pulse_cycles = 10;
     double drive_hz = 40000;
-    std::string take_kind = "motion";  ///< motion, jig, level, turntable
+    std::string take_kind = "motion";               ///< motion, jig, level, turntable
+    double g_m_per_s2 = kStandardGravity_m_per_s2;  ///< where it was recorded
+    double turntable_rpm = 0;                       ///< nominal; 0: not stated
 };
 
 /// What the primary data of a take is.

@@ -48,6 +48,8 @@ TakeHeader headerFrom(const std::map<std::string, std::string>& meta) {
     header.pulse_cycles = metaNumber(meta, "pulse_cycles", header.pulse_cycles, 0.1, 1e6);
     header.drive_hz = metaNumber(meta, "drive_hz", header.drive_hz, 1, 1e9);
     header.take_kind = metaText(meta, "take_kind", header.take_kind);
+    header.g_m_per_s2 = metaNumber(meta, "g_m_per_s2", header.g_m_per_s2, 9, 10);
+    header.turntable_rpm = metaNumber(meta, "turntable_rpm", header.turntable_rpm, 1, 1000);
     return header;
 }
 

@@ -12,6 +12,32 @@ using text::escaped;
 
 namespace {
 
+constexpr const char* kMark =
+    "<svg class=\"mark\" viewBox=\"0 0 26 18\" aria-hidden=\"true\"><path d=\"M13 3.2l1.5-1.7 1 2.4c2-.2 "
+    "2.9-1.6 "
+    "3-3.4 3.4 1.5 6.2 4.6 7 9.5-1.7-1.100-3.5-1-4.9.3-1.5-1.2-3.3-.8-4.2 1-.7 1.7-1.8 "
+    "3.4-3.4 5-1.6-1.6-2.7-3.3-3.4-5-.9-1.8-2.7-2.2-4.2-1-1.4-1.3-3.2-1.4-4.9-.3.8-4.9 "
+    "3.6-8 7-9.5.1 1.8 1 3.2 3 3.4l1-2.4z\"/></svg>";
+
+/// Style class and icon.
+struct Badge {
+    std::string css_class, icon;
+};
+
+Badge badgeOf(Grade grade) {
+    switch (grade) {
+        case Grade::kGood:
+            return {"ok", "check"};
+        case Grade::kUsable:
+            return {"warn", "warn"};
+        case Grade::kNotUsable:
+            return {"err", "err"};
+        case Grade::kUnknown:
+            break;
+    }
+    return {"info", "info"};
+}
+
 /// A row of headings over neighbouring columns; nothing when no column belongs to a group.
 std::string groupRow(const std::vector<Column>& columns) {
     std::string out = "<tr>";
@@ -31,6 +57,34 @@ std::string groupRow(const std::vector<Column>& columns) {
 }
 
 }  // namespace
+
+std::string page(const std::string& title, const std::string& kind, const std::string& about,
+                 const std::string& body_html, const std::string& footer) {
+    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(title) +
+           ", " + escaped(kind) +
+           "</title><meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+           "<meta name=\"generator\" content=\"Noctule\"><style>" +
+           styleSheet() + "</style></head>\n<body><header><div>" + kMark + "<strong>" + escaped(title) +
+           "</strong><span>" + escaped(about) + "</span><span class=\"what\">" + escaped(kind) +
+           "</span></div></header>\n<main>" + body_html + "<footer>Made by Noctule. " + escaped(footer) +
+           "</footer></main></body></html>\n";
+}
+
+std::string verdict(Grade grade, const std::string& headline, const std::string& explanation) {
+    const Badge badge = badgeOf(grade);
+    return "<div class=\"verdict\"><div class=\"badge " + badge.css_class + "\">" + icon(badge.icon) +
+           "</div><h1 id=\"verdict\">" + escaped(headline) + "</h1><p>" + escaped(explanation) +
+           "</p></div>\n";
+}
+
+std::string problems(const std::vector<std::string>& sentences) {
+    if (sentences.empty())
+        return "";
+    std::string out = "<ul class=\"problems\">";
+    for (const std::string& sentence : sentences)
+        out += "<li>" + icon("warn") + "<span>" + escaped(sentence) + "</span></li>";
+    return out + "</ul>\n";
+}
 
 std::string table(const Table& table) {
     std::string out = "<div class=\"scroll\"><table><caption>" + escaped(table.caption) +

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/job/grade.h"
+
 namespace noctule::html {
 
 struct Column {
@@ -31,6 +33,15 @@ std::string table(const Table& table);
 /// A titled part of the page with a sentence that says how to read it.
 std::string section(const std::string& id, const std::string& title, const std::string& lead,
                     const std::string& body_html);
+
+/// A whole page that needs nothing else. `kind` says what it is ("Take report"), `about` whose and when.
+std::string page(const std::string& title, const std::string& kind, const std::string& about,
+                 const std::string& body_html, const std::string& footer);
+
+/// The page's first words: a badge, the headline (id "verdict") and what it rests on.
+std::string verdict(Grade grade, const std::string& headline, const std::string& explanation);
+/// What is wrong, one sentence each; nothing when nothing is.
+std::string problems(const std::vector<std::string>& sentences);
 
 /// A quiet line for a part that has nothing to show.
 std::string nothing(const std::string& sentence);

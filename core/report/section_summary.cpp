@@ -11,24 +11,6 @@
 namespace noctule {
 namespace {
 
-struct Badge {
-    std::string css_class, icon;
-};
-
-Badge badgeOf(Grade grade) {
-    switch (grade) {
-        case Grade::kGood:
-            return {"ok", "check"};
-        case Grade::kUsable:
-            return {"warn", "warn"};
-        case Grade::kNotUsable:
-            return {"err", "err"};
-        case Grade::kUnknown:
-            break;
-    }
-    return {"info", "info"};
-}
-
 std::string card(const std::string& value, const std::string& meaning) {
     return "<div class=\"card\"><b>" + text::escaped(value) + "</b><span>" + text::escaped(meaning) +
            "</span></div>";
@@ -99,18 +81,9 @@ Interval takeInterval(const ReportData& data) {
 std::string summarySection(const ReportData& data) {
     const Verdict verdict = judge(data);
     const ReportRun* run = data.shownRun();
-    const Badge badge = badgeOf(verdict.grade);
-    std::string out =
-        "<section id=\"summary\" aria-labelledby=\"verdict\"><div class=\"verdict\"><div class=\"badge " +
-        badge.css_class + "\">" + html::icon(badge.icon) + "</div><h1 id=\"verdict\">" +
-        text::escaped(verdict.headline) + "</h1><p>" + text::escaped(explanation(data, run)) +
-        "</p></div>\n" + cards(data, run);
-    if (!verdict.reasons.empty()) {
-        out += "<ul class=\"problems\">";
-        for (const std::string& reason : verdict.reasons)
-            out += "<li>" + html::icon("warn") + "<span>" + text::escaped(reason) + "</span></li>";
-        out += "</ul>\n";
-    }
+    std::string out = "<section id=\"summary\" aria-labelledby=\"verdict\">" +
+                      html::verdict(verdict.grade, verdict.headline, explanation(data, run)) +
+                      cards(data, run) + html::problems(verdict.reasons);
     return out + "</section>\n";
 }
 

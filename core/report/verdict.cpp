@@ -90,18 +90,8 @@ void judgeRanges(const ReportData& data, Verdict& verdict) {
 
 }  // namespace
 
-const char* gradeName(Grade grade) {
-    switch (grade) {
-        case Grade::kGood:
-            return "Good";
-        case Grade::kUsable:
-            return "Usable";
-        case Grade::kNotUsable:
-            return "Not usable";
-        case Grade::kUnknown:
-            break;
-    }
-    return "Not judged";
+std::string gradeName(Grade grade) {
+    return text::capitalised(gradeWord(grade));
 }
 
 Verdict judge(const ReportData& data) {
@@ -123,7 +113,7 @@ Verdict judge(const ReportData& data) {
                                : "Not processed yet. The take holds no run to judge.";
         return verdict;
     }
-    verdict.headline = std::string(gradeName(verdict.grade)) + ". Mean joint error " +
+    verdict.headline = gradeName(verdict.grade) + ". Mean joint error " +
                        text::degrees(comparison->mean_deg) + " against " + referenceName(data.take) + ".";
     return verdict;
 }

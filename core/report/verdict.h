@@ -2,11 +2,10 @@
 // The take in one word and the reasons for it, worst first.
 #pragma once
 
+#include "core/job/grade.h"
 #include "core/report/report_data.h"
 
 namespace noctule {
-
-enum class Grade { kGood, kUsable, kNotUsable, kUnknown };
 
 struct Verdict {
     Grade grade = Grade::kUnknown;
@@ -25,6 +24,6 @@ inline constexpr double kGoodReadings = 0.98, kUsableReadings = 0.80;
 inline constexpr double kManyRejected = 0.15;
 
 Verdict judge(const ReportData& data);
-const char* gradeName(Grade grade);  ///< "Good", "Usable", "Not usable", "Not judged"
+std::string gradeName(Grade grade);  ///< "Good", "Usable", "Not usable", "Not judged"
 
 }  // namespace noctule

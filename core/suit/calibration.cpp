@@ -30,8 +30,27 @@ nlohmann::json toJson(const AxisCalibration& axis) {
     return members;
 }
 
+/// Serial number and history, where there are any.
+void addOrigin(nlohmann::json& members, const std::string& serial, const CalibrationHistory& history) {
+    if (!serial.empty())
+        members["serial"] = serial;
+    for (const auto& [procedure, made] : history)
+        members["made"][procedure] = {{"created_utc", made.created_utc}, {"verdict", made.verdict}};
+}
+
+CalibrationHistory readHistory(JsonObject& json, std::optional<Error>& error) {
+    CalibrationHistory history;
+    const nlohmann::json object = json.objectOrEmpty("made");
+    for (const auto& [procedure, value] : object.items()) {
+        JsonObject made(value, json.what() + ": made: " + procedure, error);
+        history[procedure] = {made.textOr("created_utc", ""), made.textOr("verdict", "")};
+    }
+    return history;
+}
+
 nlohmann::json toJson(const BoardCalibration& board) {
     nlohmann::json members{{"id", board.id}, {"gyro", toJson(board.gyro)}, {"accel", toJson(board.accel)}};
+    addOrigin(members, board.serial, board.made);
     if (board.mic_delay_s != 0)
         members["mic_delay_s"] = board.mic_delay_s;
     if (board.p_segment_board_m)
@@ -43,6 +62,7 @@ nlohmann::json toJson(const BoardCalibration& board) {
 
 nlohmann::json toJson(const SourceCalibration& source) {
     nlohmann::json members{{"id", source.id}, {"offsets_s", source.offsets_s}};
+    addOrigin(members, source.serial, source.made);
     if (!source.sigma_s.empty())
         members["sigma_s"] = source.sigma_s;
     if (source.resonance_hz)
@@ -89,10 +109,12 @@ std::map<std::string, double> readSeconds(JsonObject& json, const char* member) 
     return seconds;
 }
 
-SourceCalibration readSourceCalibration(JsonObject& json) {
+SourceCalibration readSourceCalibration(JsonObject& json, std::optional<Error>& error) {
     SourceCalibration source;
     source.id = json.text("id");
     json.setWhat(json.what() + " '" + source.id + "'");
+    source.serial = json.textOr("serial", "");
+    source.made = readHistory(json, error);
     source.offsets_s = readSeconds(json, "offsets_s");
     source.sigma_s = readSeconds(json, "sigma_s");
     source.resonance_hz = json.optionalPositive("resonance_hz");
@@ -114,6 +136,8 @@ BoardCalibration readBoardCalibration(JsonObject& json, std::optional<Error>& er
     BoardCalibration board;
     board.id = json.text("id");
     json.setWhat(json.what() + " '" + board.id + "'");
+    board.serial = json.textOr("serial", "");
+    board.made = readHistory(json, error);
     board.gyro = readAxes(json, "gyro", error);
     board.accel = readAxes(json, "accel", error);
     board.mic_delay_s = json.numberOr("mic_delay_s", 0);
@@ -190,7 +214,7 @@ Result<Calibration> calibrationFromJson(const nlohmann::json& json, const std::s
     const nlohmann::json sound = object.objectOrEmpty("sound");
     calibration.sound = readSound(JsonObject(sound, where + ": sound", error));
     readEntries(object.array("sources", false), where + ": source", error, [&](JsonObject& entry) {
-        return calibration.sources.emplace_back(readSourceCalibration(entry)).id;
+        return calibration.sources.emplace_back(readSourceCalibration(entry, error)).id;
     });
     readEntries(object.array("boards", false), where + ": board", error, [&](JsonObject& entry) {
         return calibration.boards.emplace_back(readBoardCalibration(entry, error)).id;

@@ -15,6 +15,8 @@ namespace noctule {
 namespace {
 
 using test::Folder;
+using test::runSql;
+using Json = nlohmann::json;
 
 ProcessRequest requestFor(const std::string& path) {
     ProcessRequest request;
@@ -62,6 +64,45 @@ SegmentError segmentError(const TimedMotion& poses, const TimedMotion& reference
     EXPECT_GT(compared, 200);
     error.mean_deg /= compared;
     return error;
+}
+
+TEST(ProcessTinyTake, GravityIsThatOfTheTake) {
+    const Folder folder;
+    const std::string path = tinyTake(folder);
+    ProcessRequest request = requestFor(path);
+    request.tracker.root_given = false;
+    const auto height_after_m = [&] {
+        const auto summary = processTake(request, {});
+        EXPECT_TRUE(summary) << summary.error().text();
+        const Take take = Take::open(path).value();
+        return take.poses(summary->pose_run).value().frames.back().pose->p_world_root.y();
+    };
+    const double height_m = height_after_m();
+    runSql(path, "INSERT OR REPLACE INTO meta VALUES('g_m_per_s2','9.3')");
+    EXPECT_GT(height_after_m() - height_m, 0.05) << "0.5 m/s^2 more than gravity lift the root";
+}
+
+TEST(ProcessTinyTake, SaysWhenTheCalibrationIsOfAnotherBoard) {
+    const Folder folder;
+    const std::string path = tinyTake(folder);
+    ProcessRequest request = requestFor(path);
+    const Take take = Take::open(path).value();
+    request.calibration = take.calibrationInForce().value().value;
+    const Board board = take.suit().value().boards[0];
+    request.calibration->boards[0].serial = "NB-else";
+    ASSERT_EQ(request.calibration->boards[0].id, board.id);
+    const auto others = [&] {
+        const auto summary = processTake(request, {});
+        EXPECT_TRUE(summary) << summary.error().text();
+        return std::ranges::count_if(summary->warnings, [&](const std::string& warning) {
+            return warning.find("calibrated was NB-else") != std::string::npos;
+        });
+    };
+    EXPECT_EQ(others(), board.serial.empty() ? 0 : 1);
+    Json suit = toJson(take.suit().value());
+    suit["boards"][0]["serial"] = "NB-17";
+    runSql(path, "UPDATE suit SET json='" + suit.dump() + "'");
+    EXPECT_EQ(others(), 1);
 }
 
 TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {

@@ -21,7 +21,8 @@ Json smallCalibration() {
         "sources": [{"id": "hat", "offsets_s": {"start": 1.5e-5, "inflection": 1.3e-4},
                      "sigma_s": {"inflection": 2e-6}, "resonance_hz": 40450, "q": 31},
                     {"id": "navel"}],
-        "boards": [{"id": "hips", "mic_delay_s": 1e-6,
+        "boards": [{"id": "hips", "serial": "NB-17", "mic_delay_s": 1e-6,
+                    "made": {"gyroscopes": {"created_utc": "2026-11-11T09:00:00Z", "verdict": "good"}},
                     "gyro": {"zero_counts": [2047, 2050, 2040], "sigma_zero_counts": [1, 2, 3],
                              "matrix": [[0.008, 0, 0], [0, 0.009, 0.0001], [0, 0, 0.01]]},
                     "accel": {"zero_counts": [2048, 2048, 2048], "matrix": [[0.07, 0, 0], [0, 0.07, 0], [0, 0, 0.07]]},
@@ -46,6 +47,9 @@ TEST(Calibration, ReadsEveryMember) {
     EXPECT_EQ(read->findSource("nobody"), nullptr);
     const BoardCalibration* hips = read->findBoard("hips");
     ASSERT_NE(hips, nullptr);
+    EXPECT_EQ(hips->serial, "NB-17");
+    EXPECT_EQ(hips->made.at("gyroscopes"), (CalibrationMade{"2026-11-11T09:00:00Z", "good"}));
+    EXPECT_TRUE(hat->serial.empty() && hat->made.empty());
     EXPECT_EQ(hips->mic_delay_s, 1e-6);
     EXPECT_EQ(hips->gyro.matrix(1, 2), 0.0001);
     EXPECT_EQ(hips->gyro.sigma_zero_counts, Vector3d(1, 2, 3));
@@ -101,6 +105,8 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"/sources/0/offsets_s", Json::array({1}), ErrorKind::kUnreadable, "offsets_s"},
         Damage{"/sources/0/q", -1, ErrorKind::kUnusable, "'q'"},
         Damage{"/sources/1/id", "hat", ErrorKind::kUnusable, "twice"},
+        Damage{"/boards/0/made/gyroscopes", 3, ErrorKind::kUnreadable, "made: gyroscopes"},
+        Damage{"/sources/0/serial", 7, ErrorKind::kUnreadable, "serial"},
         Damage{"/boards/0/gyro", nullptr, ErrorKind::kUnreadable, "board 1 'hips': gyro"},
         Damage{"/boards/0/gyro/matrix/1/1", kNan, ErrorKind::kUnreadable, "matrix"},
         Damage{"/boards/0/accel/matrix/2", Json::array({0, 0, 0}), ErrorKind::kUnusable, "accel: 'matrix'"},
