@@ -28,7 +28,6 @@ packages=(
     libgtest-dev         # GTest
     libgmock-dev         # GTest: its CMake configuration names both
     libbenchmark-dev     # benchmark
-    libceres-dev         # Ceres
     libassimp-dev        # assimp
     assimp-testmodels    # real human motion for tests, demo and figures
 )

@@ -294,7 +294,7 @@ def broken_trees(files):
          "ui knows simulation"),
         ("stray file", {"notes.txt": ""}, "notes.txt: does not belong"),
         ("flags elsewhere", {"app/CMakeLists.txt": "add_compile_options(-O3)\n"}, "compiler flags"),
-        ("dependency without package", {"CMakeLists.txt": build + "find_package(Fftw REQUIRED)\n"}, "for Fftw"),
+        ("dependency without package", {"CMakeLists.txt": build + "find_package(Ceres REQUIRED)\n"}, "for Ceres"),
         ("part of Qt without package", {"CMakeLists.txt": build.replace("SerialPort", "Bluetooth", 1)},
          "for Qt5's Bluetooth"),
         ("module without package", {"CMakeLists.txt": build + "pkg_check_modules(E REQUIRED flite)\n"}, "for flite"),

@@ -5,7 +5,7 @@
 #include "core/processing/evaluate_take.h"
 #include "core/report/evaluation_json.h"
 #include "core/report/html_report.h"
-#include "core/report/text.h"
+#include "core/body/text.h"
 #include "core/report/verdict.h"
 
 namespace noctule::batch {

@@ -54,7 +54,7 @@ std::string verbName(const std::vector<std::string>& words) {
 std::vector<std::string> kindsOf(const std::string& group) {
     std::vector<std::string> kinds;
     for (const Verb& verb : verbs())
-        if (verb.name.starts_with(group + " "))
+        if (verb.run && verb.name.starts_with(group + " "))
             kinds.push_back(verb.name.substr(group.size() + 1));
     return kinds;
 }

@@ -51,6 +51,12 @@ Verb attachVerb();
 Verb devicesVerb();
 Verb recordVerb();
 Verb recoverVerb();
+// app/batch/calibrate.cpp
+Verb calibrateSourcesVerb();
+Verb calibrateAccelerometersVerb();
+Verb calibrateGyroscopesVerb();
+Verb calibrateRestPoseVerb();
+Verb checkVerb();
 
 /// {"exit_code", "message", "remedy"}
 nlohmann::json errorJson(const Error& error);

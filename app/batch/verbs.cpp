@@ -12,7 +12,6 @@ Verb laterVerb(const std::string& name, const std::string& summary) {
 }
 
 }  // namespace
-
 nlohmann::json errorJson(const Error& error) {
     return {
         {"exit_code", static_cast<int>(error.kind)}, {"message", error.message}, {"remedy", error.remedy}};
@@ -29,8 +28,12 @@ const std::vector<Verb>& verbs() {
         devicesVerb(),
         recordVerb(),
         recoverVerb(),
-        laterVerb("calibrate", "find offsets, zeros and slopes from recordings"),
-        laterVerb("check", "compare a still pose with the calibration in force")};
+        calibrateSourcesVerb(),
+        calibrateAccelerometersVerb(),
+        calibrateGyroscopesVerb(),
+        calibrateRestPoseVerb(),
+        laterVerb("calibrate motion", "find mounting, bones and sources from movement"),
+        checkVerb()};
     return all;
 }
 

@@ -137,8 +137,12 @@ std::vector<Stretch> stretchesOf(const std::vector<MarkerRow>& markers, const st
 
 }  // namespace
 
-Result<Observations> readObservations(const Take& take, Detector detector, const JobContext& job) {
+Result<Observations> readObservations(const Take& take, Detector detector, const JobContext& job,
+                                      const std::optional<Calibration>& calibration,
+                                      const std::optional<Actor>& actor) {
     ProcessRequest request;
+    request.calibration = calibration;
+    request.actor = actor;
     request.detector = detector;
     std::vector<std::string> warnings;
     const auto in = gatherIngredients(take, request, warnings);

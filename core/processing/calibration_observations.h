@@ -9,8 +9,11 @@
 
 namespace noctule {
 
-/// kUnusable when the take's suit and sound contradict each other. The whole take lies in memory: some 40
-/// bytes for each of 140 frames a second and board, as much for each range.
-Result<Observations> readObservations(const Take& take, Detector detector, const JobContext& job);
+/// `calibration` and `actor`: instead of those in force in the take. kUnusable when the take's suit and sound
+/// contradict each other. The whole take lies in memory: some 40 bytes for each of 140 frames a second and
+/// board, as much for each range.
+Result<Observations> readObservations(const Take& take, Detector detector, const JobContext& job,
+                                      const std::optional<Calibration>& calibration = {},
+                                      const std::optional<Actor>& actor = {});
 
 }  // namespace noctule

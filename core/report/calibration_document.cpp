@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/report/calibration_document.h"
 
+#include "core/body/text.h"
 #include "core/report/html.h"
-#include "core/report/text.h"
 #include "core/report/verdict.h"
 
 namespace noctule {
 namespace {
 
 std::string headlineOf(const CalibrationDocument& document) {
-    return gradeName(gradeOf(document.findings)) + ". " + document.summary;
-}
-
-std::string sentenceOf(const Finding& finding) {
-    return finding.what + "." + (finding.remedy.empty() ? "" : " " + finding.remedy + ".");
+    return gradeName(gradeOf(document.findings)) + ". " + document.summary + ".";
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -66,6 +62,10 @@ std::string textOf(const CalibrationTable& table) {
 }
 
 }  // namespace
+
+std::string sentenceOf(const Finding& finding) {
+    return finding.what + "." + (finding.remedy.empty() ? "" : " " + finding.remedy + ".");
+}
 
 std::string calibrationHtml(const CalibrationDocument& document) {
     std::vector<std::string> sentences;

@@ -17,12 +17,15 @@ struct CalibrationTable {
 
 struct CalibrationDocument {
     std::string procedure;    ///< "Gyroscopes"
-    std::string summary;      ///< one sentence: what was found, against what is good
+    std::string summary;      ///< a sentence without its full stop: what was found
     std::string created_utc;  ///< ISO 8601, Z
     std::vector<std::string> takes;
     std::vector<Finding> findings;
     std::vector<CalibrationTable> tables;
 };
+
+/// "What. Remedy."
+std::string sentenceOf(const Finding& finding);
 
 std::string calibrationHtml(const CalibrationDocument& document);
 std::string calibrationText(const CalibrationDocument& document);

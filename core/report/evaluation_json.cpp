@@ -7,17 +7,17 @@
 namespace noctule {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
-json finite(double value) {
-    return std::isfinite(value) ? json(value) : json(nullptr);
+Json finite(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-json finite(const std::optional<double>& value) {
-    return value ? finite(*value) : json(nullptr);
+Json finite(const std::optional<double>& value) {
+    return value ? finite(*value) : Json(nullptr);
 }
 
-json jointJson(const JointComparison& joint) {
+Json jointJson(const JointComparison& joint) {
     return {{"name", joint.name},
             {"mean_deg", finite(joint.angle.mean_deg)},
             {"std_deg", finite(joint.angle.std_deg)},
@@ -29,7 +29,7 @@ json jointJson(const JointComparison& joint) {
             {"relative_to", joint.relative_to}};
 }
 
-void addComparison(json& out, const Comparison& c) {
+void addComparison(Json& out, const Comparison& c) {
     for (const JointComparison& joint : c.joints)
         out["joints"].push_back(jointJson(joint));
     out["mean_deg"] = finite(c.mean_deg);
@@ -47,7 +47,7 @@ void addComparison(json& out, const Comparison& c) {
     out["reference_correlation"] = finite(c.offset.correlation);
 }
 
-json rangesJson(const RangeStatistics& r) {
+Json rangesJson(const RangeStatistics& r) {
     const std::optional<double> residual_m = r.residualRms_m();
     return {{"pulses", r.pulses()},
             {"heard", r.heard()},
@@ -56,10 +56,10 @@ json rangesJson(const RangeStatistics& r) {
             {"unused", r.of(PulseFate::kUnused)},
             {"occluded", r.of(PulseFate::kOccluded)},
             {"missing", r.of(PulseFate::kMissing)},
-            {"residual_rms_mm", residual_m ? finite(1000 * *residual_m) : json(nullptr)}};
+            {"residual_rms_mm", residual_m ? finite(1000 * *residual_m) : Json(nullptr)}};
 }
 
-json boardJson(const ReportBoard& board) {
+Json boardJson(const ReportBoard& board) {
     return {{"id", board.id},
             {"frames_expected", board.frames_expected},
             {"frames_lost", board.frames_lost},
@@ -72,11 +72,11 @@ json boardJson(const ReportBoard& board) {
 
 }  // namespace
 
-json evaluationJson(const ReportData& data, const ReportRun& run) {
-    json out = {{"take", data.take.name},
+Json evaluationJson(const ReportData& data, const ReportRun& run) {
+    Json out = {{"take", data.take.name},
                 {"run", run.name},
                 {"sensors", run.sensors},
-                {"joints", json::array()},
+                {"joints", Json::array()},
                 {"mean_deg", nullptr},
                 {"end_effector_mm", nullptr},
                 {"root", {{"yaw_deg", nullptr}, {"tilt_deg", nullptr}, {"position_m", nullptr}}},
@@ -94,7 +94,7 @@ json evaluationJson(const ReportData& data, const ReportRun& run) {
         out["verdict"] = gradeName(verdict.grade);
         out["reasons"] = verdict.reasons;
         out["ranges"] = rangesJson(rangeStatistics(data.pairs));
-        out["boards"] = json::array();
+        out["boards"] = Json::array();
         for (const ReportBoard& board : data.boards)
             out["boards"].push_back(boardJson(board));
     }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "core/body/text.h"
 #include "core/report/style.h"
-#include "core/report/text.h"
 
 namespace noctule::html {
 

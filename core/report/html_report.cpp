@@ -3,9 +3,9 @@
 
 #include <span>
 
+#include "core/body/text.h"
 #include "core/report/html.h"
 #include "core/report/sections.h"
-#include "core/report/text.h"
 
 namespace noctule {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "core/body/text.h"
 #include "core/report/html.h"
 #include "core/report/pair_choice.h"
 #include "core/report/range_statistics.h"
 #include "core/report/sections.h"
 #include "core/report/style.h"
 #include "core/report/svg_plot.h"
-#include "core/report/text.h"
 
 namespace noctule {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/body/text.h"
 #include "core/report/html.h"
 #include "core/report/sections.h"
-#include "core/report/text.h"
 #include "core/report/verdict.h"
 
 namespace noctule {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "core/body/text.h"
 #include "core/report/html.h"
 #include "core/report/sections.h"
-#include "core/report/text.h"
 
 namespace noctule {
 namespace {

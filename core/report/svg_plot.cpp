@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/report/text.h"
+#include "core/body/text.h"
 
 namespace noctule {
 namespace {

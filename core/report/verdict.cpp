@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "core/body/text.h"
 #include "core/report/range_statistics.h"
 #include "core/report/sections.h"
-#include "core/report/text.h"
 
 namespace noctule {
 namespace {

@@ -36,22 +36,22 @@ using CalibrationHistory = std::map<std::string, CalibrationMade>;
 
 struct BoardCalibration {
     std::string id;
-    std::string serial;     ///< whose values these are; empty: not stated
     AxisCalibration gyro;   ///< rad/s
     AxisCalibration accel;  ///< m/s^2
     double mic_delay_s = 0;
     std::optional<Vector3d> p_segment_board_m;  ///< corrected mounting, replaces the suit's
     std::optional<Quaterniond> q_segment_board;
+    std::string serial;  ///< whose values these are; empty: not stated
     CalibrationHistory made;
 };
 
 struct SourceCalibration {
     std::string id;
-    std::string serial;
     std::map<std::string, double>
         offsets_s;  ///< detector name -> reported time at distance 0; "start" reserved
     std::map<std::string, double> sigma_s;
     std::optional<double> resonance_hz, q;
+    std::string serial;
     CalibrationHistory made;
 };
 

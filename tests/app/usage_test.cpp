@@ -9,9 +9,9 @@
 namespace noctule::test {
 namespace {
 
-const std::vector<std::string> kVerbs = {"simulate", "process", "evaluate", "export", "inspect",
-                                         "attach",   "devices", "record",   "recover"};
-const std::vector<std::string> kLaterVerbs = {"calibrate", "check"};
+const std::vector<std::string> kVerbs = {"simulate", "process", "evaluate", "export",  "inspect",
+                                         "attach",   "devices", "record",   "recover", "check"};
+const std::vector<std::string> kCalibrations = {"sources", "accelerometers", "gyroscopes", "rest-pose"};
 
 /// The environment without a way to a screen, as on a server; as it was afterwards.
 class NoScreen {
@@ -58,10 +58,10 @@ TEST(Usage, VersionAndHelpEndWell) {
     for (const auto& arguments : {std::vector<std::string>{"--help"}, {"--batch", "--help"}}) {
         const Ran ran = run(arguments);
         EXPECT_EQ(ran.exit_code, 0);
-        for (const std::vector<std::string>& verbs : {kVerbs, kLaterVerbs})
-            for (const std::string& verb : verbs)
-                EXPECT_NE(ran.out.find("\n  " + verb + " "), std::string::npos) << verb;
-        EXPECT_NE(ran.out.find("not yet available"), std::string::npos);
+        for (const std::string& verb : kVerbs)
+            EXPECT_NE(ran.out.find("\n  " + verb + " "), std::string::npos) << verb;
+        for (const std::string& kind : kCalibrations)
+            EXPECT_NE(ran.out.find("\n  calibrate " + kind), std::string::npos) << kind;
     }
 }
 
@@ -73,8 +73,11 @@ TEST(Usage, EveryVerbExplainsItselfWithOneExample) {
         for (const char* common : {"--json", "--quiet", "--seed", "--jobs", "--overwrite", "--help"})
             EXPECT_NE(ran.out.find(common), std::string::npos) << verb << " " << common;
     }
-    for (const std::string& verb : kLaterVerbs)
-        EXPECT_EQ(batch({verb, "--help"}).exit_code, 0) << verb;
+    for (const std::string& kind : kCalibrations) {
+        const Ran ran = batch({"calibrate", kind, "--help"});
+        EXPECT_EQ(ran.exit_code, 0) << kind;
+        EXPECT_NE(ran.out.find("example: noctule --batch calibrate " + kind + " "), std::string::npos);
+    }
 }
 
 TEST(Usage, UnknownWordsNameTheNearestKnownOne) {
@@ -82,6 +85,10 @@ TEST(Usage, UnknownWordsNameTheNearestKnownOne) {
     expectRefusal({"evalute"}, 2, {"evalute", "evaluate"});
     expectRefusal({"simulate", "--mtion", "x"}, 2, {"--mtion", "--motion"});
     expectRefusal({"evaluate", "-x", "t"}, 2, {"-x"});
+    expectRefusal({"calibrate"}, 2, {"sources, accelerometers, gyroscopes or rest-pose"});
+    expectRefusal({"calibrate", "sorces", "t"}, 2, {"rest-pose"});
+    expectRefusal({"calibrate", "sources", "t"}, 2, {"--out"});
+    expectRefusal({"calibrate", "sources", "t", "--out", "c.json"}, 2, {"--digitizer", "--distances"});
 }
 
 TEST(Usage, ValuesAreChecked) {
@@ -119,8 +126,8 @@ TEST(Usage, ValuesAreChecked) {
 }
 
 TEST(Usage, WhatComesLaterIsRefusedByName) {
-    for (const std::string& verb : kLaterVerbs)
-        expectRefusal({verb}, 2, {verb, "not available yet"});
+    expectRefusal({"calibrate", "motion", "t"}, 2, {"calibrate motion is not available yet"});
+    expectRefusal({"calibrate", "sources", "t", "--photos", "x"}, 2, {"--photos", "not available"});
     expectRefusal({"process", "t", "--detector", "matched"}, 2, {"--detector matched", "not available"});
     for (const char* smoother : {"lag", "full", "batch"})
         expectRefusal({"process", "t", "--smooth", smoother}, 2, {smoother, "not available"});

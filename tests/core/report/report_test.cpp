@@ -9,7 +9,7 @@
 #include "core/report/range_statistics.h"
 #include "core/report/style.h"
 #include "core/report/svg_plot.h"
-#include "core/report/text.h"
+#include "core/body/text.h"
 #include "core/report/verdict.h"
 #include "tests/core/report/made_report.h"
 

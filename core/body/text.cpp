@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/report/text.h"
+#include "core/body/text.h"
 
 #include <algorithm>
 #include <array>

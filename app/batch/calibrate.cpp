@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// The verbs that begin with `calibrate`, and `check`: what they share, and the options of each.
+#include "app/batch/files.h"
+#include "app/batch/verb.h"
+#include "core/job/atomic_file.h"
+#include "core/processing/calibrate_takes.h"
+#include "devices/device/clock.h"
+
+namespace noctule::batch {
+namespace {
+
+/// One of these verbs.
+struct Plan {
+    std::string verb;
+    Result<CalibrationResult> (*solve)(const CalibrateRequest&, const Arguments&,
+                                       const JobContext&) = nullptr;
+    bool hears = false;            ///< --detector
+    bool knows_performer = false;  ///< --actor
+    bool checks_only = false;      ///< --calibration, and nothing but a report is written
+};
+
+Result<CalibrateRequest> requestOf(const Arguments& arguments, const Plan& plan) {
+    CalibrateRequest request;
+    request.take_paths = arguments.operands();
+    request.created_utc = utcNow();
+    if (plan.hears)
+        request.detector = *detectorFromName(arguments.text("detector"));
+    if (const Status read =
+            readGiven(arguments, plan.checks_only ? "calibration" : "base", readCalibration, request.base);
+        !read)
+        return read.error();
+    if (plan.knows_performer)
+        if (const Status read = readGiven(arguments, "actor", readActor, request.actor); !read)
+            return read.error();
+    return request;
+}
+
+struct Outputs {
+    std::string calibration, report;  ///< empty: not wanted
+    bool overwrite = false, force = false;
+};
+
+Outputs outputsOf(const Arguments& arguments, const Plan& plan) {
+    Outputs outputs{"", arguments.text("report"), arguments.given("overwrite"), false};
+    if (!plan.checks_only) {
+        outputs.calibration = arguments.text("out");
+        outputs.force = arguments.given("force");
+    }
+    return outputs;
+}
+
+Status write(const CalibrationResult& result, const Outputs& outputs, bool refused) {
+    if (!outputs.report.empty())
+        if (Status done =
+                writeFileAtomically(outputs.report, calibrationHtml(result.document), outputs.overwrite);
+            !done)
+            return done;
+    if (refused)
+        return Done{};
+    if (outputs.calibration.empty())
+        return Done{};
+    return writeJson(outputs.calibration, toJson(result.calibration), outputs.overwrite);
+}
+
+Error refusal(const CalibrationResult& result, const Plan& plan) {
+    std::string reasons;
+    for (const Finding& finding : result.document.findings)
+        if (finding.grade == Grade::kNotUsable)
+            reasons += (reasons.empty() ? "" : "; ") + finding.what;
+    return {ErrorKind::kUnusable, plan.verb + ": not usable: " + reasons,
+            plan.checks_only ? "Put right what is named, or calibrate again"
+                             : "Nothing is written; repeat what is named, or add --force"};
+}
+
+Result<Outcome> run(const VerbContext& context, const Plan& plan) {
+    const auto request = requestOf(context.arguments, plan);
+    if (!request)
+        return request.error();
+    const Outputs outputs = outputsOf(context.arguments, plan);
+    if (Status free = checkOutputs({outputs.calibration, outputs.report}, outputs.overwrite); !free)
+        return free.error();
+    const auto result = plan.solve(*request, context.arguments, context.job());
+    if (!result)
+        return result.error();
+    const bool refused = result->grade() == Grade::kNotUsable && !outputs.force;
+    if (Status written = write(*result, outputs, refused); !written)
+        return written.error();
+    Outcome outcome{result->json, calibrationText(result->document), std::nullopt};
+    if (refused) {
+        outcome.failure = refusal(*result, plan);
+        context.console.error(*outcome.failure);
+        outcome.json["error"] = errorJson(*outcome.failure);
+    } else if (!outputs.calibration.empty()) {
+        outcome.json["calibration"] = outputs.calibration;
+        outcome.text += "\nWritten: " + outputs.calibration + "\n";
+    }
+    return outcome;
+}
+
+Option detectorOption() {
+    return choice("detector", {"inflection"}, "what finds the pulses in the sound")
+        .orElse("inflection")
+        .laterOn({"matched"});
+}
+
+Option actorOption() {
+    return text("actor", "A.json", "the performer; the one in the take when not given");
+}
+
+Option reportOption() {
+    return text("report", "R.html", "what was found, as a page that opens anywhere");
+}
+
+/// Options that every calibration has, behind its own.
+std::vector<Option> withCommon(std::vector<Option> own) {
+    own.push_back(
+        text("out", "C.json", "the calibration, with the values of --base where nothing new was found")
+            .needed());
+    own.push_back(text("base", "C0.json",
+                       "the calibration to start from; the one in force in the first take when not given"));
+    own.push_back(reportOption());
+    own.push_back(flag("force", "write the calibration even when it is not usable"));
+    return own;
+}
+
+Verb calibrationVerb(const std::string& kind, const std::string& summary, const std::string& operands,
+                     const std::string& example, std::vector<Option> own) {
+    Verb verb;
+    verb.name = "calibrate " + kind;
+    verb.summary = summary;
+    verb.operands = operands;
+    verb.min_operands = 1;
+    verb.max_operands = operands.ends_with("...") ? kAnyNumber : 1;
+    verb.example = "noctule --batch calibrate " + kind + " " + example;
+    verb.options = withCommon(std::move(own));
+    verb.remarks = {
+        "Exit code 4 and nothing written when the result is not usable; the reasons name part and remedy."};
+    return verb;
+}
+
+Result<KnownDistances> knownDistances(const Arguments& arguments) {
+    const bool digitizer = arguments.given("digitizer");
+    if (digitizer == arguments.given("distances"))
+        return Error{ErrorKind::kUsage, "calibrate sources needs either --digitizer or --distances",
+                     "Give the file of points or the file of distances"};
+    const std::string path = arguments.text(digitizer ? "digitizer" : "distances");
+    const auto text = readWholeFile(path);
+    if (!text)
+        return text.error();
+    return digitizer ? readDigitizerCsv(*text, path) : readTapeMeasureCsv(*text, path);
+}
+
+Result<CalibrationResult> solveSources(const CalibrateRequest& request, const Arguments& arguments,
+                                       const JobContext& job) {
+    const auto known = knownDistances(arguments);
+    if (!known)
+        return known.error();
+    SourceOffsetSettings settings;
+    if (arguments.text("speed-of-sound") == "estimate")
+        settings.speed_of_sound = SourceOffsetSettings::SpeedOfSound::kEstimate;
+    return calibrateSources(request, *known, settings, job);
+}
+
+}  // namespace
+
+Verb calibrateSourcesVerb() {
+    Verb verb = calibrationVerb(
+        "sources", "find every source's offset from a take on the jig", "J.noctule...",
+        "jig_001.noctule --digitizer jig.csv --out suit.json",
+        {text("digitizer", "D.csv", "points on the jig: placement,kind,id,x_m,y_m,z_m (or x_mm...)"),
+         text("distances", "D.csv", "tape measure: placement,source,board,distance_m (or distance_mm)"),
+         later("photos", "IMG...", "photographs of the jig with printed markers"), detectorOption(),
+         choice("speed-of-sound", {"temperature", "estimate"},
+                "from the take's thermometer, or from the distances")
+             .orElse("temperature")});
+    verb.run = [](const VerbContext& context) {
+        return run(context, {.verb = "calibrate sources", .solve = solveSources, .hears = true});
+    };
+    return verb;
+}
+
+Verb calibrateAccelerometersVerb() {
+    Verb verb = calibrationVerb("accelerometers", "find zeros and slopes from level positions, in any order",
+                                "L.noctule...", "level_001.noctule --out suit.json", {});
+    verb.run = [](const VerbContext& context) {
+        const auto solve = [](const CalibrateRequest& request, const Arguments&, const JobContext& job) {
+            return calibrateAccelerometers(request, job);
+        };
+        return run(context, {.verb = "calibrate accelerometers", .solve = solve});
+    };
+    return verb;
+}
+
+Verb calibrateGyroscopesVerb() {
+    Verb verb = calibrationVerb(
+        "gyroscopes", "find zeros and slopes from turns on a turntable, up and down for each axis",
+        "S.noctule...", "spin_001.noctule --rpm 45 --out suit.json",
+        {number("rpm", "N", 1, 1000, "nominal speed of the table; as the take states it when not given")});
+    verb.run = [](const VerbContext& context) {
+        const auto solve = [](const CalibrateRequest& request, const Arguments& arguments,
+                              const JobContext& job) {
+            return calibrateGyroscopes(request, arguments.number("rpm").value_or(0), job);
+        };
+        return run(context, {.verb = "calibrate gyroscopes", .solve = solve});
+    };
+    return verb;
+}
+
+Verb calibrateRestPoseVerb() {
+    Verb verb = calibrationVerb("rest-pose", "align the boards from a performer who stands still",
+                                "T.noctule", "rest_001.noctule --base suit.json --out worn.json",
+                                {actorOption(), detectorOption()});
+    verb.run = [](const VerbContext& context) {
+        const auto solve = [](const CalibrateRequest& request, const Arguments&, const JobContext& job) {
+            return calibrateRestPose(request, job);
+        };
+        return run(context,
+                   {.verb = "calibrate rest-pose", .solve = solve, .hears = true, .knows_performer = true});
+    };
+    return verb;
+}
+
+Verb checkVerb() {
+    Verb verb;
+    verb.name = "check";
+    verb.summary = "compare a still pose with the calibration in force: good, or what has moved";
+    verb.operands = "T.noctule";
+    verb.min_operands = verb.max_operands = 1;
+    verb.example = "noctule --batch check still_001.noctule --calibration worn.json";
+    verb.options = {text("calibration", "C.json", "the one in force in the take when not given"),
+                    actorOption(), detectorOption(), reportOption()};
+    verb.remarks = {"Exit code 4 when something has moved; the reasons name part and remedy."};
+    verb.run = [](const VerbContext& context) {
+        const auto solve = [](const CalibrateRequest& request, const Arguments&, const JobContext& job) {
+            return checkStill(request, job);
+        };
+        return run(
+            context,
+            {.verb = "check", .solve = solve, .hears = true, .knows_performer = true, .checks_only = true});
+    };
+    return verb;
+}
+
+}  // namespace noctule::batch

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/calibration/measured_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace noctule {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kCellBlanks = " \t\f\v";
+
+std::string_view withoutBlanks(std::string_view cell) {
+    const size_t begin = cell.find_first_not_of(kCellBlanks);
+    return begin == std::string_view::npos
+               ? std::string_view()
+               : cell.substr(begin, cell.find_last_not_of(kCellBlanks) + 1 - begin);
+}
+
+std::string inLowerCase(std::string text) {
+    for (char& c : text)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+    return text;
+}
+
+/// Nothing when a quote stays open.
+std::optional<std::vector<std::string>> splitIntoCells(std::string_view line, char separator) {
+    std::vector<std::string> cells(1);
+    bool within_quotes = false;
+    for (size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"' && within_quotes && i + 1 < line.size() && line[i + 1] == '"')
+            cells.back() += line[++i];
+        else if (line[i] == '"')
+            within_quotes = !within_quotes;
+        else if (line[i] == separator && !within_quotes)
+            cells.emplace_back();
+        else
+            cells.back() += line[i];
+    }
+    if (within_quotes)
+        return std::nullopt;
+    for (std::string& cell : cells)
+        cell = std::string(withoutBlanks(cell));
+    return cells;
+}
+
+/// The next line without its end, which is CRLF, LF or CR; `text` goes on behind it.
+std::string_view cutLine(std::string_view& text) {
+    const size_t end = text.find_first_of("\r\n");
+    const std::string_view line = text.substr(0, end);
+    if (end == std::string_view::npos)
+        text = {};
+    else
+        text.remove_prefix(end + (text.substr(end, 2) == "\r\n" ? 2 : 1));
+    return line;
+}
+
+bool isBlankRow(const std::vector<std::string>& cells) {
+    return std::ranges::all_of(cells, &std::string::empty);
+}
+
+}  // namespace
+
+std::string cellInQuotes(std::string_view cell) {
+    constexpr size_t kLongest = 40;
+    std::string quoted = "\"";
+    for (const char c : cell.substr(0, kLongest))
+        quoted += (c >= 0 && c < ' ') || c == 127 ? '?' : c;
+    return quoted + (cell.size() > kLongest ? "...\"" : "\"");
+}
+
+Result<MeasuredTable> MeasuredTable::parse(std::string_view text, const std::string& where) {
+    MeasuredTable table(where);
+    if (text.find('\0') != std::string_view::npos)
+        return Error{ErrorKind::kUnreadable, where + " is no plain text", "Save the table as CSV in UTF-8"};
+    if (text.starts_with(kByteOrderMark))
+        text.remove_prefix(kByteOrderMark.size());
+    for (size_t number = 1; !text.empty(); ++number)
+        if (const Status added = table.addLine(cutLine(text), number); !added)
+            return added.error();
+    if (table.header_.empty())
+        return Error{ErrorKind::kUnreadable, where + " is empty",
+                     "Give a table with a header and one row per measurement"};
+    if (table.rows_.empty())
+        return table.headerError("no row follows the header", "Add one row per measurement");
+    return table;
+}
+
+Status MeasuredTable::addLine(std::string_view line, size_t number) {
+    if (withoutBlanks(line).empty())
+        return Done{};
+    return header_.empty() ? readHeader(line, number) : readRow(line, number);
+}
+
+Status MeasuredTable::readHeader(std::string_view line, size_t number) {
+    header_line_ = number;
+    for (const char separator : {';', '\t', ','})
+        if (line.find(separator) != std::string_view::npos) {
+            separator_ = separator;
+            break;
+        }
+    const auto cells = splitIntoCells(line, separator_);
+    if (!cells)
+        return headerError("a quotation mark stays open", "Close it in the same line");
+    for (const std::string& cell : *cells) {
+        std::string name = inLowerCase(cell);
+        if (!name.empty() && column(name))
+            return headerError("two columns are named " + cellInQuotes(name), "Keep one of them");
+        header_.push_back(std::move(name));
+    }
+    return Done{};
+}
+
+Status MeasuredTable::readRow(std::string_view line, size_t number) {
+    auto cells = splitIntoCells(line, separator_);
+    if (!cells)
+        return error(number, "a quotation mark stays open", "Close it in the same line");
+    if (isBlankRow(*cells))
+        return Done{};
+    while (cells->size() > header_.size() && cells->back().empty())
+        cells->pop_back();
+    if (cells->size() > header_.size())
+        return error(number,
+                     "there are " + std::to_string(cells->size()) + " cells under " +
+                         std::to_string(header_.size()) + " columns",
+                     separator_ == ',' ? "Write decimals with a point, or put semicolons between the cells"
+                                       : "Remove what is too much");
+    cells->resize(header_.size());
+    rows_.push_back({number, std::move(*cells)});
+    return Done{};
+}
+
+std::optional<size_t> MeasuredTable::column(std::string_view name) const {
+    const auto found = std::ranges::find(header_, name);
+    return found == header_.end() ? std::nullopt : std::optional<size_t>(found - header_.begin());
+}
+
+Result<std::string> MeasuredTable::word(size_t row, size_t column) const {
+    const std::string& cell = rows_[row].cells[column];
+    if (cell.empty())
+        return rowError(row, "column " + header_[column] + " is empty", "Fill it in or remove the row");
+    return cell;
+}
+
+Result<double> MeasuredTable::number(size_t row, size_t column) const {
+    const Result<std::string> cell = word(row, column);
+    if (!cell)
+        return cell.error();
+    std::string text = *cell;
+    const size_t comma = text.find(',');
+    if (separator_ != ',' && comma != std::string::npos && text.find('.') == std::string::npos)
+        text[comma] = '.';
+    const char* begin = text.data() + (text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
+    const char* end = text.data() + text.size();
+    double value = 0;
+    const auto [after, problem] = std::from_chars(begin, end, value);
+    if (problem != std::errc() || after != end || !std::isfinite(value))
+        return rowError(row, "column " + header_[column] + " is " + cellInQuotes(*cell),
+                        "Give a number such as 0.512");
+    return value;
+}
+
+Error MeasuredTable::headerError(const std::string& what, const std::string& remedy) const {
+    return error(header_line_, what, remedy);
+}
+
+Error MeasuredTable::rowError(size_t row, const std::string& what, const std::string& remedy) const {
+    return error(rows_[row].line, what, remedy);
+}
+
+Error MeasuredTable::error(size_t line, const std::string& what, const std::string& remedy) const {
+    return {ErrorKind::kUnreadable, where_ + ", line " + std::to_string(line) + ": " + what, remedy};
+}
+
+}  // namespace noctule

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/calibration/still_stretch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/math/rotation.h"
+
+namespace noctule {
+namespace {
+
+constexpr double kSlot_s = 0.25;
+constexpr double kShake_rad_per_s = 0.1, kShake_m_per_s2 = 0.6;
+constexpr double kTurn_rad_per_s = 0.1, kTurn_m_per_s2 = 0.4;
+constexpr int kLeastReadings = 20;  // in the stretch: a seventh of a second
+constexpr int kParts = 8;           // of the stretch, for the sigma of means
+constexpr size_t kLeastFlights = 5;
+
+struct SlotOfBoard {
+    int readings = 0;
+    Vector3d gyro_rad_per_s = Vector3d::Zero(), accel_m_per_s2 = Vector3d::Zero();  ///< means, without zeros
+    double gyro_shake_rad_per_s = 0, accel_shake_m_per_s2 = 0;
+};
+
+/// Without its zeros: only differences count here.
+AxisCalibration scaleOf(const Observations& take, size_t board, bool gyro) {
+    const Board& described = take.suit.boards[board];
+    const BoardCalibration* known = take.calibration.findBoard(described.id);
+    if (known)
+        return gyro ? known->gyro : known->accel;
+    return AxisCalibration::nominal(gyro ? described.gyro_full_scale_rad_per_s
+                                         : described.accel_full_scale_m_per_s2);
+}
+
+using Readings = std::vector<CountReading>;
+
+/// Readings of [begin, end).
+std::pair<Readings::const_iterator, Readings::const_iterator> between(const Readings& readings,
+                                                                      double begin_s, double end_s) {
+    return {std::ranges::lower_bound(readings, begin_s, {}, &CountReading::time_s),
+            std::ranges::lower_bound(readings, end_s, {}, &CountReading::time_s)};
+}
+
+SlotOfBoard slotOf(const Readings& readings, double begin_s, const AxisCalibration& gyro,
+                   const AxisCalibration& accel) {
+    SlotOfBoard slot;
+    const auto [first, last] = between(readings, begin_s, begin_s + kSlot_s);
+    slot.readings = static_cast<int>(last - first);
+    if (slot.readings == 0)
+        return slot;
+    double gyro_square = 0, accel_square = 0;
+    for (auto reading = first; reading != last; ++reading) {
+        const Vector3d omega = gyro.apply(reading->gyro_counts), a = accel.apply(reading->accel_counts);
+        slot.gyro_rad_per_s += omega / slot.readings;
+        slot.accel_m_per_s2 += a / slot.readings;
+        gyro_square += omega.squaredNorm() / slot.readings;
+        accel_square += a.squaredNorm() / slot.readings;
+    }
+    slot.gyro_shake_rad_per_s = std::sqrt(std::max(0.0, gyro_square - slot.gyro_rad_per_s.squaredNorm()));
+    slot.accel_shake_m_per_s2 = std::sqrt(std::max(0.0, accel_square - slot.accel_m_per_s2.squaredNorm()));
+    return slot;
+}
+
+bool moves(const SlotOfBoard& before, const SlotOfBoard& slot) {
+    if (slot.gyro_shake_rad_per_s > kShake_rad_per_s || slot.accel_shake_m_per_s2 > kShake_m_per_s2)
+        return true;
+    return before.readings > 0 && slot.readings > 0 &&
+           ((slot.gyro_rad_per_s - before.gyro_rad_per_s).norm() > kTurn_rad_per_s ||
+            (slot.accel_m_per_s2 - before.accel_m_per_s2).norm() > kTurn_m_per_s2);
+}
+
+/// Adds the board's movements in the range; `still` keeps what no board disturbs.
+void markMovements(const Observations& take, size_t board, const Stretch& range, std::vector<bool>& still,
+                   std::vector<BoardMovement>& movements) {
+    const AxisCalibration gyro = scaleOf(take, board, true), accel = scaleOf(take, board, false);
+    SlotOfBoard before;
+    bool moved_before = false;
+    for (size_t i = 0; i < still.size(); ++i) {
+        const double begin_s = range.begin_s + static_cast<double>(i) * kSlot_s;
+        const SlotOfBoard slot = slotOf(take.boards[board], begin_s, gyro, accel);
+        const bool moved = moves(before, slot);
+        if (moved && moved_before)
+            movements.back().end_s = begin_s + kSlot_s;
+        else if (moved)
+            movements.push_back({static_cast<int>(board), begin_s, begin_s + kSlot_s});
+        if (moved)
+            still[i] = false;
+        moved_before = moved;
+        before = moved ? SlotOfBoard{} : slot;
+    }
+}
+
+Stretch longestStill(const std::vector<bool>& still, const Stretch& range) {
+    size_t best_first = 0, best_count = 0, count = 0;
+    for (size_t i = 0; i < still.size(); ++i) {
+        count = still[i] ? count + 1 : 0;
+        if (count > best_count) {
+            best_count = count;
+            best_first = i + 1 - count;
+        }
+    }
+    const double begin_s = range.begin_s + static_cast<double>(best_first) * kSlot_s;
+    return {begin_s, begin_s + static_cast<double>(best_count) * kSlot_s, "still"};
+}
+
+/// Rotation that the readings integrate to with these zeros; each reading holds until the next.
+Vector3d netRotation(Readings::const_iterator first, Readings::const_iterator last,
+                     const AxisCalibration& gyro, const Vector3d& zero_counts) {
+    Quaterniond q = Quaterniond::Identity();
+    for (auto reading = first; std::next(reading) != last; ++reading) {
+        const Vector3d counts = (reading->gyro_counts + std::next(reading)->gyro_counts) / 2 - zero_counts;
+        q = q * expQuaternion(gyro.matrix * counts * (std::next(reading)->time_s - reading->time_s));
+    }
+    return logQuaternion(q);
+}
+
+/// Means of equal parts of the stretch: how they differ tells how sure the mean of all is.
+struct PartMeans {
+    std::vector<Vector3d> gyro, accel;
+};
+PartMeans partMeans(Readings::const_iterator first, Readings::const_iterator last) {
+    PartMeans means;
+    const auto length = (last - first) / kParts;
+    for (int part = 0; part < kParts; ++part) {
+        Vector3d gyro = Vector3d::Zero(), accel = Vector3d::Zero();
+        for (auto reading = first + part * length; reading != first + (part + 1) * length; ++reading) {
+            gyro += reading->gyro_counts / static_cast<double>(length);
+            accel += reading->accel_counts / static_cast<double>(length);
+        }
+        means.gyro.push_back(gyro);
+        means.accel.push_back(accel);
+    }
+    return means;
+}
+
+/// What rounding to whole counts does to a mean of readings with this variance: noise far below a count does
+/// not smooth it away. Amplitude of the first harmonic (Widrow, Kollar, "Quantization Noise", section 9).
+double roundingOfMean_counts(double variance_counts) {
+    const double noise_square = std::max(0.0, variance_counts - 1.0 / 12);
+    return std::exp(-2 * std::numbers::pi * std::numbers::pi * noise_square) /
+           (std::numbers::pi * std::numbers::sqrt2);
+}
+
+Vector3d sigmaOfMean(const std::vector<Vector3d>& parts) {
+    Vector3d mean = Vector3d::Zero(), square = Vector3d::Zero();
+    for (const Vector3d& part : parts)
+        mean += part / static_cast<double>(parts.size());
+    for (const Vector3d& part : parts)
+        square += (part - mean).cwiseAbs2();
+    return (square / static_cast<double>(parts.size() * (parts.size() - 1))).cwiseSqrt();
+}
+
+StillBoard averageBoard(const Observations& take, size_t board, const Stretch& stretch) {
+    StillBoard still;
+    const auto [first, last] = between(take.boards[board], stretch.begin_s, stretch.end_s);
+    const auto count = static_cast<int>(last - first);
+    if (count < kLeastReadings)
+        return still;
+    still.readings = count;
+    Vector3d gyro_square = Vector3d::Zero(), accel_square = Vector3d::Zero();
+    for (auto reading = first; reading != last; ++reading) {
+        still.clipped |= reading->clipped;
+        still.gyro_counts += reading->gyro_counts / count;
+        still.accel_counts += reading->accel_counts / count;
+        gyro_square += reading->gyro_counts.cwiseAbs2() / count;
+        accel_square += reading->accel_counts.cwiseAbs2() / count;
+    }
+    const Vector3d gyro_rounding =
+        (gyro_square - still.gyro_counts.cwiseAbs2()).unaryExpr(&roundingOfMean_counts);
+    const Vector3d accel_rounding =
+        (accel_square - still.accel_counts.cwiseAbs2()).unaryExpr(&roundingOfMean_counts);
+    const AxisCalibration gyro = scaleOf(take, board, true), accel = scaleOf(take, board, false);
+    const double lasts_s = std::prev(last)->time_s - first->time_s;
+    const Eigen::PartialPivLU<Matrix3d> counts_of_rate(gyro.matrix);
+    for (int round = 0; round < 3; ++round)  // the first step is exact but for the order of small rotations
+        still.gyro_counts +=
+            counts_of_rate.solve(netRotation(first, last, gyro, still.gyro_counts)) / lasts_s;
+    const PartMeans parts = partMeans(first, last);
+    const Vector3d begins = accel.apply(parts.accel.front()), ends = accel.apply(parts.accel.back());
+    if (begins.norm() > 0 && ends.norm() > 0)
+        still.sway_rad = std::atan2(begins.cross(ends).norm(), begins.dot(ends));
+    const Vector3d sway_counts =
+        counts_of_rate.solve(Vector3d::Constant(still.sway_rad / lasts_s)).cwiseAbs();
+    still.sigma_gyro_counts =
+        (sigmaOfMean(parts.gyro).cwiseAbs2() + sway_counts.cwiseAbs2() + gyro_rounding.cwiseAbs2())
+            .cwiseSqrt();
+    still.sigma_accel_counts =
+        (sigmaOfMean(parts.accel).cwiseAbs2() + accel_rounding.cwiseAbs2()).cwiseSqrt();
+    const bool sensible = still.gyro_counts.allFinite() && still.accel_counts.allFinite();
+    return sensible ? still : StillBoard{};
+}
+
+double middleOf(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+std::vector<StillFlight> averageFlights(const Observations& take, const Stretch& stretch) {
+    struct Heard {
+        std::vector<double> flight_s, confidence;
+        double c_m_per_s = 0;
+    };
+    std::map<std::pair<int, int>, Heard> pairs;
+    size_t most = 0;
+    const auto known = [&](const FlightTime& flight) {
+        return flight.source >= 0 && flight.source < static_cast<int>(take.suit.sources.size()) &&
+               flight.board >= 0 && flight.board < static_cast<int>(take.suit.boards.size());
+    };
+    for (const FlightTime& flight : take.flights)
+        if (known(flight) && stretch.contains(flight.time_s) && std::isfinite(flight.flight_s)) {
+            Heard& heard = pairs[{flight.source, flight.board}];
+            heard.flight_s.push_back(flight.flight_s);
+            heard.confidence.push_back(flight.confidence);
+            heard.c_m_per_s = flight.c_m_per_s;
+            most = std::max(most, heard.flight_s.size());
+        }
+    std::vector<StillFlight> means;
+    for (auto& [pair, heard] : pairs) {
+        if (heard.flight_s.size() < std::max(kLeastFlights, most / 4))
+            continue;
+        const double median_s = middleOf(heard.flight_s);
+        for (double& flight_s : heard.flight_s)
+            flight_s = std::abs(flight_s - median_s);
+        means.push_back({pair.first, pair.second, median_s, 1.4826 * middleOf(heard.flight_s),
+                         middleOf(heard.confidence), heard.c_m_per_s});
+    }
+    return means;
+}
+
+}  // namespace
+
+StillStretch findStillStretch(const Observations& take) {
+    StillStretch all;
+    all.marked = take.rest.has_value();
+    const Stretch range = take.rest.value_or(Stretch{0, take.duration_s, ""});
+    all.boards.resize(take.suit.boards.size());
+    const double slots = std::floor((range.end_s - range.begin_s) / kSlot_s + 1e-6);
+    if (!(slots >= 1 && slots < 1e7))
+        return all;
+    std::vector<bool> still(static_cast<size_t>(slots), true);
+    const size_t boards = std::min(take.boards.size(), take.suit.boards.size());
+    for (size_t b = 0; b < boards; ++b)
+        markMovements(take, b, range, still, all.movements);
+    std::ranges::stable_sort(all.movements, std::greater{},
+                             [](const BoardMovement& moved) { return moved.end_s - moved.begin_s; });
+    all.stretch = longestStill(still, range);
+    all.found = all.stretch.end_s - all.stretch.begin_s >= StillStretch::kShortestStill_s;
+    if (!all.found)
+        return all;
+    for (size_t b = 0; b < boards; ++b)
+        all.boards[b] = averageBoard(take, b, all.stretch);
+    all.flights = averageFlights(take, all.stretch);
+    return all;
+}
+
+}  // namespace noctule

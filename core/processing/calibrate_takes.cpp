@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/calibrate_takes.h"
+
+#include <algorithm>
+
+#include "core/processing/calibration_observations.h"
+#include "core/report/calibration_documents.h"
+
+namespace noctule {
+namespace {
+
+Result<Observations> observe(const std::string& path, const CalibrateRequest& request,
+                             const JobContext& job) {
+    const auto take = Take::open(path);
+    if (!take)
+        return take.error();
+    return readObservations(*take, request.detector, job, request.base, request.actor);
+}
+
+/// Boards that the base lacks get nominal values, sources an empty entry: solvers change, they do not add.
+Calibration completed(Calibration base, const Suit& suit) {
+    for (const BoardCalibration& nominal : nominalCalibration(suit).boards)
+        if (!base.findBoard(nominal.id))
+            base.boards.push_back(nominal);
+    for (const Source& source : suit.sources)
+        if (!base.findSource(source.id)) {
+            base.sources.emplace_back();
+            base.sources.back().id = source.id;
+        }
+    return base;
+}
+
+struct Evidence {
+    std::vector<Observations> takes;
+    Calibration base;
+};
+
+Result<Evidence> gather(const CalibrateRequest& request, const JobContext& job) {
+    Evidence evidence;
+    for (const std::string& path : request.take_paths) {
+        auto observations = observe(path, request, job);
+        if (!observations)
+            return observations.error();
+        evidence.takes.push_back(std::move(*observations));
+    }
+    require(!evidence.takes.empty(), "a calibration without takes");
+    evidence.base = completed(evidence.takes[0].calibration, evidence.takes[0].suit);
+    return evidence;
+}
+
+/// The worst finding of the part, or of all parts together.
+Grade gradeOfPart(const std::vector<Finding>& findings, const std::string& id) {
+    Grade worst = Grade::kGood;
+    for (const Finding& finding : findings)
+        if (finding.part == id || finding.part.empty())
+            worst = std::max(worst, finding.grade);
+    return worst;
+}
+
+/// Of the calibration's JSON: what of a list differs from the base.
+bool changed(const nlohmann::json& found, const nlohmann::json& base, const char* list,
+             const std::string& id) {
+    const auto entryOf = [&](const nlohmann::json& calibration) {
+        const auto entry =
+            std::ranges::find_if(calibration.at(list), [&](const auto& part) { return part.at("id") == id; });
+        return entry == calibration.at(list).end() ? nlohmann::json() : *entry;
+    };
+    return entryOf(found) != entryOf(base);
+}
+
+/// Whose values they are and when they were made, on every part that has changed.
+class Stamp {
+public:
+    Stamp(const std::string& procedure, const CalibrateRequest& request, const std::vector<Finding>& findings)
+        : procedure_(procedure), created_utc_(request.created_utc), findings_(findings) {}
+
+    void put(Calibration& found, const Calibration& base, const Suit& suit) const {
+        const nlohmann::json now = toJson(found), before = toJson(base);
+        for (BoardCalibration& board : found.boards)
+            if (const int index = suit.findBoard(board.id);
+                index >= 0 && changed(now, before, "boards", board.id))
+                put(board, suit.boards[static_cast<size_t>(index)].serial);
+        for (SourceCalibration& source : found.sources)
+            if (const int index = suit.findSource(source.id);
+                index >= 0 && changed(now, before, "sources", source.id))
+                put(source, suit.sources[static_cast<size_t>(index)].serial);
+        found.created_utc = created_utc_;
+    }
+
+private:
+    template <class Part>
+    void put(Part& part, const std::string& serial) const {
+        part.serial = serial;
+        part.made[procedure_] = {created_utc_, gradeWord(gradeOfPart(findings_, part.id))};
+    }
+
+    std::string procedure_, created_utc_;
+    const std::vector<Finding>& findings_;
+};
+
+template <class Report>
+CalibrationResult resultOf(const Report& report, const CalibrateRequest& request, const Evidence& evidence,
+                           const std::string& procedure, Calibration found) {
+    CalibrationResult result;
+    Stamp(procedure, request, report.findings).put(found, evidence.base, evidence.takes[0].suit);
+    result.calibration = std::move(found);
+    result.document = documentOf(report);
+    result.document.created_utc = request.created_utc;
+    for (const Observations& take : evidence.takes)
+        result.document.takes.push_back(take.take);
+    result.json = toJson(report);
+    result.json["procedure"] = procedure;
+    result.json["takes"] = result.document.takes;
+    result.json.update(findingsJson(report.findings));
+    return result;
+}
+
+}  // namespace
+
+Result<CalibrationResult> calibrateSources(const CalibrateRequest& request, const KnownDistances& known,
+                                           const SourceOffsetSettings& settings, const JobContext& job) {
+    const auto evidence = gather(request, job);
+    if (!evidence)
+        return evidence.error();
+    const SourceOffsetReport report = calibrateSourceOffsets(evidence->takes, known, settings);
+    return resultOf(report, request, *evidence, "sources", report.applied(evidence->base));
+}
+
+Result<CalibrationResult> calibrateAccelerometers(const CalibrateRequest& request, const JobContext& job) {
+    const auto evidence = gather(request, job);
+    if (!evidence)
+        return evidence.error();
+    const AccelerometerReport report = calibrateAccelerometers(evidence->takes);
+    return resultOf(report, request, *evidence, "accelerometers", report.applied(evidence->base));
+}
+
+Result<CalibrationResult> calibrateGyroscopes(const CalibrateRequest& request, double rpm,
+                                              const JobContext& job) {
+    const auto evidence = gather(request, job);
+    if (!evidence)
+        return evidence.error();
+    const GyroscopeReport report = calibrateGyroscopes(evidence->takes, rpm);
+    return resultOf(report, request, *evidence, "gyroscopes", report.applied(evidence->base));
+}
+
+Result<CalibrationResult> calibrateRestPose(const CalibrateRequest& request, const JobContext& job) {
+    const auto evidence = gather(request, job);
+    if (!evidence)
+        return evidence.error();
+    const Observations& take = evidence->takes[0];
+    const auto report = calibrateRestPose(take, RestPoseSettings{}, job);
+    if (!report)
+        return report.error();
+    return resultOf(*report, request, *evidence, "rest-pose", report->applied(evidence->base, take.suit));
+}
+
+Result<CalibrationResult> checkStill(const CalibrateRequest& request, const JobContext& job) {
+    const auto evidence = gather(request, job);
+    if (!evidence)
+        return evidence.error();
+    const StillCheckReport report = checkStill(evidence->takes[0]);
+    return resultOf(report, request, *evidence, "check", evidence->base);
+}
+
+}  // namespace noctule
