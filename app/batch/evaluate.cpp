@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/files.h"
 #include "app/batch/verb.h"
+#include "core/body/text.h"
 #include "core/job/atomic_file.h"
 #include "core/processing/evaluate_take.h"
 #include "core/report/evaluation_json.h"
 #include "core/report/html_report.h"
-#include "core/body/text.h"
 #include "core/report/verdict.h"
 
 namespace noctule::batch {

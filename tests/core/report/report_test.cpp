@@ -3,13 +3,13 @@
 
 #include <regex>
 
+#include "core/body/text.h"
 #include "core/report/evaluation_json.h"
 #include "core/report/html_report.h"
 #include "core/report/joint_support.h"
 #include "core/report/range_statistics.h"
 #include "core/report/style.h"
 #include "core/report/svg_plot.h"
-#include "core/body/text.h"
 #include "core/report/verdict.h"
 #include "tests/core/report/made_report.h"
 
