@@ -11,6 +11,16 @@ namespace {
 constexpr double kOffset_s = 1.4e-4;
 constexpr double kSound_m_per_s = 345;
 
+SourceCalibration calibrated(const std::string& id, const std::map<std::string, double>& offsets_s,
+                             std::optional<double> resonance_hz = {}, std::optional<double> q = {}) {
+    SourceCalibration source;
+    source.id = id;
+    source.offsets_s = offsets_s;
+    source.resonance_hz = resonance_hz;
+    source.q = q;
+    return source;
+}
+
 class RangeFinderTest : public testing::Test {
 protected:
     RangeFinderTest() {
@@ -21,8 +31,8 @@ protected:
         suit.sources[0].id = "chest";
         suit.sources[1].id = "hat";
         calibration.sound = {SoundModel::Kind::kFixed, kSound_m_per_s, 1};
-        calibration.sources = {{"hat", {{"inflection", 2 * kOffset_s}}, {}, {}, {}},
-                               {"chest", {{"inflection", kOffset_s}}, {}, {}, {}}};
+        calibration.sources = {calibrated("hat", {{"inflection", 2 * kOffset_s}}),
+                               calibrated("chest", {{"inflection", kOffset_s}})};
         calibration.boards.resize(1);
         calibration.boards[0].id = "l_hand";
         calibration.boards[0].mic_delay_s = 1e-6;
@@ -140,8 +150,8 @@ TEST_F(RangeFinderTest, SigmaGrowsWithNoise) {
 }
 
 TEST_F(RangeFinderTest, MakesAnOffsetFromTheModelOrNamesTheSource) {
-    calibration.sources[0] = {"hat", {{"start", 1.5e-5}}, {}, 39800.0, 22.0};
-    calibration.sources[1] = {"chest", {{"start", 1.5e-5}, {"matched", 1e-4}}, {}, {}, {}};
+    calibration.sources[0] = calibrated("hat", {{"start", 1.5e-5}}, 39800, 22);
+    calibration.sources[1] = calibrated("chest", {{"start", 1.5e-5}, {"matched", 1e-4}});
     RangeFinder finder = make();
     ASSERT_EQ(finder.problems().size(), 1u);
     EXPECT_EQ(finder.problems()[0].source, 0);
@@ -165,7 +175,7 @@ TEST_F(RangeFinderTest, OccludedPulsesCountLittleAndNoiseAlonePassesNever) {
     // mute.
     constexpr int kManyPulses = 100;
     constexpr double kDistance_m = 0.5, kDetour_m = 0.06;
-    calibration.sources[1] = {"chest", {{"start", 0.0}}, {}, 40000.0, 25.0};
+    calibration.sources[1] = calibrated("chest", {{"start", 0.0}}, 40000, 25);
     SyntheticSound sound(train, 2, 1200 * (kManyPulses + 2), 21);
     sound.addNoise(8);
     auto receiver = std::move(PulseReceiver::create(Detector::kInflection, train, 2).value());
