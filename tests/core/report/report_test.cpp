@@ -4,6 +4,7 @@
 #include <regex>
 
 #include "core/body/text.h"
+#include "core/report/calibration_document.h"
 #include "core/report/evaluation_json.h"
 #include "core/report/html_report.h"
 #include "core/report/joint_support.h"
@@ -48,6 +49,26 @@ std::string tagTrouble(const std::string& page) {
 
 bool has(const std::string& page, const std::string& part) {
     return page.find(part) != std::string::npos;
+}
+
+TEST(CalibrationDocuments, PageAndTextSayTheSame) {
+    CalibrationDocument document;
+    document.procedure = "Gyroscopes";
+    document.summary = "17 of 18 boards";
+    document.created_utc = "2026-01-02T03:04:05Z";
+    document.takes = {"spin_001.noctule"};
+    document.findings = {
+        {Grade::kUsable, "l_hand", "Board 8, left hand: <turned> one way only", "Turn it back"}};
+    document.tables = {
+        {"Boards", "How to read it.", {"board", "zero, °/s"}, {{"hips", "0.0026"}, {"head", "–"}}}};
+    const std::string page = calibrationHtml(document), plain = calibrationText(document);
+    EXPECT_EQ(tagTrouble(page), "");
+    EXPECT_TRUE(has(page, "Usable. 17 of 18 boards.") && has(plain, "Usable. 17 of 18 boards."));
+    EXPECT_TRUE(has(page, "left hand: &lt;turned&gt; one way only. Turn it back."));
+    EXPECT_TRUE(has(plain, "left hand: <turned> one way only. Turn it back."));
+    EXPECT_TRUE(has(page, "0.0026") && has(plain, "  hips      0.0026\n  head           –\n")) << plain;
+    for (const char* outside : {"<script", "http://", "url("})
+        EXPECT_FALSE(has(page, outside)) << outside;
 }
 
 TEST(HtmlReport, IsWellFormedCompleteAndStandsAlone) {
