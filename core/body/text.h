@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers and names as the report writes them: independent of the locale, U+2212 for minus, a narrow no-break
-// space in large counts, joints and boards by their everyday names.
+// Numbers and names as people read them in reports and findings: independent of the locale, U+2212 for minus,
+// a narrow no-break space in large counts, joints and boards by their everyday names.
 #pragma once
 
 #include <cstdint>

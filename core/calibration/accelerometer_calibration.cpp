@@ -7,6 +7,7 @@
 #include "core/calibration/accelerometer_fit.h"
 #include "core/calibration/accelerometer_positions.h"
 #include "core/calibration/worn_part_names.h"
+#include "core/suit/calibration_entries.h"
 
 namespace noctule {
 namespace {

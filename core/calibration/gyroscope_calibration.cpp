@@ -9,6 +9,7 @@
 #include "core/calibration/gyroscope_turns.h"
 #include "core/calibration/turntable_speed.h"
 #include "core/calibration/worn_part_names.h"
+#include "core/suit/calibration_entries.h"
 
 namespace noctule {
 namespace {

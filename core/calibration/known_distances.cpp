@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/calibration/measured_table.h"
+#include "core/formats/number_text.h"
 #include "core/math/conventions.h"
 #include "core/suit/suit.h"
 
@@ -81,8 +82,8 @@ public:
             for (const size_t kind : {0, 1})
                 if (placement.points[kind].empty())
                     return Error{ErrorKind::kUnreadable,
-                                 where + ": placement " + cellInQuotes(placement.label) +
-                                     " has no row of a " + (kind == 0 ? "source" : "board"),
+                                 where + ": placement " + inQuotes(placement.label) + " has no row of a " +
+                                     (kind == 0 ? "source" : "board"),
                                  "Add the points or remove the placement"};
             addPairs(placement, known.distances);
         }
@@ -116,7 +117,7 @@ private:
         }
         const auto& [label, kind, id] = words;
         if (kind != "source" && kind != "board")
-            return table_.rowError(row, "kind is " + cellInQuotes(kind), "Write source or board");
+            return table_.rowError(row, "kind is " + inQuotes(kind), "Write source or board");
         TouchedPoint point{id, {}};
         for (int axis = 0; axis < 3; ++axis) {
             const auto value = table_.number(row, lengths_.columns[static_cast<size_t>(axis)]);
@@ -127,13 +128,13 @@ private:
         const auto [first, is_new] = lines_.emplace(words, table_.lineOf(row));
         if (!is_new)
             return table_.rowError(row,
-                                   kind + " " + cellInQuotes(id) + " of placement " + cellInQuotes(label) +
+                                   kind + " " + inQuotes(id) + " of placement " + inQuotes(label) +
                                        " stands in line " + std::to_string(first->second) + " already",
                                    "Keep one of the rows, or correct the name in the other");
         auto& points = placementNamed(label).points[kind == "source" ? 0 : 1];
         if (points.size() == Suit::kMaxPerSuit)
             return table_.rowError(row,
-                                   "placement " + cellInQuotes(label) + " has more than " +
+                                   "placement " + inQuotes(label) + " has more than " +
                                        std::to_string(Suit::kMaxPerSuit) + " points of kind " + kind,
                                    "No suit is that large: remove the rows that do not belong to it");
         points.push_back(std::move(point));
@@ -216,7 +217,7 @@ Result<KnownDistances> readTapeMeasureCsv(const std::string& text, const std::st
             std::array{distance->placement, distance->source, distance->board}, table->lineOf(row));
         if (!is_new)
             return table->rowError(row,
-                                   "this pair of placement " + cellInQuotes(distance->placement) +
+                                   "this pair of placement " + inQuotes(distance->placement) +
                                        " stands in line " + std::to_string(first->second) + " already",
                                    "Keep one of the rows, or correct the name in the other");
         known.distances.push_back(std::move(*distance));

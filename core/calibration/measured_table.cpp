@@ -5,44 +5,18 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/formats/csv_cells.h"
+#include "core/formats/number_text.h"
+
 namespace noctule {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::string_view kCellBlanks = " \t\f\v";
-
-std::string_view withoutBlanks(std::string_view cell) {
-    const size_t begin = cell.find_first_not_of(kCellBlanks);
-    return begin == std::string_view::npos
-               ? std::string_view()
-               : cell.substr(begin, cell.find_last_not_of(kCellBlanks) + 1 - begin);
-}
 
 std::string inLowerCase(std::string text) {
     for (char& c : text)
         c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
     return text;
-}
-
-/// Nothing when a quote stays open.
-std::optional<std::vector<std::string>> splitIntoCells(std::string_view line, char separator) {
-    std::vector<std::string> cells(1);
-    bool within_quotes = false;
-    for (size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '"' && within_quotes && i + 1 < line.size() && line[i + 1] == '"')
-            cells.back() += line[++i];
-        else if (line[i] == '"')
-            within_quotes = !within_quotes;
-        else if (line[i] == separator && !within_quotes)
-            cells.emplace_back();
-        else
-            cells.back() += line[i];
-    }
-    if (within_quotes)
-        return std::nullopt;
-    for (std::string& cell : cells)
-        cell = std::string(withoutBlanks(cell));
-    return cells;
 }
 
 /// The next line without its end, which is CRLF, LF or CR; `text` goes on behind it.
@@ -62,14 +36,6 @@ bool isBlankRow(const std::vector<std::string>& cells) {
 
 }  // namespace
 
-std::string cellInQuotes(std::string_view cell) {
-    constexpr size_t kLongest = 40;
-    std::string quoted = "\"";
-    for (const char c : cell.substr(0, kLongest))
-        quoted += (c >= 0 && c < ' ') || c == 127 ? '?' : c;
-    return quoted + (cell.size() > kLongest ? "...\"" : "\"");
-}
-
 Result<MeasuredTable> MeasuredTable::parse(std::string_view text, const std::string& where) {
     MeasuredTable table(where);
     if (text.find('\0') != std::string_view::npos)
@@ -88,7 +54,7 @@ Result<MeasuredTable> MeasuredTable::parse(std::string_view text, const std::str
 }
 
 Status MeasuredTable::addLine(std::string_view line, size_t number) {
-    if (withoutBlanks(line).empty())
+    if (trimmed(line).empty())
         return Done{};
     return header_.empty() ? readHeader(line, number) : readRow(line, number);
 }
@@ -100,34 +66,34 @@ Status MeasuredTable::readHeader(std::string_view line, size_t number) {
             separator_ = separator;
             break;
         }
-    const auto cells = splitIntoCells(line, separator_);
-    if (!cells)
+    const CsvCells parts = csvCells(line, separator_);
+    if (parts.quote_stays_open)
         return headerError("a quotation mark stays open", "Close it in the same line");
-    for (const std::string& cell : *cells) {
+    for (const std::string& cell : parts.cells) {
         std::string name = inLowerCase(cell);
         if (!name.empty() && column(name))
-            return headerError("two columns are named " + cellInQuotes(name), "Keep one of them");
+            return headerError("two columns are named " + inQuotes(name), "Keep one of them");
         header_.push_back(std::move(name));
     }
     return Done{};
 }
 
 Status MeasuredTable::readRow(std::string_view line, size_t number) {
-    auto cells = splitIntoCells(line, separator_);
-    if (!cells)
+    auto [cells, quote_stays_open] = csvCells(line, separator_);
+    if (quote_stays_open)
         return error(number, "a quotation mark stays open", "Close it in the same line");
-    if (isBlankRow(*cells))
+    if (isBlankRow(cells))
         return Done{};
-    while (cells->size() > header_.size() && cells->back().empty())
-        cells->pop_back();
-    if (cells->size() > header_.size())
+    while (cells.size() > header_.size() && cells.back().empty())
+        cells.pop_back();
+    if (cells.size() > header_.size())
         return error(number,
-                     "there are " + std::to_string(cells->size()) + " cells under " +
+                     "there are " + std::to_string(cells.size()) + " cells under " +
                          std::to_string(header_.size()) + " columns",
                      separator_ == ',' ? "Write decimals with a point, or put semicolons between the cells"
                                        : "Remove what is too much");
-    cells->resize(header_.size());
-    rows_.push_back({number, std::move(*cells)});
+    cells.resize(header_.size());
+    rows_.push_back({number, std::move(cells)});
     return Done{};
 }
 
@@ -156,7 +122,7 @@ Result<double> MeasuredTable::number(size_t row, size_t column) const {
     double value = 0;
     const auto [after, problem] = std::from_chars(begin, end, value);
     if (problem != std::errc() || after != end || !std::isfinite(value))
-        return rowError(row, "column " + header_[column] + " is " + cellInQuotes(*cell),
+        return rowError(row, "column " + header_[column] + " is " + inQuotes(*cell),
                         "Give a number such as 0.512");
     return value;
 }

@@ -50,7 +50,4 @@ private:
     std::vector<Row> rows_;
 };
 
-/// For messages: quoted, at most 40 characters, unprintable ones as '?'.
-std::string cellInQuotes(std::string_view cell);
-
 }  // namespace noctule

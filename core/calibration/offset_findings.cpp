@@ -2,8 +2,8 @@
 #include "core/calibration/offset_findings.h"
 
 #include <cmath>
-#include <cstdio>
 
+#include "core/body/text.h"
 #include "core/calibration/jig_groups.h"
 #include "core/calibration/order_statistics.h"
 
@@ -27,14 +27,8 @@ struct OffsetBounds {
 constexpr OffsetBounds kLikelyInflection{100e-6, 200e-6}, kPossibleInflection{50e-6, 300e-6};
 constexpr OffsetBounds kPossibleOfAny{0, 1e-3};
 
-std::string fixedPoint(double value, int decimals) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
-}
-
 std::string inMillimetres(double length_m) {
-    return fixedPoint(1e3 * length_m, std::abs(length_m) < 9.95e-3 ? 1 : 0) + " mm";
+    return text::number(1e3 * length_m, std::abs(length_m) < 9.95e-3 ? 1 : 0) + " mm";
 }
 
 bool isWithin(double value, const OffsetBounds& bounds) {
@@ -75,7 +69,7 @@ private:
 
     void judgeOffset(const SourceOffset& source, int index) {
         const bool is_inflection = report_.detector == "inflection";
-        const std::string offset = fixedPoint(1e6 * source.offset_s, 0) + " \u00b5s";
+        const std::string offset = text::number(1e6 * source.offset_s, 0) + " \u00b5s";
         if (!isWithin(source.offset_s, is_inflection ? kPossibleInflection : kPossibleOfAny))
             find(Grade::kNotUsable, source.id,
                  jigSource(jig_.suit, index) + " has an offset of " + offset + ", which no source can have",
@@ -157,7 +151,7 @@ private:
 
     void judgeStretch() {
         const double stretch = fit_.stretch, size = std::abs(stretch);
-        const std::string kelvin = fixedPoint(size / kStretchPerKelvin, 1) + " K";
+        const std::string kelvin = text::number(size / kStretchPerKelvin, 1) + " K";
         const std::string air = std::string(stretch > 0 ? "colder" : "warmer") + " than the thermometer says";
         const std::string excess =
             "The distances fit the flight times as if the air were " + kelvin + " " + air;
@@ -169,7 +163,7 @@ private:
         if (report_.sound_estimated && fit_.stretch_sigma > kVagueStretch)
             return find(Grade::kUsable, "",
                         "The distances are too much alike to tell the speed of sound; it is known to " +
-                            fixedPoint(100 * fit_.stretch_sigma, 1) + " %",
+                            text::number(100 * fit_.stretch_sigma, 1) + " %",
                         "Add placements from 30 to 90 cm, or take the speed of sound from the thermometer");
         const double tolerance = settings_.thermometer_sigma_k * kStretchPerKelvin;
         if (!report_.sound_estimated && tolerance > 0 && size > kSurprisingStretch * tolerance)
@@ -198,7 +192,7 @@ private:
 Finding findingOf(const UnitMistake& mistake, const std::string& where) {
     const double times = mistake.factor > 1 ? mistake.factor : 1 / mistake.factor;
     return {Grade::kNotUsable, "",
-            "The distances of " + where + " are " + fixedPoint(times, times < 50 ? 1 : 0) + " times too " +
+            "The distances of " + where + " are " + text::number(times, times < 50 ? 1 : 0) + " times too " +
                 (mistake.factor > 1 ? "large, " : "small, ") + mistake.words,
             "Correct the heading or the values, then calibrate again"};
 }

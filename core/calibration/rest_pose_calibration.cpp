@@ -7,6 +7,7 @@
 #include "core/calibration/rest_pose_findings.h"
 #include "core/calibration/rest_swap_search.h"
 #include "core/math/rotation.h"
+#include "core/suit/calibration_entries.h"
 
 namespace noctule {
 namespace {
@@ -125,18 +126,15 @@ RestPriors restPriors(const Observations& take, const RestPoseSettings& settings
 
 Calibration RestPoseReport::applied(const Calibration& base, const Suit& suit) const {
     Calibration calibration = base;
-    const Calibration nominal = nominalCalibration(suit);
     for (size_t b = 0; b < boards.size(); ++b) {
         const BoardAtRest& board = boards[b];
         if (!board.measured)
             continue;
-        auto known = std::ranges::find(calibration.boards, board.id, &BoardCalibration::id);
-        if (known == calibration.boards.end())
-            known = calibration.boards.insert(known, nominal.boards[b]);
-        known->q_segment_board = board.q_segment_board;
-        known->gyro.zero_counts = board.gyro_zero_counts;
-        known->gyro.sigma_zero_counts = board.sigma_gyro_zero_counts;
-        known->accel.zero_counts = board.accel_zero_counts;
+        BoardCalibration& known = entryOf(calibration, suit.boards[b]);
+        known.q_segment_board = board.q_segment_board;
+        known.gyro.zero_counts = board.gyro_zero_counts;
+        known.gyro.sigma_zero_counts = board.sigma_gyro_zero_counts;
+        known.accel.zero_counts = board.accel_zero_counts;
     }
     return calibration;
 }
@@ -151,8 +149,7 @@ Result<RestPoseReport> calibrateRestPose(const Observations& take, const RestPos
     const StillStretch still = findStillStretch(take);
     report.stretch = still.stretch;
     report.rest_marked = still.marked;
-    const bool heard = std::ranges::any_of(still.boards, &StillBoard::heard);
-    if (!still.found || !heard || take.actor.skeleton.size() == 0) {
+    if (!still.isUsable() || take.actor.skeleton.size() == 0) {
         addWhyNotStill(take, still, report.findings);
         return report;
     }

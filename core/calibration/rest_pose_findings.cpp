@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/body/text.h"
 #include "core/calibration/worn_part_names.h"
 
 namespace noctule {
@@ -13,12 +14,6 @@ namespace {
 constexpr double kMuchSway_rad = radians(2);
 constexpr double kFarFromG_m_per_s2 = 0.5;  // ten times what a calibrated accelerometer drifts
 const char* const kHoldAgain = "Hold the rest pose again";
-
-std::string numberText(double value, int digits) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
-}
 
 std::string clockText(double time_s) {
     const double tenths = std::round(std::max(0.0, time_s) * 10);
@@ -62,7 +57,7 @@ void addAskew(const Observations& take, const RestPoseSettings& settings, const 
     if (board.measured && board.tilt_from_suit_rad > settings.askew_rad)
         into.push_back({Grade::kUsable, board.id,
                         boardName(take.suit, index) + ", sits " +
-                            numberText(degrees(board.tilt_from_suit_rad), 0) +
+                            text::number(degrees(board.tilt_from_suit_rad), 0) +
                             "° askew from where the suit file says",
                         "Put its strap right or correct the suit file, then hold the rest pose again"});
 }
@@ -112,7 +107,7 @@ void addStandingFindings(const Observations& take, const StillStretch& still, st
                             "Change the board"});
         if (board.sway_rad > kMuchSway_rad)
             into.push_back({Grade::kUsable, idOf(take, b),
-                            boardName(take.suit, b) + ", leans " + numberText(degrees(board.sway_rad), 1) +
+                            boardName(take.suit, b) + ", leans " + text::number(degrees(board.sway_rad), 1) +
                                 "° otherwise at the end of the rest pose than at its beginning",
                             kHoldAgain});
     }
@@ -127,7 +122,7 @@ void addPlaceFindings(const Observations& take, const RestPoseSettings& settings
         if (shift_m.norm() > settings.shifted_m)
             report.findings.push_back(
                 {Grade::kUsable, id,
-                 name + ", sits about " + numberText(100 * shift_m.norm(), 0) +
+                 name + ", sits about " + text::number(100 * shift_m.norm(), 0) +
                      " cm from where the suit file says",
                  "Put it right or correct the suit file, then hold the rest pose again"});
     };
@@ -158,16 +153,16 @@ void addSensorFindings(const Observations& take, const RestEvidenceMaker& maker,
         else if (std::abs(board.accel_above_g_m_per_s2) > kFarFromG_m_per_s2)
             report.findings.push_back({Grade::kUsable, board.id,
                                        boardName(take.suit, b) + ", feels " +
-                                           numberText(take.g_m_per_s2 + board.accel_above_g_m_per_s2, 2) +
+                                           text::number(take.g_m_per_s2 + board.accel_above_g_m_per_s2, 2) +
                                            " m/s² while it is still instead of " +
-                                           numberText(take.g_m_per_s2, 2),
+                                           text::number(take.g_m_per_s2, 2),
                                        "Calibrate its accelerometer"});
     }
     if (sigma_rad > 0)
         report.findings.push_back({Grade::kUsable, "",
                                    "Accelerometers are not calibrated: every tilt found here is uncertain by "
                                    "about " +
-                                       numberText(degrees(sigma_rad), 0) + "°",
+                                       text::number(degrees(sigma_rad), 0) + "°",
                                    "Calibrate the accelerometers first"});
 }
 

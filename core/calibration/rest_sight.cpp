@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/segment_distance.h"
+
 namespace noctule {
 namespace {
 
@@ -12,21 +14,6 @@ constexpr double kSurelyFacing = 0.2, kSurelyBehind = -0.1;  // cosine to the so
 constexpr double kHeardWell = 0.4;                           // confidence
 constexpr double kEcho_m = 0.15;  // later than the rest pose allows: not the direct way
 constexpr double kSurprise = 3;   // one pair in five is heard otherwise than its line of sight says
-
-/// Between two line segments; Ericson, "Real-Time Collision Detection", section 5.1.9.
-double distanceOfSegments(const Vector3d& p, const Vector3d& p_end, const Vector3d& q,
-                          const Vector3d& q_end) {
-    const Vector3d u = p_end - p, v = q_end - q, w = p - q;
-    const double a = u.squaredNorm(), b = u.dot(v), c = v.squaredNorm(), d = u.dot(w), e = v.dot(w);
-    const double determinant = a * c - b * b;
-    double s = determinant > 1e-12 ? std::clamp((b * e - c * d) / determinant, 0.0, 1.0) : 0;
-    double t = c > 0 ? (b * s + e) / c : 0;
-    if (t < 0 || t > 1) {
-        t = std::clamp(t, 0.0, 1.0);
-        s = a > 0 ? std::clamp((b * t - d) / a, 0.0, 1.0) : 0;
-    }
-    return (w + s * u - t * v).norm();
-}
 
 /// How deep the line between two points dips into the body; negative outside.
 double depthInBody_m(const Actor& actor, const GlobalPose& rest, const Vector3d& from_m,
@@ -38,8 +25,8 @@ double depthInBody_m(const Actor& actor, const GlobalPose& rest, const Vector3d&
             continue;
         const Vector3d& p = rest.p_world_joint[static_cast<size_t>(joint)];
         const Quaterniond& q = rest.q_world_joint[static_cast<size_t>(joint)];
-        depth_m = std::max(depth_m, capsule.radius_m - distanceOfSegments(from_m, to_m, p + q * capsule.a_m,
-                                                                          p + q * capsule.b_m));
+        depth_m = std::max(depth_m, capsule.radius_m - segmentDistance(from_m, to_m, p + q * capsule.a_m,
+                                                                       p + q * capsule.b_m));
     }
     return depth_m;
 }

@@ -8,6 +8,7 @@
 #include "core/calibration/jig_measurements.h"
 #include "core/calibration/offset_findings.h"
 #include "core/calibration/offset_fit.h"
+#include "core/suit/calibration_entries.h"
 
 namespace noctule {
 namespace {
@@ -113,12 +114,6 @@ void solve(JigData& jig, const SourceOffsetSettings& settings, SourceOffsetRepor
     judgeOffsets({jig, settings, fit}, report);
 }
 
-template <class Entry>
-Entry& entryOr(std::vector<Entry>& entries, const Entry& otherwise) {
-    const auto found = std::ranges::find(entries, otherwise.id, &Entry::id);
-    return found == entries.end() ? entries.emplace_back(otherwise) : *found;
-}
-
 }  // namespace
 
 SourceOffsetReport calibrateSourceOffsets(const std::vector<Observations>& takes, const KnownDistances& known,
@@ -147,17 +142,16 @@ Calibration SourceOffsetReport::applied(const Calibration& base) const {
     Calibration calibration = base;
     for (const SourceOffset& source : sources)
         if (source.calibrated) {
-            SourceCalibration fresh;
-            fresh.id = source.id;
-            SourceCalibration& entry = entryOr(calibration.sources, fresh);
+            SourceCalibration& entry =
+                entryOf(calibration, suit.sources[static_cast<size_t>(suit.findSource(source.id))]);
             entry.offsets_s[detector] = source.offset_s;
             entry.sigma_s[detector] = source.sigma_s;
         }
     if (sound_estimated && std::ranges::any_of(sources, &SourceOffset::calibrated))
         calibration.sound = sound;
-    const Calibration nominal = nominalCalibration(suit);
     for (const MicDelay& mic : mic_delays)
-        entryOr(calibration.boards, *nominal.findBoard(mic.id)).mic_delay_s = mic.delay_s;
+        entryOf(calibration, suit.boards[static_cast<size_t>(suit.findBoard(mic.id))]).mic_delay_s =
+            mic.delay_s;
     return calibration;
 }
 

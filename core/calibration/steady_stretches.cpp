@@ -139,14 +139,4 @@ std::vector<BoardRecord> boardRecords(const std::vector<Observations>& takes) {
     return records;
 }
 
-BoardCalibration& entryOf(Calibration& calibration, const Board& board) {
-    const auto found = std::ranges::find(calibration.boards, board.id, &BoardCalibration::id);
-    if (found != calibration.boards.end())
-        return *found;
-    Suit suit;
-    suit.boards = {board};
-    calibration.boards.push_back(nominalCalibration(suit).boards.front());
-    return calibration.boards.back();
-}
-
 }  // namespace noctule

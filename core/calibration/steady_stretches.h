@@ -43,7 +43,4 @@ struct BoardRecord {
 std::vector<BoardRecord> boardRecords(const std::vector<Observations>& takes);
 std::vector<BoardRecord> boardRecords(std::vector<Observations>&& takes) = delete;  ///< records point into it
 
-/// The board's entry, nominal when it has to be added.
-BoardCalibration& entryOf(Calibration& calibration, const Board& board);
-
 }  // namespace noctule

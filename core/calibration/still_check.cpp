@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/body/text.h"
 #include "core/calibration/rest_evidence.h"
 #include "core/calibration/rest_pose_findings.h"
 #include "core/calibration/worn_part_names.h"
@@ -58,27 +59,23 @@ void compareRanges(const RestEvidence& evidence, const RestFit& fit, StillCheckR
         }
 }
 
-std::string whole(double value) {
-    return std::to_string(static_cast<int>(std::lround(value)));
-}
-
 void addWhatMoved(const Observations& take, int index, StillCheckReport& report) {
     const BoardStillCheck& board = report.boards[static_cast<size_t>(index)];
     const std::string place = std::to_string(index + 1) + ", " + boardPlace(take.suit, index);
     const auto add = [&](const std::string& what, const char* remedy) {
-        report.findings.push_back({Grade::kUsable, board.id, what, remedy});
+        report.findings.push_back({Grade::kNotUsable, board.id, what, remedy});
     };
     if (board.slipped)
         add("The strap of board " + place + ", has slipped by about " +
-                whole(degrees(board.tilt_change_rad)) + "°",
+                text::number(degrees(board.tilt_change_rad), 0) + "°",
             "Put it back, or calibrate the rest pose again");
     else if (board.ranges >= kRangesToJudge && board.range_residual_m > kFarRange_m)
-        add("Board " + place + ", hears its sources about " + whole(100 * board.range_residual_m) +
+        add("Board " + place + ", hears its sources about " + text::number(100 * board.range_residual_m, 0) +
                 " cm from where the calibration puts it",
             "See whether it sits where it belongs, or calibrate the rest pose again");
     if (board.gyro_change_rad_per_s.norm() > kGyroMoved_rad_per_s)
         add("The gyroscope of board " + place + ", has drifted by about " +
-                whole(degrees(board.gyro_change_rad_per_s.norm())) + "°/s",
+                text::number(degrees(board.gyro_change_rad_per_s.norm()), 0) + "°/s",
             "Calibrate the rest pose again");
 }
 
@@ -92,8 +89,7 @@ StillCheckReport checkStill(const Observations& take) {
     }
     const StillStretch still = findStillStretch(take);
     report.stretch = still.stretch;
-    if (!still.found || !std::ranges::any_of(still.boards, &StillBoard::heard) ||
-        take.actor.skeleton.size() == 0) {
+    if (!still.isUsable() || take.actor.skeleton.size() == 0) {
         addWhyNotStill(take, still, report.findings);
         return report;
     }

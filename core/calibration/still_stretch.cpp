@@ -231,6 +231,10 @@ std::vector<StillFlight> averageFlights(const Observations& take, const Stretch&
 
 }  // namespace
 
+bool StillStretch::isUsable() const {
+    return found && std::ranges::any_of(boards, &StillBoard::heard);
+}
+
 StillStretch findStillStretch(const Observations& take) {
     StillStretch all;
     all.marked = take.rest.has_value();

@@ -47,6 +47,8 @@ struct StillStretch {
     std::vector<StillFlight> flights;
 
     static constexpr double kShortestStill_s = 1;
+    /// Somebody stands still and a board says so.
+    bool isUsable() const;
 };
 
 StillStretch findStillStretch(const Observations& take);

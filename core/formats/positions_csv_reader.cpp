@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 
+#include "core/formats/csv_cells.h"
 #include "core/formats/number_text.h"
 #include "core/formats/positions_csv.h"
 #include "core/job/atomic_file.h"
@@ -13,25 +14,6 @@ namespace {
 constexpr size_t kAbsent = static_cast<size_t>(-1);
 
 using Cells = std::vector<std::string>;
-
-/// The cells of one line, blanks around them cut off; quotes as in RFC 4180, but no line breaks within them.
-Cells cellsOf(std::string_view line, char separator) {
-    Cells cells(1);
-    bool within_quotes = false;
-    for (size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '"' && within_quotes && i + 1 < line.size() && line[i + 1] == '"')
-            cells.back() += line[++i];
-        else if (line[i] == '"')
-            within_quotes = !within_quotes;
-        else if (line[i] == separator && !within_quotes)
-            cells.emplace_back();
-        else
-            cells.back() += line[i];
-    }
-    for (std::string& cell : cells)
-        cell = std::string(trimmed(cell));
-    return cells;
-}
 
 class PositionsReader {
 public:
@@ -118,7 +100,7 @@ Status PositionsReader::readHeader() {
             separator_ = separator;
             break;
         }
-    header_ = cellsOf(line_, separator_);
+    header_ = csvCells(line_, separator_).cells;
     return findColumns();
 }
 
@@ -167,7 +149,7 @@ Result<double> PositionsReader::number(const Cells& cells, size_t column) const 
 }
 
 Result<Cells> PositionsReader::rowCells() const {
-    Cells cells = cellsOf(line_, separator_);
+    Cells cells = csvCells(line_, separator_).cells;
     if (cells.size() != header_.size())
         return error("this row has " + std::to_string(cells.size()) + " cells, but the header has " +
                          std::to_string(header_.size()),

@@ -5,6 +5,7 @@
 
 #include "core/processing/calibration_observations.h"
 #include "core/report/calibration_documents.h"
+#include "core/suit/calibration_entries.h"
 
 namespace noctule {
 namespace {
@@ -17,16 +18,12 @@ Result<Observations> observe(const std::string& path, const CalibrateRequest& re
     return readObservations(*take, request.detector, job, request.base, request.actor);
 }
 
-/// Boards that the base lacks get nominal values, sources an empty entry: solvers change, they do not add.
+/// With an entry for every part of the suit: so it is plain what a solver changes.
 Calibration completed(Calibration base, const Suit& suit) {
-    for (const BoardCalibration& nominal : nominalCalibration(suit).boards)
-        if (!base.findBoard(nominal.id))
-            base.boards.push_back(nominal);
+    for (const Board& board : suit.boards)
+        entryOf(base, board);
     for (const Source& source : suit.sources)
-        if (!base.findSource(source.id)) {
-            base.sources.emplace_back();
-            base.sources.back().id = source.id;
-        }
+        entryOf(base, source);
     return base;
 }
 

@@ -3,25 +3,12 @@
 
 #include <algorithm>
 
+#include "core/math/segment_distance.h"
+
 namespace noctule {
 namespace {
 
 constexpr double kSkin_m = 0.005;  ///< parts lie on the flesh, or a little in it
-
-/// Shortest distance of two line segments (Ericson, "Real-Time Collision Detection", section 5.1.9).
-double segmentDistance(const Vector3d& a0, const Vector3d& a1, const Vector3d& b0, const Vector3d& b1) {
-    constexpr double kPoint = 1e-12;
-    const Vector3d u = a1 - a0, v = b1 - b0, w = a0 - b0;
-    const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), uw = u.dot(w), vw = v.dot(w);
-    const double denominator = uu * vv - uv * uv;
-    double s = denominator > kPoint ? std::clamp((uv * vw - uw * vv) / denominator, 0.0, 1.0) : 0;
-    double t = vv > kPoint ? (uv * s + vw) / vv : 0;
-    if (t < 0 || t > 1) {
-        t = std::clamp(t, 0.0, 1.0);
-        s = uu > kPoint ? std::clamp((uv * t - uw) / uu, 0.0, 1.0) : 0;
-    }
-    return (w + s * u - t * v).norm();
-}
 
 double pointDistance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
     return segmentDistance(p, p, a, b);

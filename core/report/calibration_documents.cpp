@@ -27,14 +27,17 @@ std::string inDegrees(double angle_rad, int decimals = 2) {
     return text::number(degrees(angle_rad), decimals);
 }
 
-/// "18 of 18 boards"
-std::string counted(size_t found, size_t all, const char* what) {
-    return std::to_string(found) + " of " + std::to_string(all) + " " + what;
+/// "17 of 18": of the parts for which the test holds.
+template <class Parts, class Test>
+std::string counted(const Parts& parts, Test test) {
+    return std::to_string(std::ranges::count_if(parts, test)) + " of " + std::to_string(parts.size());
 }
 
-template <class Parts, class Test>
-size_t countOf(const Parts& parts, Test test) {
-    return static_cast<size_t>(std::ranges::count_if(parts, test));
+/// Without date and takes.
+CalibrationDocument document(const std::string& procedure, const std::string& summary,
+                             const std::vector<Finding>& findings,
+                             const std::vector<CalibrationTable>& tables) {
+    return {procedure, summary, "", {}, findings, tables};
 }
 
 CalibrationTable offsetTable(const SourceOffsetReport& report) {
@@ -70,21 +73,14 @@ CalibrationTable distanceErrorTable(const SourceOffsetReport& report) {
 }  // namespace
 
 CalibrationDocument documentOf(const SourceOffsetReport& report) {
-    CalibrationDocument document;
-    document.procedure = "Source offsets";
-    document.summary =
-        "Offsets of " +
-        counted(countOf(report.sources, [](const SourceOffset& source) { return source.calibrated; }),
-                report.sources.size(), "sources") +
-        "; a distance is right within " + millimetres(report.leave_one_out.mean_m) + " mm in the mean";
-    document.findings = report.findings;
-    document.tables = {offsetTable(report), distanceErrorTable(report)};
-    return document;
+    const std::string summary = "Offsets of " + counted(report.sources, &SourceOffset::calibrated) +
+                                " sources; a distance is right within " +
+                                millimetres(report.leave_one_out.mean_m) + " mm in the mean";
+    return document("Source offsets", summary, report.findings,
+                    {offsetTable(report), distanceErrorTable(report)});
 }
 
 CalibrationDocument documentOf(const AccelerometerReport& report) {
-    CalibrationDocument document;
-    document.procedure = "Accelerometers";
     CalibrationTable table{
         "Boards",
         "Standard deviations of the worst axis. Good: zeros within 2 mg, slopes within 0.04 %.",
@@ -98,19 +94,14 @@ CalibrationDocument documentOf(const AccelerometerReport& report) {
                               board.axes ? milliG(board.sigmaZero_m_per_s2()) : "–",
                               board.axes ? percent3(board.sigmaSlope()) : "–", text::number(worst, 4)});
     }
-    document.summary =
+    const std::string summary =
         "Accelerometers of " +
-        counted(
-            countOf(report.boards, [](const AccelerometerBoard& board) { return board.axes.has_value(); }),
-            report.boards.size(), "boards");
-    document.findings = report.findings;
-    document.tables = {table};
-    return document;
+        counted(report.boards, [](const AccelerometerBoard& board) { return board.axes.has_value(); }) +
+        " boards";
+    return document("Accelerometers", summary, report.findings, {table});
 }
 
 CalibrationDocument documentOf(const GyroscopeReport& report) {
-    CalibrationDocument document;
-    document.procedure = "Gyroscopes";
     CalibrationTable table{
         "Boards",
         "Standard deviations of the worst axis. Good: zeros within 0.02 °/s, slopes within 0.03 %.",
@@ -120,20 +111,15 @@ CalibrationDocument documentOf(const GyroscopeReport& report) {
         table.rows.push_back({board.board.id, std::to_string(board.turns.size()),
                               board.axes ? text::number(degrees(board.sigmaZero_rad_per_s()), 4) : "–",
                               board.axes ? percent3(board.sigmaSlope()) : "–"});
-    document.summary =
+    const std::string summary =
         "Gyroscopes of " +
-        counted(countOf(report.boards, [](const GyroscopeBoard& board) { return board.axes.has_value(); }),
-                report.boards.size(), "boards") +
-        "; the table turned at " + text::number(report.rpm, 3) + " rpm" +
+        counted(report.boards, [](const GyroscopeBoard& board) { return board.axes.has_value(); }) +
+        " boards; the table turned at " + text::number(report.rpm, 3) + " rpm" +
         (report.speed_measured ? " by gravity's ripple" : ", its nominal speed");
-    document.findings = report.findings;
-    document.tables = {table};
-    return document;
+    return document("Gyroscopes", summary, report.findings, {table});
 }
 
 CalibrationDocument documentOf(const RestPoseReport& report) {
-    CalibrationDocument document;
-    document.procedure = "Rest pose";
     CalibrationTable boards{
         "Boards",
         "How each sits on its segment. A turn about the vertical cannot be seen in a rest pose.",
@@ -153,19 +139,12 @@ CalibrationDocument documentOf(const RestPoseReport& report) {
     for (const JointAtRest& joint : report.joints)
         joints.rows.push_back({text::jointLabel(joint.joint), inDegrees(joint.deviation_rad.norm()),
                                inDegrees(joint.sigma_rad)});
-    document.summary =
-        "Boards aligned: " +
-        counted(countOf(report.boards, [](const BoardAtRest& board) { return board.measured; }),
-                report.boards.size(), "") +
-        "with " + text::plural(report.distances, "distance", "distances");
-    document.findings = report.findings;
-    document.tables = {boards, joints};
-    return document;
+    const std::string summary = "Boards aligned: " + counted(report.boards, &BoardAtRest::measured) +
+                                " with " + text::plural(report.distances, "distance", "distances");
+    return document("Rest pose", summary, report.findings, {boards, joints});
 }
 
 CalibrationDocument documentOf(const StillCheckReport& report) {
-    CalibrationDocument document;
-    document.procedure = "Still check";
     CalibrationTable boards{"Boards",
                             "Against the calibration in force.",
                             {"board", "tilt, °", "gyroscope's zero, °/s", "distances, mm"},
@@ -175,12 +154,9 @@ CalibrationDocument documentOf(const StillCheckReport& report) {
             boards.rows.push_back({board.id, inDegrees(board.tilt_change_rad),
                                    inDegrees(board.gyro_change_rad_per_s.norm(), 3),
                                    board.ranges > 0 ? millimetres(board.range_residual_m) : "–"});
-    const size_t slipped = countOf(report.boards, [](const BoardStillCheck& board) { return board.slipped; });
-    document.summary =
-        slipped == 0 ? "Nothing has moved" : counted(slipped, report.boards.size(), "boards moved");
-    document.findings = report.findings;
-    document.tables = {boards};
-    return document;
+    const bool moved = gradeOf(report.findings) == Grade::kNotUsable;
+    return document("Still check", moved ? "The calibration no longer holds" : "Nothing has moved",
+                    report.findings, {boards});
 }
 
 }  // namespace noctule

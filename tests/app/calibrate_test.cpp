@@ -3,6 +3,7 @@
 // is kept, what is refused.
 #include <cmath>
 
+#include "core/math/rotation.h"
 #include "core/suit/calibration.h"
 #include "tests/support/program_run.h"
 
@@ -79,6 +80,15 @@ TEST_F(CalibrateByCommand, RigsAndRestPoseMakeTheCalibrationOfAWornSuit) {
     EXPECT_EQ(check.exit_code, 0) << check.err;
     EXPECT_EQ(check.json().at("verdict"), "good");
     EXPECT_EQ(batch({"process", takeOf("rest"), "--calibration", file("4.json")}).exit_code, 0);
+
+    Calibration slipped = found;
+    for (BoardCalibration& board : slipped.boards)
+        if (board.id == "l_forearm")
+            board.q_segment_board = axisAngle(Vector3d::UnitZ(), radians(15)) * *board.q_segment_board;
+    writeBytes(file("slipped.json"), toJson(slipped).dump());
+    const Ran moved = batch({"check", takeOf("rest"), "--calibration", file("slipped.json")});
+    EXPECT_EQ(moved.exit_code, 4) << moved.out;
+    EXPECT_NE(moved.err.find("left forearm, has slipped"), std::string::npos) << moved.err;
 }
 
 TEST_F(CalibrateByCommand, WhatCannotBeUsedIsRefusedWithItsReasonAndNothingIsWritten) {

@@ -150,7 +150,7 @@ TEST(SourceOffsetMistakes, OffsetsThatNoSourceCanHaveAreNamed) {
             distance.distance_m += distance.source == "hat" ? longer_m : 0;
         return calibrateSourceOffsets({jig.observations}, changed);
     };
-    expectFinding(with(0.1), Grade::kNotUsable, {"Source 8, hat", "-1", "no source can have"});
+    expectFinding(with(0.1), Grade::kNotUsable, {"Source 8, hat", "offset of \u22121", "no source can have"});
     expectFinding(with(-0.07), Grade::kNotUsable, {"Source 8, hat", "no source can have"});
     expectFinding(with(-0.03), Grade::kUsable, {"Source 8, hat", "are usual"});
 }

@@ -122,7 +122,7 @@ TEST(StillCheck, SpeaksToTheOperator) {
         report.findings[0].what.starts_with("The strap of board 7, left forearm, has slipped by about "))
         << report.findings[0].what;
     EXPECT_EQ(report.findings[0].part, "l_forearm");
-    EXPECT_EQ(report.grade(), Grade::kUsable);
+    EXPECT_EQ(report.grade(), Grade::kNotUsable);
 }
 
 TEST(StillCheck, SeesAGyroscopesZeroMove) {
