@@ -115,10 +115,13 @@ private:
         }
         const std::vector<double> angles = weighLevels(positions, start);
         const AccelerometerFit fit = fitAccelerometer(positions, start);
+        const BoardCalibration* in_force = record_.in_force->findBoard(record_.id);
+        const AccelerometerFit before{.axes = in_force ? in_force->accel : nominal_};
         for (size_t k = 0; k < positions.size(); ++k)
             result_.positions.push_back({still_.stretches[k].take, still_.stretches[k].begin_s,
                                          still_.stretches[k].end_s, positions[k].level,
-                                         fit.residual_m_per_s2(positions[k]), angles[k]});
+                                         fit.residual_m_per_s2(positions[k]), angles[k],
+                                         before.residual_m_per_s2(positions[k])});
         result_.axes = fit.axes;
         result_.sigma_matrix = fit.sigma_matrix;
         reportMissing(fit);

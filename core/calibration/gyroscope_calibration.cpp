@@ -186,11 +186,15 @@ private:
                                                   board.axes->matrix(i, i) * report_.sigma_rpm / report_.rpm);
         board.axes->sigma_zero_counts =
             (board.sigma_mean_zero_counts.array().square() + std::pow(wanderedBy_counts(work), 2)).sqrt();
+        const BoardCalibration* in_force = work.table->record->in_force->findBoard(work.table->record->id);
+        const AxisCalibration before =
+            in_force ? in_force->gyro : AxisCalibration::nominal(board.board.gyro_full_scale_rad_per_s);
         for (size_t k = 0; k < work.rates.size(); ++k) {
             const KnownRate& rate = work.rates[k];
             const Vector3d found = work.fit.axes.matrix * (rate.mean.counts - work.fit.zeros_counts[k]);
             board.turns.push_back({rate.take, rate.begin_s, rate.end_s, work.table->stretches[k].up,
-                                   work.table->stretches[k].about, found - rate.rate_rad_per_s});
+                                   work.table->stretches[k].about, found - rate.rate_rad_per_s,
+                                   before.apply(rate.mean.counts) - rate.rate_rad_per_s});
         }
         judge(board, *work.table->record);
     }

@@ -34,6 +34,7 @@ struct GyroscopeTurn {
     std::optional<BoardSide> up;     ///< none: a rest
     std::optional<BoardSide> about;  ///< turned right-handed about this axis; none: a rest
     Vector3d residual_rad_per_s = Vector3d::Zero();
+    Vector3d residual_before_rad_per_s = Vector3d::Zero();  ///< with the calibration in force
 };
 
 struct GyroscopeBoard {

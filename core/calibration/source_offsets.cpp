@@ -126,8 +126,12 @@ SourceOffsetReport calibrateSourceOffsets(const std::vector<Observations>& takes
     report.suit = jig.suit;
     report.detector = takes.front().detector;
     report.sound = takes.front().calibration.sound;
-    for (const Source& source : jig.suit.sources)
+    for (const Source& source : jig.suit.sources) {
         report.sources.push_back({.id = source.id});
+        const SourceCalibration* in_force = takes.front().calibration.findSource(source.id);
+        if (in_force && in_force->offsets_s.contains(report.detector))
+            report.sources.back().before_s = in_force->offsets_s.at(report.detector);
+    }
     if (const auto mistake = findUnitMistake(jig)) {
         report.measurements = jig.measurements;
         report.findings.push_back(findingOf(*mistake, known.where));

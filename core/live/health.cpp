@@ -47,13 +47,11 @@ void HealthMonitor::add(const InertialReading& reading) {
     window.trusted.add(reading.sample, 1);
     window.corrected.add(reading.sample, *reading.corrected_bits);
     health.bits_corrected_in_all += *reading.corrected_bits;
-    const double gyro_scale = suit_.boards[board].gyro_full_scale_rad_per_s / kCountsPerFullScale;
-    const double accel_scale = suit_.boards[board].accel_full_scale_m_per_s2 / kCountsPerFullScale;
     for (size_t axis = 0; axis < 6; ++axis) {
         const std::optional<double>& counts = reading.counts[axis];
         if (!counts)
             continue;
-        window.axes[axis].add(reading.sample, *counts * (axis < 3 ? gyro_scale : accel_scale));
+        window.axes[axis].add(reading.sample, *counts);
         if (*counts <= kCountsMin || *counts >= kCountsMax)
             window.clipped_readings.add(reading.sample, 1);
     }
@@ -105,14 +103,22 @@ void HealthMonitor::advance(BoardWindow& window) const {
         axis.advanceTo(report_.sample);
 }
 
-bool HealthMonitor::isStill(const BoardWindow& window) const {
-    for (size_t axis = 0; axis < 6; ++axis) {
-        const double limit = axis < 3 ? settings_.still_gyro_rad_per_s : settings_.still_accel_m_per_s2;
-        const bool enough = window.axes[axis].count() * 2 >= kInertialFramesPerSecond;
-        if (!enough || window.axes[axis].deviation() > limit)
-            return false;
+std::optional<BoardHealth::Means> HealthMonitor::meansOf(size_t board) const {
+    const Board& described = suit_.boards[board];
+    BoardHealth::Means means;
+    for (int axis = 0; axis < 6; ++axis) {
+        const SlidingSum& counts = windows_[board].axes[static_cast<size_t>(axis)];
+        if (counts.count() * 2 < kInertialFramesPerSecond)
+            return std::nullopt;
+        const bool gyro = axis < 3;
+        (gyro ? means.gyro_counts : means.accel_counts)[axis % 3] =
+            counts.sum() / static_cast<double>(counts.count());
+        const double full_scale =
+            gyro ? described.gyro_full_scale_rad_per_s : described.accel_full_scale_m_per_s2;
+        double& worst = gyro ? means.gyro_deviation_rad_per_s : means.accel_deviation_m_per_s2;
+        worst = std::max(worst, counts.deviation() * full_scale / kCountsPerFullScale);
     }
-    return true;
+    return means;
 }
 
 BoardHealth HealthMonitor::healthOf(size_t board) {
@@ -133,7 +139,9 @@ BoardHealth HealthMonitor::healthOf(size_t board) {
                                ? std::sqrt(std::max(0.0, window.wire_power.sum()) / window.wire_samples.sum())
                                : 0;
     health.peak_counts = window.wire_peak.value();
-    health.still = isStill(window);
+    health.means = meansOf(board);
+    health.still = health.means && health.means->gyro_deviation_rad_per_s <= settings_.still_gyro_rad_per_s &&
+                   health.means->accel_deviation_m_per_s2 <= settings_.still_accel_m_per_s2;
     return health;
 }
 

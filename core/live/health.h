@@ -26,7 +26,13 @@ struct BoardHealth {
     int64_t clipped_readings = 0;
     bool silent = true;  ///< nothing but zeros for a second: unplugged
     double ranges_per_s = 0;
-    bool still = false;  ///< a whole second of readings without motion
+    bool still = false;  ///< a whole second of readings without motion, or of an even turn
+    /// Of the last second: means, and the deviation of the worst axis. Absent with too few readings.
+    struct Means {
+        Vector3d gyro_counts = Vector3d::Zero(), accel_counts = Vector3d::Zero();
+        double gyro_deviation_rad_per_s = 0, accel_deviation_m_per_s2 = 0;
+    };
+    std::optional<Means> means = {};
 };
 
 struct PairHealth {
@@ -77,12 +83,12 @@ private:
         SlidingSum trusted, lost, corrected, clipped_readings, ranges;
         SlidingSum wire_power, wire_samples, wire_clipped, wire_alive;
         SlidingMaximum wire_peak;
-        std::vector<SlidingSum> axes;  ///< gyro xyz, accelerometer xyz, in SI
+        std::vector<SlidingSum> axes;  ///< gyro xyz, accelerometer xyz, counts
     };
     void addWire(int board, int64_t first_sample, std::span<const int16_t> interleaved);
     void advance(BoardWindow& window) const;
     BoardHealth healthOf(size_t board);
-    bool isStill(const BoardWindow& window) const;
+    std::optional<BoardHealth::Means> meansOf(size_t board) const;
 
     Suit suit_;
     int sample_rate_hz_;

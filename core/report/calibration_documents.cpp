@@ -10,6 +10,8 @@ namespace noctule {
 namespace {
 
 constexpr double kMillimetres = 1e3;
+/// Of sound, to say a time as a length.
+constexpr double kRoughSpeed_m_per_s = 343;
 
 std::string millimetres(double value_m) {
     return text::number(value_m * kMillimetres, 2);
@@ -37,7 +39,40 @@ std::string counted(const Parts& parts, Test test) {
 CalibrationDocument document(const std::string& procedure, const std::string& summary,
                              const std::vector<Finding>& findings,
                              const std::vector<CalibrationTable>& tables) {
-    return {procedure, summary, "", {}, findings, tables};
+    return {procedure, summary, "", {}, findings, tables, {}, {}};
+}
+
+/// `within` in the unit of `limit`, which is the good one.
+CalibrationNumber number(double within, double limit, int decimals, const std::string& unit,
+                         const std::string& what) {
+    return {text::number(within, decimals) + unit, what, "under " + text::number(limit, decimals) + unit,
+            within <= limit ? Grade::kGood : Grade::kUsable};
+}
+
+CalibrationNumber numberOfParts(const std::string& counted_parts, const std::string& what) {
+    return {counted_parts, what, "", Grade::kGood};
+}
+
+/// Of a person who stands as before: what straps and breathing allow.
+constexpr double kStillGood_deg = 5, kStillGood_mm = 20;
+
+/// The paper's own mean and deviation (section 4.3).
+constexpr double kPaperMean_mm = 2.35, kPaperDeviation_mm = 1.92;
+
+CalibrationErrors offsetErrors(const SourceOffsetReport& report) {
+    CalibrationErrors errors{"Error of every distance", "mm", kPaperMean_mm, {}};
+    for (const SourceOffset& source : report.sources)
+        errors.rows.push_back({source.id, {}, {}});
+    for (const JigMeasurement& m : report.measurements) {
+        const SourceOffset& source = report.sources[static_cast<size_t>(m.source)];
+        auto& row = errors.rows[static_cast<size_t>(m.source)];
+        if (source.calibrated)
+            row.after.push_back(std::abs(m.left_out_m) * kMillimetres);
+        if (source.calibrated && source.before_s)
+            row.before.push_back(std::abs(m.residual_m + (source.offset_s - *source.before_s) * m.c_m_per_s) *
+                                 kMillimetres);
+    }
+    return errors;
 }
 
 CalibrationTable offsetTable(const SourceOffsetReport& report) {
@@ -76,8 +111,20 @@ CalibrationDocument documentOf(const SourceOffsetReport& report) {
     const std::string summary = "Offsets of " + counted(report.sources, &SourceOffset::calibrated) +
                                 " sources; a distance is right within " +
                                 millimetres(report.leave_one_out.mean_m) + " mm in the mean";
-    return document("Source offsets", summary, report.findings,
-                    {offsetTable(report), distanceErrorTable(report)});
+    CalibrationDocument found = document("Source offsets", summary, report.findings,
+                                         {offsetTable(report), distanceErrorTable(report)});
+    double worst_sigma_s = 0;
+    for (const SourceOffset& source : report.sources)
+        worst_sigma_s = std::max(worst_sigma_s, source.sigma_s);
+    found.numbers = {number(report.leave_one_out.mean_m * kMillimetres, kPaperMean_mm, 2, " mm",
+                            "error of a distance left out, mean"),
+                     number(report.leave_one_out.deviation_m * kMillimetres, kPaperDeviation_mm, 2, " mm",
+                            "its deviation"),
+                     number(worst_sigma_s * kRoughSpeed_m_per_s * kMillimetres, 0.3, 2, " mm",
+                            "sigma of the worst offset"),
+                     numberOfParts(counted(report.sources, &SourceOffset::calibrated), "sources")};
+    found.errors = offsetErrors(report);
+    return found;
 }
 
 CalibrationDocument documentOf(const AccelerometerReport& report) {
@@ -98,7 +145,28 @@ CalibrationDocument documentOf(const AccelerometerReport& report) {
         "Accelerometers of " +
         counted(report.boards, [](const AccelerometerBoard& board) { return board.axes.has_value(); }) +
         " boards";
-    return document("Accelerometers", summary, report.findings, {table});
+    CalibrationDocument found = document("Accelerometers", summary, report.findings, {table});
+    const double to_mg = 1e3 / kStandardGravity_m_per_s2, to_percent = 100;
+    CalibrationErrors errors{"Error of gravity in every position", "mg", 2, {}};
+    double worst_zero = 0, worst_slope = 0;
+    for (const AccelerometerBoard& board : report.boards) {
+        CalibrationErrors::Row row{board.board.id, {}, {}};
+        for (const AccelerometerPosition& position : board.positions) {
+            row.before.push_back(std::abs(position.residual_before_m_per_s2) * to_mg);
+            row.after.push_back(std::abs(position.residual_m_per_s2) * to_mg);
+        }
+        errors.rows.push_back(std::move(row));
+        worst_zero = std::max(worst_zero, board.axes ? board.sigmaZero_m_per_s2() * to_mg : 0);
+        worst_slope = std::max(worst_slope, board.axes ? board.sigmaSlope() * to_percent : 0);
+    }
+    found.numbers = {
+        number(worst_zero, 2, 2, " mg", "sigma of the worst zero"),
+        number(worst_slope, 0.04, 3, " %", "sigma of the worst slope"),
+        numberOfParts(
+            counted(report.boards, [](const AccelerometerBoard& board) { return board.axes.has_value(); }),
+            "boards")};
+    found.errors = std::move(errors);
+    return found;
 }
 
 CalibrationDocument documentOf(const GyroscopeReport& report) {
@@ -116,7 +184,29 @@ CalibrationDocument documentOf(const GyroscopeReport& report) {
         counted(report.boards, [](const GyroscopeBoard& board) { return board.axes.has_value(); }) +
         " boards; the table turned at " + text::number(report.rpm, 3) + " rpm" +
         (report.speed_measured ? " by gravity's ripple" : ", its nominal speed");
-    return document("Gyroscopes", summary, report.findings, {table});
+    CalibrationDocument found = document("Gyroscopes", summary, report.findings, {table});
+    CalibrationErrors errors{"Error of the rate in every turn and rest", "°/s", 0.05, {}};
+    double worst_zero = 0, worst_slope = 0;
+    for (const GyroscopeBoard& board : report.boards) {
+        CalibrationErrors::Row row{board.board.id, {}, {}};
+        for (const GyroscopeTurn& turn : board.turns) {
+            row.before.push_back(degrees(turn.residual_before_rad_per_s.cwiseAbs().maxCoeff()));
+            row.after.push_back(degrees(turn.residual_rad_per_s.cwiseAbs().maxCoeff()));
+        }
+        errors.rows.push_back(std::move(row));
+        worst_zero = std::max(worst_zero, board.axes ? degrees(board.sigmaZero_rad_per_s()) : 0);
+        worst_slope = std::max(worst_slope, board.axes ? board.sigmaSlope() * 100 : 0);
+    }
+    found.numbers = {
+        number(worst_zero, 0.02, 3, " °/s", "sigma of the worst zero"),
+        number(worst_slope, 0.03, 3, " %", "sigma of the worst slope"),
+        {text::number(report.rpm, 3) + " rpm",
+         report.speed_measured ? "the table, by gravity's ripple" : "the table, nominal", "", Grade::kGood},
+        numberOfParts(
+            counted(report.boards, [](const GyroscopeBoard& board) { return board.axes.has_value(); }),
+            "boards")};
+    found.errors = std::move(errors);
+    return found;
 }
 
 CalibrationDocument documentOf(const RestPoseReport& report) {
@@ -141,7 +231,21 @@ CalibrationDocument documentOf(const RestPoseReport& report) {
                                inDegrees(joint.sigma_rad)});
     const std::string summary = "Boards aligned: " + counted(report.boards, &BoardAtRest::measured) +
                                 " with " + text::plural(report.distances, "distance", "distances");
-    return document("Rest pose", summary, report.findings, {boards, joints});
+    CalibrationDocument found = document("Rest pose", summary, report.findings, {boards, joints});
+    CalibrationErrors errors{"How far each board leans from its place on the performer", "°", 10, {}};
+    double worst_sigma_deg = 0, worst_lean_deg = 0;
+    for (const BoardAtRest& board : report.boards)
+        if (board.measured) {
+            errors.rows.push_back({board.id, {}, {degrees(board.tilt_from_suit_rad)}});
+            worst_sigma_deg = std::max(worst_sigma_deg, degrees(board.sigma_tilt_rad));
+            worst_lean_deg = std::max(worst_lean_deg, degrees(board.tilt_from_suit_rad));
+        }
+    found.numbers = {number(worst_sigma_deg, 0.5, 2, "°", "sigma of the worst board's upright"),
+                     number(worst_lean_deg, 10, 1, "°", "the board that leans most"),
+                     numberOfParts(counted(report.boards, &BoardAtRest::measured), "boards"),
+                     {std::to_string(report.distances), "distances heard", "", Grade::kGood}};
+    found.errors = std::move(errors);
+    return found;
 }
 
 CalibrationDocument documentOf(const StillCheckReport& report) {
@@ -155,8 +259,22 @@ CalibrationDocument documentOf(const StillCheckReport& report) {
                                    inDegrees(board.gyro_change_rad_per_s.norm(), 3),
                                    board.ranges > 0 ? millimetres(board.range_residual_m) : "–"});
     const bool moved = gradeOf(report.findings) == Grade::kNotUsable;
-    return document("Still check", moved ? "The calibration no longer holds" : "Nothing has moved",
-                    report.findings, {boards});
+    CalibrationDocument found =
+        document("Still check", moved ? "The calibration no longer holds" : "Nothing has moved",
+                 report.findings, {boards});
+    CalibrationErrors errors{"Tilt of each board against the calibration", "°", kStillGood_deg, {}};
+    double worst_deg = 0, worst_mm = 0;
+    for (const BoardStillCheck& board : report.boards)
+        if (board.heard) {
+            errors.rows.push_back({board.id, {}, {degrees(board.tilt_change_rad)}});
+            worst_deg = std::max(worst_deg, degrees(board.tilt_change_rad));
+            worst_mm = std::max(worst_mm, board.range_residual_m * kMillimetres);
+        }
+    found.numbers = {number(worst_deg, kStillGood_deg, 1, "°", "the board that has tilted most"),
+                     number(worst_mm, kStillGood_mm, 0, " mm", "the largest change of distances"),
+                     numberOfParts(counted(report.boards, &BoardStillCheck::heard), "boards heard")};
+    found.errors = std::move(errors);
+    return found;
 }
 
 }  // namespace noctule

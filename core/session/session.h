@@ -66,6 +66,7 @@ struct Session {
     std::vector<SessionTake> takes;  ///< in order of creation
     std::vector<Shot> shots;         ///< in the order in which they are recorded
     std::string current_performer;
+    std::string calibration;  ///< file in calibration/ that new takes are made with; empty: none
     std::string notes;
     UnknownMembers unknown = UnknownMembers::object();
 
@@ -73,6 +74,9 @@ struct Session {
     int findTake(const std::string& take) const;  ///< -1 when absent
     std::filesystem::path pathOf(const SessionTake& take) const { return folder / take.file; }
     std::filesystem::path takesFolder() const { return folder / "takes"; }
+    std::filesystem::path calibrationFolder() const { return folder / "calibration"; }
+    /// Short takes that calibrations were made from.
+    std::filesystem::path evidenceFolder() const { return calibrationFolder() / "evidence"; }
     std::filesystem::path trashFolder() const { return folder / "trash"; }
     std::filesystem::path exportsFolder() const { return folder / "exports"; }
 };

@@ -110,6 +110,7 @@ nlohmann::json toJson(const Session& session) {
     json["name"] = session.name;
     json["created_utc"] = session.created_utc;
     json["current_performer"] = session.current_performer;
+    json["calibration"] = session.calibration;
     json["notes"] = session.notes;
     json["performers"] = std::move(performers);
     json["takes"] = std::move(takes);
@@ -126,6 +127,9 @@ Result<Session> sessionFromJson(const nlohmann::json& json, const std::string& w
     session.name = object.textOr("name", "");
     session.created_utc = object.textOr("created_utc", "");
     session.current_performer = object.textOr("current_performer", "");
+    session.calibration = object.textOr("calibration", "");
+    if (session.calibration != std::filesystem::path(session.calibration).filename())
+        object.fail(ErrorKind::kUnreadable, "calibration", "must be the name of a file in calibration/");
     session.notes = object.textOr("notes", "");
     for (const nlohmann::json& entry : object.array("performers", false)) {
         auto performer =
@@ -151,7 +155,8 @@ Result<Session> sessionFromJson(const nlohmann::json& json, const std::string& w
     if (error)
         return *error;
     // `version` stays with the unknown members: a newer minor version is written back as it was.
-    session.unknown = unknownMembers(json, {"format", "name", "created_utc", "current_performer", "notes",
+    session.unknown = unknownMembers(json, {"format", "name", "created_utc", "current_performer",
+                                            "calibration", "notes",
                                             "performers", "takes", "shots"});
     return session;
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/live/live_plans.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/suit/calibration_entries.h"
 
 namespace noctule {
 namespace {
@@ -34,6 +37,22 @@ template <class Document>
 Result<Document> asStored(const Document& document,
                           Result<Document> (*fromJson)(const nlohmann::json&, const std::string&)) {
     return fromJson(toJson(document), "the live view");
+}
+
+/// From the start of a pulse to the inflection of its power, 17 to 20 samples (design, section 4).
+constexpr double kUsualOffset_s = 1.3e-4;
+
+bool knowsSources(const Calibration& calibration, Detector detector) {
+    return std::ranges::any_of(calibration.sources, [&](const SourceCalibration& source) {
+        return source.offsets_s.contains(detectorName(detector)) || source.offsets_s.contains("start");
+    });
+}
+
+/// A suit whose sources were never calibrated is heard all the same: its distances are some centimetres off,
+/// good for its health and for the jig's wizard, and for no pose.
+void addUsualOffsets(const Suit& suit, Detector detector, Calibration& calibration) {
+    for (const Source& source : suit.sources)
+        entryOf(calibration, source).offsets_s[detectorName(detector)] = kUsualOffset_s;
 }
 
 }  // namespace
@@ -76,9 +95,8 @@ Result<LivePlan> livePlanOf(const StreamRequest& request, const link::Hello& hel
         request.actor ? asStored<Actor>(*request.actor, actorFromJson) : Result<Actor>(defaultActor());
     if (!actor)
         return actor.error();
-    const auto calibration = request.calibration
-                                 ? asStored<Calibration>(*request.calibration, calibrationFromJson)
-                                 : Result<Calibration>(nominalCalibration(*suit));
+    auto calibration = request.calibration ? asStored<Calibration>(*request.calibration, calibrationFromJson)
+                                           : Result<Calibration>(nominalCalibration(*suit));
     if (!calibration)
         return calibration.error();
     PipelineSettings pipeline;
@@ -86,6 +104,10 @@ Result<LivePlan> livePlanOf(const StreamRequest& request, const link::Hello& hel
                          hello.drive_hz, hello.pulse_cycles},
                         request.detector};
     pipeline.tracker = request.tracker;
+    if (!knowsSources(*calibration, request.detector)) {
+        addUsualOffsets(*suit, request.detector, *calibration);
+        pipeline.tracker.sensors.distances = false;
+    }
     pipeline.rest = restOf(request, hello.sample_rate_hz, pre_roll_samples);
     return LivePlan{*suit, *calibration, *actor, pipeline,
                     queueLength_s(pre_roll_samples, hello.sample_rate_hz)};

@@ -123,9 +123,10 @@ LiveSession::StreamPointer LiveSession::newest() const {
     return take_ ? take_ : stream_;
 }
 
-void LiveSession::addMarker(const std::string& kind, const std::string& label) {
+void LiveSession::addMarker(const std::string& kind, const std::string& label,
+                            std::optional<int64_t> sample) {
     if (const auto stream = newest())
-        stream->feed->addMarker(kind, label);
+        stream->feed->addMarker(kind, label, sample);
 }
 
 void LiveSession::addNote(const std::string& text) {

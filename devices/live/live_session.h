@@ -71,8 +71,8 @@ public:
     /// Before begin(): holds from the next stream on.
     void set(const link::Settings& settings) { device_->set(settings); }
 
-    /// Into the take that began last.
-    void addMarker(const std::string& kind, const std::string& label);
+    /// Into the take that began last, at its newest sample or at one that has come already.
+    void addMarker(const std::string& kind, const std::string& label, std::optional<int64_t> sample = {});
     void addNote(const std::string& text);
 
     /// Whether what began last is a take in the midst of a stream that goes on without it.

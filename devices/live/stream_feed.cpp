@@ -110,9 +110,9 @@ void StreamFeed::give(const link::BoxError& error) {
              nameOf(error.code) + (error.text.empty() ? "" : ": " + error.text));
 }
 
-void StreamFeed::addMarker(const std::string& kind, const std::string& label) {
+void StreamFeed::addMarker(const std::string& kind, const std::string& label, std::optional<int64_t> sample) {
     const std::lock_guard lock(mutex_);
-    hand(MarkerRow{reached_sample_, kind, label});
+    hand(MarkerRow{sample.value_or(reached_sample_), kind, label});
 }
 
 void StreamFeed::addNote(const std::string& text) {

@@ -25,7 +25,8 @@ public:
 
     void take(const StreamEvent& event);
     /// What the operator adds; markers stand at the newest sample.
-    void addMarker(const std::string& kind, const std::string& label);
+    /// At the newest sample, or at one that has come already.
+    void addMarker(const std::string& kind, const std::string& label, std::optional<int64_t> sample = {});
     void addNote(const std::string& text);
     /// The stream has ended: what was held back is handed on.
     void flush();

@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>CalibrationState</name>
+    <message>
+        <source>Not yet made in this calibration</source>
+        <translation>In dieser Kalibrierung noch nicht gemacht</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation>brauchbar</translation>
+    </message>
+    <message>
+        <source>not usable</source>
+        <translation>nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts, %3, since %4: due again</source>
+        <translation>%1 von %2 Teilen, %3, Stand: %4. Wieder fällig</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts, %3, since %4</source>
+        <translation>%1 von %2 Teilen, %3, Stand: %4</translation>
+    </message>
+</context>
+<context>
     <name>ChannelMenu</name>
     <message>
         <source>Open a take first</source>
@@ -382,6 +409,225 @@
     <message>
         <source>typeface</source>
         <translation>Schrift</translation>
+    </message>
+</context>
+<context>
+    <name>LiveText</name>
+    <message numerus="yes">
+        <source>So do %n other(s).</source>
+        <translation>
+            <numerusform>%n weitere Platine ebenso.</numerusform>
+            <numerusform>%n weitere Platinen ebenso.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Board %1, %2, is silent</source>
+        <translation>Platine %1, %2, ist stumm</translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks; if the light stays dark, change the cable. Or skip it. %1</source>
+        <translation>Den Stecker eindrücken, bis er klickt; bleibt das Licht dunkel, das Kabel wechseln. Oder die Platine auslassen. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other(s) are silent too.</source>
+        <translation>
+            <numerusform>%n weitere Platine ist auch stumm.</numerusform>
+            <numerusform>%n weitere Platinen sind auch stumm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Wait: %1 still moves</source>
+        <translation>Warten: %1 noch in Bewegung</translation>
+    </message>
+    <message>
+        <source>Let the arms hang and breathe calmly. %1</source>
+        <translation>Die Arme hängen lassen und ruhig atmen. %1</translation>
+    </message>
+    <message>
+        <source>Wait: board %1 still moves</source>
+        <translation>Warten: Platine %1 bewegt sich noch</translation>
+    </message>
+    <message>
+        <source>Let go of it and wait until it lies still. %1</source>
+        <translation>Sie loslassen und warten, bis sie still liegt. %1</translation>
+    </message>
+    <message>
+        <source>Not yet: board %1 lies on another side</source>
+        <translation>Noch nicht: Platine %1 liegt auf einer anderen Seite</translation>
+    </message>
+    <message>
+        <source>Board %1, %2, is turned in its slot. Turn it as its neighbours are and press it in. %3</source>
+        <translation>Platine %1, %2, ist in ihrem Fach verdreht. Sie wie ihre Nachbarn ausrichten und eindrücken. %3</translation>
+    </message>
+    <message>
+        <source>Not yet: board %1 sits %2 askew in its slot</source>
+        <translation>Noch nicht: Platine %1 sitzt um %2 schief in ihrem Fach</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n board(s) are level. Press board %1 into its slot until it clicks, then let go of the plate.</source>
+        <translation>
+            <numerusform>%n Platine sitzt gerade. Platine %1 in ihr Fach drücken, bis sie einrastet, dann die Platte loslassen.</numerusform>
+            <numerusform>%n Platinen sitzen gerade. Platine %1 in ihr Fach drücken, bis sie einrastet, dann die Platte loslassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Start the table</source>
+        <translation>Den Drehteller starten</translation>
+    </message>
+    <message>
+        <source>33 1/3, 45 or 78 turns a minute, whichever it does best.</source>
+        <translation>33 1/3, 45 oder 78 Umdrehungen je Minute, was er am besten kann.</translation>
+    </message>
+    <message>
+        <source>Wait: %1 rpm</source>
+        <translation>Warten: %1 U/min</translation>
+    </message>
+    <message>
+        <source>The table has not found its speed yet, or something makes it waver.</source>
+        <translation>Der Drehteller hat seine Drehzahl noch nicht gefunden, oder etwas lässt ihn schwanken.</translation>
+    </message>
+    <message>
+        <source>Too fast: %1 rpm</source>
+        <translation>Zu schnell: %1 U/min</translation>
+    </message>
+    <message>
+        <source>That is more than 80 % of what the gyroscope of board %1 can measure. Set the table to a slower speed.</source>
+        <translation>Das ist mehr als 80 % dessen, was das Gyroskop von Platine %1 messen kann. Den Drehteller langsamer stellen.</translation>
+    </message>
+    <message>
+        <source>%1 rpm: wait</source>
+        <translation>%1 U/min: warten</translation>
+    </message>
+    <message>
+        <source>That is none of the usual speeds, 33 1/3, 45 and 78. Set the table to one of them.</source>
+        <translation>Das ist keine der üblichen Drehzahlen, 33 1/3, 45 und 78. Den Drehteller auf eine davon stellen.</translation>
+    </message>
+    <message>
+        <source>No board is heard</source>
+        <translation>Keine Platine ist zu hören</translation>
+    </message>
+    <message>
+        <source>Look at step Connect, which board is missing and why.</source>
+        <translation>Im Schritt Verbinden nachsehen, welche Platine fehlt und warum.</translation>
+    </message>
+    <message>
+        <source>None of the measured placements is heard</source>
+        <translation>Keine der gemessenen Aufstellungen ist zu hören</translation>
+    </message>
+    <message>
+        <source>The distances heard differ from all those in the file by more than 2 cm. Put boards and sources as they were measured.</source>
+        <translation>Die gehörten Abstände weichen von allen in der Datei um mehr als 2 cm ab. Platinen und Quellen so aufstellen, wie sie gemessen wurden.</translation>
+    </message>
+    <message>
+        <source>Turn the plate onto a side</source>
+        <translation>Die Platte auf eine Seite drehen</translation>
+    </message>
+    <message>
+        <source>It lies between two sides, or is in somebody’s hands.</source>
+        <translation>Sie liegt zwischen zwei Seiten oder ist in jemandes Händen.</translation>
+    </message>
+    <message>
+        <source>Only %1 of the pairs are heard</source>
+        <translation>Nur %1 der Paare sind zu hören</translation>
+    </message>
+    <message>
+        <source>Let boards and sources face each other, and take away what stands in between.</source>
+        <translation>Platinen und Quellen einander zuwenden und wegnehmen, was dazwischen steht.</translation>
+    </message>
+    <message>
+        <source>%1 is done</source>
+        <translation>Fertig: %1</translation>
+    </message>
+    <message>
+        <source>Go on as above.</source>
+        <translation>Weitermachen wie oben.</translation>
+    </message>
+    <message>
+        <source>Stay like that, all boards are calm.</source>
+        <translation>So bleiben, alle Platinen sind ruhig.</translation>
+    </message>
+    <message>
+        <source>%1 rpm, even. Nothing touches the table.</source>
+        <translation>%1 U/min, gleichmäßig. Nichts berührt den Drehteller.</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n board(s) are in place. Nothing touches them.</source>
+        <translation>
+            <numerusform>%n Platine ist am Platz. Nichts berührt sie.</numerusform>
+            <numerusform>Alle %n Platinen sind am Platz. Nichts berührt sie.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Taken</source>
+        <translation>Erfasst</translation>
+    </message>
+    <message>
+        <source>It is being written to disk.</source>
+        <translation>Wird auf die Festplatte geschrieben.</translation>
+    </message>
+    <message>
+        <source>The suit has gone</source>
+        <translation>Der Anzug ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>What has been taken is safe. It goes on when the driver box is back.</source>
+        <translation>Was erfasst ist, ist sicher. Es geht weiter, wenn die Steuerbox wieder da ist.</translation>
+    </message>
+    <message>
+        <source>Right. Hold it for %1</source>
+        <translation>Richtig. Noch %1 so halten</translation>
+    </message>
+    <message>
+        <source>Plate level</source>
+        <translation>Platte waagrecht</translation>
+    </message>
+    <message>
+        <source>%1, limit %2</source>
+        <translation>%1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>from the second side on</source>
+        <translation>ab der zweiten Seite</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Drehteller</translation>
+    </message>
+    <message>
+        <source>%1 rpm</source>
+        <translation>%1 U/min</translation>
+    </message>
+    <message>
+        <source>Pairs heard</source>
+        <translation>Gehörte Paare</translation>
+    </message>
+    <message>
+        <source>Still</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>%1 m/s², limit %2</source>
+        <translation>%1 m/s², Grenze %2</translation>
+    </message>
+    <message>
+        <source>Boards in place</source>
+        <translation>Platinen am Platz</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 is left out: each offset rests on one board less.</source>
+        <translation>%1 wird ausgelassen: jeder Versatz stützt sich auf eine Platine weniger.</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it keeps the values it had before.</source>
+        <translation>%1 wird ausgelassen: ihre früheren Werte bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 is left out: how it sits today stays unknown.</source>
+        <translation>%1 wird ausgelassen: wie sie heute sitzt, bleibt unbekannt.</translation>
     </message>
 </context>
 <context>
@@ -914,6 +1160,249 @@
     </message>
 </context>
 <context>
+    <name>WizardTask</name>
+    <message>
+        <source>edge C down</source>
+        <translation>Kante C unten</translation>
+    </message>
+    <message>
+        <source>Stand the plate on edge C, against the block</source>
+        <translation>Platte auf Kante C stellen, gegen den Block</translation>
+    </message>
+    <message>
+        <source>Stand the plate on edge C and start the table</source>
+        <translation>Platte auf Kante C stellen und den Drehteller starten</translation>
+    </message>
+    <message>
+        <source>edge D down</source>
+        <translation>Kante D unten</translation>
+    </message>
+    <message>
+        <source>Stand the plate on edge D, against the block</source>
+        <translation>Platte auf Kante D stellen, gegen den Block</translation>
+    </message>
+    <message>
+        <source>Stand the plate on edge D and start the table</source>
+        <translation>Platte auf Kante D stellen und den Drehteller starten</translation>
+    </message>
+    <message>
+        <source>edge B down</source>
+        <translation>Kante B unten</translation>
+    </message>
+    <message>
+        <source>Stand the plate on edge B, against the block</source>
+        <translation>Platte auf Kante B stellen, gegen den Block</translation>
+    </message>
+    <message>
+        <source>Stand the plate on edge B and start the table</source>
+        <translation>Platte auf Kante B stellen und den Drehteller starten</translation>
+    </message>
+    <message>
+        <source>edge A down</source>
+        <translation>Kante A unten</translation>
+    </message>
+    <message>
+        <source>Stand the plate on edge A, against the block</source>
+        <translation>Platte auf Kante A stellen, gegen den Block</translation>
+    </message>
+    <message>
+        <source>Stand the plate on edge A and start the table</source>
+        <translation>Platte auf Kante A stellen und den Drehteller starten</translation>
+    </message>
+    <message>
+        <source>face up</source>
+        <translation>Vorderseite oben</translation>
+    </message>
+    <message>
+        <source>Lay the plate flat, face up</source>
+        <translation>Platte flach legen, Vorderseite oben</translation>
+    </message>
+    <message>
+        <source>Lay the plate flat, face up, and start the table</source>
+        <translation>Platte flach legen, Vorderseite oben, und den Drehteller starten</translation>
+    </message>
+    <message>
+        <source>face down</source>
+        <translation>Vorderseite unten</translation>
+    </message>
+    <message>
+        <source>Lay the plate flat, face down</source>
+        <translation>Platte flach legen, Vorderseite unten</translation>
+    </message>
+    <message>
+        <source>Lay the plate flat, face down, and start the table</source>
+        <translation>Platte flach legen, Vorderseite unten, und den Drehteller starten</translation>
+    </message>
+    <message>
+        <source>Source offsets</source>
+        <translation>Quellenversatz</translation>
+    </message>
+    <message>
+        <source>How late each source sounds, so that distances are right to the millimetre.</source>
+        <translation>Wie spät jede Quelle klingt, damit Entfernungen auf den Millimeter stimmen.</translation>
+    </message>
+    <message>
+        <source>Suit on its jig, about 6 minutes; once a year</source>
+        <translation>Anzug auf seinem Messgestell, etwa 6 Minuten; einmal im Jahr</translation>
+    </message>
+    <message>
+        <source>The jig with boards and sources in their seats, 30 to 90 cm apart</source>
+        <translation>Das Messgestell mit Platinen und Quellen auf ihren Plätzen, 30 bis 90 cm voneinander entfernt</translation>
+    </message>
+    <message>
+        <source>The distances between them: points of a digitizer arm or a tape measure, as CSV</source>
+        <translation>Die Abstände zwischen ihnen: Punkte eines Messarms oder Maßband, als CSV</translation>
+    </message>
+    <message>
+        <source>A quiet room and a thermometer in the driver box</source>
+        <translation>Ein stiller Raum und ein Thermometer in der Steuerbox</translation>
+    </message>
+    <message>
+        <source>Boards and sources face each other and nothing stands between them. Box and wires stay where they are; only the stands move from one placement to the next.</source>
+        <translation>Platinen und Quellen sind einander zugewandt, und nichts steht dazwischen. Box und Kabel bleiben, wo sie sind; von einer Aufstellung zur nächsten bewegen sich nur die Ständer.</translation>
+    </message>
+    <message>
+        <source>Placements may come in any order. The page hears by itself which one stands there.</source>
+        <translation>Die Reihenfolge der Aufstellungen ist frei. Die Anzeige hört von selbst, welche gerade steht.</translation>
+    </message>
+    <message>
+        <source>Accelerometers</source>
+        <translation>Beschleunigungssensoren</translation>
+    </message>
+    <message>
+        <source>Scale, zero and axes of each accelerometer.</source>
+        <translation>Maßstab, Nullpunkt und Achsen jedes Beschleunigungssensors.</translation>
+    </message>
+    <message>
+        <source>Boards on the level plate, six sides, about 4 minutes; every three months</source>
+        <translation>Platinen auf der waagrechten Platte, sechs Seiten, etwa 4 Minuten; alle drei Monate</translation>
+    </message>
+    <message>
+        <source>The plate with all boards pressed into their slots, up to 32 at once</source>
+        <translation>Die Platte mit allen Platinen in ihre Fächer gedrückt, bis zu 32 zugleich</translation>
+    </message>
+    <message>
+        <source>A table that a spirit level calls level, and a square block to lean the plate on</source>
+        <translation>Ein Tisch, der nach der Wasserwaage waagrecht ist, und ein rechtwinkliger Block zum Anlehnen der Platte</translation>
+    </message>
+    <message>
+        <source>Box and wires lie beside the plate with a metre of slack, so that nothing pulls at it when it is turned.</source>
+        <translation>Box und Kabel liegen neben der Platte mit einem Meter Spiel, damit beim Drehen nichts an ihr zieht.</translation>
+    </message>
+    <message>
+        <source>Sides may come in any order. The page sees by itself which one is down.</source>
+        <translation>Die Reihenfolge der Seiten ist frei. Die Anzeige erkennt von selbst, welche unten liegt.</translation>
+    </message>
+    <message>
+        <source>Gyroscopes</source>
+        <translation>Gyroskope</translation>
+    </message>
+    <message>
+        <source>Scale, zero and axes of each gyroscope.</source>
+        <translation>Maßstab, Nullpunkt und Achsen jedes Gyroskops.</translation>
+    </message>
+    <message>
+        <source>Boards on the turntable, six sides, about 5 minutes; every three months</source>
+        <translation>Platinen auf dem Drehteller, sechs Seiten, etwa 5 Minuten; alle drei Monate</translation>
+    </message>
+    <message>
+        <source>A turntable at 45, 33 1/3 or 78 turns a minute that carries the plate and the driver box</source>
+        <translation>Ein Drehteller mit 45, 33 1/3 oder 78 Umdrehungen je Minute, der Platte und Steuerbox trägt</translation>
+    </message>
+    <message>
+        <source>The plate with all boards pressed into their slots</source>
+        <translation>Die Platte mit allen Platinen in ihre Fächer gedrückt</translation>
+    </message>
+    <message>
+        <source>A wireless or battery driver box, or a cable with a swivel</source>
+        <translation>Eine Steuerbox mit Funk oder Akku oder ein Kabel mit Drehgelenk</translation>
+    </message>
+    <message>
+        <source>The box rides on the table beside the plate, its wires taped down. With a cable to the computer instead, ten turns wind it up as far as is safe: stop after each side and unwind.</source>
+        <translation>Die Box fährt neben der Platte auf dem Drehteller mit, ihre Kabel sind festgeklebt. Mit einem Kabel zum Computer ist nach zehn Umdrehungen so viel aufgewickelt, wie sicher ist: nach jeder Seite anhalten und abwickeln.</translation>
+    </message>
+    <message>
+        <source>Sides may come in any order. The page sees by itself which one turns.</source>
+        <translation>Die Reihenfolge der Seiten ist frei. Die Anzeige erkennt von selbst, welche sich dreht.</translation>
+    </message>
+    <message>
+        <source>Rest pose</source>
+        <translation>Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>How the boards sit on the performer today.</source>
+        <translation>Wie die Platinen heute am Darsteller sitzen.</translation>
+    </message>
+    <message>
+        <source>Stand still for 5 seconds; each time the suit is put on</source>
+        <translation>5 Sekunden still stehen; bei jedem Anlegen des Anzugs</translation>
+    </message>
+    <message>
+        <source>The performer with the suit on, all straps tight</source>
+        <translation>Der Darsteller im Anzug, alle Gurte fest</translation>
+    </message>
+    <message>
+        <source>Two metres of free floor</source>
+        <translation>Zwei Meter freier Boden</translation>
+    </message>
+    <message>
+        <source>Feet hip-wide and parallel, arms hanging, palms towards the body, eyes straight ahead.</source>
+        <translation>Füße hüftbreit und parallel, Arme hängend, Handflächen zum Körper, Blick geradeaus.</translation>
+    </message>
+    <message>
+        <source>It begins by itself when the performer stands still.</source>
+        <translation>Es beginnt von selbst, wenn der Darsteller still steht.</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Kontrolle</translation>
+    </message>
+    <message>
+        <source>Whether the calibration still holds, or which strap has slipped.</source>
+        <translation>Ob die Kalibrierung noch stimmt oder welcher Gurt verrutscht ist.</translation>
+    </message>
+    <message>
+        <source>Stand still for 3 seconds; before each take that matters</source>
+        <translation>3 Sekunden still stehen; vor jeder Aufnahme, auf die es ankommt</translation>
+    </message>
+    <message>
+        <source>The performer with the suit on, and a calibration in force</source>
+        <translation>Der Darsteller im Anzug und eine gültige Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Placement %1</source>
+        <translation>Aufstellung %1</translation>
+    </message>
+    <message>
+        <source>as it was measured</source>
+        <translation>wie gemessen</translation>
+    </message>
+    <message>
+        <source>Put boards and sources as in placement %1</source>
+        <translation>Platinen und Quellen wie in Aufstellung %1 aufstellen</translation>
+    </message>
+    <message>
+        <source>Side %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>Drehung %1</translation>
+    </message>
+    <message>
+        <source>Stand still</source>
+        <translation>Still stehen</translation>
+    </message>
+    <message>
+        <source>rest pose</source>
+        <translation>Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>Stand still in the rest pose</source>
+        <translation>In der Ruhehaltung still stehen</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::AboutDialog</name>
     <message>
         <source>%1. %2. %3</source>
@@ -1164,6 +1653,17 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::BoardTable</name>
+    <message>
+        <source>Boards and their steps</source>
+        <translation>Platinen und ihre Schritte</translation>
+    </message>
+    <message>
+        <source>askew</source>
+        <translation>schief</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::BodyMap</name>
     <message>
         <source>Boards and sources on the body</source>
@@ -1189,91 +1689,103 @@
         <translation>Kalibrieren</translation>
     </message>
     <message>
-        <source>Nothing to calibrate</source>
-        <translation>Nichts zu kalibrieren</translation>
+        <source>Calibrations</source>
+        <translation>Kalibrierungen</translation>
     </message>
     <message>
-        <source>Four wizards that recognise by themselves when a step is done, and that end with a verdict in numbers and words.</source>
-        <translation>Vier Assistenten, die selbst erkennen, wann ein Schritt getan ist, und mit einem Urteil in Zahlen und Worten enden.</translation>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
-        <source>Which calibration is in force, how old it is, and what it is worth.</source>
-        <translation>Welche Kalibrierung gilt, wie alt sie ist und was sie taugt.</translation>
+        <source>Of this session, newest first</source>
+        <translation>Dieser Sitzung, neueste zuerst</translation>
     </message>
     <message>
-        <source>Takes are processed with the calibration they carry. Those of the virtual suit carry one, and Review says how old it is.</source>
-        <translation>Aufnahmen werden mit der Kalibrierung verarbeitet, die sie enthalten. Die des virtuellen Anzugs enthalten eine, und Prüfen sagt, wie alt sie ist.</translation>
+        <source>Steps</source>
+        <translation>Schritte</translation>
     </message>
     <message>
-        <source>Source offsets</source>
-        <translation>Quellenversatz</translation>
+        <source>Boards</source>
+        <translation>Platinen</translation>
     </message>
     <message>
-        <source>How far from its housing each source sounds from, so that distances are right to the millimetre.</source>
-        <translation>Wie weit vom Gehäuse entfernt jede Quelle klingt, damit Abstände auf den Millimeter stimmen.</translation>
+        <source>Against the calibration in force</source>
+        <translation>Gegen die gültige Kalibrierung</translation>
     </message>
     <message>
-        <source>Suit on its jig, three placements, about 6 minutes; once a year</source>
-        <translation>Anzug auf der Lehre, drei Stellungen, etwa 6 Minuten; einmal im Jahr</translation>
+        <source>There is nothing to check yet</source>
+        <translation>Noch gibt es nichts zu kontrollieren</translation>
     </message>
     <message>
-        <source>Accelerometers</source>
-        <translation>Beschleunigungssensoren</translation>
+        <source>There is no calibration to check.</source>
+        <translation>Es gibt keine Kalibrierung zu kontrollieren.</translation>
     </message>
     <message>
-        <source>Scale, zero and axes of each accelerometer.</source>
-        <translation>Maßstab, Nullpunkt und Achsen jedes Beschleunigungssensors.</translation>
+        <source>Check</source>
+        <translation>Kontrollieren</translation>
     </message>
     <message>
-        <source>Boards on the level plate, six sides, about 4 minutes; every three months</source>
-        <translation>Platinen auf der waagrechten Platte, sechs Seiten, etwa 4 Minuten; alle drei Monate</translation>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
     </message>
     <message>
-        <source>Gyroscopes</source>
-        <translation>Gyroskope</translation>
+        <source>Not calibrated</source>
+        <translation>Nicht kalibriert</translation>
     </message>
     <message>
-        <source>Scale, zero and axes of each gyroscope.</source>
-        <translation>Maßstab, Nullpunkt und Achsen jedes Gyroskops.</translation>
+        <source>Nothing moves live and nothing can be processed before the suit is calibrated. Begin with the source offsets.</source>
+        <translation>Ohne Kalibrierung des Anzugs bewegt sich nichts live, und nichts lässt sich verarbeiten. Mit dem Quellenversatz beginnen.</translation>
     </message>
     <message>
-        <source>Boards on the turntable, three axes, about 5 minutes; every three months</source>
-        <translation>Platinen auf dem Drehteller, drei Achsen, etwa 5 Minuten; alle drei Monate</translation>
+        <source>Next: %1</source>
+        <translation>Als Nächstes: %1</translation>
     </message>
     <message>
-        <source>Rest pose</source>
-        <translation>Ruhehaltung</translation>
+        <source>The rest counts as it stands on the cards.</source>
+        <translation>Das Übrige gilt, wie es auf den Karten steht.</translation>
     </message>
     <message>
-        <source>How the boards sit on the performer today.</source>
-        <translation>Wie die Platinen heute am Darsteller sitzen.</translation>
+        <source>Calibrated</source>
+        <translation>Kalibriert</translation>
     </message>
     <message>
-        <source>Stand still for 3 seconds; each time the suit is put on</source>
-        <translation>3 Sekunden still stehen; bei jedem Anlegen des Anzugs</translation>
+        <source>All parts of the suit have values that are recent enough. Check them with three seconds of standing still.</source>
+        <translation>Alle Teile des Anzugs haben Werte, die neu genug sind. Sie mit drei Sekunden Stillstehen kontrollieren.</translation>
     </message>
     <message>
-        <source>Calibration’s wizards are not part of this version.</source>
-        <translation>Die Assistenten der Kalibrierung sind nicht Teil dieser Version.</translation>
+        <source>Begin: %1</source>
+        <translation>Beginnen: %1</translation>
+    </message>
+    <message>
+        <source>Continue to Record</source>
+        <translation>Weiter zu Aufnehmen</translation>
+    </message>
+    <message>
+        <source>%1, in use</source>
+        <translation>%1, verwendet</translation>
+    </message>
+    <message>
+        <source>Go back to this one</source>
+        <translation>Zu dieser zurückkehren</translation>
+    </message>
+    <message>
+        <source>Going back to %1</source>
+        <translation>Zurück zu %1</translation>
+    </message>
+    <message>
+        <source>None has been saved yet.</source>
+        <translation>Noch ist keine gesichert.</translation>
     </message>
 </context>
 <context>
-    <name>noctule::ui::ComingPage</name>
+    <name>noctule::ui::CalibrationShelf</name>
     <message>
-        <source>What will be here</source>
-        <translation>Was hier sein wird</translation>
+        <source>The calibration %1 was made with other parts than those connected now: %2. Calibrate them before their takes count.</source>
+        <translation>Die Kalibrierung %1 wurde mit anderen Teilen gemacht, als jetzt verbunden sind: %2. Diese kalibrieren, bevor ihre Aufnahmen gelten.</translation>
     </message>
     <message>
-        <source>Until then</source>
-        <translation>Bis dahin</translation>
-    </message>
-    <message>
-        <source>Try the virtual suit</source>
-        <translation>Virtuellen Anzug ausprobieren</translation>
-    </message>
-    <message>
-        <source>Import takes</source>
-        <translation>Aufnahmen importieren</translation>
+        <source>Calibration of the %1</source>
+        <translation>Kalibrierung: %1</translation>
     </message>
 </context>
 <context>
@@ -2063,6 +2575,17 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::HoldRing</name>
+    <message>
+        <source>%1 of %2 seconds</source>
+        <translation>%1 von %2 Sekunden</translation>
+    </message>
+    <message>
+        <source>%1 / %2 s</source>
+        <translation>%1 / %2 s</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::Job</name>
     <message>
         <source>Cancelled</source>
@@ -2306,6 +2829,18 @@
     </message>
     <message>
         <source>Saving %1</source>
+        <translation>%1 wird gesichert</translation>
+    </message>
+    <message>
+        <source>The driver box is busy. Wait a moment.</source>
+        <translation>Die Steuerbox ist beschäftigt. Einen Moment warten.</translation>
+    </message>
+    <message>
+        <source>There is no session to keep the calibration in, and none could be made. Make one first.</source>
+        <translation>Es gibt keine Sitzung für die Kalibrierung, und keine konnte angelegt werden. Zuerst eine anlegen.</translation>
+    </message>
+    <message>
+        <source>Keeping %1</source>
         <translation>%1 wird gesichert</translation>
     </message>
 </context>
@@ -3362,6 +3897,21 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Cables lie flat and leave the joints free; numbers on boards and drawing agree.</source>
         <translation>Kabel liegen flach und lassen die Gelenke frei; Nummern auf Platinen und Zeichnung stimmen überein.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RailStep</name>
+    <message>
+        <source>%1, %2, done</source>
+        <translation>%1, %2, fertig</translation>
+    </message>
+    <message>
+        <source>%1, %2, now</source>
+        <translation>%1, %2, jetzt</translation>
+    </message>
+    <message>
+        <source>%1, %2, to come</source>
+        <translation>%1, %2, kommt noch</translation>
     </message>
 </context>
 <context>
@@ -4585,6 +5135,45 @@ keine Lücken</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::ResultSide</name>
+    <message>
+        <source>Save and use</source>
+        <translation>Sichern und verwenden</translation>
+    </message>
+    <message>
+        <source>Repeat steps</source>
+        <translation>Schritte wiederholen</translation>
+    </message>
+    <message>
+        <source>Back to Calibrate</source>
+        <translation>Zurück zu Kalibrieren</translation>
+    </message>
+    <message>
+        <source>No board and no source stands out.</source>
+        <translation>Keine Platine und keine Quelle fällt auf.</translation>
+    </message>
+    <message>
+        <source>Save and use it anyway</source>
+        <translation>Trotzdem sichern und verwenden</translation>
+    </message>
+    <message>
+        <source>Saved and in use. New takes are made with it; undo with Ctrl+Z.</source>
+        <translation>Gesichert und verwendet. Neue Aufnahmen entstehen damit; rückgängig mit Strg+Z.</translation>
+    </message>
+    <message>
+        <source>Nothing is changed by a check.</source>
+        <translation>Eine Kontrolle ändert nichts.</translation>
+    </message>
+    <message>
+        <source>Takes made with it would be wrong where the cards say so. Repeat what is named.</source>
+        <translation>Aufnahmen damit wären falsch, wo die Karten es sagen. Wiederholen, was genannt ist.</translation>
+    </message>
+    <message>
+        <source>Will be saved as %1-%2. Every later take names it; undo with Ctrl+Z.</source>
+        <translation>Wird als %1-%2 gesichert. Jede spätere Aufnahme nennt sie; rückgängig mit Strg+Z.</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ReviewActions</name>
     <message>
         <source>Play</source>
@@ -4909,6 +5498,25 @@ keine Lücken</translation>
     <message>
         <source>The filter found nothing to start from. Reprocess with all sensors, or look whether the take holds sound at all.</source>
         <translation>Der Filter fand nichts, womit er beginnen konnte. Mit allen Sensoren neu verarbeiten oder nachsehen, ob die Aufnahme überhaupt Ton enthält.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RigDrawing</name>
+    <message>
+        <source>30 to 90 cm</source>
+        <translation>30 bis 90 cm</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Box</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>nach vorn</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>unten</translation>
     </message>
 </context>
 <context>
@@ -6015,6 +6623,17 @@ Drehen, beide Richtungen x3</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::TaskCard</name>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Begin: %1</source>
+        <translation>Beginnen: %1</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::Timeline</name>
     <message>
         <source>Timeline</source>
@@ -6454,6 +7073,244 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>No session was open before</source>
         <translation>Vorher war keine Sitzung offen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::WizardBoards</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Calibrate with what there is</source>
+        <translation>Mit dem Vorhandenen kalibrieren</translation>
+    </message>
+    <message>
+        <source>The step that was taken last, once more (Backspace)</source>
+        <translation>Den zuletzt erfassten Schritt noch einmal (Rücktaste)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps</source>
+        <translation>%1 von %2 Schritten</translation>
+    </message>
+    <message>
+        <source>Skip a board</source>
+        <translation>Eine Platine auslassen</translation>
+    </message>
+    <message>
+        <source>Use board %1 again</source>
+        <translation>Platine %1 wieder verwenden</translation>
+    </message>
+    <message>
+        <source>Skip board %1</source>
+        <translation>Platine %1 auslassen</translation>
+    </message>
+    <message>
+        <source>Choose a board in the table first.</source>
+        <translation>Zuerst eine Platine in der Tabelle wählen.</translation>
+    </message>
+    <message>
+        <source>Repeat step %1</source>
+        <translation>Schritt %1 wiederholen</translation>
+    </message>
+    <message>
+        <source>Repeat the last step</source>
+        <translation>Letzten Schritt wiederholen</translation>
+    </message>
+    <message>
+        <source>No step has been taken yet.</source>
+        <translation>Noch ist kein Schritt erfasst.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::WizardIntro</name>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Begin anew</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Choose the distances</source>
+        <translation>Abstände wählen</translation>
+    </message>
+    <message>
+        <source>Use recorded takes</source>
+        <translation>Vorhandene Aufnahmen verwenden</translation>
+    </message>
+    <message>
+        <source>Nothing is measured; the takes of another day or another box are what there is</source>
+        <translation>Nichts wird gemessen; es gelten die Aufnahmen eines anderen Tages oder einer anderen Box</translation>
+    </message>
+    <message>
+        <source>What you need</source>
+        <translation>Was gebraucht wird</translation>
+    </message>
+    <message>
+        <source>How things stand</source>
+        <translation>Wie alles steht</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) were taken on %1 and are kept.</source>
+        <translation>
+            <numerusform>%n Schritt ist schon erfasst und bleibt erhalten (%1).</numerusform>
+            <numerusform>%n Schritte sind schon erfasst und bleiben erhalten (%1).</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n distance(s)</source>
+        <translation>
+            <numerusform>%1: %n Abstand</numerusform>
+            <numerusform>%1: %n Abstände</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>CSV with placement, kind, id, x_mm, y_mm, z_mm, or with placement, source, board, distance_mm</source>
+        <translation>CSV mit placement, kind, id, x_mm, y_mm, z_mm oder mit placement, source, board, distance_mm</translation>
+    </message>
+    <message>
+        <source>The takes could not be used</source>
+        <translation>Die Aufnahmen ließen sich nicht verwenden</translation>
+    </message>
+    <message>
+        <source>The distances could not be read</source>
+        <translation>Die Abstände ließen sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>Choose the distances of the jig</source>
+        <translation>Abstände des Messgestells wählen</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt);;All files (*)</source>
+        <translation>Tabellen (*.csv *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose the takes</source>
+        <translation>Aufnahmen wählen</translation>
+    </message>
+    <message>
+        <source>Takes (*.noctule)</source>
+        <translation>Aufnahmen (*.noctule)</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::WizardLive</name>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 so far</source>
+        <translation>Bisher %1</translation>
+    </message>
+    <message>
+        <source>Board %1</source>
+        <translation>Platine %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 askew</source>
+        <translation>%1, %2 schief</translation>
+    </message>
+    <message>
+        <source>%1, silent</source>
+        <translation>%1, stumm</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::WizardPage</name>
+    <message>
+        <source>Calibrating: %1</source>
+        <translation>Kalibrierung läuft: %1</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::WizardRail</name>
+    <message>
+        <source>Tones</source>
+        <translation>Töne</translation>
+    </message>
+    <message>
+        <source>Leave and resume later</source>
+        <translation>Verlassen und später fortsetzen</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>A tone when a step is right, another when it has been taken</source>
+        <translation>Ein Ton, wenn ein Schritt richtig ist, ein anderer, wenn er erfasst ist</translation>
+    </message>
+    <message>
+        <source>What you need</source>
+        <translation>Was gebraucht wird</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Back to Calibrate</source>
+        <translation>Zurück zu Kalibrieren</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::WizardResult</name>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Usable</source>
+        <translation>Brauchbar</translation>
+    </message>
+    <message>
+        <source>Not usable</source>
+        <translation>Nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>Nothing need be repeated.</source>
+        <translation>Nichts muss wiederholt werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n thing(s) to look at, on the right.</source>
+        <translation>
+            <numerusform>%n Punkt zum Nachsehen, rechts.</numerusform>
+            <numerusform>%n Punkte zum Nachsehen, rechts.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>good: %1</source>
+        <translation>gut: %1</translation>
+    </message>
+    <message>
+        <source>blue: with this calibration; grey: with the one before</source>
+        <translation>blau: mit dieser Kalibrierung; grau: mit der vorigen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::WizardRun</name>
+    <message>
+        <source>Choose the file with the distances first.</source>
+        <translation>Zuerst die Datei mit den Abständen wählen.</translation>
+    </message>
+    <message>
+        <source>There is no calibration to check. Calibrate the rest pose first.</source>
+        <translation>Es gibt keine Kalibrierung zu kontrollieren. Zuerst die Ruhehaltung kalibrieren.</translation>
+    </message>
+    <message>
+        <source>No suit is connected. Connect one first, or use takes that were recorded before.</source>
+        <translation>Kein Anzug ist verbunden. Zuerst einen verbinden oder frühere Aufnahmen verwenden.</translation>
+    </message>
+    <message>
+        <source>Calibration: %1</source>
+        <translation>Kalibrierung: %1</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,37 @@
     </message>
 </context>
 <context>
+    <name>LiveText</name>
+    <message numerus="yes">
+        <source>So do %n other(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other(s) are silent too.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n board(s) are level. Press board %1 into its slot until it clicks, then let go of the plate.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n board(s) are in place. Nothing touches them.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::BoardCard</name>
     <message numerus="yes">
         <source>%1 of %2 frames a second, %n bit error(s)</source>
@@ -427,6 +458,33 @@
         <translation>
             <numerusform>%1, %2 frame</numerusform>
             <numerusform>%1, %2 frames</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::WizardIntro</name>
+    <message numerus="yes">
+        <source>%n step(s) were taken on %1 and are kept.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n distance(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::WizardResult</name>
+    <message numerus="yes">
+        <source>%n thing(s) to look at, on the right.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

@@ -17,7 +17,6 @@
 #include "ui/main_window/tour.h"
 #include "ui/main_window/window_menus.h"
 #include "ui/style/theme.h"
-#include "ui/views/coming_page.h"
 #include "ui/views/connect_page.h"
 #include "ui/views/session_commands.h"
 #include "ui/views/start_page.h"
@@ -95,8 +94,6 @@ Page* MainWindow::makePage(Step step) {
     if (auto* connecting = qobject_cast<ConnectPage*>(page))
         connect(connecting, &ConnectPage::putSuitOnRequested, (*actions_)[Command::kPutSuitOn],
                 &QAction::trigger);
-    if (auto* coming = qobject_cast<ComingPage*>(page))
-        connect(coming, &ComingPage::putSuitOnRequested, (*actions_)[Command::kPutSuitOn], &QAction::trigger);
     return page;
 }
 

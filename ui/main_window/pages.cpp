@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "ui/views/calibrate_page.h"
+#include "ui/wizards/calibrate_page.h"
 #include "ui/views/connect_page.h"
 #include "ui/views/export_page.h"
 #include "ui/views/performer_page.h"

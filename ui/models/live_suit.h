@@ -36,6 +36,14 @@ public:
         double rest_s = 0;      ///< the performer begins in the rest pose
         double pre_roll_s = 0;  ///< so much of what was seen before stands in the take
     };
+    /// What a calibration works on: the last seconds of what is looked at, as a short take of its own.
+    struct EvidencePlan {
+        QString base_name;   ///< "side_plus_x"
+        std::string kind;    ///< of the take: level, turntable, jig, motion
+        double length_s = 0;
+        QString placement;   ///< of a jig: marked over the whole length
+        double rpm = 0;      ///< of a turntable
+    };
     struct Surroundings {
         std::string software;
         std::function<std::string()> utc_now;
@@ -77,6 +85,9 @@ public:
     /// virtual suit's do.
     bool canPreRoll() const { return known_.rest_s == 0; }
     void stopRecording();
+    /// Keeps what was seen just now; evidenceRecorded() comes when it is on disk. In words why not, else
+    /// empty.
+    QString keepEvidence(const EvidencePlan& plan);
     /// Makes one by date when none is open; false: it could not be made.
     bool makeSureOfSession();
     void addMarker(const QString& label);
@@ -96,6 +107,7 @@ signals:
     void recordingStarted(const QString& take_name);
     /// Over and saved; the take is in the session's list. `trouble` is empty when the operator stopped it.
     void recordingEnded(const QString& take_name, const QString& trouble);
+    void evidenceRecorded(const QString& path, const QString& trouble);
     void failed(const QString& what, const QString& remedy);
     /// Nothing failed, but it should be known: whole sentences.
     void warned(const QString& what);
@@ -109,6 +121,8 @@ private:
     void wear();
     QString whyNotRecord() const;
     StreamRequest requestOf(const std::optional<TakePlan>& plan) const;
+    StreamRequest requestOf(const EvidencePlan& plan) const;
+    void evidenceEnded(const StreamResult& result);
     std::optional<link::Settings> settings() const;
     void begin(const std::optional<TakePlan>& plan);
     void begun(bool of_take, const std::optional<Error>& trouble);

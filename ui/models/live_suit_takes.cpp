@@ -47,6 +47,21 @@ StreamRequest LiveSuit::requestOf(const std::optional<TakePlan>& plan) const {
     return request;
 }
 
+StreamRequest LiveSuit::requestOf(const EvidencePlan& plan) const {
+    StreamRequest request = requestOf(std::optional<TakePlan>());
+    request.rest_s = 0;
+    request.process = false;
+    RecordingRequest take;
+    take.folder = session_.session().evidenceFolder();
+    take.name = plan.base_name.toStdString();
+    take.pre_roll_s = plan.length_s;
+    take.take_kind = plan.kind;
+    if (plan.rpm > 0)
+        take.meta["turntable_rpm"] = QByteArray::number(plan.rpm).toStdString();
+    request.take = std::move(take);
+    return request;
+}
+
 /// One source alone, or all again after that.
 std::optional<link::Settings> LiveSuit::settings() const {
     if (!lone_source_ && !sources_set_)
@@ -140,6 +155,47 @@ QString LiveSuit::whyNotRecord() const {
     if (status()->link == LinkState::kLost)
         return tr("The link to the driver box is broken. Recording can begin when it is back.");
     return {};
+}
+
+QString LiveSuit::keepEvidence(const EvidencePlan& plan) {
+    if (const QString why = whyNotRecord(); !why.isEmpty())
+        return why;
+    if (phase_ != Phase::kLooking || working_)
+        return tr("The driver box is busy. Wait a moment.");
+    if (!makeSureOfSession())
+        return tr("There is no session to keep the calibration in, and none could be made. Make one first.");
+    working_ = true;
+    setPhase(Phase::kSaving);
+    jobs_.start<StreamResult>(
+        tr("Keeping %1").arg(plan.base_name),
+        [live = live_, request = requestOf(plan),
+         placement = plan.placement.toStdString()](const JobContext& job) -> Result<StreamResult> {
+            if (const auto trouble = beginStream(*live, request, job))
+                return *trouble;
+            if (!placement.empty())
+                live->addMarker("placement", placement, 0);
+            return endStream(*live, job);
+        },
+        [self = QPointer(this), connection = connection_](Result<StreamResult> result) -> QString {
+            if (self && self->connection_ == connection)
+                self->evidenceEnded(result ? *result : StreamResult{{}, {}, {}, {}, result.error()});
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+    return {};
+}
+
+void LiveSuit::evidenceEnded(const StreamResult& result) {
+    working_ = false;
+    std::optional<Error> trouble = result.trouble;
+    if (result.recording && result.recording->trouble)
+        trouble = result.recording->trouble;
+    if (std::exchange(leave_wanted_, false))
+        release();
+    else
+        setPhase(phaseWithoutTake());
+    emit evidenceRecorded(result.recording ? wordsOf(result.recording->path) : QString(),
+                          trouble ? wordsOf(trouble->text()) : QString());
 }
 
 bool LiveSuit::makeSureOfSession() {

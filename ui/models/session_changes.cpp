@@ -138,6 +138,12 @@ void SessionModel::setNotes(const QString& notes) {
              setOf(&Session::notes, session_->notes), "session-notes");
 }
 
+void SessionModel::setCalibration(const QString& file, const QString& what) {
+    if (session_ && file.toStdString() != session_->calibration)
+        push(what, setOf(&Session::calibration, file.toStdString()),
+             setOf(&Session::calibration, session_->calibration));
+}
+
 void SessionModel::addPerformer(const Performer& performer) {
     if (!session_)
         return;

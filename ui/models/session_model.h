@@ -58,6 +58,8 @@ public:
     /// The last one stays.
     void removePerformer(int index);
     void setCurrentPerformer(const QString& name);
+    /// A file in the session's calibration/; empty: none. `what` stands in the Edit menu.
+    void setCalibration(const QString& file, const QString& what);
     /// The shot list; what only the file knows of a shot stays with its name.
     void setShots(std::vector<Shot> shots);
     void trashTake(int take);

@@ -53,6 +53,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
       markers_(jobs_, session_, take_),
       finder_(settings_),
       suit_(jobs_, session_, {parts_.software, parts_.utc_now, [this] { return sessionsFolder(); }}),
+      calibrations_(session_, suit_),
       check_(jobs_, suit_, [this] { return takesFolder(); }),
       virtual_suit_(jobs_, {words(parts_.virtual_suit_program),
                             QStandardPaths::writableLocation(QStandardPaths::CacheLocation), parts_.software,
@@ -71,6 +72,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
     connect(&markers_, &MarkerEditor::failed, this, &Studio::failed);
     connect(&suit_, &LiveSuit::failed, this, &Studio::failed);
     connect(&suit_, &LiveSuit::warned, this, &Studio::warned);
+    connect(&calibrations_, &CalibrationShelf::warned, this, &Studio::warned);
     connect(&suit_, &LiveSuit::phaseChanged, this, &Studio::followSuit);
     connect(&virtual_suit_, &VirtualSuit::failed, this, &Studio::failed);
     connect(&virtual_suit_, &VirtualSuit::started, this,

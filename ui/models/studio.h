@@ -14,6 +14,7 @@
 #include "core/mesh/skinned_mesh.h"
 #include "core/processing/process_take.h"
 #include "ui/jobs/jobs.h"
+#include "ui/models/calibration_shelf.h"
 #include "ui/models/live_suit.h"
 #include "ui/models/marker_editor.h"
 #include "ui/models/remote_start.h"
@@ -53,6 +54,7 @@ public:
     MarkerEditor& markers() { return markers_; }
     SuitFinder& finder() { return finder_; }
     LiveSuit& suit() { return suit_; }
+    CalibrationShelf& calibrations() { return calibrations_; }
     SuitCheck& check() { return check_; }
     VirtualSuit& virtualSuit() { return virtual_suit_; }
     RemoteStart& remoteStart() { return remote_start_; }
@@ -104,6 +106,7 @@ private:
     MarkerEditor markers_;
     SuitFinder finder_;
     LiveSuit suit_;
+    CalibrationShelf calibrations_;
     SuitCheck check_;
     VirtualSuit virtual_suit_;
     RemoteStart remote_start_;

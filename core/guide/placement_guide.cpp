@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/guide/placement_guide.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/calibration/order_statistics.h"
+
+namespace noctule {
+namespace {
+
+constexpr double kHeardWithin_s = 0.5, kHeardWell = 0.3;
+/// Of the pairs in front of each other.
+constexpr double kEnoughShare = 0.5;
+/// Detectors are some millimetres apart on a jig; placements differ by centimetres.
+constexpr double kFits_m = 0.02;
+
+bool isHeardWell(const PairHealth& pair) {
+    return pair.age_s && *pair.age_s < kHeardWithin_s && pair.confidence >= kHeardWell;
+}
+
+}  // namespace
+
+std::vector<std::string> placementsOf(const KnownDistances& known) {
+    std::vector<std::string> placements;
+    for (const KnownDistance& distance : known.distances)
+        if (std::ranges::find(placements, distance.placement) == placements.end())
+            placements.push_back(distance.placement);
+    return placements;
+}
+
+PlacementGuide::PlacementGuide(const Suit& suit, const Calibration& calibration, int sample_rate_hz,
+                               const KnownDistances& known)
+    : Guide(suit, calibration, sample_rate_hz, static_cast<int>(placementsOf(known).size())),
+      placements_(placementsOf(known)),
+      pairs_(placements_.size()) {
+    for (const KnownDistance& distance : known.distances) {
+        const int source = suit.findSource(distance.source), board = suit.findBoard(distance.board);
+        const auto placement = std::ranges::find(placements_, distance.placement) - placements_.begin();
+        if (source >= 0 && board >= 0)
+            pairs_[static_cast<size_t>(placement)].push_back({source, board, distance.distance_m});
+    }
+}
+
+std::optional<double> PlacementGuide::misfit_m(const HealthReport& health, size_t placement) const {
+    std::map<int, std::vector<double>> by_source;
+    for (const Pair& pair : pairs_[placement])
+        if (const PairHealth& heard = health.pair(pair.source, pair.board);
+            !isSkipped(pair.board) && isHeardWell(heard))
+            by_source[pair.source].push_back(heard.distance_m - pair.distance_m);
+    std::vector<double> misfits;
+    for (const auto& [source, differences] : by_source) {
+        if (differences.size() < 3)
+            continue;
+        const double offset_m = medianOf(differences);
+        for (const double difference : differences)
+            misfits.push_back(std::abs(difference - offset_m));
+    }
+    return misfits.empty() ? std::nullopt : std::optional(medianOf(misfits));
+}
+
+double PlacementGuide::heardShare(const HealthReport& health, size_t placement) const {
+    int asked = 0, heard = 0;
+    for (const Pair& pair : pairs_[placement])
+        if (!isSkipped(pair.board)) {
+            ++asked;
+            heard += isHeardWell(health.pair(pair.source, pair.board));
+        }
+    return asked > 0 ? static_cast<double>(heard) / asked : 0;
+}
+
+Hindrance PlacementGuide::see(const HealthReport& health, Guidance& guidance) {
+    bool any = false;
+    for (int board = 0; board < boardCount(); ++board) {
+        if (!isHeard(health, board))
+            continue;
+        any = true;
+        guidance.boards[index(board)] =
+            health.boards[index(board)].still ? GuidedBoard::kRight : GuidedBoard::kMoves;
+    }
+    if (!any)
+        return Hindrance::kNoReadings;
+    double best_m = kFits_m, share = 0;
+    for (size_t placement = 0; placement < pairs_.size(); ++placement) {
+        share = std::max(share, heardShare(health, placement));
+        const auto misfit = misfit_m(health, placement);
+        if (misfit && *misfit < best_m) {
+            best_m = *misfit;
+            guidance.step = static_cast<int>(placement);
+        }
+    }
+    guidance.heard_share = guidance.step ? heardShare(health, index(*guidance.step)) : share;
+    guidance.value = *guidance.heard_share;
+    return *guidance.heard_share < kEnoughShare ? Hindrance::kUnheard : Hindrance::kNone;
+}
+
+}  // namespace noctule

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/guide/side_guide.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace noctule {
+namespace {
+
+/// 20 degrees: between two sides the plate is in somebody's hands.
+constexpr double kStandsOut = 0.94;
+/// A zero may shift a board's reading by that much, three standard deviations of the usual.
+constexpr double kUncalibrated_m_per_s2 = 14;
+
+}  // namespace
+
+std::optional<BoardSide> sideUp(const std::vector<Vector3d>& accel_m_per_s2) {
+    Vector3d sum = Vector3d::Zero();
+    for (const Vector3d& accel : accel_m_per_s2)
+        sum += accel;
+    if (sum.norm() == 0)
+        return std::nullopt;
+    const BoardSide side = BoardSide::nearest(sum);
+    const double along = sum.dot(side.up()) / sum.norm();
+    // The zeros of many boards cancel each other, those of a few do not.
+    const double needed = kStandsOut - 0.35 / std::sqrt(static_cast<double>(accel_m_per_s2.size()));
+    return along > needed ? std::optional(side) : std::nullopt;
+}
+
+SideGuide::SideGuide(const Suit& suit, const Calibration& calibration, int sample_rate_hz)
+    : Guide(suit, calibration, sample_rate_hz, static_cast<int>(kBoardSides.size())),
+      zeros_(suit.boards.size()) {}
+
+Vector3d SideGuide::accel_m_per_s2(const HealthReport& health, int board) const {
+    return calibrationOf(board).accel.apply(health.boards[index(board)].means->accel_counts);
+}
+
+std::optional<double> SideGuide::askew_rad(int board, const Vector3d& accel_m_per_s2,
+                                           const BoardSide& side) const {
+    Vector3d level = accel_m_per_s2;
+    if (!isCalibrated(board)) {
+        const Zero& zero = zeros_[index(board)];
+        for (int axis = 0; axis < 3; ++axis) {
+            if (axis == side.axis)
+                continue;
+            if (zero.sides[axis] == 0)
+                return std::nullopt;
+            level[axis] -= zero.sum_m_per_s2[axis] / zero.sides[axis];
+        }
+    }
+    level[side.axis] = 0;
+    return std::asin(std::min(1.0, level.norm() / kStandardGravity_m_per_s2));
+}
+
+Hindrance SideGuide::see(const HealthReport& health, Guidance& guidance) {
+    std::vector<Vector3d> accels;
+    std::vector<int> heard;
+    for (int board = 0; board < boardCount(); ++board) {
+        if (!isHeard(health, board))
+            continue;
+        heard.push_back(board);
+        accels.push_back(accel_m_per_s2(health, board));
+        guidance.boards[index(board)] =
+            health.boards[index(board)].still ? GuidedBoard::kRight : GuidedBoard::kMoves;
+    }
+    if (heard.empty())
+        return Hindrance::kNoReadings;
+    const std::optional<BoardSide> side = sideUp(accels);
+    if (!side)
+        return Hindrance::kBetweenSteps;
+    guidance.step = static_cast<int>(std::ranges::find(kBoardSides, *side) - kBoardSides.begin());
+    for (size_t i = 0; i < heard.size(); ++i) {
+        const int board = heard[i];
+        const bool is_known = isCalibrated(board);
+        const double limit_rad = is_known ? kAskew_rad : kUncalibratedAskew_rad;
+        const double upright_m_per_s2 = accels[i].dot(side->up());
+        const double least =
+            is_known ? kStandardGravity_m_per_s2 / 2 : kStandardGravity_m_per_s2 - kUncalibrated_m_per_s2;
+        guidance.askew_rad[index(board)] = askew_rad(board, accels[i], *side);
+        if (guidance.boards[index(board)] != GuidedBoard::kRight)
+            continue;
+        if (upright_m_per_s2 < least)
+            guidance.boards[index(board)] = GuidedBoard::kElsewhere;
+        else if (guidance.askew_rad[index(board)].value_or(0) > limit_rad)
+            guidance.boards[index(board)] = GuidedBoard::kAskew;
+    }
+    return Hindrance::kNone;
+}
+
+void SideGuide::learn(int step, const HealthReport& health) {
+    for (int board = 0; board < boardCount(); ++board) {
+        if (!isHeard(health, board) || !isDone(step, board))
+            continue;
+        const Vector3d accel = accel_m_per_s2(health, board);
+        for (int axis = 0; axis < 3; ++axis)
+            if (axis != kBoardSides[index(step)].axis) {
+                zeros_[index(board)].sum_m_per_s2[axis] += accel[axis];
+                ++zeros_[index(board)].sides[axis];
+            }
+    }
+}
+
+}  // namespace noctule

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Guide of what a performer does standing still in the rest pose: one step. Nobody stands as still as a board
+// on a table lies.
+#pragma once
+
+#include "core/guide/guide.h"
+
+namespace noctule {
+
+class StandGuide : public Guide {
+public:
+    StandGuide(const Suit& suit, const Calibration& calibration, int sample_rate_hz)
+        : Guide(suit, calibration, sample_rate_hz, 1) {}
+
+protected:
+    Hindrance see(const HealthReport& health, Guidance& guidance) override;
+};
+
+}  // namespace noctule

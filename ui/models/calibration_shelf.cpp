@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/calibration_shelf.h"
+
+#include <QDir>
+#include <algorithm>
+
+#include "core/job/atomic_file.h"
+#include "core/processing/outside_files.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr const char* kUnfinished = ".unfinished.json";
+
+std::string pathIn(const QString& folder, const QString& file) {
+    return QDir(folder).filePath(file).toStdString();
+}
+
+template <class Parts, class Calibrations>
+void addStrangers(const Parts& parts, const Calibrations& calibrations, QStringList& strangers) {
+    for (const auto& part : parts)
+        for (const auto& calibrated : calibrations)
+            if (calibrated.id == part.id && !calibrated.serial.empty() && !part.serial.empty() &&
+                calibrated.serial != part.serial)
+                strangers.append(QString::fromStdString(part.id));
+}
+
+}  // namespace
+
+QDateTime ShelvedCalibration::made() const {
+    return QDateTime::fromString(QString::fromStdString(calibration.created_utc), Qt::ISODate);
+}
+
+CalibrationShelf::CalibrationShelf(SessionModel& session, LiveSuit& suit, QObject* parent)
+    : QObject(parent), session_(session), suit_(suit) {
+    connect(&session_, &SessionModel::opened, this, &CalibrationShelf::follow);
+    connect(&session_, &SessionModel::changed, this, &CalibrationShelf::follow);
+    connect(&suit_, &LiveSuit::phaseChanged, this, [this] {
+        if (suit_.phase() == LiveSuit::Phase::kNone)
+            handed_.reset();
+        hand();
+    });
+}
+
+QString CalibrationShelf::folder() const {
+    return session_.isOpen() ? QString::fromStdString(session_.session().calibrationFolder().string())
+                             : QString();
+}
+
+QString CalibrationShelf::fileInForce() const {
+    return session_.isOpen() ? QString::fromStdString(session_.session().calibration) : QString();
+}
+
+std::optional<Calibration> CalibrationShelf::inForce() const {
+    const auto found = std::ranges::find(all_, fileInForce(), &ShelvedCalibration::file);
+    return found != all_.end() ? std::optional(found->calibration) : suit_.calibration();
+}
+
+void CalibrationShelf::follow() {
+    if (folder() == folder_ && fileInForce() == in_force_)
+        return;
+    folder_ = folder();
+    in_force_ = fileInForce();
+    read();
+    hand();
+    emit changed();
+}
+
+void CalibrationShelf::read() {
+    all_.clear();
+    if (folder_.isEmpty())
+        return;
+    for (const QString& file : QDir(folder_).entryList({"*.json"}, QDir::Files)) {
+        if (file.endsWith(kUnfinished))
+            continue;
+        if (auto calibration = readCalibrationFile(pathIn(folder_, file)))
+            all_.push_back({file, std::move(*calibration)});
+    }
+    std::ranges::stable_sort(all_, std::greater(), [](const ShelvedCalibration& shelved) {
+        return std::make_pair(shelved.calibration.created_utc, shelved.file);
+    });
+}
+
+QStringList CalibrationShelf::strangers(const Calibration& calibration) const {
+    QStringList strangers;
+    addStrangers(suit_.suit().boards, calibration.boards, strangers);
+    addStrangers(suit_.suit().sources, calibration.sources, strangers);
+    return strangers;
+}
+
+/// A suit that brought its own calibration keeps it until the session has one.
+void CalibrationShelf::hand() {
+    const bool is_worn = suit_.phase() == LiveSuit::Phase::kLooking;
+    const auto found = std::ranges::find(all_, in_force_, &ShelvedCalibration::file);
+    if (!is_worn || (handed_ && handed_ == in_force_))
+        return;
+    if (found == all_.end()) {
+        if (std::exchange(handed_, std::nullopt))
+            suit_.setCalibration(own_);
+        return;
+    }
+    if (!handed_)
+        own_ = suit_.calibration();
+    handed_ = in_force_;
+    if (const QStringList others = strangers(found->calibration); !others.isEmpty())
+        emit warned(tr("The calibration %1 was made with other parts than those connected now: %2. Calibrate "
+                       "them before their takes count.")
+                        .arg(in_force_, others.join(", ")));
+    suit_.setCalibration(found->calibration);
+}
+
+QString CalibrationShelf::save(const CalibrationResult& result, const QString& task) {
+    const QString day = QDate::currentDate().toString(Qt::ISODate);
+    QString name = QStringLiteral("%1-%2").arg(task, day);
+    for (int number = 2; QFile::exists(QDir(folder_).filePath(name + ".json")); ++number)
+        name = QStringLiteral("%1-%2-%3").arg(task, day).arg(number);
+    const Status written = writeFileAtomically(pathIn(folder_, name + ".json"),
+                                               toJson(result.calibration).dump(2) + "\n", false);
+    if (!written)
+        return QString::fromStdString(written.error().text());
+    // The calibration counts; its report can be made again.
+    if (const Status report =
+            writeFileAtomically(pathIn(folder_, name + ".html"), calibrationHtml(result.document), true);
+        !report)
+        emit warned(QString::fromStdString(report.error().text()));
+    read();
+    use(name + ".json",
+        tr("Calibration of the %1").arg(QString::fromStdString(result.document.procedure).toLower()));
+    return {};
+}
+
+void CalibrationShelf::use(const QString& file, const QString& what) {
+    session_.setCalibration(file, what);
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/wizards/calibrate_page.h"
+
+#include <QKeyEvent>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "ui/style/words.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/scroll_area.h"
+#include "ui/widgets/section_header.h"
+#include "ui/widgets/verdict_header.h"
+#include "ui/wizards/calibration_state.h"
+#include "ui/wizards/task_card.h"
+#include "ui/wizards/wizard_page.h"
+
+namespace noctule::ui {
+
+CalibratePage::CalibratePage(Studio& studio, QWidget* parent)
+    : Page(parent),
+      studio_(studio),
+      centre_(new QStackedWidget),
+      left_(new QStackedWidget(this)),
+      right_(new QStackedWidget(this)),
+      wizard_(new WizardPage(studio)),
+      overview_(nullptr) {
+    makeColumn(this)->addWidget(centre_);
+    overview_ = makeOverview();
+    centre_->addWidget(overview_);
+    centre_->addWidget(wizard_);
+    right_->addWidget(makeOverviewSide());
+    right_->addWidget(wizard_->side());
+    left_->addWidget(makeHistory());
+    left_->addWidget(wizard_->rail());
+    left_->hide();
+    right_->hide();
+    setFocusPolicy(Qt::ClickFocus);
+    setDockTitles(tr("Calibrations"), tr("Calibration"));
+    connect(wizard_, &WizardPage::leaveRequested, this, &CalibratePage::closeWizard);
+    connect(&studio.calibrations(), &CalibrationShelf::changed, this, &CalibratePage::refresh);
+    connect(&studio.suit(), &LiveSuit::wearingChanged, this, &CalibratePage::refresh);
+    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &CalibratePage::refresh);
+    connect(&studio.session(), &SessionModel::opened, this, &CalibratePage::followSession);
+    refresh();
+}
+
+CalibratePage::~CalibratePage() = default;
+
+QWidget* CalibratePage::leftDock() {
+    return left_;
+}
+
+QWidget* CalibratePage::rightDock() {
+    return right_;
+}
+
+bool CalibratePage::showsWizard() const {
+    return centre_->currentWidget() == wizard_;
+}
+
+Button* CalibratePage::startButton(WizardTask task) {
+    return cards_.at(task)->button();
+}
+
+QWidget* CalibratePage::makeOverview() {
+    auto* tasks = new QWidget;
+    auto* column = makeColumn(tasks, {}, 12);
+    column->addStretch();
+    for (const WizardTask task : kWizardTasks) {
+        auto* card = new TaskCard(task);
+        connect(card->button(), &QPushButton::clicked, this, [this, task] { open(task); });
+        cards_[task] = card;
+        column->addWidget(card);
+    }
+    column->addStretch();
+    keepMaximumWidth(*tasks, 720);
+    auto* middle = new QWidget;
+    auto* row = makeRow(middle, {16, 16, 16, 16});
+    row->addStretch();
+    row->addWidget(tasks, 1000);
+    row->addStretch();
+    return new ScrollArea(middle);
+}
+
+QWidget* CalibratePage::makeOverviewSide() {
+    auto* content = new QWidget;
+    auto* column = makeColumn(content, {12, 16, 12, 12}, 12);
+    verdict_ = new VerdictHeader;
+    column->addWidget(verdict_);
+    column->addStretch();
+    way_on_ = makeButton(ButtonKind::kPrimary, {}, "next");
+    connect(way_on_, &QPushButton::clicked, this, &CalibratePage::goOn);
+    column->addWidget(way_on_);
+    return new ScrollArea(content);
+}
+
+QWidget* CalibratePage::makeHistory() {
+    auto* content = new QWidget;
+    auto* column = makeColumn(content, {12, 16, 12, 12}, 8);
+    column->addWidget(new SectionHeader(tr("Of this session, newest first")));
+    auto* history = new QWidget;
+    history_ = makeColumn(history, {}, 8);
+    column->addWidget(history);
+    column->addStretch();
+    return new ScrollArea(content);
+}
+
+void CalibratePage::goOn() {
+    if (next_)
+        open(*next_);
+    else
+        studio_.goTo(Step::kRecord);
+}
+
+QString CalibratePage::sessionNow() const {
+    return studio_.session().isOpen() ? QString::fromStdString(studio_.session().session().folder.string())
+                                      : QString();
+}
+
+/// What was taken belongs to the session in which it was; a wizard that begins may make the first one.
+void CalibratePage::followSession() {
+    if (showsWizard() && !session_.isEmpty() && session_ != sessionNow())
+        closeWizard();
+    session_ = sessionNow();
+}
+
+void CalibratePage::open(WizardTask task) {
+    session_ = sessionNow();
+    wizard_->open(task);
+    centre_->setCurrentWidget(wizard_);
+    right_->setCurrentWidget(wizard_->side());
+    left_->setCurrentWidget(wizard_->rail());
+    setDockTitles(tr("Steps"), tr("Boards"));
+    setFocus();
+}
+
+void CalibratePage::closeWizard() {
+    wizard_->close();
+    centre_->setCurrentWidget(overview_);
+    right_->setCurrentIndex(0);
+    left_->setCurrentIndex(0);
+    setDockTitles(tr("Calibrations"), tr("Calibration"));
+    refresh();
+}
+
+void CalibratePage::refresh() {
+    const std::optional<Calibration> in_force = studio_.calibrations().inForce();
+    const Suit& suit = studio_.suit().suit();
+    const QDateTime now = QDateTime::currentDateTime();
+    next_ = nextTask(in_force, suit, now);
+    for (const auto& [task, card] : cards_) {
+        if (task == WizardTask::kCheck) {
+            card->setState(Tone::kNeutral, in_force ? tr("Against the calibration in force")
+                                                    : tr("There is nothing to check yet"));
+            card->button()->setDisabledBecause(in_force ? QString()
+                                                        : tr("There is no calibration to check."));
+        } else {
+            const TaskState state = stateOf(task, in_force, suit, now);
+            card->setState(state.tone(), state.words());
+        }
+        card->setButton(task == WizardTask::kCheck ? tr("Check") : tr("Begin"), next_ == task);
+    }
+    if (!in_force)
+        verdict_->setVerdict(
+            Tone::kWarn, tr("Not calibrated"),
+            tr("Nothing moves live and nothing can be processed before the suit is calibrated. "
+               "Begin with the source offsets."));
+    else if (next_)
+        verdict_->setVerdict(Tone::kWarn, tr("Next: %1").arg(wordsOf(*next_).title),
+                             tr("The rest counts as it stands on the cards."));
+    else
+        verdict_->setVerdict(
+            Tone::kOk, tr("Calibrated"),
+            tr("All parts of the suit have values that are recent enough. Check them with three "
+               "seconds of standing still."));
+    way_on_->setText(next_ ? tr("Begin: %1").arg(wordsOf(*next_).title) : tr("Continue to Record"));
+    showHistory();
+}
+
+void CalibratePage::showHistory() {
+    // The button that was pressed may be one of them.
+    while (QLayoutItem* item = history_->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater();
+        delete item;
+    }
+    use_.clear();
+    const CalibrationShelf& shelf = studio_.calibrations();
+    for (const ShelvedCalibration& one : shelf.all()) {
+        auto* card = new Card;
+        const bool in_force = one.file == shelf.fileInForce();
+        card->setSelected(in_force);
+        auto* column = makeColumn(card, {12, 8, 12, 8}, 2);
+        column->addWidget(new Label(one.file.section('.', 0, 0), TextRole::kBody, Ink::kValue));
+        column->addWidget(new Label(in_force ? tr("%1, in use").arg(dateText(one.made().toLocalTime()))
+                                             : dateText(one.made().toLocalTime()),
+                                    TextRole::kSecondary, Ink::kHint));
+        Button* use = nullptr;
+        if (!in_force) {
+            use = makeButton(ButtonKind::kText, tr("Go back to this one"));
+            connect(use, &QPushButton::clicked, this, [this, file = one.file] {
+                studio_.calibrations().use(file, tr("Going back to %1").arg(file.section('.', 0, 0)));
+            });
+            auto* row = addRow(column);
+            row->addWidget(use);
+            row->addStretch();
+        }
+        use_.push_back(use);
+        history_->addWidget(card);
+    }
+    if (shelf.all().empty())
+        history_->addWidget(
+            (new Label(tr("None has been saved yet."), TextRole::kSecondary, Ink::kHint))->wrapped());
+}
+
+void CalibratePage::keyPressEvent(QKeyEvent* event) {
+    if (!showsWizard() || !wizard_->handleKey(event->key()))
+        Page::keyPressEvent(event);
+}
+
+}  // namespace noctule::ui

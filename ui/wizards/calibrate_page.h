@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Step Calibrate: what is calibrated, how old and how good, for which parts, and what to do next; the wizard
+// that is open; the calibrations made before, to go back to.
+#pragma once
+
+#include <QPointer>
+#include <map>
+
+#include "ui/models/studio.h"
+#include "ui/views/page.h"
+#include "ui/wizards/wizard_task.h"
+
+class QStackedWidget;
+class QVBoxLayout;
+
+namespace noctule::ui {
+
+class Button;
+class TaskCard;
+class VerdictHeader;
+class WizardPage;
+
+class CalibratePage : public Page {
+    Q_OBJECT
+public:
+    explicit CalibratePage(Studio& studio, QWidget* parent = nullptr);
+    ~CalibratePage() override;
+
+    QString title() const override { return tr("Calibrate"); }
+    QWidget* leftDock() override;
+    QWidget* rightDock() override;
+
+    void open(WizardTask task);
+    /// Back to the overview.
+    void closeWizard();
+    WizardPage& wizard() { return *wizard_; }
+    bool showsWizard() const;
+    Button* startButton(WizardTask task);
+    Button* wayOn() { return way_on_; }
+    /// Of the calibrations in the list, newest first; null for the one in force.
+    const std::vector<Button*>& useButtons() const { return use_; }
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QWidget* makeOverview();
+    QWidget* makeOverviewSide();
+    QWidget* makeHistory();
+    void goOn();
+    QString sessionNow() const;
+    void followSession();
+    void refresh();
+    void showHistory();
+
+    Studio& studio_;
+    QStackedWidget *centre_, *left_, *right_;
+    WizardPage* wizard_;
+    QWidget* overview_;
+    QString session_;  ///< that the wizard was opened in
+    std::map<WizardTask, TaskCard*> cards_;
+    VerdictHeader* verdict_ = nullptr;
+    Button* way_on_ = nullptr;
+    std::optional<WizardTask> next_;
+    QVBoxLayout* history_ = nullptr;
+    std::vector<Button*> use_;
+};
+
+}  // namespace noctule::ui

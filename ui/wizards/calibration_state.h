@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a calibration is worth for the suit that is connected: per task, of how many parts it has values, how
+// old the oldest are and how good the worst, and what should be done next.
+#pragma once
+
+#include <QDateTime>
+#include <optional>
+
+#include "core/suit/calibration.h"
+#include "ui/style/ink.h"
+#include "ui/wizards/wizard_task.h"
+
+namespace noctule::ui {
+
+struct TaskState {
+    int made = 0, parts = 0;
+    QDateTime oldest;
+    QString worst;  ///< "good", "usable", "not usable"
+    bool is_old = false;
+
+    bool isComplete() const { return parts > 0 && made == parts; }
+    Tone tone() const;
+    QString words() const;
+};
+
+/// `suit` may be empty: then the calibration's own parts count.
+TaskState stateOf(WizardTask task, const std::optional<Calibration>& calibration, const Suit& suit,
+                  const QDateTime& now);
+
+/// What is missing or old, in the order in which the calibrations build on each other; absent: nothing.
+std::optional<WizardTask> nextTask(const std::optional<Calibration>& calibration, const Suit& suit,
+                                   const QDateTime& now);
+
+}  // namespace noctule::ui

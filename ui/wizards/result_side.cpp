@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/wizards/result_side.h"
+
+#include <QDate>
+#include <QVBoxLayout>
+
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/problem_card.h"
+#include "ui/widgets/scroll_area.h"
+#include "ui/wizards/wizard_run.h"
+
+namespace noctule::ui {
+
+ResultSide::ResultSide(QWidget* parent)
+    : QWidget(parent),
+      findings_(nullptr),
+      words_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
+      save_(makeButton(ButtonKind::kPrimary, tr("Save and use"))),
+      repeat_(makeButton(ButtonKind::kOutlined, tr("Repeat steps"), "loop")),
+      leave_(makeButton(ButtonKind::kText, tr("Back to Calibrate"))) {
+    auto* column = makeColumn(this);
+    auto* content = new QWidget;
+    findings_ = makeColumn(content, {12, 16, 12, 12}, 8);
+    column->addWidget(new ScrollArea(content), 1);
+    auto* foot = new QWidget;
+    auto* foot_column = makeColumn(foot, {12, 8, 12, 12}, 8);
+    foot_column->addWidget(words_->wrapped());
+    foot_column->addWidget(save_);
+    auto* row = addRow(foot_column, 8);
+    row->addWidget(repeat_);
+    row->addStretch();
+    row->addWidget(leave_);
+    column->addWidget(foot);
+    connect(save_, &QPushButton::clicked, this, &ResultSide::save);
+    connect(repeat_, &QPushButton::clicked, this, &ResultSide::repeatRequested);
+    connect(leave_, &QPushButton::clicked, this, &ResultSide::leaveRequested);
+}
+
+void ResultSide::setRun(WizardRun* run) {
+    run_ = run;
+    if (!run)
+        return;
+    connect(run, &WizardRun::changed, this, &ResultSide::refresh);
+    refresh();
+}
+
+void ResultSide::showFindings() {
+    while (QLayoutItem* item = findings_->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    for (const Finding& finding : run_->result()->document.findings)
+        findings_->addWidget(new ProblemCard(finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn,
+                                             QString::fromStdString(finding.what),
+                                             QString::fromStdString(finding.remedy) + '.'));
+    if (run_->result()->document.findings.empty())
+        findings_->addWidget(
+            (new Label(tr("No board and no source stands out."), TextRole::kBody, Ink::kLabel))->wrapped());
+    findings_->addStretch();
+}
+
+void ResultSide::refresh() {
+    if (!run_ || run_->phase() != WizardRun::Phase::kResult)
+        return;
+    showFindings();
+    const bool checks = run_->task() == WizardTask::kCheck;
+    const bool bad = run_->result()->grade() == Grade::kNotUsable;
+    save_->setVisible(!checks && !run_->isSaved());
+    save_->setText(bad ? tr("Save and use it anyway") : tr("Save and use"));
+    repeat_->setVisible(!run_->isSaved() && run_->guide());
+    if (run_->isSaved())
+        words_->setText(tr("Saved and in use. New takes are made with it; undo with Ctrl+Z."));
+    else if (checks)
+        words_->setText(tr("Nothing is changed by a check."));
+    else if (bad)
+        words_->setText(
+            tr("Takes made with it would be wrong where the cards say so. Repeat what is named."));
+    else
+        words_->setText(tr("Will be saved as %1-%2. Every later take names it; undo with Ctrl+Z.")
+                            .arg(keyOf(run_->task()), QDate::currentDate().toString(Qt::ISODate)));
+}
+
+void ResultSide::save() {
+    if (const QString why = run_->save(); !why.isEmpty())
+        words_->setText(why);
+}
+
+}  // namespace noctule::ui

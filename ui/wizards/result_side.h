@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Right of a wizard's result: what was found wrong and what to repeat, then saving, with what it will be
+// called and that it can be undone.
+#pragma once
+
+#include <QWidget>
+
+class QVBoxLayout;
+
+namespace noctule::ui {
+
+class Button;
+class Label;
+class WizardRun;
+
+class ResultSide : public QWidget {
+    Q_OBJECT
+public:
+    explicit ResultSide(QWidget* parent = nullptr);
+
+    void setRun(WizardRun* run);
+    Button* saveButton() { return save_; }
+    Button* repeatButton() { return repeat_; }
+
+signals:
+    /// Back to the steps.
+    void repeatRequested();
+    void leaveRequested();
+
+private:
+    void refresh();
+    void showFindings();
+    void save();
+
+    WizardRun* run_ = nullptr;
+    QVBoxLayout* findings_;
+    Label* words_;
+    Button *save_, *repeat_, *leave_;
+};
+
+}  // namespace noctule::ui

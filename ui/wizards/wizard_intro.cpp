@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/wizards/wizard_intro.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QVBoxLayout>
+
+#include "ui/models/studio.h"
+#include "ui/style/words.h"
+#include "ui/views/body_figure.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/problem_card.h"
+#include "ui/widgets/section_header.h"
+#include "ui/wizards/rig_drawing.h"
+#include "ui/wizards/wizard_run.h"
+
+namespace noctule::ui {
+
+WizardIntro::WizardIntro(Studio& studio, QWidget* parent)
+    : QWidget(parent),
+      studio_(studio),
+      what_(new Label({}, TextRole::kInstruction, Ink::kValue, true)),
+      needs_(new Label({}, TextRole::kSection, Ink::kLabel)),
+      set_up_(new Label({}, TextRole::kSection, Ink::kLabel)),
+      distances_words_(new Label({}, TextRole::kBody, Ink::kHint)),
+      kept_words_(new Label({}, TextRole::kBody, Ink::kHint)),
+      drawing_(new RigDrawing),
+      problem_(new ProblemCard(Tone::kError, {}, {})),
+      begin_(makeButton(ButtonKind::kPrimary, tr("Begin"))),
+      anew_(makeButton(ButtonKind::kText, tr("Begin anew"))),
+      distances_(makeButton(ButtonKind::kOutlined, tr("Choose the distances"), "ruler")),
+      takes_(makeButton(ButtonKind::kText, tr("Use recorded takes"))) {
+    auto* column = makeColumn(this, {32, 20, 32, 20}, 12);
+    column->addWidget(what_->wrapped());
+    column->addWidget(drawing_, 1);
+    column->addWidget(makeWords());
+    column->addWidget(problem_);
+    problem_->hide();
+    auto* buttons = addRow(column, 12);
+    distances_->setTall(true);
+    buttons->addWidget(distances_);
+    buttons->addWidget(begin_);
+    buttons->addWidget(anew_);
+    buttons->addWidget(takes_);
+    buttons->addWidget(kept_words_->wrapped(), 1);
+    takes_->setToolTip(tr("Nothing is measured; the takes of another day or another box are what there is"));
+    connect(begin_, &QPushButton::clicked, this, [this] { run_->begin(); });
+    connect(anew_, &QPushButton::clicked, this, [this] { run_->beginAnew(); });
+    connect(distances_, &QPushButton::clicked, this, &WizardIntro::chooseDistances);
+    connect(takes_, &QPushButton::clicked, this, &WizardIntro::chooseTakes);
+}
+
+QWidget* WizardIntro::makeWords() {
+    auto* words = new QWidget;
+    auto* row = makeRow(words, {}, 32);
+    const auto add = [row](const QString& title, std::initializer_list<Label*> texts) {
+        auto* part = new QWidget;
+        auto* column = makeColumn(part, {}, 6);
+        column->addWidget(new SectionHeader(title));
+        for (Label* text : texts)
+            column->addWidget(text->wrapped());
+        column->addStretch();
+        row->addWidget(part, 1);
+    };
+    add(tr("What you need"), {needs_, distances_words_});
+    add(tr("How things stand"), {set_up_});
+    return words;
+}
+
+void WizardIntro::setRun(WizardRun* run) {
+    run_ = run;
+    problem_->hide();
+    if (!run)
+        return;
+    const WizardWords words = wordsOf(run->task());
+    what_->setText(words.what);
+    needs_->setText(words.needs.join('\n'));
+    set_up_->setText(words.set_up);
+    RigPicture picture;
+    picture.kind = pictureOf(run->task());
+    const Suit& suit = studio_.suit().suit();
+    const size_t boards = suit.boards.empty() ? 18 : suit.boards.size();
+    picture.boards.assign(boards, BoardMark::kWaiting);
+    if (!suit.boards.empty())
+        drawing_->setBody(BodyFigure::of(studio_.suit().actor(), studio_.body()), suit);
+    drawing_->setPicture(picture);
+    drawing_->setDescription(words.set_up);
+    distances_->setVisible(run->task() == WizardTask::kSources);
+    connect(run, &WizardRun::changed, this, &WizardIntro::refresh);
+    refresh();
+}
+
+void WizardIntro::refresh() {
+    if (!run_ || run_->phase() != WizardRun::Phase::kIntro)
+        return;
+    const auto unfinished = run_->unfinished();
+    begin_->setText(unfinished ? tr("Go on") : tr("Begin"));
+    begin_->setDisabledBecause(run_->whyNotBegin());
+    anew_->setVisible(unfinished.has_value());
+    kept_words_->setText(
+        unfinished ? tr("%n step(s) were taken on %1 and are kept.", nullptr, unfinished->steps_done)
+                         .arg(dateText(unfinished->since.toLocalTime()))
+                   : run_->whyNotBegin());
+    distances_words_->setVisible(run_->task() == WizardTask::kSources);
+    distances_words_->setText(run_->distanceCount() > 0
+                                  ? tr("%1: %n distance(s)", nullptr, run_->distanceCount())
+                                        .arg(QFileInfo(run_->distancesPath()).fileName())
+                                  : tr("CSV with placement, kind, id, x_mm, y_mm, z_mm, or with placement, "
+                                       "source, board, distance_mm"));
+    if (!run_->trouble().isEmpty()) {
+        problem_->setTexts(tr("The takes could not be used"), run_->trouble());
+        problem_->show();
+    }
+}
+
+void WizardIntro::useDistances(const QString& path) {
+    const QString why = run_->setDistances(path);
+    problem_->setTexts(tr("The distances could not be read"), why);
+    problem_->setVisible(!why.isEmpty());
+}
+
+QString WizardIntro::problem() const {
+    return problem_->isVisible() ? problem_->title() : QString();
+}
+
+void WizardIntro::chooseDistances() {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Choose the distances of the jig"), {},
+                                                      tr("Tables (*.csv *.txt);;All files (*)"));
+    if (!path.isEmpty())
+        useDistances(path);
+}
+
+void WizardIntro::chooseTakes() {
+    const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Choose the takes"),
+                                                            studio_.takesFolder(), tr("Takes (*.noctule)"));
+    if (!paths.isEmpty())
+        run_->solveTakes(paths);
+}
+
+}  // namespace noctule::ui

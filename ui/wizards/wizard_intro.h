@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first page of a wizard: what is needed, how long it takes, how things stand and where box and wires go,
+// with a drawing of the set-up; then it begins, goes on with what was taken before, or works on takes that
+// were recorded elsewhere.
+#pragma once
+
+#include <QWidget>
+
+namespace noctule::ui {
+
+class Button;
+class Label;
+class ProblemCard;
+class RigDrawing;
+class Studio;
+class WizardRun;
+
+class WizardIntro : public QWidget {
+    Q_OBJECT
+public:
+    explicit WizardIntro(Studio& studio, QWidget* parent = nullptr);
+
+    void setRun(WizardRun* run);
+    /// "Begin", or "Go on" with what was taken before.
+    Button* beginButton() { return begin_; }
+    Button* anewButton() { return anew_; }
+    Button* distancesButton() { return distances_; }
+    Button* takesButton() { return takes_; }
+    /// As if it had been chosen in the dialog.
+    void useDistances(const QString& path);
+    QString problem() const;
+
+private:
+    QWidget* makeWords();
+    void refresh();
+    void chooseDistances();
+    void chooseTakes();
+
+    Studio& studio_;
+    WizardRun* run_ = nullptr;
+    Label *what_, *needs_, *set_up_, *distances_words_, *kept_words_;
+    RigDrawing* drawing_;
+    ProblemCard* problem_;
+    Button *begin_, *anew_, *distances_, *takes_;
+};
+
+}  // namespace noctule::ui

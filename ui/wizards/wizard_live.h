@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// The middle of a wizard while it runs: which step, what to do in words that are read from three metres, its
+// drawing, one live sentence with the ring that fills while all is right, and up to three measures.
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+namespace noctule::ui {
+
+class BarMeter;
+class HoldRing;
+class IconLabel;
+class Label;
+class RigDrawing;
+class Studio;
+class ToneCard;
+class WizardRun;
+
+class WizardLive : public QWidget {
+    Q_OBJECT
+public:
+    explicit WizardLive(Studio& studio, QWidget* parent = nullptr);
+
+    void setRun(WizardRun* run);
+    QString instruction() const;
+    QString sentence() const;
+
+private:
+    struct Measure {
+        QWidget* widget;
+        IconLabel* icon;
+        Label *name, *value;
+        BarMeter* bar;
+    };
+    QWidget* makeCard();
+    QWidget* makeMeasures();
+    void refresh();
+    void showPicture();
+    void showMeasures();
+
+    Studio& studio_;
+    WizardRun* run_ = nullptr;
+    Label *step_, *so_far_, *instruction_;
+    RigDrawing* drawing_;
+    ToneCard* card_ = nullptr;
+    HoldRing* ring_;
+    Label *sentence_, *detail_;
+    std::array<Measure, 3> measures_{};
+};
+
+}  // namespace noctule::ui

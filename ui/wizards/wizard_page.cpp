@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/wizards/wizard_page.h"
+
+#include <QApplication>
+#include <QVBoxLayout>
+
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/progress_line.h"
+#include "ui/wizards/result_side.h"
+#include "ui/wizards/wizard_boards.h"
+#include "ui/wizards/wizard_intro.h"
+#include "ui/wizards/wizard_live.h"
+#include "ui/wizards/wizard_rail.h"
+#include "ui/wizards/wizard_result.h"
+
+namespace noctule::ui {
+
+WizardPage::WizardPage(Studio& studio, QWidget* parent)
+    : QStackedWidget(parent),
+      studio_(studio),
+      intro_(new WizardIntro(studio)),
+      live_(new WizardLive(studio)),
+      solving_(new QWidget),
+      progress_(new ProgressLine),
+      result_(new WizardResult),
+      rail_(new WizardRail),
+      side_(new QStackedWidget),
+      nothing_(new QWidget),
+      boards_(new WizardBoards),
+      result_side_(new ResultSide) {
+    auto* column = makeColumn(solving_, {32, 32, 32, 32}, 16);
+    column->addStretch();
+    column->addWidget(progress_);
+    column->addStretch();
+    for (QWidget* page : {static_cast<QWidget*>(intro_), static_cast<QWidget*>(live_), solving_,
+                          static_cast<QWidget*>(result_)})
+        addWidget(page);
+    for (QWidget* side : {nothing_, static_cast<QWidget*>(boards_), static_cast<QWidget*>(result_side_)})
+        side_->addWidget(side);
+    connect(rail_, &WizardRail::leaveRequested, this, &WizardPage::leaveRequested);
+    connect(rail_, &WizardRail::stepChosen, boards_, &WizardBoards::setStep);
+    connect(result_side_, &ResultSide::leaveRequested, this, &WizardPage::leaveRequested);
+    connect(result_side_, &ResultSide::repeatRequested, this, [this] { run_->goBack(); });
+    connect(progress_, &ProgressLine::cancelled, this, [this] {
+        if (run_ && run_->job())
+            run_->job()->cancel();
+    });
+}
+
+/// Rail and side may have gone before, with the docks that hold them.
+WizardPage::~WizardPage() = default;
+
+QWidget* WizardPage::rail() {
+    return rail_;
+}
+
+void WizardPage::open(WizardTask task) {
+    close();
+    run_ = std::make_unique<WizardRun>(studio_, task);
+    intro_->setRun(run_.get());
+    live_->setRun(run_.get());
+    rail_->setRun(run_.get());
+    boards_->setRun(run_.get());
+    result_side_->setRun(run_.get());
+    connect(run_.get(), &WizardRun::changed, this, &WizardPage::refresh);
+    connect(run_.get(), &WizardRun::guided, this, &WizardPage::followGuide);
+    connect(run_.get(), &WizardRun::stepKept, this, [this] {
+        if (run_->tones())
+            QApplication::beep();
+    });
+    refresh();
+}
+
+void WizardPage::close() {
+    for (QWidget* part :
+         {static_cast<QWidget*>(intro_), static_cast<QWidget*>(live_), static_cast<QWidget*>(rail_),
+          static_cast<QWidget*>(boards_), static_cast<QWidget*>(result_side_), static_cast<QWidget*>(this)})
+        if (run_)
+            run_->disconnect(part);
+    intro_->setRun(nullptr);
+    live_->setRun(nullptr);
+    rail_->setRun(nullptr);
+    boards_->setRun(nullptr);
+    result_side_->setRun(nullptr);
+    run_.reset();
+}
+
+void WizardPage::refresh() {
+    using Phase = WizardRun::Phase;
+    switch (run_->phase()) {
+        case Phase::kIntro:
+            setCurrentWidget(intro_);
+            side_->setCurrentWidget(nothing_);
+            break;
+        case Phase::kGuiding:
+        case Phase::kTaking:
+            setCurrentWidget(live_);
+            side_->setCurrentWidget(boards_);
+            break;
+        case Phase::kSolving:
+            setCurrentWidget(solving_);
+            side_->setCurrentWidget(nothing_);
+            progress_->setText(tr("Calibrating: %1").arg(wordsOf(run_->task()).title));
+            progress_->setFraction(-1);
+            progress_->setCancellable(true);
+            break;
+        case Phase::kResult:
+            if (currentWidget() != result_)
+                result_->setDocument(run_->result()->document);
+            setCurrentWidget(result_);
+            side_->setCurrentWidget(result_side_);
+            break;
+    }
+}
+
+/// Heard with one's back to the screen: all is right, keep still.
+void WizardPage::followGuide() {
+    const bool right = run_->guide() && run_->guide()->guidance().isRight();
+    if (right && !was_right_ && run_->tones())
+        QApplication::beep();
+    was_right_ = right;
+}
+
+bool WizardPage::handleKey(int key) {
+    if (!run_ || currentWidget() != live_)
+        return false;
+    switch (key) {
+        case Qt::Key_R:
+            boards_->repeatStep();
+            return true;
+        case Qt::Key_S:
+            boards_->skipBoard();
+            return true;
+        case Qt::Key_Backspace:
+            run_->goBack();
+            return true;
+        case Qt::Key_V:
+            run_->setTones(!run_->tones());
+            return true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace noctule::ui

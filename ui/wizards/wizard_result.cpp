@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/wizards/wizard_result.h"
+
+#include <QGridLayout>
+#include <QVBoxLayout>
+
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/scroll_area.h"
+#include "ui/widgets/section_header.h"
+#include "ui/widgets/value_card.h"
+#include "ui/widgets/verdict_header.h"
+#include "ui/wizards/error_plot.h"
+
+namespace noctule::ui {
+namespace {
+
+QString wordsIn(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+Tone toneOfGrade(Grade grade) {
+    switch (grade) {
+        case Grade::kGood:
+            return Tone::kOk;
+        case Grade::kUsable:
+            return Tone::kWarn;
+        case Grade::kNotUsable:
+            return Tone::kError;
+        case Grade::kUnknown:
+            break;
+    }
+    return Tone::kNeutral;
+}
+
+QWidget* tableCard(const CalibrationTable& table) {
+    auto* card = new Card;
+    auto* column = makeColumn(card, {16, 12, 16, 12}, 8);
+    column->addWidget(new SectionHeader(wordsIn(table.title)));
+    column->addWidget((new Label(wordsIn(table.lead), TextRole::kSecondary, Ink::kHint))->wrapped());
+    auto* cells = new QWidget;
+    auto* grid = makeGrid(cells, {}, 6);
+    const auto add = [grid](const std::string& text, int row, int column_index, Ink ink, TextRole role) {
+        auto* cell = new Label(wordsIn(text), role, ink);
+        cell->setAlignment((column_index == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        grid->addWidget(cell, row, column_index);
+    };
+    for (size_t i = 0; i < table.columns.size(); ++i)
+        add(table.columns[i], 0, static_cast<int>(i), Ink::kHint, TextRole::kCaption);
+    for (size_t row = 0; row < table.rows.size(); ++row)
+        for (size_t i = 0; i < table.rows[row].size(); ++i)
+            add(table.rows[row][i], static_cast<int>(row) + 1, static_cast<int>(i),
+                i == 0 ? Ink::kValue : Ink::kLabel, TextRole::kSecondary);
+    column->addWidget(cells);
+    return card;
+}
+
+}  // namespace
+
+WizardResult::WizardResult(QWidget* parent) : QWidget(parent), header_(new VerdictHeader), content_(nullptr) {
+    header_->setRole(TextRole::kVerdict);
+    auto* content = new QWidget;
+    content_ = makeColumn(content, {28, 20, 28, 20}, 12);
+    makeColumn(this)->addWidget(new ScrollArea(content));
+    content_->addWidget(header_);
+}
+
+void WizardResult::setDocument(const CalibrationDocument& document) {
+    while (QLayoutItem* item = content_->takeAt(1)) {
+        delete item->widget();
+        delete item;
+    }
+    fill(document);
+}
+
+void WizardResult::fill(const CalibrationDocument& document) {
+    const Grade grade = gradeOf(document.findings);
+    verdict_ = grade == Grade::kGood ? tr("Good") : grade == Grade::kUsable ? tr("Usable") : tr("Not usable");
+    header_->setVerdict(toneOfGrade(grade),
+                        QStringLiteral("%1. %2.").arg(verdict_, wordsIn(document.summary)),
+                        document.findings.empty() ? tr("Nothing need be repeated.")
+                                                  : tr("%n thing(s) to look at, on the right.", nullptr,
+                                                       static_cast<int>(document.findings.size())));
+    if (!document.numbers.empty()) {
+        auto* numbers = new QWidget;
+        auto* row = makeRow(numbers, {}, 8);
+        for (const CalibrationNumber& number : document.numbers) {
+            auto* card = new ValueCard;
+            card->setValue(wordsIn(number.value),
+                           number.grade == Grade::kGood ? Tone::kNeutral : Tone::kWarn);
+            card->setCaption(number.good.empty()
+                                 ? wordsIn(number.what)
+                                 : QStringLiteral("%1\n%2").arg(wordsIn(number.what),
+                                                                tr("good: %1").arg(wordsIn(number.good))));
+            row->addWidget(card, 1);
+        }
+        content_->addWidget(numbers);
+    }
+    if (document.errors && !document.errors->rows.empty()) {
+        auto* card = new Card;
+        auto* column = makeColumn(card, {16, 12, 16, 12}, 8);
+        column->addWidget(new SectionHeader(wordsIn(document.errors->title),
+                                            tr("blue: with this calibration; grey: with the one before")));
+        auto* plot = new ErrorPlot;
+        plot->setErrors(*document.errors);
+        column->addWidget(plot);
+        content_->addWidget(card);
+    }
+    for (const CalibrationTable& table : document.tables)
+        content_->addWidget(tableCard(table));
+    content_->addStretch();
+}
+
+}  // namespace noctule::ui

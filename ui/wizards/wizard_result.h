@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The last page of a wizard, in the middle: the verdict as a sentence, up to four numbers with what would be
+// good, the picture of the errors before and after, and the tables.
+#pragma once
+
+#include <QWidget>
+
+#include "core/report/calibration_document.h"
+
+class QVBoxLayout;
+
+namespace noctule::ui {
+
+class VerdictHeader;
+
+class WizardResult : public QWidget {
+    Q_OBJECT
+public:
+    explicit WizardResult(QWidget* parent = nullptr);
+
+    void setDocument(const CalibrationDocument& document);
+    /// "Good", "Usable", "Not usable": as it stands at the top.
+    const QString& verdict() const { return verdict_; }
+
+private:
+    void fill(const CalibrationDocument& document);
+
+    VerdictHeader* header_;
+    QVBoxLayout* content_;
+    QString verdict_;
+};
+
+}  // namespace noctule::ui

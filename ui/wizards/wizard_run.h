@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// One calibration from its first page to its result: what the suit shows is given to a guide (core/guide);
+// when a step has been right for long enough the last seconds are kept as a short take; when nothing is
+// missing the takes go to the solver, the same one that `noctule --batch calibrate` runs. What has been kept
+// survives leaving, a crash and another day.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QPointer>
+#include <memory>
+#include <optional>
+
+#include "core/guide/guide.h"
+#include "core/processing/calibrate_takes.h"
+#include "ui/models/studio.h"
+#include "ui/wizards/wizard_task.h"
+
+namespace noctule::ui {
+
+/// A short take, and what it shows.
+struct WizardEvidence {
+    QString path;
+    int step = 0;
+    std::vector<std::string> boards;  ///< ids
+};
+
+class WizardRun : public QObject {
+    Q_OBJECT
+public:
+    enum class Phase {
+        kIntro,
+        kGuiding,
+        kTaking,  ///< a step is being kept
+        kSolving,
+        kResult,
+    };
+
+    WizardRun(Studio& studio, WizardTask task, QObject* parent = nullptr);
+    ~WizardRun() override;
+
+    WizardTask task() const { return task_; }
+    Phase phase() const { return phase_; }
+
+    // Before it begins.
+    /// The file with the jig's distances; in words what is wrong with it, else empty.
+    QString setDistances(const QString& path);
+    const QString& distancesPath() const { return distances_path_; }
+    int distanceCount() const { return static_cast<int>(known_.distances.size()); }
+    /// Why it cannot begin; empty: it can.
+    QString whyNotBegin() const;
+    /// Something was kept before: goes on with it. Steps of how many in all.
+    struct Unfinished {
+        int steps_done = 0;
+        QDateTime since;
+    };
+    std::optional<Unfinished> unfinished() const;
+    void begin();
+    void beginAnew();
+    /// Nothing is measured: the takes are what there is.
+    void solveTakes(const QStringList& paths);
+
+    // While it runs.
+    /// Null before it begins, or as long as no suit is connected.
+    const Guide* guide() const { return guide_.get(); }
+    const Suit& suit() const { return suit_; }
+    /// The suit has gone, or its link is broken.
+    bool isWaitingForSuit() const;
+    /// The one that is shown, or the next that is missing.
+    int step() const;
+    int stepCount() const { return guide_ ? guide_->stepCount() : 0; }
+    StepWords stepWords(int step) const;
+    /// Which of the six sides is up in a step.
+    int sideOf(int step) const;
+    double heldShare() const;
+    double secondsSoFar() const;
+    void skip(int board, bool skipped);
+    void repeat(int step);
+    /// The step that was kept last, once more.
+    void goBack();
+    bool canGoBack() const { return !evidence_.empty(); }
+    /// With what there is; the solver says what is missing.
+    void solveNow();
+
+    // The result.
+    const std::optional<CalibrationResult>& result() const { return result_; }
+    QString trouble() const { return trouble_; }
+    Job* job() const { return job_; }
+    /// Writes and uses it; in words why not, else empty.
+    QString save();
+    bool isSaved() const { return saved_; }
+
+    bool tones() const;
+    void setTones(bool tones);
+
+signals:
+    void changed();
+    /// Ten times a second while it guides.
+    void guided();
+    void stepKept(int step);
+
+private:
+    void setPhase(Phase phase);
+    void makeGuide();
+    void look();
+    void keep();
+    void kept(const QString& path, const QString& trouble);
+    void dropEvidence(int step);
+    void solve(const std::vector<std::string>& paths);
+    void solved(Result<CalibrationResult> result);
+    void store() const;
+    void restore();
+    void forget();
+    QString statePath() const;
+    std::optional<Calibration> base() const;
+
+    Studio& studio_;
+    const WizardTask task_;
+    Phase phase_ = Phase::kIntro;
+    QString distances_path_;
+    KnownDistances known_;
+    std::unique_ptr<Guide> guide_;
+    Suit suit_;
+    int64_t looked_at_ = -1;
+    std::vector<WizardEvidence> evidence_;
+    QString started_utc_;
+    QElapsedTimer since_begin_;
+    std::optional<CalibrationResult> result_;
+    QString trouble_;
+    QPointer<Job> job_;
+    bool saved_ = false;
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/wizards/wizard_task.h"
+
+#include <QCoreApplication>
+
+namespace noctule::ui {
+namespace {
+
+struct TaskText {
+    Q_DECLARE_TR_FUNCTIONS(WizardTask)
+};
+
+/// +x -x +y -y +z -z of the boards: what lies below then (rig_drawing.h).
+struct Side {
+    const char *hint, *plate, *table;
+};
+constexpr Side kSides[] = {
+    {QT_TRANSLATE_NOOP("WizardTask", "edge C down"),
+     QT_TRANSLATE_NOOP("WizardTask", "Stand the plate on edge C, against the block"),
+     QT_TRANSLATE_NOOP("WizardTask", "Stand the plate on edge C and start the table")},
+    {QT_TRANSLATE_NOOP("WizardTask", "edge D down"),
+     QT_TRANSLATE_NOOP("WizardTask", "Stand the plate on edge D, against the block"),
+     QT_TRANSLATE_NOOP("WizardTask", "Stand the plate on edge D and start the table")},
+    {QT_TRANSLATE_NOOP("WizardTask", "edge B down"),
+     QT_TRANSLATE_NOOP("WizardTask", "Stand the plate on edge B, against the block"),
+     QT_TRANSLATE_NOOP("WizardTask", "Stand the plate on edge B and start the table")},
+    {QT_TRANSLATE_NOOP("WizardTask", "edge A down"),
+     QT_TRANSLATE_NOOP("WizardTask", "Stand the plate on edge A, against the block"),
+     QT_TRANSLATE_NOOP("WizardTask", "Stand the plate on edge A and start the table")},
+    {QT_TRANSLATE_NOOP("WizardTask", "face up"),
+     QT_TRANSLATE_NOOP("WizardTask", "Lay the plate flat, face up"),
+     QT_TRANSLATE_NOOP("WizardTask", "Lay the plate flat, face up, and start the table")},
+    {QT_TRANSLATE_NOOP("WizardTask", "face down"),
+     QT_TRANSLATE_NOOP("WizardTask", "Lay the plate flat, face down"),
+     QT_TRANSLATE_NOOP("WizardTask", "Lay the plate flat, face down, and start the table")},
+};
+
+WizardWords sources() {
+    return {
+        TaskText::tr("Source offsets"),
+        "jig",
+        TaskText::tr("How late each source sounds, so that distances are right to the millimetre."),
+        TaskText::tr("Suit on its jig, about 6 minutes; once a year"),
+        {TaskText::tr("The jig with boards and sources in their seats, 30 to 90 cm apart"),
+         TaskText::tr("The distances between them: points of a digitizer arm or a tape measure, as CSV"),
+         TaskText::tr("A quiet room and a thermometer in the driver box")},
+        TaskText::tr("Boards and sources face each other and nothing stands between them. Box and wires stay "
+                     "where they are; only the stands move from one placement to the next."),
+        TaskText::tr("Placements may come in any order. The page hears by itself which one stands there.")};
+}
+
+WizardWords accelerometers() {
+    return {
+        TaskText::tr("Accelerometers"),
+        "plate",
+        TaskText::tr("Scale, zero and axes of each accelerometer."),
+        TaskText::tr("Boards on the level plate, six sides, about 4 minutes; every three months"),
+        {TaskText::tr("The plate with all boards pressed into their slots, up to 32 at once"),
+         TaskText::tr("A table that a spirit level calls level, and a square block to lean the plate on")},
+        TaskText::tr(
+            "Box and wires lie beside the plate with a metre of slack, so that nothing pulls at it when it "
+            "is turned."),
+        TaskText::tr("Sides may come in any order. The page sees by itself which one is down.")};
+}
+
+WizardWords gyroscopes() {
+    return {TaskText::tr("Gyroscopes"),
+            "turntable",
+            TaskText::tr("Scale, zero and axes of each gyroscope."),
+            TaskText::tr("Boards on the turntable, six sides, about 5 minutes; every three months"),
+            {TaskText::tr(
+                 "A turntable at 45, 33 1/3 or 78 turns a minute that carries the plate and the driver box"),
+             TaskText::tr("The plate with all boards pressed into their slots"),
+             TaskText::tr("A wireless or battery driver box, or a cable with a swivel")},
+            TaskText::tr(
+                "The box rides on the table beside the plate, its wires taped down. With a cable to the "
+                "computer instead, ten turns wind it up as far as is safe: stop after each side and unwind."),
+            TaskText::tr("Sides may come in any order. The page sees by itself which one turns.")};
+}
+
+WizardWords restPose() {
+    return {TaskText::tr("Rest pose"),
+            "rest_pose",
+            TaskText::tr("How the boards sit on the performer today."),
+            TaskText::tr("Stand still for 5 seconds; each time the suit is put on"),
+            {TaskText::tr("The performer with the suit on, all straps tight"),
+             TaskText::tr("Two metres of free floor")},
+            TaskText::tr(
+                "Feet hip-wide and parallel, arms hanging, palms towards the body, eyes straight ahead."),
+            TaskText::tr("It begins by itself when the performer stands still.")};
+}
+
+WizardWords check() {
+    return {TaskText::tr("Check"),
+            "check",
+            TaskText::tr("Whether the calibration still holds, or which strap has slipped."),
+            TaskText::tr("Stand still for 3 seconds; before each take that matters"),
+            {TaskText::tr("The performer with the suit on, and a calibration in force")},
+            TaskText::tr(
+                "Feet hip-wide and parallel, arms hanging, palms towards the body, eyes straight ahead."),
+            TaskText::tr("It begins by itself when the performer stands still.")};
+}
+
+}  // namespace
+
+WizardWords wordsOf(WizardTask task) {
+    switch (task) {
+        case WizardTask::kSources:
+            return sources();
+        case WizardTask::kAccelerometers:
+            return accelerometers();
+        case WizardTask::kGyroscopes:
+            return gyroscopes();
+        case WizardTask::kRestPose:
+            return restPose();
+        case WizardTask::kCheck:
+            return check();
+    }
+    return {};
+}
+
+QString keyOf(WizardTask task) {
+    constexpr const char* kKeys[] = {"sources", "accelerometers", "gyroscopes", "rest-pose", "check"};
+    return kKeys[static_cast<int>(task)];
+}
+
+QString takeKindOf(WizardTask task) {
+    constexpr const char* kKinds[] = {"jig", "level", "turntable", "motion", "motion"};
+    return kKinds[static_cast<int>(task)];
+}
+
+double holdOf(WizardTask task) {
+    // A turn at 33 1/3 rpm takes 1.8 s: gravity's ripple wants some of them.
+    constexpr double kHolds_s[] = {6, 4, 8, 5, 3};
+    return kHolds_s[static_cast<int>(task)];
+}
+
+StepWords stepWordsOf(WizardTask task, int step, int up, const QString& label) {
+    switch (task) {
+        case WizardTask::kSources:
+            return {TaskText::tr("Placement %1").arg(label), TaskText::tr("as it was measured"),
+                    TaskText::tr("Put boards and sources as in placement %1").arg(label)};
+        case WizardTask::kAccelerometers:
+            return {TaskText::tr("Side %1").arg(step + 1), TaskText::tr(kSides[up].hint),
+                    TaskText::tr(kSides[up].plate)};
+        case WizardTask::kGyroscopes:
+            return {TaskText::tr("Turn %1").arg(step + 1), TaskText::tr(kSides[up].hint),
+                    TaskText::tr(kSides[up].table)};
+        case WizardTask::kRestPose:
+        case WizardTask::kCheck:
+            break;
+    }
+    return {TaskText::tr("Stand still"), TaskText::tr("rest pose"),
+            TaskText::tr("Stand still in the rest pose")};
+}
+
+RigPicture::Kind pictureOf(WizardTask task) {
+    constexpr RigPicture::Kind kKinds[] = {RigPicture::Kind::kJig, RigPicture::Kind::kPlate,
+                                           RigPicture::Kind::kTurntable, RigPicture::Kind::kStand,
+                                           RigPicture::Kind::kStand};
+    return kKinds[static_cast<int>(task)];
+}
+
+}  // namespace noctule::ui
