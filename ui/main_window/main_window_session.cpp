@@ -152,8 +152,8 @@ void MainWindow::onSessionOpened() {
     session_notices_->tellMarker(finding);
     recent_.remember(folder);
     const bool is_new = session.session().takes.empty();
-    if (is_new && step_ == Step::kRecord)
-        return;  // it was made for the take that begins here
+    if (is_new && (step_ == Step::kRecord || step_ == Step::kCalibrate))
+        return;  // it was made for what begins here
     goTo(is_new ? Step::kConnect : Step::kReview);
 }
 

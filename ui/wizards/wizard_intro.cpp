@@ -22,10 +22,11 @@ WizardIntro::WizardIntro(Studio& studio, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
       what_(new Label({}, TextRole::kInstruction, Ink::kValue, true)),
-      needs_(new Label({}, TextRole::kSection, Ink::kLabel)),
-      set_up_(new Label({}, TextRole::kSection, Ink::kLabel)),
+      needs_(new Label({}, TextRole::kBody, Ink::kLabel)),
+      set_up_(new Label({}, TextRole::kBody, Ink::kLabel)),
       distances_words_(new Label({}, TextRole::kBody, Ink::kHint)),
       kept_words_(new Label({}, TextRole::kBody, Ink::kHint)),
+      words_(new QWidget),
       drawing_(new RigDrawing),
       problem_(new ProblemCard(Tone::kError, {}, {})),
       begin_(makeButton(ButtonKind::kPrimary, tr("Begin"))),
@@ -35,7 +36,7 @@ WizardIntro::WizardIntro(Studio& studio, QWidget* parent)
     auto* column = makeColumn(this, {32, 20, 32, 20}, 12);
     column->addWidget(what_->wrapped());
     column->addWidget(drawing_, 1);
-    column->addWidget(makeWords());
+    makeWords();
     column->addWidget(problem_);
     problem_->hide();
     auto* buttons = addRow(column, 12);
@@ -52,21 +53,19 @@ WizardIntro::WizardIntro(Studio& studio, QWidget* parent)
     connect(takes_, &QPushButton::clicked, this, &WizardIntro::chooseTakes);
 }
 
-QWidget* WizardIntro::makeWords() {
-    auto* words = new QWidget;
-    auto* row = makeRow(words, {}, 32);
-    const auto add = [row](const QString& title, std::initializer_list<Label*> texts) {
+void WizardIntro::makeWords() {
+    auto* words = makeColumn(words_, {12, 16, 12, 12}, 24);
+    const auto add = [words](const QString& title, std::initializer_list<Label*> texts) {
         auto* part = new QWidget;
         auto* column = makeColumn(part, {}, 6);
         column->addWidget(new SectionHeader(title));
         for (Label* text : texts)
             column->addWidget(text->wrapped());
-        column->addStretch();
-        row->addWidget(part, 1);
+        words->addWidget(part);
     };
     add(tr("What you need"), {needs_, distances_words_});
     add(tr("How things stand"), {set_up_});
-    return words;
+    words->addStretch();
 }
 
 void WizardIntro::setRun(WizardRun* run) {
@@ -76,7 +75,7 @@ void WizardIntro::setRun(WizardRun* run) {
         return;
     const WizardWords words = wordsOf(run->task());
     what_->setText(words.what);
-    needs_->setText(words.needs.join('\n'));
+    needs_->setText(words.needs.join("\n\n"));
     set_up_->setText(words.set_up);
     RigPicture picture;
     picture.kind = pictureOf(run->task());

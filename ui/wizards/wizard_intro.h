@@ -29,9 +29,11 @@ public:
     /// As if it had been chosen in the dialog.
     void useDistances(const QString& path);
     QString problem() const;
+    /// For the dock beside it.
+    QWidget* words() { return words_; }
 
 private:
-    QWidget* makeWords();
+    void makeWords();
     void refresh();
     void chooseDistances();
     void chooseTakes();
@@ -39,6 +41,7 @@ private:
     Studio& studio_;
     WizardRun* run_ = nullptr;
     Label *what_, *needs_, *set_up_, *distances_words_, *kept_words_;
+    QWidget* words_;
     RigDrawing* drawing_;
     ProblemCard* problem_;
     Button *begin_, *anew_, *distances_, *takes_;

@@ -37,7 +37,8 @@ WizardPage::WizardPage(Studio& studio, QWidget* parent)
     for (QWidget* page : {static_cast<QWidget*>(intro_), static_cast<QWidget*>(live_), solving_,
                           static_cast<QWidget*>(result_)})
         addWidget(page);
-    for (QWidget* side : {nothing_, static_cast<QWidget*>(boards_), static_cast<QWidget*>(result_side_)})
+    for (QWidget* side :
+         {nothing_, intro_->words(), static_cast<QWidget*>(boards_), static_cast<QWidget*>(result_side_)})
         side_->addWidget(side);
     connect(rail_, &WizardRail::leaveRequested, this, &WizardPage::leaveRequested);
     connect(rail_, &WizardRail::stepChosen, boards_, &WizardBoards::setStep);
@@ -92,7 +93,7 @@ void WizardPage::refresh() {
     switch (run_->phase()) {
         case Phase::kIntro:
             setCurrentWidget(intro_);
-            side_->setCurrentWidget(nothing_);
+            side_->setCurrentWidget(intro_->words());
             break;
         case Phase::kGuiding:
         case Phase::kTaking:
