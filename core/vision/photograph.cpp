@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <opencv2/aruco.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "core/job/atomic_file.h"
-#include "core/vision/marker_cells.h"
+#include "core/vision/marker_sides.h"
 
 namespace noctule {
 namespace {
@@ -16,9 +16,6 @@ namespace {
 /// The smallest marker that is looked for, as the length around it by the picture's longer side. Its cells
 /// are then 4 pixels wide at 12 megapixels; smaller ones are read wrongly.
 constexpr double kSmallestAround = 0.02;
-/// Corners are refined in a window of this share of a cell: a larger one sees the next cell's corners too.
-constexpr double kWindowCells = 0.45;
-constexpr int kSmallestWindow_px = 2, kLargestWindow_px = 10;
 
 /// A JPEG that was cut off decodes to grey below the cut, without a word; only its end marker tells. In the
 /// segments before the scan (a thumbnail has an end of its own) lengths lead on, in the scan FF D9 is the
@@ -64,21 +61,14 @@ cv::Ptr<cv::aruco::DetectorParameters> detectorSettings() {
     return settings;
 }
 
-double shortestSide(const std::vector<cv::Point2f>& corners) {
-    double shortest = INFINITY;
-    for (size_t k = 0; k < 4; ++k)
-        shortest = std::min(shortest, cv::norm(corners[k] - corners[(k + 1) % 4]));
-    return shortest;
-}
-
-SeenMarker refined(const cv::Mat& grey, int number, std::vector<cv::Point2f> corners) {
-    const int window = std::clamp(static_cast<int>(kWindowCells * shortestSide(corners) / kMarkerCells),
-                                  kSmallestWindow_px, kLargestWindow_px);
-    cv::cornerSubPix(grey, corners, {window, window}, {-1, -1},
-                     cv::TermCriteria(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 50, 0.001));
+/// Nothing when its sides cannot be made out.
+std::optional<SeenMarker> refined(const cv::Mat& grey, int number, const std::vector<cv::Point2f>& about) {
+    const auto corners = cornersFromSides(grey, {about[0], about[1], about[2], about[3]});
+    if (!corners)
+        return {};
     SeenMarker seen{number, {}};
     for (size_t k = 0; k < 4; ++k)
-        seen.corners_px[k] = {corners[k].x, corners[k].y};
+        seen.corners_px[k] = {(*corners)[k].x, (*corners)[k].y};
     return seen;
 }
 
@@ -96,7 +86,8 @@ Result<Photograph> findMarkers(const std::string& bytes, const std::string& name
         cv::aruco::detectMarkers(*grey, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_50), corners,
                                  numbers, detectorSettings());
         for (size_t i = 0; i < numbers.size(); ++i)
-            photograph.markers.push_back(refined(*grey, numbers[i], corners[i]));
+            if (const auto seen = refined(*grey, numbers[i], corners[i]))
+                photograph.markers.push_back(*seen);
     } catch (const cv::Exception&) {  // a picture of a few pixels
         return unreadable(name, "is too small to look for markers");
     }

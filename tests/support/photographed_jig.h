@@ -78,6 +78,16 @@ struct PhotographLook {
     double hole_share = 0;  ///< diameter of a hole in every marker's middle, of its side
 };
 
+/// Share of full light of a level of sRGB, and back.
+inline double lightOf(double level) {
+    const double v = level / 255;
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+inline double levelOf(double light) {
+    const double v = std::max(0.0, light);
+    return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055);
+}
+
 /// Level of a marker and its margin of one cell at a point of its plane in cells from its middle; -1 beside
 /// it.
 inline double levelAt(const MarkerCells& cells, double x, double y, double hole_cells) {
@@ -119,26 +129,28 @@ inline void paintMarker(cv::Mat& picture, const TestCamera& camera, const StuckM
                 const Vector3d hit = from - ray * (from.z() / ray.z());
                 const double level =
                     levelAt(cells, hit.x() / cell_m, hit.y() / cell_m, look.hole_share * kMarkerCells);
-                sum += level < 0 ? picture.at<float>(v, u) : level;
+                sum += level < 0 ? picture.at<float>(v, u) : lightOf(level);
             }
             picture.at<float>(v, u) = float(sum / (look.samples * look.samples));
         }
 }
 
-/// The photograph as a JPEG file. What is nearer hides what is farther.
+/// The photograph as a JPEG file; light is blurred, then its levels (sRGB) get noise. What is nearer hides
+/// what is farther.
 inline std::string takePhotograph(const TestCamera& camera, std::vector<StuckMarker> markers,
                                   const PhotographLook& look, uint32_t seed) {
     cv::Mat picture(camera.height_px, camera.width_px, CV_32F);
     for (int v = 0; v < camera.height_px; ++v)  // light from one side on a bench with a pattern
         for (int u = 0; u < camera.width_px; ++u)
-            picture.at<float>(v, u) = 120 + 40 * float(u) / float(camera.width_px) +
-                                      10 * std::sin(0.02F * float(u)) * std::cos(0.03F * float(v));
+            picture.at<float>(v, u) = float(lightOf(120 + 40 * double(u) / camera.width_px +
+                                                    10 * std::sin(0.02 * u) * std::cos(0.03 * v)));
     std::ranges::sort(markers, std::greater{},
                       [&](const StuckMarker& marker) { return (marker.p_m - camera.p_m).norm(); });
     for (const StuckMarker& marker : markers)
         paintMarker(picture, camera, marker, look);
     if (look.blur_px > 0)
         cv::GaussianBlur(picture, picture, {0, 0}, look.blur_px);
+    picture.forEach<float>([](float& light, const int*) { light = float(levelOf(light)); });
     cv::Mat noise(picture.size(), CV_32F);
     cv::RNG(seed).fill(noise, cv::RNG::NORMAL, 0, look.noise_levels);
     picture += noise;

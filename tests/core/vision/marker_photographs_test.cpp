@@ -8,7 +8,7 @@ namespace {
 
 using namespace test;
 
-class MarkerPhotographs : public testing::Test {
+class MarkerPhotographs : public ::testing::Test {
 protected:
     /// `placements` placements, `each` photographs of every one.
     void takeCorners(int placements, int each, double sigma_px, unsigned seed = 1,
