@@ -37,6 +37,16 @@ Result<JigTakes> readJigTakes(const std::vector<std::string>& paths) {
     return takes;
 }
 
+/// Without a distance the solver could only say that it has none.
+Error nothingMeasured(const std::vector<Finding>& findings) {
+    Error error{ErrorKind::kUnusable, "The photographs give no distance: ", ""};
+    for (const Finding& finding : findings) {
+        error.message += (error.remedy.empty() ? "" : "; ") + finding.what;
+        error.remedy = finding.remedy;  // the last says what stands in the way of all
+    }
+    return error;
+}
+
 }  // namespace
 
 Result<PhotographedDistances> measureJigPhotographs(const JigPhotographs& request, const JobContext& job) {
@@ -57,7 +67,10 @@ Result<PhotographedDistances> measureJigPhotographs(const JigPhotographs& reques
         return photographs.error();
     for (size_t i = 0; i < placed.size(); ++i)
         placed[i].photograph = std::move((*photographs)[i]);
-    return measurePhotographs(placed, takes->suit, request.settings, job);
+    auto found = measurePhotographs(placed, takes->suit, request.settings, job);
+    if (found && found->known.distances.empty())
+        return nothingMeasured(found->known.findings);
+    return found;
 }
 
 }  // namespace noctule

@@ -16,6 +16,8 @@ struct JigPhotographs {
     PhotographSettings settings;
 };
 
+/// kUsage: a file's name without a placement; kUnreadable: no photograph; kUnusable: no distance comes out of
+/// them all.
 Result<PhotographedDistances> measureJigPhotographs(const JigPhotographs& request, const JobContext& job);
 
 }  // namespace noctule

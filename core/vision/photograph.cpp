@@ -57,6 +57,9 @@ cv::Ptr<cv::aruco::DetectorParameters> detectorSettings() {
     // With 50 numbers in 16 bits a wrong cell more makes markers out of anything square.
     settings->errorCorrectionRate = 0;
     settings->maxErroneousBitsInBorderRate = 0.1;
+    // Cells are read from enough of their pixels, away from their blurred borders.
+    settings->perspectiveRemovePixelPerCell = 8;
+    settings->perspectiveRemoveIgnoredMarginPerCell = 0.25;
     settings->cornerRefinementMethod = cv::aruco::CORNER_REFINE_NONE;
     return settings;
 }
@@ -70,6 +73,17 @@ std::optional<SeenMarker> refined(const cv::Mat& grey, int number, const std::ve
     for (size_t k = 0; k < 4; ++k)
         seen.corners_px[k] = {(*corners)[k].x, (*corners)[k].y};
     return seen;
+}
+
+/// One marker on the paper that was found by two outlines, that of its border and that of its margin.
+bool isSame(const SeenMarker& a, const SeenMarker& b) {
+    const auto middle = [](const SeenMarker& m) -> Eigen::Vector2d {
+        return (m.corners_px[0] + m.corners_px[1] + m.corners_px[2] + m.corners_px[3]) / 4;
+    };
+    const double side_px =
+        std::max((a.corners_px[2] - a.corners_px[0]).norm(), (b.corners_px[2] - b.corners_px[0]).norm()) /
+        std::numbers::sqrt2;
+    return a.number == b.number && (middle(a) - middle(b)).norm() < side_px / 2;
 }
 
 }  // namespace
@@ -86,7 +100,9 @@ Result<Photograph> findMarkers(const std::string& bytes, const std::string& name
         cv::aruco::detectMarkers(*grey, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_50), corners,
                                  numbers, detectorSettings());
         for (size_t i = 0; i < numbers.size(); ++i)
-            if (const auto seen = refined(*grey, numbers[i], corners[i]))
+            if (const auto seen = refined(*grey, numbers[i], corners[i]);
+                seen && std::ranges::none_of(photograph.markers,
+                                             [&](const SeenMarker& other) { return isSame(*seen, other); }))
                 photograph.markers.push_back(*seen);
     } catch (const cv::Exception&) {  // a picture of a few pixels
         return unreadable(name, "is too small to look for markers");
