@@ -168,12 +168,13 @@ TEST_F(CalibrateByCommand, PhotographsGiveTheOffsetsThatTheDigitizerGives) {
     TestCamera camera{2000, 1500, 1500, {1003, 746}, -0.05, 0.02};
     uint32_t seed = 0;
     for (const auto& [placement, markers] : stuck) {
-        Vector3d middle = Vector3d::Zero();
+        Eigen::AlignedBox3d box;
         for (const StuckMarker& marker : markers)
-            middle += marker.p_m / double(markers.size());
+            box.extend(marker.p_m);
+        const Vector3d middle = box.center();
         for (const Vector3d& from :
              {Vector3d(0.65, 0.3, -0.2), Vector3d(0.7, 0.1, 0.2), Vector3d(0.6, 0.5, 0.05)}) {
-            camera.look(middle + from, middle, 0.1 * double(seed));
+            camera.look(middle + 1.2 * from, middle, 0.1 * double(seed));
             words.push_back(file(placement + "_" + std::to_string(seed) + ".jpg"));
             writeBytes(words.back(), takePhotograph(camera, markers, {.samples = 2}, ++seed));
         }
