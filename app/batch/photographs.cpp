@@ -84,7 +84,8 @@ nlohmann::json photographsJson(const PhotographedDistances& found) {
                                   {"height_px", lens.height_px},
                                   {"focal_px", lens.focal_px},
                                   {"k1", lens.k1},
-                                  {"k2", lens.k2}});
+                                  {"k2", lens.k2},
+                                  {"edge_px", lens.edge_px}});
     return json;
 }
 

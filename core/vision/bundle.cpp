@@ -18,7 +18,9 @@ using Vector6d = Eigen::Vector<double, 6>;
 constexpr double kNearest_m = 1e-3;  ///< before a camera
 constexpr double kHuberSigmas = 3, kFirstSigma_px = 1, kSmallestSigma_px = 0.02;
 constexpr int kSigmaRounds = 3, kMostIterations = 100;
-constexpr double kConvergedDecrease = 1e-7;  ///< of the cost
+constexpr double kConvergedDecrease = 1e-9;  ///< of the cost
+/// The scale hangs on little once edges may move; more damping than this holds it where it began.
+constexpr double kHardlyDamped = 1e-8;
 
 /// One corner and its derivatives by lens, camera (rotation, position) and marker (rotation, position).
 struct CornerTerm {
@@ -29,7 +31,7 @@ struct CornerTerm {
 
 /// Nothing behind the camera.
 std::optional<CornerTerm> cornerTerm(const Bundle& bundle, const Sighting& sighting, const Vector3d& corner,
-                                     const Eigen::Vector2d& seen_px) {
+                                     const Eigen::Vector2d& seen_px, const Eigen::Vector2d& per_edge) {
     const CameraPose& camera = bundle.cameras[size_t(sighting.camera)];
     const MarkerPose& marker = bundle.markers[size_t(sighting.marker)];
     const Vector3d p_jig = marker.p_jig_marker_m + marker.q_jig_marker * corner,
@@ -39,8 +41,10 @@ std::optional<CornerTerm> cornerTerm(const Bundle& bundle, const Sighting& sight
     const Matrix3d R_camera_jig = camera.q_camera_jig.toRotationMatrix();
     LensJacobians lens;
     CornerTerm term;
-    term.residual_px = project(bundle.lenses[size_t(camera.lens)], p_camera, &lens) - seen_px;
+    const Lens& taken_by = bundle.lenses[size_t(camera.lens)];
+    term.residual_px = project(taken_by, p_camera, &lens) + taken_by.edge_px * per_edge - seen_px;
     term.J_lens = lens.J_pixel_lens;
+    term.J_lens.rightCols<1>() = per_edge;
     term.J_camera << -lens.J_pixel_point * R_camera_jig * skew(p_jig), lens.J_pixel_point;
     term.J_marker << -lens.J_pixel_point * R_camera_jig * marker.q_jig_marker.toRotationMatrix() *
                          skew(corner),
@@ -137,31 +141,46 @@ NormalEquations normalEquations(const Bundle& bundle, double sigma_px) {
                         std::vector<Eigen::MatrixXd>(bundle.markers.size(), Eigen::MatrixXd::Zero(n, 6))};
     addBeliefs(bundle, sum);
     const auto corners = markerCorners(bundle.side_m);
-    for (const Sighting& sighting : bundle.sightings)
+    for (const Sighting& sighting : bundle.sightings) {
+        const auto per_edge = cornersPerEdge(sighting.corners_px);
         for (size_t k = 0; sighting.used && k < corners.size(); ++k)
-            if (const auto term = cornerTerm(bundle, sighting, corners[k], sighting.corners_px[k]))
+            if (const auto term =
+                    cornerTerm(bundle, sighting, corners[k], sighting.corners_px[k], per_edge[k]))
                 addCorner(bundle, sighting, *term, sigma_px, sum);
+    }
     holdUnseen(bundle, sum);
     return sum;
+}
+
+/// Of each corner, how far it is from where it should be; nothing behind the camera.
+std::optional<std::array<double, 4>> cornerErrors_px(const Bundle& bundle, const Sighting& sighting) {
+    const CameraPose& camera = bundle.cameras[size_t(sighting.camera)];
+    const MarkerPose& marker = bundle.markers[size_t(sighting.marker)];
+    const Lens& lens = bundle.lenses[size_t(camera.lens)];
+    const auto corners = markerCorners(bundle.side_m);
+    const auto per_edge = cornersPerEdge(sighting.corners_px);
+    std::array<double, 4> errors_px{};
+    for (size_t k = 0; k < corners.size(); ++k) {
+        const Vector3d p = camera.toCamera(marker.p_jig_marker_m + marker.q_jig_marker * corners[k]);
+        if (!(p.z() > kNearest_m))
+            return {};
+        errors_px[k] = (project(lens, p) + lens.edge_px * per_edge[k] - sighting.corners_px[k]).norm();
+    }
+    return errors_px;
 }
 
 double costOf(const Bundle& bundle, double sigma_px) {
     double cost = 0;
     for (size_t l = 0; l < bundle.lenses.size(); ++l)
         cost += beliefError(bundle, l).squaredNorm();
-    const auto corners = markerCorners(bundle.side_m);
     for (const Sighting& sighting : bundle.sightings) {
         if (!sighting.used)
             continue;
-        const CameraPose& camera = bundle.cameras[size_t(sighting.camera)];
-        const MarkerPose& marker = bundle.markers[size_t(sighting.marker)];
-        for (size_t k = 0; k < corners.size(); ++k) {
-            const Vector3d p = camera.toCamera(marker.p_jig_marker_m + marker.q_jig_marker * corners[k]);
-            if (!(p.z() > kNearest_m))
-                return INFINITY;
-            cost += huberCost(
-                (project(bundle.lenses[size_t(camera.lens)], p) - sighting.corners_px[k]).norm() / sigma_px);
-        }
+        const auto errors_px = cornerErrors_px(bundle, sighting);
+        if (!errors_px)
+            return INFINITY;
+        for (const double error_px : *errors_px)
+            cost += huberCost(error_px / sigma_px);
     }
     return cost;
 }
@@ -218,11 +237,11 @@ Descent descend(Bundle& bundle, double sigma_px, const JobContext& job) {
         Bundle next = stepped(bundle, sum, damping);
         const double next_cost = costOf(next, sigma_px);
         if (next_cost < cost) {
-            descent.converged = cost - next_cost < kConvergedDecrease * cost;
+            descent.converged = damping <= kHardlyDamped && cost - next_cost < kConvergedDecrease * cost;
             bundle = std::move(next);
             cost = next_cost;
             sum = normalEquations(bundle, sigma_px);
-            damping = std::max(damping / 5, 1e-9);
+            damping = std::max(damping / 10, 1e-12);
         } else {
             damping *= 5;
             descent.converged = damping > 1e6;  // no way leads down
@@ -257,17 +276,27 @@ std::array<Vector3d, 4> markerCorners(double side_m) {
             Vector3d(-half, -half, 0)};
 }
 
-double sightingError_px(const Bundle& bundle, const Sighting& sighting) {
-    const CameraPose& camera = bundle.cameras[size_t(sighting.camera)];
-    const MarkerPose& marker = bundle.markers[size_t(sighting.marker)];
-    const auto corners = markerCorners(bundle.side_m);
-    double sum_px2 = 0;
-    for (size_t k = 0; k < corners.size(); ++k) {
-        const Vector3d p = camera.toCamera(marker.p_jig_marker_m + marker.q_jig_marker * corners[k]);
-        if (!(p.z() > kNearest_m))
-            return INFINITY;
-        sum_px2 += (project(bundle.lenses[size_t(camera.lens)], p) - sighting.corners_px[k]).squaredNorm();
+std::array<Eigen::Vector2d, 4> cornersPerEdge(const std::array<Eigen::Vector2d, 4>& corners_px) {
+    std::array<Eigen::Vector2d, 4> outwards, per_edge;
+    for (size_t k = 0; k < 4; ++k) {
+        const Eigen::Vector2d along = (corners_px[(k + 1) % 4] - corners_px[k]).normalized();
+        outwards[k] = {along.y(), -along.x()};
     }
+    for (size_t k = 0; k < 4; ++k) {
+        // d with d . a = d . b = 1 for the two edges that meet there.
+        const Eigen::Vector2d &a = outwards[(k + 3) % 4], &b = outwards[k];
+        per_edge[k] = (a + b) / std::max(0.1, 1 + a.dot(b));
+    }
+    return per_edge;
+}
+
+double sightingError_px(const Bundle& bundle, const Sighting& sighting) {
+    const auto errors_px = cornerErrors_px(bundle, sighting);
+    if (!errors_px)
+        return INFINITY;
+    double sum_px2 = 0;
+    for (const double error_px : *errors_px)
+        sum_px2 += error_px * error_px;
     return std::sqrt(sum_px2 / 4);
 }
 

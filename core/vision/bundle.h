@@ -55,6 +55,9 @@ struct Bundle {
 /// In the marker's frame, in the order of SeenMarker.
 std::array<Vector3d, 4> markerCorners(double side_m);
 
+/// How corners move when every edge moves by one pixel away from the marker's middle.
+std::array<Eigen::Vector2d, 4> cornersPerEdge(const std::array<Eigen::Vector2d, 4>& corners_px);
+
 /// Root mean square distance of its corners from where they should be; infinite behind the camera.
 double sightingError_px(const Bundle& bundle, const Sighting& sighting);
 

@@ -10,6 +10,7 @@ void Lens::add(const Values& step) {
     center_px += step.segment<2>(1);
     k1 += step[3];
     k2 += step[4];
+    edge_px += step[5];
 }
 
 Eigen::Vector2d project(const Lens& lens, const Vector3d& p_camera, LensJacobians* jacobians) {
@@ -24,7 +25,7 @@ Eigen::Vector2d project(const Lens& lens, const Vector3d& p_camera, LensJacobian
             bend * Matrix2d::Identity() + (2 * lens.k1 + 4 * r2 * lens.k2) * m * m.transpose();
         jacobians->J_pixel_point = lens.focal_px * J_bent_m * J_m_point;
         jacobians->J_pixel_lens << lens.focal_px * bend * m, Matrix2d::Identity(), lens.focal_px * r2 * m,
-            lens.focal_px * r2 * r2 * m;
+            lens.focal_px * r2 * r2 * m, Vector2d::Zero();
     }
     return lens.center_px + lens.focal_px * bend * m;
 }

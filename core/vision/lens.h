@@ -13,12 +13,15 @@ struct Lens {
     double focal_px = 1000;
     Eigen::Vector2d center_px = Eigen::Vector2d::Zero();
     double k1 = 0, k2 = 0;
+    /// How far beyond its place a marker's edge shows, at right angles to it: tones of the camera's own, too
+    /// much light and ink that runs move it. project() leaves it out, only the bundle knows edges.
+    double edge_px = 0;
 
     /// Order of its values where they are solved for; the first is ln(focal).
-    static constexpr int kValues = 5;
-    using Values = Eigen::Vector<double, kValues>;  ///< ln focal, center x, y, k1, k2
+    static constexpr int kValues = 6;
+    using Values = Eigen::Vector<double, kValues>;  ///< ln focal, center x, y, k1, k2, edge
 
-    Values values() const { return {std::log(focal_px), center_px.x(), center_px.y(), k1, k2}; }
+    Values values() const { return {std::log(focal_px), center_px.x(), center_px.y(), k1, k2, edge_px}; }
     void add(const Values& step);
 };
 

@@ -208,8 +208,8 @@ private:
         result_.corner_sigma_px = fit_.sigma_px;
         for (size_t l = 0; l < set_.bundle.lenses.size(); ++l) {
             const Lens& lens = set_.bundle.lenses[l];
-            result_.lenses.push_back(
-                {set_.lens_size_px[l][0], set_.lens_size_px[l][1], lens.focal_px, lens.k1, lens.k2});
+            result_.lenses.push_back({set_.lens_size_px[l][0], set_.lens_size_px[l][1], lens.focal_px,
+                                      lens.k1, lens.k2, lens.edge_px});
         }
         if (fit_.sigma_px > kDoubtful_px)
             find(fit_.sigma_px > kUseless_px ? Grade::kNotUsable : Grade::kUsable, "",

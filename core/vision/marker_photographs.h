@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Distances on the jig from photographs of printed markers, at least two photographs per placement: where
 // each source and board stood, from bundle adjustment over all placements with one camera for all photographs
-// of one size, whose focal length, middle and distortion come out too. Metres.
+// of one size, whose focal length, middle and distortion come out too, and by how
+// much its tones move edges (markers near and far tell it from scale). Metres.
 //
 // A distance's sigma counts three things: what the corners tell (covariance of the fit), how well a marker's
 // middle lies over the source's or the microphone's (by hand), how well the printed side is known. So it is
@@ -38,6 +39,7 @@ struct PhotographUse {
 struct FoundLens {
     int width_px = 0, height_px = 0;
     double focal_px = 0, k1 = 0, k2 = 0;
+    double edge_px = 0;  ///< as in Lens
 };
 
 struct PhotographedDistances {

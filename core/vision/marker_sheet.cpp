@@ -15,6 +15,7 @@ namespace {
 constexpr double kPageWidth_mm = 210, kPageHeight_mm = 297, kBorder_mm = 12;
 constexpr double kHead_mm = 52;  ///< title, words and ruler
 constexpr double kLabel_mm = 6, kGap_mm = 3;
+constexpr double kText_mm = 3;  ///< lines of 115 letters fit
 constexpr double kRuler_mm = 100, kTick_mm = 2;
 
 /// Plain decimals, to a micrometre.
@@ -100,21 +101,21 @@ std::string head(const Suit& suit, double marker_mm, size_t page, size_t pages) 
                  "Noctule: markers of suit " +
                      (suit.name.empty() ? std::string("without a name") : suit.name) + ", page " +
                      std::to_string(page + 1) + " of " + std::to_string(pages)) +
-           words(x, 25, 3.5,
+           words(x, 25, kText_mm,
                  "Print at 100 % (\"actual size\"), on matt paper. If the line below is not 100 mm long, "
                  "give the "
                  "side measured on") +
-           words(x, 29.5, 3.5,
+           words(x, 29.5, kText_mm,
                  "the paper as --marker-mm instead of " + side +
                      ". Cut along the grey lines, keep the white margin, stick on flat card.") +
-           words(x, 34, 3.5,
+           words(x, 34, kText_mm,
                  "The middle of the marker lies over the middle of the source's face, of a board over its "
                  "microphone's opening;") +
            words(
                x, 38.5, 3.5,
                "it may be turned any way. Take it off while sound is recorded, or punch a hole of at most " +
                    mm(std::floor(10 * marker_mm / 8) / 10) + " mm") +
-           words(x, 43, 3.5,
+           words(x, 43, kText_mm,
                  "in its middle for the sound. The origin stands anywhere still, where many photographs show "
                  "it.") +
            ruler(x, 50);

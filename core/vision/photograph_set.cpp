@@ -12,14 +12,14 @@ namespace {
 
 // Of a camera that nothing is known of: its middle within a hundredth of the picture's width, little
 // distortion, as cameras of today correct it themselves.
-constexpr double kFocalLogSigma = 1, kMiddleSigmaWidths = 0.01, kDistortionSigma = 0.2;
+constexpr double kFocalLogSigma = 1, kMiddleSigmaWidths = 0.01, kDistortionSigma = 0.2, kEdgeSigma_px = 0.3;
 
 LensBelief usualLens(int width_px, int height_px) {
     LensBelief belief;
     belief.lens.focal_px = width_px;
     belief.lens.center_px = {(width_px - 1) / 2.0, (height_px - 1) / 2.0};
     const double middle_px = kMiddleSigmaWidths * std::max(width_px, height_px);
-    belief.sigma << kFocalLogSigma, middle_px, middle_px, kDistortionSigma, kDistortionSigma;
+    belief.sigma << kFocalLogSigma, middle_px, middle_px, kDistortionSigma, kDistortionSigma, kEdgeSigma_px;
     return belief;
 }
 

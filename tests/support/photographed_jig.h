@@ -73,6 +73,7 @@ struct TestCamera {
 
 struct PhotographLook {
     double blur_px = 0.7, noise_levels = 3;
+    double tone = 1;  ///< power that bends the levels: a camera's own look
     int jpeg_quality = 92;
     int samples = 3;        ///< rays across a pixel
     double hole_share = 0;  ///< diameter of a hole in every marker's middle, of its side
@@ -150,7 +151,8 @@ inline std::string takePhotograph(const TestCamera& camera, std::vector<StuckMar
         paintMarker(picture, camera, marker, look);
     if (look.blur_px > 0)
         cv::GaussianBlur(picture, picture, {0, 0}, look.blur_px);
-    picture.forEach<float>([](float& light, const int*) { light = float(levelOf(light)); });
+    picture.forEach<float>(
+        [&](float& light, const int*) { light = float(255 * std::pow(levelOf(light) / 255, look.tone)); });
     cv::Mat noise(picture.size(), CV_32F);
     cv::RNG(seed).fill(noise, cv::RNG::NORMAL, 0, look.noise_levels);
     picture += noise;
