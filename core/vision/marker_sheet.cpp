@@ -112,7 +112,7 @@ std::string head(const Suit& suit, double marker_mm, size_t page, size_t pages) 
                  "The middle of the marker lies over the middle of the source's face, of a board over its "
                  "microphone's opening;") +
            words(
-               x, 38.5, 3.5,
+               x, 38.5, kText_mm,
                "it may be turned any way. Take it off while sound is recorded, or punch a hole of at most " +
                    mm(std::floor(10 * marker_mm / 8) / 10) + " mm") +
            words(x, 43, kText_mm,
