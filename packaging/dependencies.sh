@@ -29,6 +29,8 @@ packages=(
     libgmock-dev         # GTest: its CMake configuration names both
     libbenchmark-dev     # benchmark
     libassimp-dev        # assimp
+    libopencv-dev        # OpenCV: markers in photographs
+    libopencv-contrib-dev # OpenCV: ArUco
     assimp-testmodels    # real human motion for tests, demo and figures
 )
 

@@ -118,6 +118,11 @@ Status Arguments::addOption(const std::vector<std::string>& words, size_t& index
     if (!checked)
         return checked.error();
     values_[name] = *checked;
+    if (option->kind == Option::Kind::kTexts) {
+        lists_[name] = {*checked};
+        while (index + 1 < words.size() && !words[index + 1].starts_with("--"))
+            lists_[name].push_back(words[++index]);
+    }
     return Done{};
 }
 
@@ -149,6 +154,11 @@ bool Arguments::given(const std::string& name) const {
 std::string Arguments::text(const std::string& name) const {
     const auto found = values_.find(name);
     return found == values_.end() ? known(name).fallback : found->second;
+}
+
+std::vector<std::string> Arguments::texts(const std::string& name) const {
+    const auto found = lists_.find(known(name).name);
+    return found == lists_.end() ? std::vector<std::string>() : found->second;
 }
 
 std::optional<double> Arguments::number(const std::string& name) const {

@@ -15,12 +15,14 @@ namespace noctule::batch {
 
 class Arguments {
 public:
-    /// `--name value`, `--name=value`, flags, operands; after `--` only operands. kUsage names the mistake.
+    /// `--name value`, `--name=value`, `--names a b`, flags, operands; after `--` only operands. kUsage names
+    /// the mistake.
     static Result<Arguments> parse(const std::vector<std::string>& words, const std::vector<Option>& options);
 
     bool given(const std::string& name) const;  ///< on the command line; of a flag its value
     /// As given, else the fallback, else empty.
     std::string text(const std::string& name) const;
+    std::vector<std::string> texts(const std::string& name) const;  ///< empty: not given
     std::optional<double> number(const std::string& name) const;
     std::optional<int64_t> whole(const std::string& name) const;
     const std::vector<std::string>& operands() const { return operands_; }
@@ -34,6 +36,7 @@ private:
 
     std::vector<Option> options_;
     std::map<std::string, std::string> values_;
+    std::map<std::string, std::vector<std::string>> lists_;  ///< of options with several values
     std::vector<std::string> operands_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The verbs that begin with `calibrate`, and `check`: what they share, and the options of each.
 #include "app/batch/files.h"
+#include "app/batch/photographs.h"
 #include "app/batch/verb.h"
 #include "core/job/atomic_file.h"
 #include "core/processing/calibrate_takes.h"
@@ -138,42 +139,61 @@ Verb calibrationVerb(const std::string& kind, const std::string& summary, const 
     return verb;
 }
 
-Result<KnownDistances> knownDistances(const Arguments& arguments) {
-    const bool digitizer = arguments.given("digitizer");
-    if (digitizer == arguments.given("distances"))
-        return Error{ErrorKind::kUsage, "calibrate sources needs either --digitizer or --distances",
-                     "Give the file of points or the file of distances"};
-    const std::string path = arguments.text(digitizer ? "digitizer" : "distances");
+Result<KnownDistances> readTable(const Arguments& arguments, const char* option) {
+    const std::string path = arguments.text(option);
     const auto text = readWholeFile(path);
     if (!text)
         return text.error();
-    return digitizer ? readDigitizerCsv(*text, path) : readTapeMeasureCsv(*text, path);
+    return std::string(option) == "digitizer" ? readDigitizerCsv(*text, path)
+                                              : readTapeMeasureCsv(*text, path);
 }
 
 Result<CalibrationResult> solveSources(const CalibrateRequest& request, const Arguments& arguments,
                                        const JobContext& job) {
-    const auto known = knownDistances(arguments);
-    if (!known)
-        return known.error();
+    if (arguments.given("digitizer") + arguments.given("distances") + arguments.given("photos") != 1)
+        return Error{ErrorKind::kUsage,
+                     "calibrate sources needs one of --digitizer, --distances and --photos",
+                     "Give the file of points, the file of distances or the photographs"};
     SourceOffsetSettings settings;
     if (arguments.text("speed-of-sound") == "estimate")
         settings.speed_of_sound = SourceOffsetSettings::SpeedOfSound::kEstimate;
-    return calibrateSources(request, *known, settings, job);
+    if (!arguments.given("photos")) {
+        const auto known = readTable(arguments, arguments.given("digitizer") ? "digitizer" : "distances");
+        return known ? calibrateSources(request, *known, settings, job)
+                     : Result<CalibrationResult>(known.error());
+    }
+    const auto found = measurePhotographs(arguments, job);
+    if (!found)
+        return found.error();
+    auto result = calibrateSources(request, found->known, settings, job);
+    if (result)
+        result->json["photographs"] = photographsJson(*found);
+    return result;
 }
 
 }  // namespace
 
 Verb calibrateSourcesVerb() {
-    Verb verb = calibrationVerb(
-        "sources", "find every source's offset from a take on the jig", "J.noctule...",
-        "jig_001.noctule --digitizer jig.csv --out suit.json",
-        {text("digitizer", "D.csv", "points on the jig: placement,kind,id,x_m,y_m,z_m (or x_mm...)"),
-         text("distances", "D.csv", "tape measure: placement,source,board,distance_m (or distance_mm)"),
-         later("photos", "IMG...", "photographs of the jig with printed markers"), detectorOption(),
-         choice("speed-of-sound", {"temperature", "estimate"},
-                "from the take's thermometer, or from the distances")
-             .orElse("temperature")});
-    verb.run = [](const VerbContext& context) {
+    std::vector<Option> options = {
+        text("digitizer", "D.csv", "points on the jig: placement,kind,id,x_m,y_m,z_m (or x_mm...)"),
+        text("distances", "D.csv", "tape measure: placement,source,board,distance_m (or distance_mm)"),
+        detectorOption(),
+        choice("speed-of-sound", {"temperature", "estimate"},
+               "from the take's thermometer, or from the distances")
+            .orElse("temperature")};
+    const std::vector<Option> photographs = photographOptions();
+    options.insert(options.begin() + 2, photographs.begin(), photographs.end());
+    Verb verb =
+        calibrationVerb("sources", "find every source's offset from a take on the jig", "J.noctule...",
+                        "jig_001.noctule --digitizer jig.csv --out suit.json", std::move(options));
+    for (const std::string& remark : photographRemarks())
+        verb.remarks.push_back(remark);
+    verb.alone = "print-markers";
+    verb.run = [](const VerbContext& context) -> Result<Outcome> {
+        if (const Status fits = checkPhotographOptions(context.arguments); !fits)
+            return fits.error();
+        if (context.arguments.given("print-markers"))
+            return printMarkers(context);
         return run(context, {.verb = "calibrate sources", .solve = solveSources, .hears = true});
     };
     return verb;

@@ -86,7 +86,12 @@ std::string verbHelp(const Verb& verb) {
                "\nNot yet available: it comes with a later version.\n\nexample: " + verbs().front().example +
                "\n";
     text += "\nusage: noctule --batch " + verb.name + (verb.operands.empty() ? "" : " " + verb.operands) +
-            " [OPTIONS]\n\noptions:\n" + optionList(verb.options, false);
+            " [OPTIONS]\n";
+    for (const Option& option : verb.options)
+        if (option.name == verb.alone)
+            text += "       noctule --batch " + verb.name + " --" + option.name + " " + option.placeholder +
+                    " [OPTIONS]\n";
+    text += "\noptions:\n" + optionList(verb.options, false);
     if (const std::string later = optionList(verb.options, true); !later.empty())
         text += "\nnot yet available:\n" + later;
     text += "\nafter every verb:\n" + optionList(commonOptions(), false);

@@ -56,6 +56,10 @@ Option text(const std::string& name, const std::string& placeholder, const std::
     return make(Option::Kind::kText, name, placeholder, help);
 }
 
+Option texts(const std::string& name, const std::string& placeholder, const std::string& help) {
+    return make(Option::Kind::kTexts, name, placeholder, help);
+}
+
 Option choice(const std::string& name, std::vector<std::string> choices, const std::string& help) {
     std::string placeholder;
     for (const std::string& value : choices)

@@ -12,6 +12,7 @@ struct Option {
     enum class Kind {
         kFlag,    ///< no value
         kText,    ///< a path or a name
+        kTexts,   ///< one or more, up to the next option
         kChoice,  ///< one of `choices`, upper and lower case alike
         kNumber,  ///< min to max, finite
         kWhole,   ///< the same without a fraction
@@ -33,6 +34,7 @@ struct Option {
 
 Option flag(const std::string& name, const std::string& help);
 Option text(const std::string& name, const std::string& placeholder, const std::string& help);
+Option texts(const std::string& name, const std::string& placeholder, const std::string& help);
 Option choice(const std::string& name, std::vector<std::string> choices, const std::string& help);
 Option number(const std::string& name, const std::string& placeholder, double min, double max,
               const std::string& help);

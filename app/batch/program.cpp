@@ -72,12 +72,17 @@ Error unknownVerb(const std::string& name) {
 }
 
 Status checkArguments(const Verb& verb, const Arguments& arguments) {
+    const bool alone = !verb.alone.empty() && arguments.given(verb.alone);
     for (const Option& option : verb.options)
-        if (option.required && !arguments.given(option.name))
+        if (option.required && !alone && !arguments.given(option.name))
             return Error{ErrorKind::kUsage, verb.name + " needs --" + option.name + " " + option.placeholder,
                          "For example: " + verb.example};
     const size_t count = arguments.operands().size();
-    if (count < verb.min_operands)
+    if (alone && count > 0)
+        return Error{ErrorKind::kUsage,
+                     verb.name + " --" + verb.alone + " does not take '" + arguments.operands()[0] + "'",
+                     "Leave it out"};
+    if (count < verb.min_operands && !alone)
         return Error{ErrorKind::kUsage, verb.name + " needs " + verb.operands,
                      "For example: " + verb.example};
     if (count > verb.max_operands)

@@ -36,6 +36,7 @@ struct Verb {
     std::string example;
     std::vector<Option> options;  ///< without the common ones
     std::vector<std::string> remarks;
+    std::string alone;  ///< an option with which the verb needs neither operands nor required options
     Result<Outcome> (*run)(const VerbContext&) = nullptr;  ///< null: comes with a later version
 };
 

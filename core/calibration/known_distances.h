@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/calibration/findings.h"
 #include "core/job/result.h"
 
 namespace noctule {
@@ -23,6 +24,7 @@ struct KnownDistance {
 struct KnownDistances {
     std::string where;  ///< file name, for messages
     std::vector<KnownDistance> distances;
+    std::vector<Finding> findings = {};  ///< of the measuring itself; the solver passes them on
 };
 
 /// Of one point touched with a digitizer arm, per axis; and of a distance read from a tape.

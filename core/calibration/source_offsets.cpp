@@ -120,7 +120,8 @@ SourceOffsetReport calibrateSourceOffsets(const std::vector<Observations>& takes
                                           const SourceOffsetSettings& settings) {
     JigData jig = measureJig(takes, known, settings);
     SourceOffsetReport report;
-    report.findings = jig.findings;
+    report.findings = known.findings;
+    report.findings.insert(report.findings.end(), jig.findings.begin(), jig.findings.end());
     if (takes.empty())
         return report;
     report.suit = jig.suit;

@@ -5,6 +5,9 @@
 
 #include "core/math/rotation.h"
 #include "core/suit/calibration.h"
+#include "core/suit/default_suit.h"
+#include "core/vision/marker_plan.h"
+#include "tests/support/photographed_jig.h"
 #include "tests/support/program_run.h"
 
 namespace noctule {
@@ -128,6 +131,133 @@ TEST_F(CalibrateByCommand, WhatCannotBeUsedIsRefusedWithItsReasonAndNothingIsWri
     const Ran no_sides = calibrate({"accelerometers", takeOf("jig"), "--out", file("a.json")});
     EXPECT_EQ(no_sides.exit_code, 4) << no_sides.err;
     EXPECT_FALSE(std::filesystem::exists(file("a.json")));
+}
+
+/// Where the digitizer touched sources and boards, placement by placement.
+std::map<std::string, std::vector<StuckMarker>> markersAtDigitizerPoints(const std::string& csv,
+                                                                         double side_m) {
+    const Suit suit = defaultSuit();
+    std::map<std::string, std::vector<StuckMarker>> stuck;
+    for (size_t at = csv.find('\n') + 1; at < csv.size(); at = csv.find('\n', at) + 1) {
+        char placement[16], kind[16], id[32];
+        Vector3d p;
+        if (std::sscanf(csv.c_str() + at, "%15[^,],%15[^,],%31[^,],%lf,%lf,%lf", placement, kind, id, &p.x(),
+                        &p.y(), &p.z()) != 6)
+            ADD_FAILURE() << csv.substr(at, 80);
+        const bool is_source = std::string(kind) == "source";
+        StuckMarker marker;
+        marker.number =
+            is_source ? kFirstSourceMarker + suit.findSource(id) : kFirstBoardMarker + suit.findBoard(id);
+        marker.p_m = p;
+        marker.side_m = side_m;
+        // Sources and boards face each other; their markers look half to the side where the camera is.
+        const Vector3d normal = Vector3d(0.8, 0.3, is_source ? -0.5 : 0.5).normalized(),
+                       right = Vector3d::UnitY().cross(normal).normalized();
+        marker.R << right, normal.cross(right), normal;
+        stuck[placement].push_back(marker);
+    }
+    return stuck;
+}
+
+TEST_F(CalibrateByCommand, PhotographsGiveTheOffsetsThatTheDigitizerGives) {
+    simulate("jig", {"--digitizer-out", file("jig.csv")});
+    const auto stuck = markersAtDigitizerPoints(readBytes(file("jig.csv")), 0.02);
+    ASSERT_EQ(stuck.size(), 6U);
+    std::vector<std::string> words{"sources", takeOf("jig"),       "--marker-mm", "20",
+                                   "--out",   file("photos.json"), "--json",      "--photos"};
+    TestCamera camera{2000, 1500, 1500, {1003, 746}, -0.05, 0.02};
+    uint32_t seed = 0;
+    for (const auto& [placement, markers] : stuck) {
+        Eigen::AlignedBox3d box;
+        for (const StuckMarker& marker : markers)
+            box.extend(marker.p_m);
+        const Vector3d middle = box.center();
+        for (const Vector3d& from :
+             {Vector3d(0.65, 0.3, -0.2), Vector3d(0.7, 0.1, 0.2), Vector3d(0.6, 0.5, 0.05)}) {
+            camera.look(middle + 1.2 * from, middle, 0.1 * double(seed));
+            words.push_back(file(placement + "_" + std::to_string(seed) + ".jpg"));
+            writeBytes(words.back(), takePhotograph(camera, markers, {.samples = 2}, ++seed));
+        }
+    }
+    const Ran photographed = calibrate(words);
+    ASSERT_EQ(photographed.exit_code, 0) << photographed.err;
+    ASSERT_EQ(calibrate({"sources", takeOf("jig"), "--digitizer", file("jig.csv"), "--out", file("d.json")})
+                  .exit_code,
+              0);
+    const Calibration ours = read(file("photos.json")), digitized = read(file("d.json"));
+    double worst_s = 0;
+    for (const SourceCalibration& source : digitized.sources) {
+        const double error_s =
+            ours.findSource(source.id)->offsets_s.at("inflection") - source.offsets_s.at("inflection");
+        worst_s = std::max(worst_s, std::abs(error_s));
+        EXPECT_LT(std::abs(error_s), 2e-6) << source.id;
+    }
+    EXPECT_EQ(photographed.json().at("reasons").dump().find("twice"), std::string::npos);
+    const auto photographs = photographed.json().at("photographs");
+    EXPECT_EQ(photographs.at("files").size(), 18U);
+    EXPECT_NEAR(photographs.at("lenses").at(0).at("focal_px").get<double>(), camera.focal_px, 5);
+    std::printf("offsets from photographs and from the digitizer differ by at most %.2f us; %s\n",
+                1e6 * worst_s, photographed.json().at("reasons").dump().c_str());
+
+    // What can go wrong on the way, by name.
+    const auto refused = [&](const std::string& path, int exit_code, const std::vector<std::string>& named) {
+        std::vector<std::string> changed{"calibrate", "sources",       takeOf("jig"),
+                                         "--out",     file("no.json"), "--photos"};
+        changed.insert(changed.end(), {path, words.back()});
+        expectRefusal(changed, exit_code, named);
+    };
+    writeBytes(file("1_cut.jpg"), readBytes(words.back()).substr(0, 30000));
+    refused(file("1_cut.jpg"), 3, {"1_cut.jpg", "cut off", "again"});
+    writeBytes(file("1_noise.jpg"), std::string(3000, 'x'));
+    refused(file("1_noise.jpg"), 3, {"1_noise.jpg", "not a photograph"});
+    refused(file("1_missing.jpg"), 3, {"1_missing.jpg"});
+    refused(file("IMG_1.jpg"), 2, {"IMG_1.jpg", "1, 2, 3, 4, 5, 6", "PLACEMENT_"});
+    std::filesystem::copy_file(words.back(), file("1_a.jpg"));
+    refused(file("1_a.jpg"), 4, {"only one photograph", "two photographs"});
+    EXPECT_FALSE(std::filesystem::exists(file("no.json")));
+}
+
+TEST_F(CalibrateByCommand, MarkersArePrintedWithoutATake) {
+    const Ran ran = calibrate({"sources", "--print-markers", file("sheet.svg"), "--json"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.json().at("sheets").size(), 3U);
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"sheet.svg", "sheet_2.svg", "sheet_3.svg"}));
+    EXPECT_NE(readBytes(file("sheet.svg")).find("0: source 1, "), std::string::npos);
+    expectRefusal({"calibrate", "sources", "--print-markers", file("sheet.svg")}, 2, {"sheet.svg"});
+
+    Suit suit = defaultSuit();
+    suit.boards.resize(3);
+    suit.sources.resize(2);
+    writeBytes(file("small.json"), toJson(suit).dump());
+    EXPECT_EQ(calibrate({"sources", "--print-markers", file("small.svg"), "--suit", file("small.json"),
+                         "--marker-mm", "60"})
+                  .exit_code,
+              0);
+    EXPECT_EQ(readBytes(file("small.svg")).find("board 4"), std::string::npos);
+    while (suit.sources.size() < 12)
+        suit.sources.push_back(suit.sources.front());
+    for (size_t s = 0; s < suit.sources.size(); ++s)
+        suit.sources[s].id = "s" + std::to_string(s);
+    writeBytes(file("large.json"), toJson(suit).dump());
+    expectRefusal({"calibrate", "sources", "--print-markers", file("l.svg"), "--suit", file("large.json")}, 4,
+                  {"12 sources"});
+}
+
+TEST_F(CalibrateByCommand, OptionsOfPhotographsAreChecked) {
+    const std::string sheet = file("s.svg");
+    expectRefusal({"calibrate", "sources", "t", "--print-markers", sheet}, 2, {"'t'"});
+    expectRefusal({"calibrate", "sources", "--print-markers", sheet, "--photos", "1_a.jpg"}, 2,
+                  {"--print-markers", "--photos"});
+    expectRefusal({"calibrate", "sources", "--print-markers", sheet, "--marker-mm", "5"}, 2,
+                  {"--marker-mm", "10"});
+    expectRefusal({"calibrate", "sources", "t", "--out", "c", "--digitizer", "d", "--marker-mm", "30"}, 2,
+                  {"--marker-mm", "--photos"});
+    expectRefusal({"calibrate", "sources", "t", "--out", "c", "--photos", "1_a.jpg", "--suit", "s"}, 2,
+                  {"--suit"});
+    expectRefusal({"calibrate", "sources", "t", "--out", "c", "--photos", "1_a.jpg", "--digitizer", "d"}, 2,
+                  {"one of --digitizer, --distances and --photos"});
+    expectRefusal({"calibrate", "sources", "t", "--photos", "--out", "c"}, 2, {"--photos has no value"});
+    EXPECT_FALSE(std::filesystem::exists(sheet));
 }
 
 }  // namespace

@@ -88,7 +88,8 @@ TEST(Usage, UnknownWordsNameTheNearestKnownOne) {
     expectRefusal({"calibrate"}, 2, {"sources, accelerometers, gyroscopes or rest-pose"});
     expectRefusal({"calibrate", "sorces", "t"}, 2, {"rest-pose"});
     expectRefusal({"calibrate", "sources", "t"}, 2, {"--out"});
-    expectRefusal({"calibrate", "sources", "t", "--out", "c.json"}, 2, {"--digitizer", "--distances"});
+    expectRefusal({"calibrate", "sources", "t", "--out", "c.json"}, 2,
+                  {"--digitizer", "--distances", "--photos"});
 }
 
 TEST(Usage, ValuesAreChecked) {
@@ -127,7 +128,6 @@ TEST(Usage, ValuesAreChecked) {
 
 TEST(Usage, WhatComesLaterIsRefusedByName) {
     expectRefusal({"calibrate", "motion", "t"}, 2, {"calibrate motion is not available yet"});
-    expectRefusal({"calibrate", "sources", "t", "--photos", "x"}, 2, {"--photos", "not available"});
     expectRefusal({"process", "t", "--detector", "matched"}, 2, {"--detector matched", "not available"});
     for (const char* smoother : {"lag", "full", "batch"})
         expectRefusal({"process", "t", "--smooth", smoother}, 2, {smoother, "not available"});
