@@ -53,8 +53,8 @@ struct SourceOffset {
     std::string id;
     bool calibrated = false;  ///< else the values mean nothing
     double offset_s = 0, sigma_s = 0;
-    int measurements = 0;            ///< used
-    double rms_m = 0;                ///< of their residuals
+    int measurements = 0;                 ///< used
+    double rms_m = 0;                     ///< of their residuals
     std::optional<double> before_s = {};  ///< the offset in force
 };
 

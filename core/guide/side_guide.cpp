@@ -76,9 +76,9 @@ Hindrance SideGuide::see(const HealthReport& health, Guidance& guidance) {
         const double upright_m_per_s2 = accels[i].dot(side->up());
         const double least =
             is_known ? kStandardGravity_m_per_s2 / 2 : kStandardGravity_m_per_s2 - kUncalibrated_m_per_s2;
-        guidance.askew_rad[index(board)] = askew_rad(board, accels[i], *side);
         if (guidance.boards[index(board)] != GuidedBoard::kRight)
             continue;
+        guidance.askew_rad[index(board)] = askew_rad(board, accels[i], *side);
         if (upright_m_per_s2 < least)
             guidance.boards[index(board)] = GuidedBoard::kElsewhere;
         else if (guidance.askew_rad[index(board)].value_or(0) > limit_rad)

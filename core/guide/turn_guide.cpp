@@ -58,8 +58,8 @@ Hindrance TurnGuide::judgeSpeed(double turn_rad_per_s, const std::vector<int>& h
             return Hindrance::kTooFast;
         }
     const double wanted = wantedSpeed(rpm, rpm_);
-    const bool rested = std::ranges::all_of(
-        heard, [this](int board) { return zeros_rad_per_s_[index(board)].has_value(); });
+    const bool rested =
+        std::ranges::all_of(heard, [this](int board) { return zeros_rad_per_s_[index(board)].has_value(); });
     const double limit = rested ? kOffSpeed : kOffSpeedUnrested;
     return std::abs(rpm / wanted - 1) > limit ? Hindrance::kOffSpeed : Hindrance::kNone;
 }

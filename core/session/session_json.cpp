@@ -156,8 +156,7 @@ Result<Session> sessionFromJson(const nlohmann::json& json, const std::string& w
         return *error;
     // `version` stays with the unknown members: a newer minor version is written back as it was.
     session.unknown = unknownMembers(json, {"format", "name", "created_utc", "current_performer",
-                                            "calibration", "notes",
-                                            "performers", "takes", "shots"});
+                                            "calibration", "notes", "performers", "takes", "shots"});
     return session;
 }
 

@@ -7290,8 +7290,12 @@ Drehen, beide Richtungen x3</translation>
         <translation>gut: %1</translation>
     </message>
     <message>
-        <source>blue: with this calibration; grey: with the one before</source>
-        <translation>blau: mit dieser Kalibrierung; grau: mit der vorigen</translation>
+        <source>mean %1</source>
+        <translation>im Mittel %1</translation>
+    </message>
+    <message>
+        <source>mean %1 (blue), with the calibration before %2 (grey)</source>
+        <translation>im Mittel %1 (blau), mit der Kalibrierung davor %2 (grau)</translation>
     </message>
 </context>
 <context>

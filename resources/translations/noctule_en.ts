@@ -24,30 +24,30 @@
     <name>LiveText</name>
     <message numerus="yes">
         <source>So do %n other(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>So does one other.</numerusform>
+            <numerusform>So do %n others.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n other(s) are silent too.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>One other is silent too.</numerusform>
+            <numerusform>%n others are silent too.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n board(s) are level. Press board %1 into its slot until it clicks, then let go of the plate.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>One board is level. Press board %1 into its slot until it clicks, then let go of the plate.</numerusform>
+            <numerusform>%n boards are level. Press board %1 into its slot until it clicks, then let go of the plate.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>All %n board(s) are in place. Nothing touches them.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>The board is in place. Nothing touches it.</numerusform>
+            <numerusform>All %n boards are in place. Nothing touches them.</numerusform>
         </translation>
     </message>
 </context>
@@ -465,16 +465,16 @@
     <name>noctule::ui::WizardIntro</name>
     <message numerus="yes">
         <source>%n step(s) were taken on %1 and are kept.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>One step was taken (%1) and is kept.</numerusform>
+            <numerusform>%n steps were taken (%1) and are kept.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: %n distance(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: one distance</numerusform>
+            <numerusform>%1: %n distances</numerusform>
         </translation>
     </message>
 </context>
@@ -482,9 +482,9 @@
     <name>noctule::ui::WizardResult</name>
     <message numerus="yes">
         <source>%n thing(s) to look at, on the right.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>One thing to look at, on the right.</numerusform>
+            <numerusform>%n things to look at, on the right.</numerusform>
         </translation>
     </message>
 </context>

@@ -3,13 +3,13 @@
 
 #include <stdexcept>
 
-#include "ui/wizards/calibrate_page.h"
 #include "ui/views/connect_page.h"
 #include "ui/views/export_page.h"
 #include "ui/views/performer_page.h"
 #include "ui/views/record_page.h"
 #include "ui/views/review_page.h"
 #include "ui/views/start_page.h"
+#include "ui/wizards/calibrate_page.h"
 
 namespace noctule::ui {
 

@@ -137,8 +137,9 @@ void BoardTable::paintEvent(QPaintEvent*) {
                          Qt::AlignCenter, QString::number(step + 1));
     }
     painter.setPen(tokens.t3);
-    painter.drawText(QRect(right - theme.px(kTilt), 0, theme.px(kTilt), row),
-                     Qt::AlignRight | Qt::AlignVCenter, tr("askew"));
+    if (run_->task() == WizardTask::kAccelerometers)
+        painter.drawText(QRect(right - theme.px(kTilt), 0, theme.px(kTilt), row),
+                         Qt::AlignRight | Qt::AlignVCenter, tr("askew"));
     for (int board = 0; board < boards(); ++board) {
         const auto at = static_cast<size_t>(board);
         const QRect line(0, row * (board + 1), width(), row);

@@ -44,17 +44,17 @@ QSize ErrorPlot::sizeHint() const {
     return QSize(Theme::get().px(400), Theme::get().px(rows * kErrorRow + kFoot));
 }
 
-/// Wide enough for all that is good and for nineteen of twenty of the errors.
+/// Wide enough for all that is good and for nineteen of twenty of the errors; what was before may lie beyond.
 double ErrorPlot::scaleEnd() const {
-    std::vector<double> values{errors_.good * 1.2};
-    for (const CalibrationErrors::Row& row : errors_.rows) {
+    std::vector<double> values;
+    for (const CalibrationErrors::Row& row : errors_.rows)
         values.insert(values.end(), row.after.begin(), row.after.end());
-        values.insert(values.end(), row.before.begin(), row.before.end());
-    }
     std::ranges::sort(values);
     const double most =
-        values[static_cast<size_t>(std::floor(0.95 * static_cast<double>(values.size() - 1)))];
-    return roundUp(std::max({most, errors_.good * 1.2, 1e-9}));
+        values.empty()
+            ? 0
+            : values[static_cast<size_t>(std::floor(0.95 * static_cast<double>(values.size() - 1)))];
+    return roundUp(std::max({most, errors_.good * 2, 1e-9}));
 }
 
 void ErrorPlot::paintEvent(QPaintEvent*) {
@@ -84,7 +84,7 @@ void ErrorPlot::paintEvent(QPaintEvent*) {
         painter.setPen(Qt::NoPen);
         painter.setBrush(color);
         for (const double value : values) {
-            const bool beyond = value > end;
+            const bool beyond = value > end && color == tokens.acc;
             const double x = left + std::min(value, end) * scale;
             if (beyond) {
                 painter.setPen(QPen(tokens.warn, theme.px(1.5)));

@@ -4,13 +4,13 @@
 #pragma once
 
 #include <QStackedWidget>
+#include <map>
 #include <memory>
 
 #include "ui/wizards/wizard_run.h"
 
 namespace noctule::ui {
 
-class JobProgress;
 class ProgressLine;
 class ResultSide;
 class WizardBoards;
@@ -47,6 +47,7 @@ signals:
 private:
     void refresh();
     void followGuide();
+    std::map<std::string, QString> partNames() const;
 
     Studio& studio_;
     std::unique_ptr<WizardRun> run_;

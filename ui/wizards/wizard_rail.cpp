@@ -148,7 +148,7 @@ void WizardRail::refresh() {
     const Phase phase = run_->phase();
     size_t at = 0;
     row(at++)->setStep(phase == Phase::kIntro ? State::kCurrent : State::kDone, tr("What you need"),
-                       wordsOf(run_->task()).takes.section(';', 0, 0), false);
+                       wordsOf(run_->task()).takes.section(';', 0, 0).section(',', -1).trimmed(), false);
     const bool guides = phase == Phase::kGuiding || phase == Phase::kTaking;
     if (chosen_ >= run_->stepCount() || (chosen_ >= 0 && !run_->guide()->isDone(chosen_)))
         chosen_ = -1;

@@ -3,7 +3,9 @@
 
 #include <QGridLayout>
 #include <QVBoxLayout>
+#include <numeric>
 
+#include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/label.h"
@@ -56,6 +58,31 @@ QWidget* tableCard(const CalibrationTable& table) {
     return card;
 }
 
+double meanOf(const CalibrationErrors& errors, std::vector<double> CalibrationErrors::Row::*values) {
+    double sum = 0;
+    size_t count = 0;
+    for (const CalibrationErrors::Row& row : errors.rows) {
+        sum = std::accumulate((row.*values).begin(), (row.*values).end(), sum);
+        count += (row.*values).size();
+    }
+    return count > 0 ? sum / static_cast<double>(count) : -1;
+}
+
+/// "mean 0.12 mg (blue), before 310 mg (grey)"
+QString meansOf(const CalibrationErrors& errors) {
+    const QString unit = wordsIn(errors.unit);
+    const auto inUnit = [&unit](double value) {
+        return numberText(value, value < 10 ? 2 : 0) + (unit == "\u00b0" ? unit : ' ' + unit);
+    };
+    const double after = meanOf(errors, &CalibrationErrors::Row::after);
+    const double before = meanOf(errors, &CalibrationErrors::Row::before);
+    if (after < 0)
+        return {};
+    return before < 0 ? WizardResult::tr("mean %1").arg(inUnit(after))
+                      : WizardResult::tr("mean %1 (blue), with the calibration before %2 (grey)")
+                            .arg(inUnit(after), inUnit(before));
+}
+
 }  // namespace
 
 WizardResult::WizardResult(QWidget* parent) : QWidget(parent), header_(new VerdictHeader), content_(nullptr) {
@@ -66,12 +93,29 @@ WizardResult::WizardResult(QWidget* parent) : QWidget(parent), header_(new Verdi
     content_->addWidget(header_);
 }
 
-void WizardResult::setDocument(const CalibrationDocument& document) {
+CalibrationDocument WizardResult::named(CalibrationDocument document,
+                                        const std::map<std::string, QString>& names) {
+    const auto name = [&names](std::string& id) {
+        if (const auto known = names.find(id); known != names.end())
+            id = known->second.toStdString();
+    };
+    for (CalibrationTable& table : document.tables)
+        for (auto& row : table.rows)
+            if (!row.empty())
+                name(row.front());
+    if (document.errors)
+        for (CalibrationErrors::Row& row : document.errors->rows)
+            name(row.name);
+    return document;
+}
+
+void WizardResult::setDocument(const CalibrationDocument& document,
+                               const std::map<std::string, QString>& names) {
     while (QLayoutItem* item = content_->takeAt(1)) {
         delete item->widget();
         delete item;
     }
-    fill(document);
+    fill(named(document, names));
 }
 
 void WizardResult::fill(const CalibrationDocument& document) {
@@ -100,8 +144,7 @@ void WizardResult::fill(const CalibrationDocument& document) {
     if (document.errors && !document.errors->rows.empty()) {
         auto* card = new Card;
         auto* column = makeColumn(card, {16, 12, 16, 12}, 8);
-        column->addWidget(new SectionHeader(wordsIn(document.errors->title),
-                                            tr("blue: with this calibration; grey: with the one before")));
+        column->addWidget(new SectionHeader(wordsIn(document.errors->title), meansOf(*document.errors)));
         auto* plot = new ErrorPlot;
         plot->setErrors(*document.errors);
         column->addWidget(plot);

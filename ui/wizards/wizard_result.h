@@ -4,6 +4,8 @@
 #pragma once
 
 #include <QWidget>
+#include <map>
+#include <string>
 
 #include "core/report/calibration_document.h"
 
@@ -18,12 +20,15 @@ class WizardResult : public QWidget {
 public:
     explicit WizardResult(QWidget* parent = nullptr);
 
-    void setDocument(const CalibrationDocument& document);
+    /// `names`: what ids of parts are called here.
+    void setDocument(const CalibrationDocument& document, const std::map<std::string, QString>& names);
     /// "Good", "Usable", "Not usable": as it stands at the top.
     const QString& verdict() const { return verdict_; }
 
 private:
     void fill(const CalibrationDocument& document);
+    static CalibrationDocument named(CalibrationDocument document,
+                                     const std::map<std::string, QString>& names);
 
     VerdictHeader* header_;
     QVBoxLayout* content_;
