@@ -11,6 +11,7 @@ import time
 import accessibility
 import benchmarks
 import blender
+import calibration
 import drift
 import fuzz
 import interface
@@ -33,6 +34,7 @@ FIGURES = {
     "record": ("A live take through the studio", record.figure),
     "accessibility": ("The studio over AT-SPI", accessibility.figure),
     "blender": ("Exports opened in Blender", blender.figure),
+    "calibration": ("Calibration", calibration.figure),
     "kills": ("Recordings that are killed, without power, with every fault", kills.figure),
     "fuzz": ("Damaged bytes into every reader", fuzz.figure),
     "sanitizers": ("Unit tests under sanitizers", sanitizers.figure),
@@ -48,6 +50,7 @@ def parse_options():
                              f"{', '.join(map(str, table1.SIGMAS_TO_TRY))}")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="programs at a time")
     parser.add_argument("--kills", type=int, default=200, metavar="N", help="and as many power failures")
+    parser.add_argument("--calibration-trials", type=int, default=50, metavar="N", help="suits of each calibration")
     parser.add_argument("--damaged-inputs", type=int, default=1_000_000, metavar="N", help="of fuzz, each reader")
     parser.add_argument("--fuzz-inputs", type=int, default=20000, metavar="N")
     parser.add_argument("--fuzz-seed", type=int, default=1, metavar="N")

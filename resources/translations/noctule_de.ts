@@ -410,6 +410,10 @@
         <source>typeface</source>
         <translation>Schrift</translation>
     </message>
+    <message>
+        <source>markers in photographs</source>
+        <translation>Marken in Fotografien</translation>
+    </message>
 </context>
 <context>
     <name>LiveText</name>

@@ -48,6 +48,7 @@ QList<LinkedWork> linkedWorks() {
         {"zstd", fromCore(zstdVersion()), "BSD-3-Clause", Words::tr("compression of takes"), "zstd.net"},
         {"Open Asset Import Library", fromCore(meshReaderVersion()), "BSD-3-Clause", Words::tr("meshes"),
          "assimp.org"},
+        {"OpenCV", NOCTULE_OPENCV_VERSION, "Apache-2.0", Words::tr("markers in photographs"), "opencv.org"},
         {"libepoxy", NOCTULE_EPOXY_VERSION, "MIT", Words::tr("OpenGL"), "github.com/anholt/libepoxy"},
         {"JSON for Modern C++", jsonVersion(), "MIT", Words::tr("settings and documents"),
          "json.nlohmann.me"},
