@@ -116,6 +116,12 @@ void Guide::repeat(int step) {
     done_[index(step)].assign(suit_.boards.size(), false);
 }
 
+void Guide::restart() {
+    held_step_.reset();
+    held_from_ = health_.sample;
+    now_.held_s = 0;
+}
+
 void Guide::learn(int, const HealthReport&) {}
 
 }  // namespace noctule

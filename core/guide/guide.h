@@ -78,6 +78,8 @@ public:
     /// From what was recorded before.
     void setDone(int step, int board) { done_[index(step)][index(board)] = true; }
     void repeat(int step);
+    /// The count begins again.
+    void restart();
 
 protected:
     /// Fills step, boards, askew_rad and what it measures; returns a hindrance of the whole, if any.

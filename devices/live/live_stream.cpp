@@ -34,6 +34,7 @@ void LiveSession::startProcessor(Stream& stream, const link::Hello& hello, const
         stream.not_processed = plan.error();
         return;
     }
+    stream.request.tracker = plan->pipeline.tracker;  // results name what they were made with
     std::optional<ResultSpool> spool;
     if (stream.request.keep_results && stream.request.take) {
         auto made = ResultSpool::make(stream.request.take->folder);

@@ -1745,10 +1745,6 @@
         <translation>Als Nächstes: %1</translation>
     </message>
     <message>
-        <source>The rest counts as it stands on the cards.</source>
-        <translation>Das Übrige gilt, wie es auf den Karten steht.</translation>
-    </message>
-    <message>
         <source>Calibrated</source>
         <translation>Kalibriert</translation>
     </message>
@@ -1780,6 +1776,10 @@
         <source>None has been saved yet.</source>
         <translation>Noch ist keine gesichert.</translation>
     </message>
+    <message>
+        <source>The other values stay in use; their cards say how good they are.</source>
+        <translation>Die übrigen Werte gelten weiter; ihre Karten sagen, wie gut sie sind.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::CalibrationShelf</name>
@@ -1790,6 +1790,10 @@
     <message>
         <source>Calibration of the %1</source>
         <translation>Kalibrierung: %1</translation>
+    </message>
+    <message>
+        <source>No session is open. Open one first.</source>
+        <translation>Keine Sitzung ist offen. Zuerst eine öffnen.</translation>
     </message>
 </context>
 <context>

@@ -92,7 +92,8 @@ QStringList CalibrationShelf::strangers(const Calibration& calibration) const {
 void CalibrationShelf::hand() {
     const bool is_worn = suit_.phase() == LiveSuit::Phase::kLooking;
     const auto found = std::ranges::find(all_, in_force_, &ShelvedCalibration::file);
-    if (!is_worn || (handed_ && handed_ == in_force_))
+    const QString path = in_force_.isEmpty() ? QString() : QDir(folder_).filePath(in_force_);
+    if (!is_worn || (handed_ && *handed_ == path))
         return;
     if (found == all_.end()) {
         if (std::exchange(handed_, std::nullopt))
@@ -101,7 +102,7 @@ void CalibrationShelf::hand() {
     }
     if (!handed_)
         own_ = suit_.calibration();
-    handed_ = in_force_;
+    handed_ = path;
     if (const QStringList others = strangers(found->calibration); !others.isEmpty())
         emit warned(tr("The calibration %1 was made with other parts than those connected now: %2. Calibrate "
                        "them before their takes count.")
@@ -110,6 +111,9 @@ void CalibrationShelf::hand() {
 }
 
 QString CalibrationShelf::save(const CalibrationResult& result, const QString& task) {
+    if (folder_.isEmpty())
+        return tr("No session is open. Open one first.");
+    QDir().mkpath(folder_);
     const QString day = QDate::currentDate().toString(Qt::ISODate);
     QString name = QStringLiteral("%1-%2").arg(task, day);
     for (int number = 2; QFile::exists(QDir(folder_).filePath(name + ".json")); ++number)

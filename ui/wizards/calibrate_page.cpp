@@ -2,6 +2,7 @@
 #include "ui/wizards/calibrate_page.h"
 
 #include <QKeyEvent>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -35,8 +36,12 @@ CalibratePage::CalibratePage(Studio& studio, QWidget* parent)
     right_->addWidget(wizard_->side());
     left_->addWidget(makeHistory());
     left_->addWidget(wizard_->rail());
-    left_->hide();
-    right_->hide();
+    for (QWidget* dock : {left_, right_}) {
+        dock->hide();
+        dock->installEventFilter(this);
+        for (QScrollArea* area : dock->findChildren<QScrollArea*>())
+            area->installEventFilter(this);
+    }
     setFocusPolicy(Qt::ClickFocus);
     setDockTitles(tr("Calibrations"), tr("Calibration"));
     connect(wizard_, &WizardPage::leaveRequested, this, &CalibratePage::closeWizard);
@@ -55,6 +60,17 @@ QWidget* CalibratePage::leftDock() {
 
 QWidget* CalibratePage::rightDock() {
     return right_;
+}
+
+void CalibratePage::enter() {
+    if (wizard_->run())
+        wizard_->run()->setPaused(false);
+    setFocus();
+}
+
+void CalibratePage::leave() {
+    if (wizard_->run())
+        wizard_->run()->setPaused(true);
 }
 
 bool CalibratePage::showsWizard() const {
@@ -170,7 +186,7 @@ void CalibratePage::refresh() {
                "Begin with the source offsets."));
     else if (next_)
         verdict_->setVerdict(Tone::kWarn, tr("Next: %1").arg(wordsOf(*next_).title),
-                             tr("The rest counts as it stands on the cards."));
+                             tr("The other values stay in use; their cards say how good they are."));
     else
         verdict_->setVerdict(
             Tone::kOk, tr("Calibrated"),
@@ -219,6 +235,14 @@ void CalibratePage::showHistory() {
 void CalibratePage::keyPressEvent(QKeyEvent* event) {
     if (!showsWizard() || !wizard_->handleKey(event->key()))
         Page::keyPressEvent(event);
+}
+
+/// Keys that nothing in a dock wanted come to its scroll areas and to itself last.
+bool CalibratePage::eventFilter(QObject* object, QEvent* event) {
+    if (event->type() == QEvent::KeyPress && showsWizard() &&
+        wizard_->handleKey(static_cast<QKeyEvent*>(event)->key()))
+        return true;
+    return Page::eventFilter(object, event);
 }
 
 }  // namespace noctule::ui

@@ -29,6 +29,8 @@ public:
     QString title() const override { return tr("Calibrate"); }
     QWidget* leftDock() override;
     QWidget* rightDock() override;
+    void enter() override;
+    void leave() override;
 
     void open(WizardTask task);
     /// Back to the overview.
@@ -42,6 +44,7 @@ public:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
     QWidget* makeOverview();

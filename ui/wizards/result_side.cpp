@@ -52,9 +52,10 @@ void ResultSide::showFindings() {
         delete item;
     }
     for (const Finding& finding : run_->result()->document.findings)
-        findings_->addWidget(new ProblemCard(finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn,
-                                             QString::fromStdString(finding.what),
-                                             QString::fromStdString(finding.remedy) + '.'));
+        findings_->addWidget(new ProblemCard(
+            finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn,
+            QString::fromStdString(finding.what),
+            QString::fromStdString(finding.remedy.empty() ? std::string() : finding.remedy + ".")));
     if (run_->result()->document.findings.empty())
         findings_->addWidget(
             (new Label(tr("No board and no source stands out."), TextRole::kBody, Ink::kLabel))->wrapped());

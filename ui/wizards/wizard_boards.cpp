@@ -118,7 +118,7 @@ void WizardBoards::refresh() {
     repeat_->setDisabledBecause(nothing);
     back_->setDisabledBecause(nothing);
     enough_->setDisabledBecause(nothing);
-    enough_->setVisible(guide.stepCount() > 1);
+    enough_->setVisible(guide.stepCount() > 1 || guide.isFinished());
     const QString cost = board >= 0 ? costOfSkipping(*run_, board) : QString();
     words_->setText(!run_->trouble().isEmpty()         ? run_->trouble()
                     : skipped || table_->chosen() >= 0 ? cost

@@ -98,6 +98,9 @@ void WizardIntro::refresh() {
     begin_->setText(unfinished ? tr("Go on") : tr("Begin"));
     begin_->setDisabledBecause(run_->whyNotBegin());
     anew_->setVisible(unfinished.has_value());
+    anew_->setDisabledBecause(run_->whyNotBegin());
+    const bool lacks_distances = run_->task() == WizardTask::kSources && run_->distanceCount() == 0;
+    takes_->setDisabledBecause(lacks_distances ? run_->whyNotBegin() : QString());
     kept_words_->setText(
         unfinished ? tr("%n step(s) were taken on %1 and are kept.", nullptr, unfinished->steps_done)
                          .arg(dateText(unfinished->since.toLocalTime()))
@@ -127,14 +130,14 @@ QString WizardIntro::problem() const {
 void WizardIntro::chooseDistances() {
     const QString path = QFileDialog::getOpenFileName(this, tr("Choose the distances of the jig"), {},
                                                       tr("Tables (*.csv *.txt);;All files (*)"));
-    if (!path.isEmpty())
+    if (run_ && !path.isEmpty())
         useDistances(path);
 }
 
 void WizardIntro::chooseTakes() {
     const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Choose the takes"),
                                                             studio_.takesFolder(), tr("Takes (*.noctule)"));
-    if (!paths.isEmpty())
+    if (run_ && !paths.isEmpty())
         run_->solveTakes(paths);
 }
 

@@ -107,8 +107,17 @@ void WizardLive::setRun(WizardRun* run) {
         return;
     connect(run, &WizardRun::changed, this, &WizardLive::refresh);
     connect(run, &WizardRun::guided, this, &WizardLive::refresh);
-    drawing_->setBody(BodyFigure::of(studio_.suit().actor(), studio_.body()), studio_.suit().suit());
+    is_dressed_ = false;
     refresh();
+}
+
+/// As soon as a suit says who wears it.
+void WizardLive::dress() {
+    const LiveSuit& suit = studio_.suit();
+    if (is_dressed_ || suit.phase() == LiveSuit::Phase::kNone || suit.suit().boards.empty())
+        return;
+    drawing_->setBody(BodyFigure::of(suit.actor(), studio_.body()), suit.suit());
+    is_dressed_ = true;
 }
 
 QString WizardLive::instruction() const {
@@ -131,6 +140,7 @@ void WizardLive::refresh() {
     sentence_->setText(now.sentence);
     detail_->setText(now.detail);
     ring_->show(run_->heldShare(), holdOf(run_->task()), now.tone == Tone::kOk ? Tone::kOk : Tone::kNeutral);
+    dress();
     showPicture();
     showMeasures();
 }

@@ -37,12 +37,14 @@ private:
     QWidget* makeMeasures();
     void refresh();
     void showPicture();
+    void dress();
     void showMeasures();
 
     Studio& studio_;
     WizardRun* run_ = nullptr;
     Label *step_, *so_far_, *instruction_;
     RigDrawing* drawing_;
+    bool is_dressed_ = false;
     ToneCard* card_ = nullptr;
     HoldRing* ring_;
     Label *sentence_, *detail_;

@@ -44,7 +44,7 @@ WizardPage::WizardPage(Studio& studio, QWidget* parent)
     connect(rail_, &WizardRail::leaveRequested, this, &WizardPage::leaveRequested);
     connect(rail_, &WizardRail::stepChosen, boards_, &WizardBoards::setStep);
     connect(result_side_, &ResultSide::leaveRequested, this, &WizardPage::leaveRequested);
-    connect(result_side_, &ResultSide::repeatRequested, this, [this] { run_->goBack(); });
+    connect(result_side_, &ResultSide::repeatRequested, this, [this] { run_->resume(); });
     connect(progress_, &ProgressLine::cancelled, this, [this] {
         if (run_ && run_->job())
             run_->job()->cancel();
@@ -61,6 +61,7 @@ QWidget* WizardPage::rail() {
 void WizardPage::open(WizardTask task) {
     close();
     run_ = std::make_unique<WizardRun>(studio_, task);
+    was_right_ = false;
     intro_->setRun(run_.get());
     live_->setRun(run_.get());
     rail_->setRun(run_.get());

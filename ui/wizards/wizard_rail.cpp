@@ -164,8 +164,10 @@ void WizardRail::refresh() {
     row(at++)->setStep(over ? State::kCurrent : State::kWaiting, tr("Result"), {}, false);
     for (size_t i = 0; i < rows_.size(); ++i)
         rows_[i]->setVisible(i < at);
-    leave_->setText(run_->isSaved() || phase == Phase::kIntro ? tr("Back to Calibrate")
-                                                              : tr("Leave and resume later"));
+    tones_->setChecked(run_->tones());
+    leave_->setText(!run_->unfinished() || run_->task() == WizardTask::kCheck || phase == Phase::kIntro
+                        ? tr("Back to Calibrate")
+                        : tr("Leave and resume later"));
 }
 
 }  // namespace noctule::ui

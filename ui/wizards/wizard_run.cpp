@@ -13,6 +13,7 @@
 #include "core/guide/turn_guide.h"
 #include "core/job/atomic_file.h"
 #include "core/session/take_folder.h"
+#include "core/suit/calibration_entries.h"
 
 namespace noctule::ui {
 namespace {
@@ -69,13 +70,15 @@ WizardRun::WizardRun(Studio& studio, WizardTask task, QObject* parent)
     : QObject(parent), studio_(studio), task_(task) {
     connect(&studio.suit(), &LiveSuit::frameChanged, this, &WizardRun::look);
     connect(&studio.suit(), &LiveSuit::evidenceRecorded, this, &WizardRun::kept);
-    connect(&studio.suit(), &LiveSuit::phaseChanged, this, [this] {
-        if (phase_ == Phase::kTaking && isWaitingForSuit() &&
-            studio_.suit().phase() != LiveSuit::Phase::kSaving)
-            setPhase(Phase::kGuiding);
+    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &WizardRun::changed);
+    connect(&studio.session(), &SessionModel::opened, this, [this] {
+        if (phase_ == Phase::kIntro) {
+            evidence_.clear();
+            started_utc_.clear();
+            restore();
+        }
         emit changed();
     });
-    connect(&studio.session(), &SessionModel::opened, this, &WizardRun::changed);
     restore();
 }
 
@@ -150,9 +153,13 @@ void WizardRun::begin() {
     if (started_utc_.isEmpty())
         started_utc_ = QString::fromStdString(studio_.parts().utc_now());
     setPhase(Phase::kGuiding);
+    if (guide_->isFinished())
+        solveNow();
 }
 
 void WizardRun::beginAnew() {
+    if (!whyNotBegin().isEmpty())
+        return;
     forget();
     begin();
 }
@@ -166,7 +173,7 @@ bool WizardRun::isWaitingForSuit() const {
 
 void WizardRun::look() {
     const auto frame = studio_.suit().frame();
-    if (phase_ != Phase::kGuiding || !guide_ || !frame || isWaitingForSuit())
+    if (phase_ != Phase::kGuiding || paused_ || !guide_ || !frame || isWaitingForSuit())
         return;
     if (studio_.suit().suit().boards.size() != suit_.boards.size())
         makeGuide();
@@ -191,7 +198,9 @@ void WizardRun::keep() {
         plan.placement = QString::fromStdString(jig->placements()[static_cast<size_t>(*now.step)]);
     trouble_ = studio_.suit().keepEvidence(plan);
     if (trouble_.isEmpty())
-        setPhase(Phase::kTaking);
+        return setPhase(Phase::kTaking);
+    guide_->restart();
+    emit changed();
 }
 
 void WizardRun::kept(const QString& path, const QString& trouble) {
@@ -199,8 +208,8 @@ void WizardRun::kept(const QString& path, const QString& trouble) {
         return;
     trouble_ = trouble;
     if (!trouble.isEmpty() || path.isEmpty()) {
-        setPhase(Phase::kGuiding);
-        return;
+        guide_->restart();
+        return setPhase(Phase::kGuiding);
     }
     const Guidance now = guide_->guidance();
     guide_->take();
@@ -255,7 +264,7 @@ double WizardRun::secondsSoFar() const {
 }
 
 void WizardRun::skip(int board, bool skipped) {
-    if (!guide_)
+    if (!guide_ || phase_ != Phase::kGuiding)
         return;
     guide_->skip(board, skipped);
     emit changed();
@@ -271,14 +280,16 @@ void WizardRun::dropEvidence(int step) {
             std::error_code ignored;
             std::filesystem::create_directories(trash, ignored);
             const std::filesystem::path from = part.path.toStdString();
-            if (!moveTakeFiles(from, nextTakePath(trash, takeBaseName(from.stem().string()))))
-                QFile::remove(part.path);
+            if (const Status moved =
+                    moveTakeFiles(from, nextTakePath(trash, takeBaseName(from.stem().string())));
+                !moved)
+                emit studio_.warned(QString::fromStdString(moved.error().text()));
         }
     std::erase_if(evidence_, [step](const WizardEvidence& part) { return part.step == step; });
 }
 
 void WizardRun::repeat(int step) {
-    if (!guide_)
+    if (!guide_ || phase_ == Phase::kTaking || phase_ == Phase::kSolving)
         return;
     guide_->repeat(step);
     dropEvidence(step);
@@ -291,10 +302,24 @@ void WizardRun::goBack() {
         repeat(evidence_.back().step);
 }
 
+void WizardRun::resume() {
+    if (guide_ && phase_ == Phase::kResult)
+        setPhase(Phase::kGuiding);
+}
+
+void WizardRun::setPaused(bool paused) {
+    paused_ = paused;
+    if (guide_ && !paused)
+        guide_->restart();
+}
+
 void WizardRun::solveNow() {
+    if (phase_ != Phase::kGuiding)
+        return;
     std::vector<std::string> paths;
     for (const WizardEvidence& part : evidence_)
         paths.push_back(part.path.toStdString());
+    from_evidence_ = true;
     if (!paths.empty())
         solve(paths);
 }
@@ -303,6 +328,7 @@ void WizardRun::solveTakes(const QStringList& paths) {
     std::vector<std::string> files;
     for (const QString& path : paths)
         files.push_back(path.toStdString());
+    from_evidence_ = false;
     if (!files.empty() && studio_.makeSureOfSession())
         solve(files);
 }
@@ -314,13 +340,18 @@ void WizardRun::solve(const std::vector<std::string>& paths) {
     if (task_ == WizardTask::kRestPose || task_ == WizardTask::kCheck)
         request.take_paths = {paths.back()};
     request.base = base();
-    if (studio_.suit().phase() != LiveSuit::Phase::kNone)
+    if (from_evidence_ && studio_.suit().phase() != LiveSuit::Phase::kNone)
         request.actor = studio_.suit().actor();
     request.created_utc = studio_.parts().utc_now();
     saved_ = false;
+    KnownDistances known = known_;
+    std::erase_if(known.distances, [this](const KnownDistance& distance) {
+        const int board = guide_ ? suit_.findBoard(distance.board) : -1;
+        return board >= 0 && guide_->isSkipped(board);
+    });
     job_ = studio_.jobs().start<CalibrationResult>(
         tr("Calibration: %1").arg(wordsOf(task_).title),
-        [task = task_, request, known = known_](const JobContext& job) {
+        [task = task_, request, known](const JobContext& job) {
             return solveTask(task, request, known, job);
         },
         [self = QPointer(this)](Result<CalibrationResult> result) -> QString {
@@ -337,11 +368,24 @@ void WizardRun::solved(Result<CalibrationResult> result) {
     trouble_.clear();
     if (result) {
         result_ = std::move(*result);
+        keepValuesOfSkipped(*result_);
         return setPhase(Phase::kResult);
     }
     if (result.error().kind != ErrorKind::kCancelled)
         trouble_ = QString::fromStdString(result.error().text());
     setPhase(guide_ ? Phase::kGuiding : Phase::kIntro);
+}
+
+/// A board that was skipped may have been heard all the same: its values stay what they were.
+void WizardRun::keepValuesOfSkipped(CalibrationResult& result) const {
+    if (!guide_ || !from_evidence_)
+        return;
+    Calibration before = base().value_or(nominalCalibration(suit_));
+    for (int board = 0; board < static_cast<int>(suit_.boards.size()); ++board)
+        if (guide_->isSkipped(board)) {
+            const Board& skipped = suit_.boards[static_cast<size_t>(board)];
+            entryOf(result.calibration, skipped) = entryOf(before, skipped);
+        }
 }
 
 QString WizardRun::save() {
@@ -350,7 +394,8 @@ QString WizardRun::save() {
     if (const QString why = studio_.calibrations().save(*result_, keyOf(task_)); !why.isEmpty())
         return why;
     saved_ = true;
-    forget();
+    if (from_evidence_)
+        forget();
     emit changed();
     return {};
 }
@@ -360,7 +405,10 @@ bool WizardRun::tones() const {
 }
 
 void WizardRun::setTones(bool tones) {
+    if (tones == this->tones())
+        return;
     studio_.settings().setValue(kTones, tones);
+    emit changed();
 }
 
 QString WizardRun::statePath() const {
@@ -382,12 +430,13 @@ std::optional<WizardRun::Unfinished> WizardRun::unfinished() const {
 /// Written at each step: whatever happens later, this much is there.
 void WizardRun::store() const {
     const QString path = statePath();
-    if (path.isEmpty() || task_ == WizardTask::kCheck)
+    // Who stands there today stood otherwise yesterday.
+    if (path.isEmpty() || task_ == WizardTask::kCheck || task_ == WizardTask::kRestPose)
         return;
-    nlohmann::json json = {{"task", keyOf(task_).toStdString()},
-                           {"started_utc", started_utc_.toStdString()},
-                           {"distances", distances_path_.toStdString()},
-                           {"evidence", nlohmann::json::array()}};
+    nlohmann::json json = {
+        {"format", "noctule-unfinished-calibration"}, {"version", 1},
+        {"task", keyOf(task_).toStdString()},         {"started_utc", started_utc_.toStdString()},
+        {"distances", distances_path_.toStdString()}, {"evidence", nlohmann::json::array()}};
     for (const WizardEvidence& part : evidence_)
         json["evidence"].push_back({{"file", QFileInfo(part.path).fileName().toStdString()},
                                     {"step", part.step},
@@ -404,14 +453,16 @@ void WizardRun::restore() {
     const auto json = nlohmann::json::parse(text ? *text : std::string(), nullptr, false);
     if (!json.is_object() || !json.contains("evidence"))
         return;
-    started_utc_ = QString::fromStdString(json.value("started_utc", ""));
     const QDir folder(QString::fromStdString(studio_.session().session().evidenceFolder().string()));
     try {
+        started_utc_ = QString::fromStdString(json.value("started_utc", ""));
         for (const nlohmann::json& entry : json.at("evidence")) {
-            const QString file = QString::fromStdString(entry.at("file").get<std::string>());
-            if (QFile::exists(folder.filePath(file)))
-                evidence_.push_back({folder.filePath(file), entry.at("step").get<int>(),
-                                     entry.at("boards").get<std::vector<std::string>>()});
+            const QString file =
+                QFileInfo(QString::fromStdString(entry.at("file").get<std::string>())).fileName();
+            const int step = entry.at("step").get<int>();
+            if (step >= 0 && QFile::exists(folder.filePath(file)))
+                evidence_.push_back(
+                    {folder.filePath(file), step, entry.at("boards").get<std::vector<std::string>>()});
         }
         if (const auto distances = json.value("distances", std::string()); !distances.empty())
             setDistances(QString::fromStdString(distances));

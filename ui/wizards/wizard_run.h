@@ -78,6 +78,10 @@ public:
     void repeat(int step);
     /// The step that was kept last, once more.
     void goBack();
+    /// From the result back to the steps, as they are.
+    void resume();
+    /// Somebody looks at another page: nothing is taken meanwhile.
+    void setPaused(bool paused);
     bool canGoBack() const { return !evidence_.empty(); }
     /// With what there is; the solver says what is missing.
     void solveNow();
@@ -107,6 +111,7 @@ private:
     void kept(const QString& path, const QString& trouble);
     void dropEvidence(int step);
     void solve(const std::vector<std::string>& paths);
+    void keepValuesOfSkipped(CalibrationResult& result) const;
     void solved(Result<CalibrationResult> result);
     void store() const;
     void restore();
@@ -129,6 +134,8 @@ private:
     QString trouble_;
     QPointer<Job> job_;
     bool saved_ = false;
+    bool paused_ = false;
+    bool from_evidence_ = false;  ///< the result, or else from takes that were recorded elsewhere
 };
 
 }  // namespace noctule::ui

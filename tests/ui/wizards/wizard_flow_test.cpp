@@ -71,10 +71,10 @@ protected:
     }
     void TearDown() override { stop(); }
 
-    void connectRig(const QStringList& options) {
+    void connectRig(const QStringList& options, const QString& speed = "8") {
         rig_ =
             std::make_unique<RigProgram>(QStringList{"--suit", QString::fromStdString(smallSuit(folder_, 4)),
-                                                     "--speed", "6", "--seed", "3"} +
+                                                     "--speed", speed, "--seed", "3"} +
                                          options);
         ASSERT_TRUE(rig_->isThere());
         connectAgain();
@@ -253,7 +253,7 @@ TEST_F(WizardFlow, ABoardUnpluggedInTheMiddleIsNamedAndCanBeSkipped) {
 }
 
 TEST_F(WizardFlow, MovedDuringASideTheCountBeginsAgain) {
-    connectRig({"--rig", "level"});
+    connectRig({"--rig", "level"}, "2");
     open(WizardTask::kAccelerometers);
     ASSERT_TRUE(waitLong([this] { return run().heldShare() > 0.3; }));
     operate("side +x");
@@ -280,6 +280,74 @@ TEST_F(WizardFlow, WhatWasTakenSurvivesTheStudio) {
     turnToEachSide(3, 5);
     ASSERT_TRUE(reach(Phase::kResult));
     EXPECT_NE(run().result()->grade(), Grade::kNotUsable) << whatWasFound();
+}
+
+TEST_F(WizardFlow, ABoardThatIsSkippedKeepsItsValuesThoughItIsHeard) {
+    connectRig({"--rig", "level"});
+    open(WizardTask::kAccelerometers);
+    run().skip(2, true);
+    turnToEachSide();
+    ASSERT_TRUE(reach(Phase::kResult));
+    const auto& boards = run().suit().boards;
+    const Calibration& found = run().result()->calibration;
+    EXPECT_FALSE(found.findBoard(boards[2].id)->made.contains("accelerometers"));
+    EXPECT_EQ(found.findBoard(boards[2].id)->accel.zero_counts, Vector3d(2048, 2048, 2048));
+    EXPECT_TRUE(found.findBoard(boards[0].id)->made.contains("accelerometers"));
+}
+
+TEST_F(WizardFlow, NothingIsTakenWhileAnotherPageIsShown) {
+    connectRig({"--rig", "rest"});
+    open(WizardTask::kRestPose);
+    page_->leave();
+    QTest::qWait(3000);
+    EXPECT_EQ(run().phase(), Phase::kGuiding);
+    page_->enter();
+    EXPECT_TRUE(reach(Phase::kResult)) << heard();
+}
+
+TEST_F(WizardFlow, BeginningAnewWithoutASuitKeepsWhatWasTaken) {
+    connectRig({"--rig", "level"});
+    open(WizardTask::kAccelerometers);
+    turnToEachSide(0, 0);
+    page_->closeWizard();
+    studio_->suit().disconnectSuit();
+    ASSERT_TRUE(waitLong([this] { return studio_->suit().phase() == LiveSuit::Phase::kNone; }));
+    click(page_->startButton(WizardTask::kAccelerometers));
+    ASSERT_TRUE(run().unfinished());
+    EXPECT_FALSE(page_->wizard().intro().anewButton()->isEnabled());
+    run().beginAnew();
+    EXPECT_TRUE(run().unfinished());
+}
+
+TEST_F(WizardFlow, AResultThatWasLeftComesBack) {
+    connectRig({"--rig", "level"});
+    open(WizardTask::kAccelerometers);
+    turnToEachSide();
+    ASSERT_TRUE(reach(Phase::kResult));
+    page_->closeWizard();
+    click(page_->startButton(WizardTask::kAccelerometers));
+    click(page_->wizard().intro().beginButton());
+    EXPECT_TRUE(reach(Phase::kResult)) << heard();
+}
+
+TEST_F(WizardFlow, EveryWizardOpensWithoutASuitAndSaysWhatIsMissing) {
+    for (const WizardTask task : kWizardTasks) {
+        page_->open(task);
+        EXPECT_FALSE(page_->wizard().intro().beginButton()->isEnabled()) << keyOf(task).toStdString();
+        EXPECT_FALSE(run().whyNotBegin().isEmpty());
+        run().begin();
+        EXPECT_EQ(run().phase(), Phase::kIntro);
+    }
+}
+
+TEST_F(WizardFlow, ADamagedRecordOfAnUnfinishedCalibrationDoesNoHarm) {
+    ASSERT_TRUE(studio_->session().create(folder_.filePath("one"), "one"));
+    for (const char* text : {"", "{", "[]", R"({"evidence": 3})", R"({"started_utc": 1, "evidence": []})",
+                             R"({"evidence": [{"file": "../session.json", "step": -4, "boards": ["x"]}]})"}) {
+        std::ofstream(folder_.filePath("one/calibration/gyroscopes.unfinished.json").toStdString()) << text;
+        page_->open(WizardTask::kGyroscopes);
+        EXPECT_FALSE(run().unfinished()) << text;
+    }
 }
 
 TEST_F(WizardFlow, ASideIsRepeatedAndItsTakeLeaves) {
