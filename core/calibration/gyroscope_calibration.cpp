@@ -16,7 +16,6 @@ namespace {
 
 using GyroLimits = GyroscopeLimits;
 
-constexpr std::array kTableSpeeds_rpm{100.0 / 3, 45.0, 78.0};
 constexpr double kUsualWander_rad_per_s = 2e-4;  ///< per root of a second, where too little tells
 constexpr double kLeastWander_rad_per_s = 2e-5;  ///< a few boards may seem to have none
 constexpr int kFewestWanderFreedoms = 6;
@@ -39,9 +38,7 @@ double chooseNominal_rpm(const std::vector<Observations>& takes, double asked_rp
     for (const Observations& take : takes)
         if (take.turntable_rpm > 0)
             return take.turntable_rpm;
-    return *std::ranges::min_element(kTableSpeeds_rpm, {}, [&](double rpm) {
-        return std::abs(turningRate_rad_per_s(rpm) - observed_rad_per_s);
-    });
+    return nearestTableSpeed_rpm(observed_rad_per_s / turningRate_rad_per_s(1));
 }
 
 /// A board that has all its turns, on the way to its values.

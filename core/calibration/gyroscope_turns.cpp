@@ -74,6 +74,12 @@ Finding oneWayFinding(const TableBoard& table, int axis) {
 
 }  // namespace
 
+double nearestTableSpeed_rpm(double rpm) {
+    constexpr std::array kTableSpeeds_rpm{100.0 / 3, 45.0, 78.0};
+    return *std::ranges::min_element(kTableSpeeds_rpm, {},
+                                     [rpm](double usual_rpm) { return std::abs(usual_rpm - rpm); });
+}
+
 double turningRate_rad_per_s(double rpm) {
     return rpm * 2 * std::numbers::pi / 60;
 }

@@ -35,6 +35,8 @@ TableBoard tableBoard(const BoardRecord& record);
 /// What keeps the board from being calibrated, or from being better.
 std::vector<Finding> turnFindings(const TableBoard& table, double nominal_rpm);
 
+/// The nearest of a turntable's usual speeds, 33 1/3, 45 and 78.
+double nearestTableSpeed_rpm(double rpm);
 double turningRate_rad_per_s(double rpm);
 /// "33.3 rpm"
 std::string speedWords(double rpm);

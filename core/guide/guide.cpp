@@ -114,6 +114,7 @@ void Guide::take() {
 
 void Guide::repeat(int step) {
     done_[index(step)].assign(suit_.boards.size(), false);
+    unlearn(step);
 }
 
 void Guide::restart() {
@@ -122,6 +123,23 @@ void Guide::restart() {
     now_.held_s = 0;
 }
 
+std::string Guide::labelOf(int) const {
+    return {};
+}
+
 void Guide::learn(int, const HealthReport&) {}
+
+void Guide::unlearn(int) {}
+
+std::vector<int> Guide::heardBoards(const HealthReport& health, Guidance& guidance) const {
+    std::vector<int> heard;
+    for (int board = 0; board < boardCount(); ++board)
+        if (isHeard(health, board)) {
+            heard.push_back(board);
+            guidance.boards[index(board)] =
+                health.boards[index(board)].still ? GuidedBoard::kRight : GuidedBoard::kMoves;
+        }
+    return heard;
+}
 
 }  // namespace noctule

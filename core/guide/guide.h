@@ -49,6 +49,7 @@ struct Guidance {
     int right_boards = 0, asked_boards = 0;
     double worst_accel_deviation_m_per_s2 = 0;  ///< of the boards asked for
     std::optional<double> worst_askew_rad;      ///< of those that count as seated
+    double askew_limit_rad = 0;                 ///< up to which they do, of the least known board
     std::optional<double> rpm;                  ///< positive: counter-clockwise as seen from above
     std::optional<double> heard_share;          ///< of the pairs that were measured
     double held_s = 0;                          ///< right without a break
@@ -65,6 +66,10 @@ public:
     const Guidance& look(const HealthReport& health);
     const Guidance& guidance() const { return now_; }
 
+    /// What a step is called in the measurements: of a jig its placement; else empty.
+    virtual std::string labelOf(int step) const;
+    /// Where sides are shown: which one of kBoardSides points up in a step.
+    virtual int sideUpIn(int step) const { return step; }
     int stepCount() const { return static_cast<int>(done_.size()); }
     /// Of the boards that are not skipped.
     bool isDone(int step) const;
@@ -86,6 +91,8 @@ protected:
     virtual Hindrance see(const HealthReport& health, Guidance& guidance) = 0;
     /// take() in words of the procedure: what can be learnt from a position that is known now.
     virtual void learn(int step, const HealthReport& health);
+    /// What was learnt of it before; it is repeated.
+    virtual void unlearn(int step);
 
     static size_t index(int value) { return static_cast<size_t>(value); }
     int boardCount() const { return static_cast<int>(suit_.boards.size()); }
@@ -93,6 +100,8 @@ protected:
     const BoardCalibration& calibrationOf(int board) const { return calibrations_[index(board)]; }
     /// Its own procedure has found the values of this board before.
     bool wasCalibrated(int board, const char* procedure) const;
+    /// The boards that are heard and not skipped; each is right while it lies still or turns evenly.
+    std::vector<int> heardBoards(const HealthReport& health, Guidance& guidance) const;
     /// Is neither skipped nor silent, and has readings.
     bool isHeard(const HealthReport& health, int board) const;
 

@@ -10,11 +10,6 @@ namespace noctule {
 namespace {
 
 constexpr double kHeardWithin_s = 0.5, kHeardWell = 0.3;
-/// Of the pairs in front of each other.
-constexpr double kEnoughShare = 0.5;
-/// Detectors are some millimetres apart on a jig; placements differ by centimetres.
-constexpr double kFits_m = 0.02;
-
 bool isHeardWell(const PairHealth& pair) {
     return pair.age_s && *pair.age_s < kHeardWithin_s && pair.confidence >= kHeardWell;
 }
@@ -70,15 +65,7 @@ double PlacementGuide::heardShare(const HealthReport& health, size_t placement) 
 }
 
 Hindrance PlacementGuide::see(const HealthReport& health, Guidance& guidance) {
-    bool any = false;
-    for (int board = 0; board < boardCount(); ++board) {
-        if (!isHeard(health, board))
-            continue;
-        any = true;
-        guidance.boards[index(board)] =
-            health.boards[index(board)].still ? GuidedBoard::kRight : GuidedBoard::kMoves;
-    }
-    if (!any)
+    if (heardBoards(health, guidance).empty())
         return Hindrance::kNoReadings;
     double best_m = kFits_m, share = 0;
     for (size_t placement = 0; placement < pairs_.size(); ++placement) {

@@ -16,8 +16,13 @@ public:
     PlacementGuide(const Suit& suit, const Calibration& calibration, int sample_rate_hz,
                    const KnownDistances& known);
 
+    /// Of the pairs that were measured there; with fewer something stands in between.
+    static constexpr double kEnoughShare = 0.5;
+    /// Detectors are some millimetres apart on a jig; placements differ by centimetres.
+    static constexpr double kFits_m = 0.02;
+
     /// As in the table of distances, in its order.
-    const std::vector<std::string>& placements() const { return placements_; }
+    std::string labelOf(int step) const override { return placements_[index(step)]; }
 
 protected:
     Hindrance see(const HealthReport& health, Guidance& guidance) override;

@@ -14,6 +14,10 @@ constexpr double kUncalibrated_m_per_s2 = 14;
 
 }  // namespace
 
+int stepOf(const BoardSide& side) {
+    return static_cast<int>(std::ranges::find(kBoardSides, side) - kBoardSides.begin());
+}
+
 std::optional<BoardSide> sideUp(const std::vector<Vector3d>& accel_m_per_s2) {
     Vector3d sum = Vector3d::Zero();
     for (const Vector3d& accel : accel_m_per_s2)
@@ -29,7 +33,7 @@ std::optional<BoardSide> sideUp(const std::vector<Vector3d>& accel_m_per_s2) {
 
 SideGuide::SideGuide(const Suit& suit, const Calibration& calibration, int sample_rate_hz)
     : Guide(suit, calibration, sample_rate_hz, static_cast<int>(kBoardSides.size())),
-      zeros_(suit.boards.size()) {}
+      taken_(suit.boards.size()) {}
 
 Vector3d SideGuide::accel_m_per_s2(const HealthReport& health, int board) const {
     return calibrationOf(board).accel.apply(health.boards[index(board)].means->accel_counts);
@@ -39,13 +43,13 @@ std::optional<double> SideGuide::askew_rad(int board, const Vector3d& accel_m_pe
                                            const BoardSide& side) const {
     Vector3d level = accel_m_per_s2;
     if (!isCalibrated(board)) {
-        const Zero& zero = zeros_[index(board)];
         for (int axis = 0; axis < 3; ++axis) {
             if (axis == side.axis)
                 continue;
-            if (zero.sides[axis] == 0)
+            const auto zero_m_per_s2 = levelReading_m_per_s2(board, axis);
+            if (!zero_m_per_s2)
                 return std::nullopt;
-            level[axis] -= zero.sum_m_per_s2[axis] / zero.sides[axis];
+            level[axis] -= *zero_m_per_s2;
         }
     }
     level[side.axis] = 0;
@@ -53,26 +57,21 @@ std::optional<double> SideGuide::askew_rad(int board, const Vector3d& accel_m_pe
 }
 
 Hindrance SideGuide::see(const HealthReport& health, Guidance& guidance) {
+    const std::vector<int> heard = heardBoards(health, guidance);
     std::vector<Vector3d> accels;
-    std::vector<int> heard;
-    for (int board = 0; board < boardCount(); ++board) {
-        if (!isHeard(health, board))
-            continue;
-        heard.push_back(board);
+    for (const int board : heard)
         accels.push_back(accel_m_per_s2(health, board));
-        guidance.boards[index(board)] =
-            health.boards[index(board)].still ? GuidedBoard::kRight : GuidedBoard::kMoves;
-    }
     if (heard.empty())
         return Hindrance::kNoReadings;
     const std::optional<BoardSide> side = sideUp(accels);
     if (!side)
         return Hindrance::kBetweenSteps;
-    guidance.step = static_cast<int>(std::ranges::find(kBoardSides, *side) - kBoardSides.begin());
+    guidance.step = stepOf(*side);
     for (size_t i = 0; i < heard.size(); ++i) {
         const int board = heard[i];
         const bool is_known = isCalibrated(board);
         const double limit_rad = is_known ? kAskew_rad : kUncalibratedAskew_rad;
+        guidance.askew_limit_rad = std::max(guidance.askew_limit_rad, limit_rad);
         const double upright_m_per_s2 = accels[i].dot(side->up());
         const double least =
             is_known ? kStandardGravity_m_per_s2 / 2 : kStandardGravity_m_per_s2 - kUncalibrated_m_per_s2;
@@ -87,17 +86,27 @@ Hindrance SideGuide::see(const HealthReport& health, Guidance& guidance) {
     return Hindrance::kNone;
 }
 
+/// The mean over the sides in which the axis was level.
+std::optional<double> SideGuide::levelReading_m_per_s2(int board, int axis) const {
+    double sum_m_per_s2 = 0;
+    int sides = 0;
+    for (const auto& [step, accel] : taken_[index(board)])
+        if (kBoardSides[index(step)].axis != axis) {
+            sum_m_per_s2 += accel[axis];
+            ++sides;
+        }
+    return sides > 0 ? std::optional(sum_m_per_s2 / sides) : std::nullopt;
+}
+
 void SideGuide::learn(int step, const HealthReport& health) {
-    for (int board = 0; board < boardCount(); ++board) {
-        if (!isHeard(health, board) || !isDone(step, board))
-            continue;
-        const Vector3d accel = accel_m_per_s2(health, board);
-        for (int axis = 0; axis < 3; ++axis)
-            if (axis != kBoardSides[index(step)].axis) {
-                zeros_[index(board)].sum_m_per_s2[axis] += accel[axis];
-                ++zeros_[index(board)].sides[axis];
-            }
-    }
+    for (int board = 0; board < boardCount(); ++board)
+        if (isHeard(health, board) && isDone(step, board))
+            taken_[index(board)][step] = accel_m_per_s2(health, board);
+}
+
+void SideGuide::unlearn(int step) {
+    for (auto& taken : taken_)
+        taken.erase(step);
 }
 
 }  // namespace noctule

@@ -5,6 +5,8 @@
 // second side on: what read 0 along an axis that was level then reads it again.
 #pragma once
 
+#include <map>
+
 #include "core/calibration/board_side.h"
 #include "core/guide/guide.h"
 
@@ -21,18 +23,20 @@ public:
 protected:
     Hindrance see(const HealthReport& health, Guidance& guidance) override;
     void learn(int step, const HealthReport& health) override;
+    void unlearn(int step) override;
 
 private:
-    struct Zero {
-        Vector3d sum_m_per_s2 = Vector3d::Zero();
-        Eigen::Vector3i sides = Eigen::Vector3i::Zero();
-    };
     bool isCalibrated(int board) const { return wasCalibrated(board, "accelerometers"); }
     Vector3d accel_m_per_s2(const HealthReport& health, int board) const;
     std::optional<double> askew_rad(int board, const Vector3d& accel_m_per_s2, const BoardSide& side) const;
 
-    std::vector<Zero> zeros_;  ///< of boards that were not calibrated
+    std::optional<double> levelReading_m_per_s2(int board, int axis) const;
+
+    std::vector<std::map<int, Vector3d>> taken_;  ///< per board and side, m/s^2 with the calibration so far
 };
+
+/// Its place in kBoardSides.
+int stepOf(const BoardSide& side);
 
 /// The side that points up by all readings together; absent without one that stands out.
 std::optional<BoardSide> sideUp(const std::vector<Vector3d>& accel_m_per_s2);

@@ -9,6 +9,9 @@ namespace noctule {
 
 class StandGuide : public Guide {
 public:
+    /// Breathing and sway; a step or a raised arm is ten times that.
+    static constexpr double kSway_rad_per_s = 0.1, kSway_m_per_s2 = 0.5;
+
     StandGuide(const Suit& suit, const Calibration& calibration, int sample_rate_hz)
         : Guide(suit, calibration, sample_rate_hz, 1) {}
 

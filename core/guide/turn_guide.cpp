@@ -12,22 +12,18 @@
 namespace noctule {
 namespace {
 
-constexpr double kUsualSpeeds_rpm[] = {100.0 / 3, 45, 78};
 constexpr double kSlowest_rad_per_s = radians(30);
 /// Of one gyroscope's slope before it is calibrated; the median of some is better.
 constexpr double kOffSpeed = 0.03;
 /// The same before the table has been seen to stand: zeros are a tenth of its speed.
 constexpr double kOffSpeedUnrested = 0.15;
 
-/// Nearest of the usual ones, or the one asked for.
-double wantedSpeed(double rpm, double asked) {
-    if (asked > 0)
-        return asked;
-    return *std::ranges::min_element(kUsualSpeeds_rpm, {},
-                                     [&](double usual) { return std::abs(usual - rpm); });
-}
-
 }  // namespace
+
+int TurnGuide::sideUpIn(int step) const {
+    const BoardSide about = kBoardSides[index(step)];
+    return counter_clockwise_ ? step : stepOf(about.opposite());
+}
 
 TurnGuide::TurnGuide(const Suit& suit, const Calibration& calibration, int sample_rate_hz, double rpm)
     : Guide(suit, calibration, sample_rate_hz, static_cast<int>(kBoardSides.size())),
@@ -57,7 +53,7 @@ Hindrance TurnGuide::judgeSpeed(double turn_rad_per_s, const std::vector<int>& h
             guidance.board = board;
             return Hindrance::kTooFast;
         }
-    const double wanted = wantedSpeed(rpm, rpm_);
+    const double wanted = rpm_ > 0 ? rpm_ : nearestTableSpeed_rpm(rpm);
     const bool rested =
         std::ranges::all_of(heard, [this](int board) { return zeros_rad_per_s_[index(board)].has_value(); });
     const double limit = rested ? kOffSpeed : kOffSpeedUnrested;
@@ -65,17 +61,12 @@ Hindrance TurnGuide::judgeSpeed(double turn_rad_per_s, const std::vector<int>& h
 }
 
 Hindrance TurnGuide::see(const HealthReport& health, Guidance& guidance) {
-    std::vector<int> heard;
+    const std::vector<int> heard = heardBoards(health, guidance);
     std::vector<double> speeds;
     std::vector<Vector3d> accels;
     Vector3d sum = Vector3d::Zero();
     int even = 0;
-    for (int board = 0; board < boardCount(); ++board) {
-        if (!isHeard(health, board))
-            continue;
-        heard.push_back(board);
-        guidance.boards[index(board)] =
-            health.boards[index(board)].still ? GuidedBoard::kRight : GuidedBoard::kMoves;
+    for (const int board : heard) {
         even += health.boards[index(board)].still;
         const Vector3d rate = rate_rad_per_s(health, board);
         sum += rate;
@@ -93,15 +84,13 @@ Hindrance TurnGuide::see(const HealthReport& health, Guidance& guidance) {
         if (even == static_cast<int>(heard.size()) && mean.norm() < kSlowest_rad_per_s)
             rest(health, heard);
         if (up)
-            guidance.step =
-                static_cast<int>(std::ranges::find(kBoardSides, counter_clockwise_ ? *up : up->opposite()) -
-                                 kBoardSides.begin());
+            guidance.step = stepOf(counter_clockwise_ ? *up : up->opposite());
         return Hindrance::kNotTurning;
     }
     const BoardSide about = BoardSide::nearest(mean);
     if (up)
         counter_clockwise_ = about == *up;
-    guidance.step = static_cast<int>(std::ranges::find(kBoardSides, about) - kBoardSides.begin());
+    guidance.step = stepOf(about);
     if (even * 2 < static_cast<int>(heard.size())) {
         guidance.rpm = (counter_clockwise_ ? 1 : -1) * turn_rad_per_s / turningRate_rad_per_s(1);
         guidance.value = std::abs(*guidance.rpm);

@@ -14,8 +14,9 @@ public:
     /// `rpm` 0: any of the usual speeds.
     TurnGuide(const Suit& suit, const Calibration& calibration, int sample_rate_hz, double rpm);
 
-    /// Of the table as it turned last: seen from above against the clock. The side that is up is then the
-    /// step's own, else the opposite one.
+    /// A table that turns with the clock, as seen from above, wants the opposite sides.
+    int sideUpIn(int step) const override;
+    /// As it turned last.
     bool turnsCounterClockwise() const { return counter_clockwise_; }
 
 protected:

@@ -56,6 +56,38 @@ CalibrationNumber numberOfParts(const std::string& counted_parts, const std::str
 /// Of a person who stands as before: what straps and breathing allow.
 constexpr double kStillGood_deg = 5, kStillGood_mm = 20;
 
+/// Of the boards that have values.
+template <class Reported>
+double worstOf(const std::vector<Reported>& boards, double (Reported::*sigma)() const) {
+    double worst = 0;
+    for (const Reported& board : boards)
+        worst = std::max(worst, board.axes ? (board.*sigma)() : 0);
+    return worst;
+}
+
+double magnitude(double value) {
+    return std::abs(value);
+}
+double magnitude(const Vector3d& axes) {
+    return axes.cwiseAbs().maxCoeff();
+}
+
+/// A dot per thing that was measured of a board, in the unit that `scale` makes.
+template <class Reported, class Measured, class Residual>
+std::vector<CalibrationErrors::Row> errorRows(const std::vector<Reported>& boards,
+                                              std::vector<Measured> Reported::*measured, double scale,
+                                              Residual Measured::*before, Residual Measured::*after) {
+    std::vector<CalibrationErrors::Row> rows;
+    for (const Reported& board : boards) {
+        rows.push_back({board.board.id, {}, {}});
+        for (const Measured& one : board.*measured) {
+            rows.back().before.push_back(magnitude(one.*before) * scale);
+            rows.back().after.push_back(magnitude(one.*after) * scale);
+        }
+    }
+    return rows;
+}
+
 /// The paper's own mean and deviation (section 4.3).
 constexpr double kPaperMean_mm = 2.35, kPaperDeviation_mm = 1.92;
 
@@ -141,31 +173,20 @@ CalibrationDocument documentOf(const AccelerometerReport& report) {
                               board.axes ? milliG(board.sigmaZero_m_per_s2()) : "–",
                               board.axes ? percent3(board.sigmaSlope()) : "–", text::number(worst, 4)});
     }
-    const std::string summary =
-        "Accelerometers of " +
-        counted(report.boards, [](const AccelerometerBoard& board) { return board.axes.has_value(); }) +
-        " boards";
-    CalibrationDocument found = document("Accelerometers", summary, report.findings, {table});
-    const double to_mg = 1e3 / kStandardGravity_m_per_s2, to_percent = 100;
-    CalibrationErrors errors{"Error of gravity in every position", "mg", 2, {}};
-    double worst_zero = 0, worst_slope = 0;
-    for (const AccelerometerBoard& board : report.boards) {
-        CalibrationErrors::Row row{board.board.id, {}, {}};
-        for (const AccelerometerPosition& position : board.positions) {
-            row.before.push_back(std::abs(position.residual_before_m_per_s2) * to_mg);
-            row.after.push_back(std::abs(position.residual_m_per_s2) * to_mg);
-        }
-        errors.rows.push_back(std::move(row));
-        worst_zero = std::max(worst_zero, board.axes ? board.sigmaZero_m_per_s2() * to_mg : 0);
-        worst_slope = std::max(worst_slope, board.axes ? board.sigmaSlope() * to_percent : 0);
-    }
-    found.numbers = {
-        number(worst_zero, 2, 2, " mg", "sigma of the worst zero"),
-        number(worst_slope, 0.04, 3, " %", "sigma of the worst slope"),
-        numberOfParts(
-            counted(report.boards, [](const AccelerometerBoard& board) { return board.axes.has_value(); }),
-            "boards")};
-    found.errors = std::move(errors);
+    const std::string calibrated =
+        counted(report.boards, [](const AccelerometerBoard& board) { return board.axes.has_value(); });
+    CalibrationDocument found =
+        document("Accelerometers", "Accelerometers of " + calibrated + " boards", report.findings, {table});
+    const double to_mg = 1e3 / kStandardGravity_m_per_s2;
+    found.numbers = {number(worstOf(report.boards, &AccelerometerBoard::sigmaZero_m_per_s2) * to_mg, 2, 2,
+                            " mg", "sigma of the worst zero"),
+                     number(worstOf(report.boards, &AccelerometerBoard::sigmaSlope) * 100, 0.04, 3, " %",
+                            "sigma of the worst slope"),
+                     numberOfParts(calibrated, "boards")};
+    found.errors = {"Error of gravity in every position", "mg", 2,
+                    errorRows(report.boards, &AccelerometerBoard::positions, to_mg,
+                              &AccelerometerPosition::residual_before_m_per_s2,
+                              &AccelerometerPosition::residual_m_per_s2)};
     return found;
 }
 
@@ -179,33 +200,23 @@ CalibrationDocument documentOf(const GyroscopeReport& report) {
         table.rows.push_back({board.board.id, std::to_string(board.turns.size()),
                               board.axes ? text::number(degrees(board.sigmaZero_rad_per_s()), 4) : "–",
                               board.axes ? percent3(board.sigmaSlope()) : "–"});
-    const std::string summary =
-        "Gyroscopes of " +
-        counted(report.boards, [](const GyroscopeBoard& board) { return board.axes.has_value(); }) +
-        " boards; the table turned at " + text::number(report.rpm, 3) + " rpm" +
-        (report.speed_measured ? " by gravity's ripple" : ", its nominal speed");
+    const std::string calibrated =
+        counted(report.boards, [](const GyroscopeBoard& board) { return board.axes.has_value(); });
+    const std::string summary = "Gyroscopes of " + calibrated + " boards; the table turned at " +
+                                text::number(report.rpm, 3) + " rpm" +
+                                (report.speed_measured ? " by gravity's ripple" : ", its nominal speed");
     CalibrationDocument found = document("Gyroscopes", summary, report.findings, {table});
-    CalibrationErrors errors{"Error of the rate in every turn and rest", "°/s", 0.05, {}};
-    double worst_zero = 0, worst_slope = 0;
-    for (const GyroscopeBoard& board : report.boards) {
-        CalibrationErrors::Row row{board.board.id, {}, {}};
-        for (const GyroscopeTurn& turn : board.turns) {
-            row.before.push_back(degrees(turn.residual_before_rad_per_s.cwiseAbs().maxCoeff()));
-            row.after.push_back(degrees(turn.residual_rad_per_s.cwiseAbs().maxCoeff()));
-        }
-        errors.rows.push_back(std::move(row));
-        worst_zero = std::max(worst_zero, board.axes ? degrees(board.sigmaZero_rad_per_s()) : 0);
-        worst_slope = std::max(worst_slope, board.axes ? board.sigmaSlope() * 100 : 0);
-    }
     found.numbers = {
-        number(worst_zero, 0.02, 3, " °/s", "sigma of the worst zero"),
-        number(worst_slope, 0.03, 3, " %", "sigma of the worst slope"),
+        number(degrees(worstOf(report.boards, &GyroscopeBoard::sigmaZero_rad_per_s)), 0.02, 3, " °/s",
+               "sigma of the worst zero"),
+        number(worstOf(report.boards, &GyroscopeBoard::sigmaSlope) * 100, 0.03, 3, " %",
+               "sigma of the worst slope"),
         {text::number(report.rpm, 3) + " rpm",
          report.speed_measured ? "the table, by gravity's ripple" : "the table, nominal", "", Grade::kGood},
-        numberOfParts(
-            counted(report.boards, [](const GyroscopeBoard& board) { return board.axes.has_value(); }),
-            "boards")};
-    found.errors = std::move(errors);
+        numberOfParts(calibrated, "boards")};
+    found.errors = {"Error of the rate in every turn and rest", "°/s", 0.05,
+                    errorRows(report.boards, &GyroscopeBoard::turns, degrees(1),
+                              &GyroscopeTurn::residual_before_rad_per_s, &GyroscopeTurn::residual_rad_per_s)};
     return found;
 }
 

@@ -24,7 +24,7 @@ public:
                const Clock& clock);
 
     void take(const StreamEvent& event);
-    /// What the operator adds; markers stand at the newest sample.
+    // What the operator adds.
     /// At the newest sample, or at one that has come already.
     void addMarker(const std::string& kind, const std::string& label, std::optional<int64_t> sample = {});
     void addNote(const std::string& text);

@@ -76,6 +76,11 @@ void CalibrationShelf::read() {
         if (auto calibration = readCalibrationFile(pathIn(folder_, file)))
             all_.push_back({file, std::move(*calibration)});
     }
+    if (!in_force_.isEmpty() && std::ranges::find(all_, in_force_, &ShelvedCalibration::file) == all_.end())
+        emit warned(
+            tr("The calibration %1 of this session is gone or damaged. Takes are made with what the suit "
+               "knows of itself; choose another one in step Calibrate.")
+                .arg(in_force_));
     std::ranges::stable_sort(all_, std::greater(), [](const ShelvedCalibration& shelved) {
         return std::make_pair(shelved.calibration.created_utc, shelved.file);
     });
@@ -110,14 +115,19 @@ void CalibrationShelf::hand() {
     suit_.setCalibration(found->calibration);
 }
 
-QString CalibrationShelf::save(const CalibrationResult& result, const QString& task) {
-    if (folder_.isEmpty())
-        return tr("No session is open. Open one first.");
-    QDir().mkpath(folder_);
+QString CalibrationShelf::nextName(const QString& task) const {
     const QString day = QDate::currentDate().toString(Qt::ISODate);
     QString name = QStringLiteral("%1-%2").arg(task, day);
     for (int number = 2; QFile::exists(QDir(folder_).filePath(name + ".json")); ++number)
         name = QStringLiteral("%1-%2-%3").arg(task, day).arg(number);
+    return name;
+}
+
+QString CalibrationShelf::save(const CalibrationResult& result, const QString& task) {
+    if (folder_.isEmpty())
+        return tr("No session is open. Open one first.");
+    QDir().mkpath(folder_);
+    const QString name = nextName(task);
     const Status written = writeFileAtomically(pathIn(folder_, name + ".json"),
                                                toJson(result.calibration).dump(2) + "\n", false);
     if (!written)
@@ -127,7 +137,6 @@ QString CalibrationShelf::save(const CalibrationResult& result, const QString& t
             writeFileAtomically(pathIn(folder_, name + ".html"), calibrationHtml(result.document), true);
         !report)
         emit warned(QString::fromStdString(report.error().text()));
-    read();
     use(name + ".json",
         tr("Calibration of the %1").arg(QString::fromStdString(result.document.procedure).toLower()));
     return {};

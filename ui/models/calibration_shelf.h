@@ -40,6 +40,8 @@ public:
     /// empty.
     QString save(const CalibrationResult& result, const QString& task);
     void use(const QString& file, const QString& what);
+    /// What save() would call it: "accelerometers-2026-11-22", or with "-2" behind it.
+    QString nextName(const QString& task) const;
 
 signals:
     void changed();
@@ -58,7 +60,6 @@ private:
     QString folder_, in_force_;
     std::optional<QString> handed_;   ///< to the suit that is connected
     std::optional<Calibration> own_;  ///< what the suit knew of itself before that
-    QString warned_;
 };
 
 }  // namespace noctule::ui

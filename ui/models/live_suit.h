@@ -38,11 +38,10 @@ public:
     };
     /// What a calibration works on: the last seconds of what is looked at, as a short take of its own.
     struct EvidencePlan {
-        QString base_name;  ///< "side_plus_x"
+        QString base_name;  ///< "accelerometers_1"
         std::string kind;   ///< of the take: level, turntable, jig, motion
         double length_s = 0;
         QString placement;  ///< of a jig: marked over the whole length
-        double rpm = 0;     ///< of a turntable
     };
     struct Surroundings {
         std::string software;

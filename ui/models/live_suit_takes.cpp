@@ -56,8 +56,6 @@ StreamRequest LiveSuit::requestOf(const EvidencePlan& plan) const {
     take.name = plan.base_name.toStdString();
     take.pre_roll_s = plan.length_s;
     take.take_kind = plan.kind;
-    if (plan.rpm > 0)
-        take.meta["turntable_rpm"] = QByteArray::number(plan.rpm).toStdString();
     request.take = std::move(take);
     return request;
 }
@@ -170,6 +168,9 @@ QString LiveSuit::keepEvidence(const EvidencePlan& plan) {
         tr("Keeping %1").arg(plan.base_name),
         [live = live_, request = requestOf(plan),
          placement = plan.placement.toStdString()](const JobContext& job) -> Result<StreamResult> {
+            if (!live->status()->stream_is_open)
+                return Error{ErrorKind::kDevice, "The stream broke off before the step was kept",
+                             "It begins again when the suit is back"};
             if (const auto trouble = beginStream(*live, request, job))
                 return *trouble;
             if (!placement.empty())

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/wizards/result_side.h"
 
-#include <QDate>
 #include <QVBoxLayout>
 
 #include "ui/views/scaled_layout.h"
@@ -13,8 +12,9 @@
 
 namespace noctule::ui {
 
-ResultSide::ResultSide(QWidget* parent)
+ResultSide::ResultSide(Studio& studio, QWidget* parent)
     : QWidget(parent),
+      studio_(studio),
       findings_(nullptr),
       words_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       save_(makeButton(ButtonKind::kPrimary, tr("Save and use"))),
@@ -72,15 +72,18 @@ void ResultSide::refresh() {
     save_->setText(bad ? tr("Save and use it anyway") : tr("Save and use"));
     repeat_->setVisible(!run_->isSaved() && run_->guide());
     if (run_->isSaved())
-        words_->setText(tr("Saved and in use. New takes are made with it; undo with Ctrl+Z."));
+        words_->setText(
+            run_->isInUse()
+                ? tr("Saved and in use. New takes are made with it; undo with Ctrl+Z.")
+                : tr("Saved. Takes are made with another calibration now; step Calibrate has the list."));
     else if (checks)
         words_->setText(tr("Nothing is changed by a check."));
     else if (bad)
         words_->setText(
             tr("Takes made with it would be wrong where the cards say so. Repeat what is named."));
     else
-        words_->setText(tr("Will be saved as %1-%2. Every later take names it; undo with Ctrl+Z.")
-                            .arg(keyOf(run_->task()), QDate::currentDate().toString(Qt::ISODate)));
+        words_->setText(tr("Will be saved as %1. Every later take names it; undo with Ctrl+Z.")
+                            .arg(studio_.calibrations().nextName(keyOf(run_->task()))));
 }
 
 void ResultSide::save() {

@@ -11,12 +11,13 @@ namespace noctule::ui {
 
 class Button;
 class Label;
+class Studio;
 class WizardRun;
 
 class ResultSide : public QWidget {
     Q_OBJECT
 public:
-    explicit ResultSide(QWidget* parent = nullptr);
+    explicit ResultSide(Studio& studio, QWidget* parent = nullptr);
 
     void setRun(WizardRun* run);
     Button* saveButton() { return save_; }
@@ -32,6 +33,7 @@ private:
     void showFindings();
     void save();
 
+    Studio& studio_;
     WizardRun* run_ = nullptr;
     QVBoxLayout* findings_;
     Label* words_;

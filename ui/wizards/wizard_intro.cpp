@@ -94,17 +94,19 @@ void WizardIntro::setRun(WizardRun* run) {
 void WizardIntro::refresh() {
     if (!run_ || run_->phase() != WizardRun::Phase::kIntro)
         return;
-    const auto unfinished = run_->unfinished();
+    const bool unfinished = run_->isUnfinished();
     begin_->setText(unfinished ? tr("Go on") : tr("Begin"));
     begin_->setDisabledBecause(run_->whyNotBegin());
-    anew_->setVisible(unfinished.has_value());
+    anew_->setVisible(unfinished);
     anew_->setDisabledBecause(run_->whyNotBegin());
     const bool lacks_distances = run_->task() == WizardTask::kSources && run_->distanceCount() == 0;
     takes_->setDisabledBecause(lacks_distances ? run_->whyNotBegin() : QString());
     kept_words_->setText(
-        unfinished ? tr("%n step(s) were taken on %1 and are kept.", nullptr, unfinished->steps_done)
-                         .arg(dateText(unfinished->since.toLocalTime()))
-                   : run_->whyNotBegin());
+        unfinished
+            ? tr("%n step(s) were taken on %1 and are kept.", nullptr, run_->unfinished().stepsDone())
+                  .arg(dateText(
+                      QDateTime::fromString(run_->unfinished().started_utc, Qt::ISODate).toLocalTime()))
+            : run_->whyNotBegin());
     distances_words_->setVisible(run_->task() == WizardTask::kSources);
     distances_words_->setText(run_->distanceCount() > 0
                                   ? tr("%1: %n distance(s)", nullptr, run_->distanceCount())

@@ -30,7 +30,7 @@ WizardPage::WizardPage(Studio& studio, QWidget* parent)
       side_(new QStackedWidget),
       nothing_(new QWidget),
       boards_(new WizardBoards),
-      result_side_(new ResultSide) {
+      result_side_(new ResultSide(studio)) {
     auto* column = makeColumn(solving_, {32, 32, 32, 32}, 16);
     column->addStretch();
     column->addWidget(progress_);
@@ -77,17 +77,14 @@ void WizardPage::open(WizardTask task) {
 }
 
 void WizardPage::close() {
-    for (QWidget* part :
-         {static_cast<QWidget*>(intro_), static_cast<QWidget*>(live_), static_cast<QWidget*>(rail_),
-          static_cast<QWidget*>(boards_), static_cast<QWidget*>(result_side_), static_cast<QWidget*>(this)})
-        if (run_)
-            run_->disconnect(part);
+    const std::unique_ptr<WizardRun> leaving = std::move(run_);
+    if (leaving)
+        leaving->blockSignals(true);
     intro_->setRun(nullptr);
     live_->setRun(nullptr);
     rail_->setRun(nullptr);
     boards_->setRun(nullptr);
     result_side_->setRun(nullptr);
-    run_.reset();
 }
 
 void WizardPage::refresh() {

@@ -165,7 +165,7 @@ void WizardRail::refresh() {
     for (size_t i = 0; i < rows_.size(); ++i)
         rows_[i]->setVisible(i < at);
     tones_->setChecked(run_->tones());
-    leave_->setText(!run_->unfinished() || run_->task() == WizardTask::kCheck || phase == Phase::kIntro
+    leave_->setText(!run_->isUnfinished() || run_->task() == WizardTask::kCheck || phase == Phase::kIntro
                         ? tr("Back to Calibrate")
                         : tr("Leave and resume later"));
 }

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/wizards/wizard_run.h"
 
-#include <QDir>
 #include <QFile>
-#include <QFileInfo>
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <set>
 
-#include "core/guide/placement_guide.h"
-#include "core/guide/side_guide.h"
-#include "core/guide/stand_guide.h"
-#include "core/guide/turn_guide.h"
-#include "core/job/atomic_file.h"
 #include "core/session/take_folder.h"
 #include "core/suit/calibration_entries.h"
 
@@ -23,10 +16,6 @@ constexpr double kLookEvery_s = 0.1;
 constexpr double kMargin_s = 0.5;
 constexpr const char* kTones = "calibrate/tones";
 
-int oppositeSide(int side) {
-    return side ^ 1;
-}
-
 /// Without the confidence that comes from a pose: on a rig nobody wears the suit.
 HealthReport healthOnRig(const LiveFrame& frame) {
     HealthReport health = frame.health;
@@ -36,34 +25,6 @@ HealthReport healthOnRig(const LiveFrame& frame) {
     return health;
 }
 
-/// Points of a digitizer, or distances of a tape measure: the header tells.
-Result<KnownDistances> readDistances(const QString& path) {
-    const auto text = readWholeFile(path.toStdString());
-    if (!text)
-        return text.error();
-    const std::string name = QFileInfo(path).fileName().toStdString();
-    const std::string header = text->substr(0, text->find('\n'));
-    return header.find("distance") != std::string::npos ? readTapeMeasureCsv(*text, name)
-                                                        : readDigitizerCsv(*text, name);
-}
-
-Result<CalibrationResult> solveTask(WizardTask task, const CalibrateRequest& request,
-                                    const KnownDistances& known, const JobContext& job) {
-    switch (task) {
-        case WizardTask::kSources:
-            return calibrateSources(request, known, {}, job);
-        case WizardTask::kAccelerometers:
-            return calibrateAccelerometers(request, job);
-        case WizardTask::kGyroscopes:
-            return calibrateGyroscopes(request, 0, job);
-        case WizardTask::kRestPose:
-            return calibrateRestPose(request, job);
-        case WizardTask::kCheck:
-            return checkStill(request, job);
-    }
-    throw std::logic_error("every task has a solver");
-}
-
 }  // namespace
 
 WizardRun::WizardRun(Studio& studio, WizardTask task, QObject* parent)
@@ -71,12 +32,11 @@ WizardRun::WizardRun(Studio& studio, WizardTask task, QObject* parent)
     connect(&studio.suit(), &LiveSuit::frameChanged, this, &WizardRun::look);
     connect(&studio.suit(), &LiveSuit::evidenceRecorded, this, &WizardRun::kept);
     connect(&studio.suit(), &LiveSuit::phaseChanged, this, &WizardRun::changed);
+    connect(&studio.suit(), &LiveSuit::wearingChanged, this, &WizardRun::followWearing);
+    connect(&studio.calibrations(), &CalibrationShelf::changed, this, &WizardRun::changed);
     connect(&studio.session(), &SessionModel::opened, this, [this] {
-        if (phase_ == Phase::kIntro) {
-            evidence_.clear();
-            started_utc_.clear();
+        if (phase_ == Phase::kIntro)
             restore();
-        }
         emit changed();
     });
     restore();
@@ -97,7 +57,7 @@ QString WizardRun::setDistances(const QString& path) {
     if (!known)
         return QString::fromStdString(known.error().text());
     known_ = std::move(*known);
-    distances_path_ = path;
+    unfinished_.distances_path = path;
     emit changed();
     return {};
 }
@@ -116,30 +76,36 @@ std::optional<Calibration> WizardRun::base() const {
     return studio_.calibrations().inForce();
 }
 
-void WizardRun::makeGuide() {
-    suit_ = studio_.suit().suit();
+int WizardRun::sampleRate_hz() const {
     const auto hello = studio_.suit().status()->hello;
-    const int rate_hz = hello ? hello->sample_rate_hz : 150000;
-    const Calibration known = base().value_or(nominalCalibration(suit_));
-    switch (task_) {
-        case WizardTask::kSources:
-            guide_ = std::make_unique<PlacementGuide>(suit_, known, rate_hz, known_);
-            break;
-        case WizardTask::kAccelerometers:
-            guide_ = std::make_unique<SideGuide>(suit_, known, rate_hz);
-            break;
-        case WizardTask::kGyroscopes:
-            guide_ = std::make_unique<TurnGuide>(suit_, known, rate_hz, 0);
-            break;
-        case WizardTask::kRestPose:
-        case WizardTask::kCheck:
-            guide_ = std::make_unique<StandGuide>(suit_, known, rate_hz);
-            break;
-    }
-    for (const WizardEvidence& part : evidence_)
-        for (const std::string& id : part.boards)
-            if (const int board = suit_.findBoard(id); board >= 0 && part.step < guide_->stepCount())
-                guide_->setDone(part.step, board);
+    return hello ? hello->sample_rate_hz : link::Hello{}.sample_rate_hz;
+}
+
+/// The suit as it is now, with what was taken of its boards before.
+void WizardRun::watch() {
+    std::set<std::string> skipped;
+    for (int board = 0; guide_ && board < static_cast<int>(suit_.boards.size()); ++board)
+        if (guide_->isSkipped(board))
+            skipped.insert(suit_.boards[static_cast<size_t>(board)].id);
+    suit_ = studio_.suit().suit();
+    guide_ = makeGuide(task_, suit_, base().value_or(nominalCalibration(suit_)), sampleRate_hz(), known_);
+    for (int board = 0; board < static_cast<int>(suit_.boards.size()); ++board)
+        guide_->skip(board, skipped.contains(suit_.boards[static_cast<size_t>(board)].id));
+    for (const WizardEvidence& part : unfinished_.evidence)
+        for (int step = 0; step < guide_->stepCount(); ++step) {
+            const QString label = QString::fromStdString(guide_->labelOf(step));
+            const bool shows = label.isEmpty() ? part.step == step : part.placement == label;
+            for (const std::string& id : part.boards)
+                if (const int board = suit_.findBoard(id); shows && board >= 0)
+                    guide_->setDone(step, board);
+        }
+}
+
+/// Another suit, or the same one named otherwise.
+void WizardRun::followWearing() {
+    if (phase_ == Phase::kGuiding && !isWaitingForSuit() && toJson(studio_.suit().suit()) != toJson(suit_))
+        watch();
+    emit changed();
 }
 
 void WizardRun::begin() {
@@ -147,11 +113,11 @@ void WizardRun::begin() {
         return;
     result_.reset();
     trouble_.clear();
-    saved_ = false;
-    makeGuide();
+    saved_file_.clear();
+    watch();
     since_begin_.start();
-    if (started_utc_.isEmpty())
-        started_utc_ = QString::fromStdString(studio_.parts().utc_now());
+    if (unfinished_.started_utc.isEmpty())
+        unfinished_.started_utc = QString::fromStdString(studio_.parts().utc_now());
     setPhase(Phase::kGuiding);
     if (guide_->isFinished())
         solveNow();
@@ -175,10 +141,7 @@ void WizardRun::look() {
     const auto frame = studio_.suit().frame();
     if (phase_ != Phase::kGuiding || paused_ || !guide_ || !frame || isWaitingForSuit())
         return;
-    if (studio_.suit().suit().boards.size() != suit_.boards.size())
-        makeGuide();
-    const auto hello = studio_.suit().status()->hello;
-    const int64_t every = std::llround(kLookEvery_s * (hello ? hello->sample_rate_hz : 150000));
+    const int64_t every = std::llround(kLookEvery_s * sampleRate_hz());
     if (frame->sample >= looked_at_ && frame->sample < looked_at_ + every)
         return;
     looked_at_ = frame->sample;
@@ -194,8 +157,7 @@ void WizardRun::keep() {
     plan.kind = takeKindOf(task_).toStdString();
     plan.base_name = QStringLiteral("%1_%2").arg(keyOf(task_)).arg(*now.step + 1);
     plan.length_s = holdOf(task_) + kMargin_s;
-    if (const auto* jig = dynamic_cast<const PlacementGuide*>(guide_.get()))
-        plan.placement = QString::fromStdString(jig->placements()[static_cast<size_t>(*now.step)]);
+    plan.placement = QString::fromStdString(guide_->labelOf(*now.step));
     trouble_ = studio_.suit().keepEvidence(plan);
     if (trouble_.isEmpty())
         return setPhase(Phase::kTaking);
@@ -213,11 +175,11 @@ void WizardRun::kept(const QString& path, const QString& trouble) {
     }
     const Guidance now = guide_->guidance();
     guide_->take();
-    WizardEvidence part{path, *now.step, {}};
+    WizardEvidence part{path, *now.step, QString::fromStdString(guide_->labelOf(*now.step)), {}};
     for (size_t board = 0; board < suit_.boards.size(); ++board)
         if (now.boards[board] == GuidedBoard::kRight && !guide_->isSkipped(static_cast<int>(board)))
             part.boards.push_back(suit_.boards[board].id);
-    evidence_.push_back(std::move(part));
+    unfinished_.evidence.push_back(std::move(part));
     store();
     setPhase(Phase::kGuiding);
     emit stepKept(*now.step);
@@ -238,18 +200,11 @@ int WizardRun::step() const {
 }
 
 int WizardRun::sideOf(int step) const {
-    if (task_ == WizardTask::kAccelerometers)
-        return step;
-    const auto* turns = dynamic_cast<const TurnGuide*>(guide_.get());
-    return turns && !turns->turnsCounterClockwise() ? oppositeSide(step) : step;
+    return guide_ ? guide_->sideUpIn(step) : step;
 }
 
 StepWords WizardRun::stepWords(int step) const {
-    QString label;
-    if (const auto* jig = dynamic_cast<const PlacementGuide*>(guide_.get()))
-        label = QString::fromStdString(jig->placements()[static_cast<size_t>(step)]);
-    const bool has_sides = task_ == WizardTask::kAccelerometers || task_ == WizardTask::kGyroscopes;
-    return stepWordsOf(task_, step, has_sides ? sideOf(step) : 0, label);
+    return stepWordsOf(task_, step, sideOf(step), QString::fromStdString(guide_->labelOf(step)));
 }
 
 double WizardRun::heldShare() const {
@@ -274,7 +229,7 @@ void WizardRun::skip(int board, bool skipped) {
 
 /// Its takes go to the trash of the session: a solver must not see what the operator took back.
 void WizardRun::dropEvidence(int step) {
-    for (const WizardEvidence& part : evidence_)
+    for (const WizardEvidence& part : unfinished_.evidence)
         if (part.step == step && studio_.session().isOpen()) {
             const std::filesystem::path trash = studio_.session().session().trashFolder();
             std::error_code ignored;
@@ -285,7 +240,7 @@ void WizardRun::dropEvidence(int step) {
                 !moved)
                 emit studio_.warned(QString::fromStdString(moved.error().text()));
         }
-    std::erase_if(evidence_, [step](const WizardEvidence& part) { return part.step == step; });
+    std::erase_if(unfinished_.evidence, [step](const WizardEvidence& part) { return part.step == step; });
 }
 
 void WizardRun::repeat(int step) {
@@ -299,7 +254,7 @@ void WizardRun::repeat(int step) {
 
 void WizardRun::goBack() {
     if (canGoBack())
-        repeat(evidence_.back().step);
+        repeat(unfinished_.evidence.back().step);
 }
 
 void WizardRun::resume() {
@@ -317,7 +272,7 @@ void WizardRun::solveNow() {
     if (phase_ != Phase::kGuiding)
         return;
     std::vector<std::string> paths;
-    for (const WizardEvidence& part : evidence_)
+    for (const WizardEvidence& part : unfinished_.evidence)
         paths.push_back(part.path.toStdString());
     from_evidence_ = true;
     if (!paths.empty())
@@ -343,7 +298,7 @@ void WizardRun::solve(const std::vector<std::string>& paths) {
     if (from_evidence_ && studio_.suit().phase() != LiveSuit::Phase::kNone)
         request.actor = studio_.suit().actor();
     request.created_utc = studio_.parts().utc_now();
-    saved_ = false;
+    saved_file_.clear();
     KnownDistances known = known_;
     std::erase_if(known.distances, [this](const KnownDistance& distance) {
         const int board = guide_ ? suit_.findBoard(distance.board) : -1;
@@ -389,11 +344,11 @@ void WizardRun::keepValuesOfSkipped(CalibrationResult& result) const {
 }
 
 QString WizardRun::save() {
-    if (!result_ || saved_)
+    if (!result_ || isSaved())
         return {};
     if (const QString why = studio_.calibrations().save(*result_, keyOf(task_)); !why.isEmpty())
         return why;
-    saved_ = true;
+    saved_file_ = studio_.calibrations().fileInForce();
     if (from_evidence_)
         forget();
     emit changed();
@@ -412,68 +367,35 @@ void WizardRun::setTones(bool tones) {
 }
 
 QString WizardRun::statePath() const {
-    if (!studio_.session().isOpen())
-        return {};
-    const QString folder = QString::fromStdString(studio_.session().session().calibrationFolder().string());
-    return QDir(folder).filePath(keyOf(task_) + ".unfinished.json");
+    return studio_.session().isOpen()
+               ? unfinishedPath(
+                     QString::fromStdString(studio_.session().session().calibrationFolder().string()),
+                     keyOf(task_))
+               : QString();
 }
 
-std::optional<WizardRun::Unfinished> WizardRun::unfinished() const {
-    if (evidence_.empty())
-        return std::nullopt;
-    std::set<int> steps;
-    for (const WizardEvidence& part : evidence_)
-        steps.insert(part.step);
-    return Unfinished{static_cast<int>(steps.size()), QDateTime::fromString(started_utc_, Qt::ISODate)};
-}
-
-/// Written at each step: whatever happens later, this much is there.
 void WizardRun::store() const {
     const QString path = statePath();
     // Who stands there today stood otherwise yesterday.
     if (path.isEmpty() || task_ == WizardTask::kCheck || task_ == WizardTask::kRestPose)
         return;
-    nlohmann::json json = {
-        {"format", "noctule-unfinished-calibration"}, {"version", 1},
-        {"task", keyOf(task_).toStdString()},         {"started_utc", started_utc_.toStdString()},
-        {"distances", distances_path_.toStdString()}, {"evidence", nlohmann::json::array()}};
-    for (const WizardEvidence& part : evidence_)
-        json["evidence"].push_back({{"file", QFileInfo(part.path).fileName().toStdString()},
-                                    {"step", part.step},
-                                    {"boards", part.boards}});
-    if (const Status written = writeFileAtomically(path.toStdString(), json.dump(2) + "\n", true); !written)
+    if (const Status written = writeUnfinished(path, keyOf(task_), unfinished_); !written)
         emit studio_.warned(QString::fromStdString(written.error().text()));
 }
 
 void WizardRun::restore() {
-    const QString path = statePath();
-    if (path.isEmpty() || !QFile::exists(path))
-        return;
-    const auto text = readWholeFile(path.toStdString());
-    const auto json = nlohmann::json::parse(text ? *text : std::string(), nullptr, false);
-    if (!json.is_object() || !json.contains("evidence"))
-        return;
-    const QDir folder(QString::fromStdString(studio_.session().session().evidenceFolder().string()));
-    try {
-        started_utc_ = QString::fromStdString(json.value("started_utc", ""));
-        for (const nlohmann::json& entry : json.at("evidence")) {
-            const QString file =
-                QFileInfo(QString::fromStdString(entry.at("file").get<std::string>())).fileName();
-            const int step = entry.at("step").get<int>();
-            if (step >= 0 && QFile::exists(folder.filePath(file)))
-                evidence_.push_back(
-                    {folder.filePath(file), step, entry.at("boards").get<std::vector<std::string>>()});
-        }
-        if (const auto distances = json.value("distances", std::string()); !distances.empty())
-            setDistances(QString::fromStdString(distances));
-    } catch (const nlohmann::json::exception&) {
-        evidence_.clear();  // nothing is lost: the takes stay in their folder
-    }
+    const QString chosen = std::exchange(unfinished_, {}).distances_path;
+    if (const QString path = statePath(); QFile::exists(path))
+        unfinished_ = readUnfinished(
+            path, QString::fromStdString(studio_.session().session().evidenceFolder().string()));
+    const QString before = std::exchange(unfinished_.distances_path, chosen);
+    if (!before.isEmpty() && before != chosen)
+        setDistances(before);
 }
 
 void WizardRun::forget() {
-    evidence_.clear();
-    started_utc_.clear();
+    unfinished_.evidence.clear();
+    unfinished_.started_utc.clear();
     if (const QString path = statePath(); !path.isEmpty())
         QFile::remove(path);
 }

@@ -11,19 +11,12 @@
 #include <memory>
 #include <optional>
 
-#include "core/guide/guide.h"
-#include "core/processing/calibrate_takes.h"
 #include "ui/models/studio.h"
+#include "ui/wizards/task_work.h"
+#include "ui/wizards/unfinished_calibration.h"
 #include "ui/wizards/wizard_task.h"
 
 namespace noctule::ui {
-
-/// A short take, and what it shows.
-struct WizardEvidence {
-    QString path;
-    int step = 0;
-    std::vector<std::string> boards;  ///< ids
-};
 
 class WizardRun : public QObject {
     Q_OBJECT
@@ -45,16 +38,13 @@ public:
     // Before it begins.
     /// The file with the jig's distances; in words what is wrong with it, else empty.
     QString setDistances(const QString& path);
-    const QString& distancesPath() const { return distances_path_; }
+    const QString& distancesPath() const { return unfinished_.distances_path; }
     int distanceCount() const { return static_cast<int>(known_.distances.size()); }
     /// Why it cannot begin; empty: it can.
     QString whyNotBegin() const;
-    /// Something was kept before: goes on with it. Steps of how many in all.
-    struct Unfinished {
-        int steps_done = 0;
-        QDateTime since;
-    };
-    std::optional<Unfinished> unfinished() const;
+    /// Something was kept before, and begin() goes on with it.
+    bool isUnfinished() const { return !unfinished_.evidence.empty(); }
+    const UnfinishedCalibration& unfinished() const { return unfinished_; }
     void begin();
     void beginAnew();
     /// Nothing is measured: the takes are what there is.
@@ -82,7 +72,7 @@ public:
     void resume();
     /// Somebody looks at another page: nothing is taken meanwhile.
     void setPaused(bool paused);
-    bool canGoBack() const { return !evidence_.empty(); }
+    bool canGoBack() const { return isUnfinished(); }
     /// With what there is; the solver says what is missing.
     void solveNow();
 
@@ -92,7 +82,9 @@ public:
     Job* job() const { return job_; }
     /// Writes and uses it; in words why not, else empty.
     QString save();
-    bool isSaved() const { return saved_; }
+    bool isSaved() const { return !saved_file_.isEmpty(); }
+    /// Saved, and neither undone nor replaced since.
+    bool isInUse() const { return isSaved() && studio_.calibrations().fileInForce() == saved_file_; }
 
     bool tones() const;
     void setTones(bool tones);
@@ -105,7 +97,9 @@ signals:
 
 private:
     void setPhase(Phase phase);
-    void makeGuide();
+    void watch();
+    void followWearing();
+    int sampleRate_hz() const;
     void look();
     void keep();
     void kept(const QString& path, const QString& trouble);
@@ -122,18 +116,16 @@ private:
     Studio& studio_;
     const WizardTask task_;
     Phase phase_ = Phase::kIntro;
-    QString distances_path_;
     KnownDistances known_;
     std::unique_ptr<Guide> guide_;
     Suit suit_;
     int64_t looked_at_ = -1;
-    std::vector<WizardEvidence> evidence_;
-    QString started_utc_;
+    UnfinishedCalibration unfinished_;
     QElapsedTimer since_begin_;
     std::optional<CalibrationResult> result_;
     QString trouble_;
     QPointer<Job> job_;
-    bool saved_ = false;
+    QString saved_file_;
     bool paused_ = false;
     bool from_evidence_ = false;  ///< the result, or else from takes that were recorded elsewhere
 };

@@ -4,7 +4,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "core/guide/placement_guide.h"
 #include "core/guide/side_guide.h"
+#include "core/guide/stand_guide.h"
 #include "ui/models/part_names.h"
 #include "ui/style/words.h"
 
@@ -52,7 +54,9 @@ LiveSentence ofBoards(const WizardRun& run, const Guidance& now) {
                 Tone::kWarn, LiveText::tr("Not yet: board %1 lies on another side").arg(board),
                 LiveText::tr("Board %1, %2, is turned in its slot. Turn it as its neighbours are and press "
                              "it in. %3")
-                    .arg(board, place, others)};
+                    .arg(board, place,
+                         now.hindering > 1 ? LiveText::tr("So are %n other(s).", nullptr, now.hindering - 1)
+                                           : QString())};
         default:
             return {
                 Tone::kWarn,
@@ -149,7 +153,7 @@ std::vector<LiveMeasure> measuresOf(const WizardRun& run) {
     };
     const bool worn = isWorn(run.task());
     if (run.task() == WizardTask::kAccelerometers) {
-        const double limit_rad = SideGuide::kUncalibratedAskew_rad;
+        const double limit_rad = std::max(now.askew_limit_rad, SideGuide::kAskew_rad);
         if (now.worst_askew_rad)
             add(LiveText::tr("Plate level"),
                 LiveText::tr("%1, limit %2").arg(askewText(*now.worst_askew_rad), askewText(limit_rad)),
@@ -162,8 +166,8 @@ std::vector<LiveMeasure> measuresOf(const WizardRun& run) {
             std::abs(now.rpm.value_or(0)) / 78, now.rpm.value_or(0) != 0);
     if (run.task() == WizardTask::kSources)
         add(LiveText::tr("Pairs heard"), percentText(now.heard_share.value_or(0)),
-            now.heard_share.value_or(0), now.heard_share.value_or(0) > 0.5);
-    const double still_limit = worn ? 0.5 : HealthSettings{}.still_accel_m_per_s2;
+            now.heard_share.value_or(0), now.heard_share.value_or(0) >= PlacementGuide::kEnoughShare);
+    const double still_limit = worn ? StandGuide::kSway_m_per_s2 : HealthSettings{}.still_accel_m_per_s2;
     add(LiveText::tr("Still"),
         LiveText::tr("%1 m/s², limit %2")
             .arg(numberText(now.worst_accel_deviation_m_per_s2, 2), numberText(still_limit, 2)),

@@ -313,10 +313,10 @@ TEST_F(WizardFlow, BeginningAnewWithoutASuitKeepsWhatWasTaken) {
     studio_->suit().disconnectSuit();
     ASSERT_TRUE(waitLong([this] { return studio_->suit().phase() == LiveSuit::Phase::kNone; }));
     click(page_->startButton(WizardTask::kAccelerometers));
-    ASSERT_TRUE(run().unfinished());
+    ASSERT_TRUE(run().isUnfinished());
     EXPECT_FALSE(page_->wizard().intro().anewButton()->isEnabled());
     run().beginAnew();
-    EXPECT_TRUE(run().unfinished());
+    EXPECT_TRUE(run().isUnfinished());
 }
 
 TEST_F(WizardFlow, AResultThatWasLeftComesBack) {
@@ -346,7 +346,7 @@ TEST_F(WizardFlow, ADamagedRecordOfAnUnfinishedCalibrationDoesNoHarm) {
                              R"({"evidence": [{"file": "../session.json", "step": -4, "boards": ["x"]}]})"}) {
         std::ofstream(folder_.filePath("one/calibration/gyroscopes.unfinished.json").toStdString()) << text;
         page_->open(WizardTask::kGyroscopes);
-        EXPECT_FALSE(run().unfinished()) << text;
+        EXPECT_FALSE(run().isUnfinished()) << text;
     }
 }
 
