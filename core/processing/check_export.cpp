@@ -100,8 +100,10 @@ ExportCheck checkFile(const std::string& path, const ExpectedMotion& expected, c
     check.expected_joints = expected.skeleton.size();
     std::error_code ignored;
     check.bytes = static_cast<int64_t>(std::filesystem::file_size(path, ignored));
+    ExpectedMotion named = expected;
+    named.skeleton = renamed(expected.skeleton, request.names);
     const Status compared = is_csv ? compareCsv(path, request.angles, expected, check)
-                                   : compareBvh(path, request.metres_per_unit, expected, check);
+                                   : compareBvh(path, request.metres_per_unit, named, check);
     if (compared)
         judge(check, request.frames_per_second);
     else
