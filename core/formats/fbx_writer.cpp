@@ -121,7 +121,7 @@ Status writeFbx(const std::string& path, const Figure& figure, const FbxOptions&
     if (!bytes)
         return bytes.error();
     return writeFileAtomically(path, *bytes, overwrite, [&](const std::string& aside) {
-        return checkScene(aside, path, SceneFormat::kFbx, figure, options.metres_per_unit);
+        return checkScene(aside, path, SceneFormat::kFbx, figure);
     });
 }
 

@@ -174,7 +174,7 @@ Status writeGlb(const std::string& path, const Figure& figure, bool overwrite) {
         return free;
     const auto scene = sceneOf(figure.body ? &*figure.body : nullptr, figure.clip);
     return writeScene(path, *scene, overwrite, [&](const std::string& aside) {
-        return checkScene(aside, path, SceneFormat::kGlb, figure, 1);
+        return checkScene(aside, path, SceneFormat::kGlb, figure);
     });
 }
 

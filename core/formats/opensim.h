@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motions for OpenSim's full-body models (Rajagopal et al. 2016 and its kin): joint angles as .mot, which its
 // tools play and analyse at once, and segment orientations as .sto, from which OpenSense computes angles on a
-// scaled model. Both stand in OpenSim's axes: X forward, Y up, Z to the right; the zero pose stands with
-// hanging arms, palms forward. Angles of a joint are taken in the order of the model: about Z (flexion), X
-// (adduction), Y (rotation), mirrored on the left; what a joint of the model cannot do is left out.
+// scaled model. Both stand in OpenSim's axes: X forward, Y up, Z to the right; their zero pose stands
+// with hanging arms, palms forward (pro_sup is 90 where our palms look down or to the body). Angles of a
+// joint are taken in the order of the model: about Z (flexion), X (adduction), Y (rotation), mirrored on the
+// left; what a joint of the model cannot do is left out.
 #pragma once
 
 #include <string>

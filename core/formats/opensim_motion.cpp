@@ -12,21 +12,28 @@ namespace {
 
 enum class Side { kMiddle, kLeft, kRight };
 
-/// A body of the model: the segment that moves it, and whether it hangs down where ours points sideways.
+/// How a body of the model lies in its zero pose, where ours stands in a T with palms down.
+enum class Zero {
+    kSame,
+    kHanging,    ///< the upper arm
+    kPalmAhead,  ///< hanging, and turned outwards by a quarter
+};
+
+/// A body of the model and the segment that moves it.
 struct ModelBody {
     const char* name;
     const char* joint;  ///< without "Left" or "Right"
-    bool is_arm;
+    Zero zero;
     bool has_sides;
 };
-constexpr ModelBody kPelvis{"pelvis", "Hips", false, false};
-constexpr ModelBody kTorso{"torso", "Chest", false, false};
-constexpr ModelBody kFemur{"femur", "UpLeg", false, true};
-constexpr ModelBody kTibia{"tibia", "Leg", false, true};
-constexpr ModelBody kCalcn{"calcn", "Foot", false, true};
-constexpr ModelBody kHumerus{"humerus", "Arm", true, true};
-constexpr ModelBody kRadius{"radius", "ForeArm", true, true};
-constexpr ModelBody kHand{"hand", "Hand", true, true};
+constexpr ModelBody kPelvis{"pelvis", "Hips", Zero::kSame, false};
+constexpr ModelBody kTorso{"torso", "Chest", Zero::kSame, false};
+constexpr ModelBody kFemur{"femur", "UpLeg", Zero::kSame, true};
+constexpr ModelBody kTibia{"tibia", "Leg", Zero::kSame, true};
+constexpr ModelBody kCalcn{"calcn", "Foot", Zero::kSame, true};
+constexpr ModelBody kHumerus{"humerus", "Arm", Zero::kHanging, true};
+constexpr ModelBody kRadius{"radius", "ForeArm", Zero::kPalmAhead, true};
+constexpr ModelBody kHand{"hand", "Hand", Zero::kPalmAhead, true};
 constexpr std::array kBodies{kPelvis, kTorso, kFemur, kTibia, kCalcn, kHumerus, kRadius, kHand};
 
 /// A joint of the model: up to three coordinates about Z, X and Y, empty where it cannot turn.
@@ -67,8 +74,10 @@ const Quaterniond& toOpenSim() {
 
 /// q_ground_body of the model's body.
 Quaterniond bodyOrientation(const Quaterniond& q_world_joint, const ModelBody& body, Side side) {
-    const double hang_rad = !body.is_arm ? 0 : side == Side::kLeft ? M_PI / 2 : -M_PI / 2;
-    return toOpenSim() * q_world_joint * axisAngle(Vector3d::UnitZ(), hang_rad) * toOpenSim().conjugate();
+    const double quarter_rad = side == Side::kLeft ? M_PI / 2 : -M_PI / 2;
+    const Quaterniond hang = axisAngle(Vector3d::UnitZ(), body.zero == Zero::kSame ? 0 : quarter_rad);
+    const Quaterniond palm = axisAngle(Vector3d::UnitY(), body.zero == Zero::kPalmAhead ? -quarter_rad : 0);
+    return toOpenSim() * q_world_joint * hang * toOpenSim().conjugate() * palm;
 }
 
 struct AngleSource {

@@ -14,8 +14,8 @@ namespace {
 class Fbx : public testing::Test {
 protected:
     std::string path() const { return folder_.file("walk.fbx"); }
-    SceneDifference differenceTo(const Figure& figure, double metres_per_unit = 0.01) const {
-        const auto difference = compareScene(path(), "walk.fbx", SceneFormat::kFbx, figure, metres_per_unit);
+    SceneDifference differenceTo(const Figure& figure) const {
+        const auto difference = compareScene(path(), "walk.fbx", SceneFormat::kFbx, figure);
         EXPECT_TRUE(difference) << difference.error().text();
         return difference ? *difference : SceneDifference{};
     }
@@ -52,7 +52,7 @@ TEST_F(Fbx, AnyUnitAndTheNamesOfOtherPrograms) {
     FbxOptions options;
     options.metres_per_unit = 1;
     ASSERT_TRUE(writeFbx(path(), figure, options, false));
-    EXPECT_LT(differenceTo(figure, 1).joint_m, 5e-6);
+    EXPECT_LT(differenceTo(figure).joint_m, 5e-6);
     EXPECT_NE(bytes().find(fbxObjectName("Spine2", "Model")), std::string::npos);
     EXPECT_EQ(bytes().find(fbxObjectName("Chest", "Model")), std::string::npos);
 }
@@ -69,10 +69,34 @@ TEST_F(Fbx, DifferencesAreSeen) {
     Figure dented = figure;
     dented.body->vertices[100].p_m.x() += 0.001F;
     EXPECT_NEAR(differenceTo(dented).vertex_m, 0.001, 5e-5);
-    EXPECT_GT(differenceTo(figure, 1).joint_m, 10) << "another unit";
-    EXPECT_FALSE(checkScene(path(), "walk.fbx", SceneFormat::kFbx, turned, 0.01));
-    EXPECT_FALSE(checkScene(path(), "walk.fbx", SceneFormat::kFbx, dented, 0.01));
-    EXPECT_TRUE(checkScene(path(), "walk.fbx", SceneFormat::kFbx, figure, 0.01));
+    EXPECT_FALSE(checkScene(path(), "walk.fbx", SceneFormat::kFbx, turned));
+    EXPECT_FALSE(checkScene(path(), "walk.fbx", SceneFormat::kFbx, dented));
+    EXPECT_TRUE(checkScene(path(), "walk.fbx", SceneFormat::kFbx, figure));
+}
+
+/// The file's own word on its unit and its axes counts.
+TEST_F(Fbx, AnotherUnitAndAnotherUpAreSeen) {
+    const Figure figure = test::sampleFigure(false);
+    ASSERT_TRUE(writeFbx(path(), figure, {}, false));
+    std::string changed = bytes();
+    const auto setNumber = [&](const std::string& name, const auto value) {
+        // behind the name stand type, label and flags, each a letter and its length, then the letter of the
+        // value
+        size_t at =
+            changed.find("S" + std::string("\x0f\0\0\0", 4).replace(0, 1, 1, char(name.size())) + name);
+        ASSERT_NE(at, std::string::npos) << name;
+        at += 5 + name.size();
+        for (int text = 0; text < 3; ++text)
+            at += 5 + static_cast<unsigned char>(changed[at + 1]);
+        std::memcpy(changed.data() + at + 1, &value, sizeof value);
+        ASSERT_TRUE(writeFileAtomically(path(), changed, true));
+    };
+    setNumber("UnitScaleFactor", 2.54);
+    EXPECT_GT(differenceTo(figure).joint_m, 1) << "inches";
+    setNumber("UnitScaleFactor", 1.0);
+    EXPECT_LT(differenceTo(figure).joint_m, 5e-6);
+    setNumber("UpAxis", int32_t{2});
+    EXPECT_FALSE(compareScene(path(), "walk.fbx", SceneFormat::kFbx, figure));
 }
 
 TEST_F(Fbx, AnotherRateAnotherLengthAndAnotherNameAreRefused) {
@@ -83,7 +107,7 @@ TEST_F(Fbx, AnotherRateAnotherLengthAndAnotherNameAreRefused) {
     shorter.clip.frames.pop_back();
     other.clip.name = "walk_002";
     for (const Figure& wrong : {faster, shorter, other})
-        EXPECT_FALSE(compareScene(path(), "walk.fbx", SceneFormat::kFbx, wrong, 0.01));
+        EXPECT_FALSE(compareScene(path(), "walk.fbx", SceneFormat::kFbx, wrong));
 }
 
 TEST_F(Fbx, ADamagedFileIsRefused) {
@@ -93,7 +117,7 @@ TEST_F(Fbx, ADamagedFileIsRefused) {
     for (const double share : {0.0, 0.2, 0.6, 0.95}) {
         const auto length = static_cast<size_t>(share * static_cast<double>(whole.size()));
         ASSERT_TRUE(writeFileAtomically(path(), whole.substr(0, length), true));
-        EXPECT_FALSE(compareScene(path(), "walk.fbx", SceneFormat::kFbx, figure, 0.01)) << share;
+        EXPECT_FALSE(compareScene(path(), "walk.fbx", SceneFormat::kFbx, figure)) << share;
     }
 }
 

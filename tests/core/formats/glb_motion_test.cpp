@@ -19,7 +19,7 @@ class GlbMotion : public testing::Test {
 protected:
     std::string path() const { return folder_.file("walk.glb"); }
     Result<SceneDifference> differenceTo(const Figure& figure) const {
-        return compareScene(path(), "walk.glb", SceneFormat::kGlb, figure, 1);
+        return compareScene(path(), "walk.glb", SceneFormat::kGlb, figure);
     }
     /// What the validator prints; nothing where it cannot be had.
     std::optional<std::string> verdict(int& exit_code) const {
