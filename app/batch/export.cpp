@@ -5,7 +5,7 @@
 #include "app/batch/files.h"
 #include "app/batch/takes.h"
 #include "app/batch/verb.h"
-#include "core/processing/export_preset.h"
+#include "core/processing/export_program.h"
 #include "core/processing/export_take.h"
 
 namespace noctule::batch {
@@ -40,7 +40,7 @@ ExportRequest requestFor(const Arguments& arguments, const std::string& take_pat
     ExportRequest request;
     request.take_path = take_path;
     request.run = arguments.text("run");
-    const ExportPreset preset = exportPreset(arguments.text("preset"));
+    const ExportProgram preset = exportProgram(arguments.text("preset"));
     request.frames_per_second = arguments.number("fps").value_or(preset.frames_per_second);
     request.from_s = arguments.number("from");
     request.to_s = arguments.number("to");
@@ -50,7 +50,6 @@ ExportRequest requestFor(const Arguments& arguments, const std::string& take_pat
     request.metres_per_unit = preset.metres_per_unit;
     request.names = preset.names;
     request.root_name = preset.root_name;
-    request.root_is_bone = preset.root_is_bone;
     request.with_body = arguments.text("mesh") != "none";
     request.angles = arguments.given("angles");
     request.overwrite = arguments.given("overwrite");

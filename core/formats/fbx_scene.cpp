@@ -33,8 +33,6 @@ int64_t addFbxBone(FbxScene& scene, const std::string& name, const std::vector<F
 
 int64_t addFbxTop(FbxScene& scene, const FbxOptions& options) {
     const auto model = fbxModel(Vector3d::Zero(), {});
-    if (options.root_is_bone)
-        return addFbxBone(scene, options.root_name, model);
     const int64_t top = scene.add("Model", options.root_name, "Model", "Null", model);
     scene.connect(scene.add("NodeAttribute", options.root_name, "NodeAttribute", "Null",
                             {FbxNode("TypeFlags", "Null")}),

@@ -48,8 +48,8 @@ int64_t fbxLastTime(const MotionClip& clip);
 
 struct FbxOptions {
     double metres_per_unit = 0.01;  ///< 0.01 as everybody expects; the file states it
+    /// The node above the joints. It is no bone: Blender would let the hips hang on its end and not move.
     std::string root_name = "Reference";
-    bool root_is_bone = false;  ///< what stands above the joints: a bone, else a plain node
 };
 
 /// The joints as models: first what stands above them, then one per joint of the figure, in its order.

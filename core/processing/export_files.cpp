@@ -34,8 +34,8 @@ Status writeFbxFile(const ExportRequest& request, const ExportedMotion& motion) 
     const auto figure = figureOf(request, motion);
     if (!figure)
         return figure.error();
-    return writeFbx(request.fbx_path, *figure,
-                    {request.metres_per_unit, request.root_name, request.root_is_bone}, request.overwrite);
+    return writeFbx(request.fbx_path, *figure, {request.metres_per_unit, request.root_name},
+                    request.overwrite);
 }
 
 Status writeGlbFile(const ExportRequest& request, const ExportedMotion& motion) {

@@ -28,10 +28,9 @@ struct ExportRequest {
     std::string bvh_path, fbx_path, glb_path, csv_path, mot_path, sto_path;  ///< empty: none
     double metres_per_unit = 0.01;                                           ///< of BVH and FBX files
     JointNames names = JointNames::kOwn;                                     ///< in BVH, FBX and GLB files
-    std::string root_name = "Reference";  ///< FBX: what stands above the hips, a node
-    bool root_is_bone = false;            ///< or a bone
-    bool with_body = true;                ///< FBX and GLB: the default body in the performer's measures
-    bool angles = false;                  ///< named degrees of freedom in the CSV file too
+    std::string root_name = "Reference";                                     ///< FBX: the node above the hips
+    bool with_body = true;  ///< FBX and GLB: the default body in the performer's measures
+    bool angles = false;    ///< named degrees of freedom in the CSV file too
     bool overwrite = false;
 };
 

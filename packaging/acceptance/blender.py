@@ -13,14 +13,14 @@ PACKAGES = ("blender", "python3-numpy")  # its import of glTF wants the latter
 STEP = 10  # frames
 LARGEST_MM = 0.1  # Blender holds a bone's place as float32, BVH angles have seven decimals
 INSIDE = pathlib.Path(__file__).with_name("inside_blender.py")
-MOTIONS = {"Boxing_Toes": 60, "01_01": 90, "01_03": 48.5}  # and frames per second: usual, rare, broken
+MOTIONS = {"Boxing_Toes": 60, "01_01": 90, "01_03": 45}  # and frames per second; Blender rounds broken ones
 SCALES = {"blender": 1.0, "motionbuilder": 0.01}  # presets, and the scale that Blender must be told for BVH
 EXPORTS = (("bvh", "blender", "mannequin"), ("bvh", "motionbuilder", "mannequin"), ("fbx", "blender", "mannequin"),
            ("fbx", "motionbuilder", "mannequin"), ("fbx", "unreal", "mannequin"), ("fbx", "blender", "none"),
            ("glb", "blender", "mannequin"))
 HEAD_M = (1.2, 1.8)  # of a performer of 1.75 m who stands
 PICTURE = ("Boxing_Toes", "fbx", "blender", "mannequin")
-PICTURE_SECOND = 9.5
+PICTURE_SECOND = 12
 
 
 def has_blender():

@@ -106,7 +106,8 @@ def take_picture(path, frame, joints):
     scene.display.shading.light = "STUDIO"
     scene.display.shading.show_shadows = scene.display.shading.show_cavity = True
     scene.render.resolution_x, scene.render.resolution_y = 480, 480
-    scene.render.image_settings.color_mode = "RGB"
+    scene.render.image_settings.color_mode, scene.render.image_settings.compression = "RGB", 100
+    scene.render.dither_intensity = 0
     scene.render.filepath = path
     bpy.ops.render.render(write_still=True)
 

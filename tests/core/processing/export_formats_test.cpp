@@ -7,7 +7,7 @@
 #include "core/processing/bone_confidence.h"
 #include "core/processing/check_export.h"
 #include "core/processing/export_files.h"
-#include "core/processing/export_preset.h"
+#include "core/processing/export_program.h"
 #include "tests/core/processing/made_take.h"
 
 namespace noctule {
@@ -45,14 +45,13 @@ protected:
 constexpr double kSampled_m = 5e-5;
 
 TEST_F(ExportFormats, SceneFilesHoldTheTake) {
-    for (const ExportPreset& preset : exportPresets()) {
+    for (const ExportProgram& preset : exportPrograms()) {
         ExportRequest request = request_;
         request.fbx_path = file(preset.key + ".fbx");
         request.glb_path = file(preset.key + ".glb");
         request.metres_per_unit = preset.metres_per_unit;
         request.names = preset.names;
         request.root_name = preset.root_name;
-        request.root_is_bone = preset.root_is_bone;
         const auto summary = exportTake(request, {});
         ASSERT_TRUE(summary) << summary.error().text();
         EXPECT_EQ(summary->files, (std::vector{request.fbx_path, request.glb_path}));
@@ -106,6 +105,55 @@ TEST_F(ExportFormats, OpenSimTablesHoldTheTake) {
         EXPECT_NEAR(read_angles->values[v], angles->values[v], 0.01) << v;
     for (size_t v = 0; v < turns->values.size(); ++v)
         EXPECT_NEAR(read_turns->values[v], turns->values[v], 1e-4) << v;
+}
+
+TEST_F(ExportFormats, EveryFileIsHeldAgainstItsTake) {
+    for (const RootMotion root : {RootMotion::kMoving, RootMotion::kInPlace, RootMotion::kHeading}) {
+        ExportRequest request = request_;
+        request.overwrite = true;
+        request.root = root;
+        request.names = JointNames::kHumanIk;
+        request.fbx_path = file("c.fbx");
+        request.glb_path = file("c.glb");
+        request.mot_path = file("c.mot");
+        request.sto_path = file("c.sto");
+        request.bvh_path = file("c.bvh");
+        ASSERT_TRUE(exportTake(request, {}));
+        const auto checks = checkExport(request, {});
+        ASSERT_TRUE(checks) << checks.error().text();
+        ASSERT_EQ(checks->size(), 5U);
+        for (const ExportCheck& check : *checks) {
+            EXPECT_TRUE(check.ok()) << check.path << ": " << check.faults.front();
+            EXPECT_EQ(check.frames, 55U);
+            EXPECT_TRUE(check.has_angles);
+        }
+        EXPECT_NEAR((*checks)[1].height_m, (*checks)[0].height_m, 1e-4);
+        EXPECT_NEAR((*checks)[1].lowest_m, (*checks)[0].lowest_m, 1e-4);
+        EXPECT_NEAR((*checks)[1].facing_rad, 0, 1e-6);
+    }
+}
+
+TEST_F(ExportFormats, AFileOfAnotherRunOfTimeIsFound) {
+    ExportRequest request = request_;
+    request.with_body = false;
+    request.fbx_path = file("o.fbx");
+    request.glb_path = file("o.glb");
+    request.mot_path = file("o.mot");
+    request.sto_path = file("o.sto");
+    ASSERT_TRUE(exportTake(request, {}));
+    ExportRequest later = request;
+    later.from_s = *later.from_s + 0.02;
+    later.to_s = *later.to_s + 0.02;
+    const auto checks = checkExport(later, {});
+    ASSERT_TRUE(checks);
+    for (const ExportCheck& check : *checks)
+        EXPECT_FALSE(check.ok()) << check.path;
+    later = request;
+    later.frames_per_second = 44;
+    const auto slower = checkExport(later, {});
+    ASSERT_TRUE(slower);
+    for (const ExportCheck& check : *slower)
+        EXPECT_FALSE(check.ok()) << check.path;
 }
 
 TEST(BoneConfidence, FallsWithTheDeviation) {

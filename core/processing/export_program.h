@@ -10,18 +10,17 @@
 
 namespace noctule {
 
-struct ExportPreset {
+struct ExportProgram {
     std::string key;                 ///< "motionbuilder"; empty: made for nobody in particular
     double metres_per_unit = 0.01;   ///< of BVH and FBX
     double frames_per_second = 120;  ///< unless asked for another
     JointNames names = JointNames::kOwn;
-    std::string root_name = "Reference";  ///< FBX: what stands above the hips
-    bool root_is_bone = false;            ///< FBX: a bone, for programs that move a character by it
+    std::string root_name = "Reference";  ///< FBX: the node above the hips
 };
 
 /// blender, motionbuilder (Maya too), unity, unreal.
-const std::vector<ExportPreset>& exportPresets();
+const std::vector<ExportProgram>& exportPrograms();
 /// The one of that key; what nobody is named for gets when there is none.
-ExportPreset exportPreset(const std::string& key);
+ExportProgram exportProgram(const std::string& key);
 
 }  // namespace noctule
