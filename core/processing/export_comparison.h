@@ -25,6 +25,8 @@ Status compareSceneFile(const std::string& path, SceneFormat format, const Expec
 /// OpenSim's .mot (angles) or .sto (orientations).
 Status compareTable(const std::string& path, bool is_angles, const ExpectedMotion& expected,
                     ExportCheck& check);
+/// The columns of freedoms that a CSV file of positions may have.
+Status compareAngles(const std::string& path, const ExpectedMotion& expected, ExportCheck& check);
 Status compareCsv(const std::string& path, bool angles, const ExpectedMotion& expected, ExportCheck& check);
 
 }  // namespace noctule

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/formats/opensim.h"
+#include "core/formats/positions_csv.h"
 #include "core/job/atomic_file.h"
 #include "core/processing/export_comparison.h"
 
@@ -30,7 +31,43 @@ void addDifference(const OpenSimTable& table, size_t in_row, bool is_angles, dou
         check.largest_angle_rad = std::max(check.largest_angle_rad, 2 * std::abs(apart));
 }
 
+struct AngleColumns {
+    std::vector<std::string> names;
+    std::vector<size_t> joint;  ///< whose rotation they are taken from
+    std::vector<int> freedom;
+};
+
+AngleColumns angleColumns(const Skeleton& skeleton) {
+    AngleColumns columns;
+    for (size_t j = 0; j < skeleton.joints().size(); ++j)
+        for (size_t d = 0; d < skeleton.joints()[j].dof.size(); ++d) {
+            columns.names.push_back(skeleton.joints()[j].name + "." + skeleton.joints()[j].dof[d].name);
+            columns.joint.push_back(j);
+            columns.freedom.push_back(static_cast<int>(d));
+        }
+    return columns;
+}
+
 }  // namespace
+
+Status compareAngles(const std::string& path, const ExpectedMotion& expected, ExportCheck& check) {
+    const AngleColumns columns = angleColumns(expected.skeleton);
+    const auto table = readNumberColumns(path, columns.names);
+    if (!table)
+        return table.error();
+    check.has_angles = true;
+    const size_t width = columns.names.size();
+    for (size_t f = 0; f < std::min(table->size() / std::max<size_t>(1, width), expected.frames.size()); ++f)
+        for (size_t c = 0; c < width; ++c) {
+            const JointAngles angles =
+                projectOntoJoint(expected.skeleton.joints()[columns.joint[c]],
+                                 expected.frames[f].q_parent_joint[columns.joint[c]], false);
+            const double apart_rad = radians((*table)[f * width + c]) - angles.angles_rad[columns.freedom[c]];
+            check.largest_angle_rad =
+                std::max(check.largest_angle_rad, std::abs(std::remainder(apart_rad, 2 * M_PI)));
+        }
+    return Done{};
+}
 
 Status compareTable(const std::string& path, bool is_angles, const ExpectedMotion& expected,
                     ExportCheck& check) {
