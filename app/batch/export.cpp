@@ -5,6 +5,7 @@
 #include "app/batch/files.h"
 #include "app/batch/takes.h"
 #include "app/batch/verb.h"
+#include "core/processing/export_program.h"
 #include "core/processing/export_take.h"
 
 namespace noctule::batch {
@@ -29,25 +30,36 @@ RootMotion rootMotion(const std::string& name) {
                                : RootMotion::kMoving;
 }
 
+/// The formats by their options, and where each of them stands in a request.
+std::vector<std::pair<const char*, std::string*>> pathsIn(ExportRequest& request) {
+    return {{"bvh", &request.bvh_path}, {"fbx", &request.fbx_path}, {"glb", &request.glb_path},
+            {"csv", &request.csv_path}, {"mot", &request.mot_path}, {"sto", &request.sto_path}};
+}
+
 ExportRequest requestFor(const Arguments& arguments, const std::string& take_path) {
     ExportRequest request;
     request.take_path = take_path;
     request.run = arguments.text("run");
-    request.frames_per_second = *arguments.number("fps");
+    const ExportProgram preset = exportProgram(arguments.text("preset"));
+    request.frames_per_second = arguments.number("fps").value_or(preset.frames_per_second);
     request.from_s = arguments.number("from");
     request.to_s = arguments.number("to");
     request.root = rootMotion(arguments.text("root"));
-    request.bvh_path = pathFor(arguments.text("bvh"), take_path);
-    request.metres_per_unit = arguments.text("preset") == "blender" ? 1 : 0.01;
-    request.csv_path = pathFor(arguments.text("csv"), take_path);
+    for (const auto& [format, path] : pathsIn(request))
+        *path = pathFor(arguments.text(format), take_path);
+    request.metres_per_unit = preset.metres_per_unit;
+    request.names = preset.names;
+    request.root_name = preset.root_name;
+    request.with_body = arguments.text("mesh") != "none";
     request.angles = arguments.given("angles");
     request.overwrite = arguments.given("overwrite");
     return request;
 }
 
 Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest>& requests) {
-    if (!arguments.given("bvh") && !arguments.given("csv"))
-        return Error{ErrorKind::kUsage, "export has nothing to write", "Give --bvh F, --csv F or both"};
+    if (requests.empty() || outputsOf(requests.front()).empty())
+        return Error{ErrorKind::kUsage, "export has nothing to write",
+                     "Give any of --bvh F, --fbx F, --glb F, --csv F, --mot F and --sto F"};
     if (arguments.given("angles") && !arguments.given("csv"))
         return Error{ErrorKind::kUsage, "--angles adds columns to a CSV file, and none is written",
                      "Give --csv F too"};
@@ -56,8 +68,8 @@ Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest
         return Error{ErrorKind::kUsage, "--from lies after --to", "Give --from S before --to S"};
     std::set<std::string> paths;
     for (const ExportRequest& request : requests)
-        for (const std::string& path : {request.bvh_path, request.csv_path}) {
-            if (!path.empty() && !paths.insert(std::filesystem::path(path).lexically_normal()).second)
+        for (const std::string& path : outputsOf(request)) {
+            if (!paths.insert(std::filesystem::path(path).lexically_normal()).second)
                 return Error{ErrorKind::kUsage, "two outputs would be " + path,
                              requests.size() > 1 ? "Write {name} into the path; it stands for the take's name"
                                                  : "Give different paths"};
@@ -100,28 +112,28 @@ Verb exportVerb() {
     verb.operands = "T.noctule...";
     verb.min_operands = 1;
     verb.max_operands = kAnyNumber;
-    verb.example = "noctule --batch export hops_001.noctule --bvh hops.bvh --preset blender";
+    verb.example = "noctule --batch export hops_001.noctule --fbx hops.fbx --preset blender";
     verb.options = {
         text("run", "NAME", "the run to write; the last one when not given"),
         text("bvh", "F", "animation with its skeleton; {name} in F stands for the take's name"),
+        text("fbx", "F", "skeleton, motion and body as binary FBX 7.4"),
+        text("glb", "F", "the same as binary glTF"),
         text("csv", "F", "world positions of all joints in metres"),
+        text("mot", "F", "joint angles for OpenSim, in degrees"),
+        text("sto", "F", "orientations of the segments for OpenSim's OpenSense"),
         flag("angles", "adds the named degrees of freedom to the CSV, in degrees"),
-        choice("preset", {"motionbuilder", "blender"}, "BVH in centimetres (Maya too) or in metres")
-            .orElse("motionbuilder")
-            .laterOn({"unity", "unreal"}),
-        number("fps", "N", 1, 1000, "frames per second").orElse("120"),
+        choice("preset", {"blender", "motionbuilder", "unity", "unreal"},
+               "who the files are for; motionbuilder is Maya too. Sets unit, names and frame rate"),
+        number("fps", "N", 1, 1000, "frames per second; 120, or what the preset's program likes"),
+        choice("mesh", {"mannequin", "none"}, "FBX and GLB: the default body, or the skeleton alone")
+            .orElse("mannequin"),
         number("from", "S", 0, 86400, "first second of the take"),
         number("to", "S", 0, 86400, "last second of the take"),
         choice("root", {"moving", "in-place", "heading"},
                "as captured; over one spot; over one spot and always facing forward")
             .orElse("moving"),
-        later("fbx", "F", "FBX"),
-        later("glb", "F", "binary glTF"),
-        later("mot", "F", "OpenSim joint angles"),
-        later("sto", "F", "OpenSim orientations"),
         later("video", "F", "a rendered film"),
         later("png", "F", "a rendered picture"),
-        later("mesh", "M", "the body to put on the skeleton"),
         later("size", "WxH", "of film and picture"),
         later("camera", "front|follow|turn", "of film and picture")};
     verb.remarks = {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/body/actor.h"
-#include "core/mesh/glb_writer.h"
+#include "core/formats/glb_writer.h"
 #include "core/mesh/mannequin.h"
 
 namespace {

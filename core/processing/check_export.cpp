@@ -89,20 +89,34 @@ void judge(ExportCheck& check, double expected_frames_per_second) {
           "The figure in the file faces another way than the performer.");
     fault(check.largest_angle_rad > kExportAngle_rad,
           "Joints in the file are turned otherwise than in the take.");
-    fault(check.largest_position_m > kExportPosition_m, "Joints in the file are elsewhere than in the take.");
+    fault(check.largest_position_m > check.position_limit_m,
+          "Joints in the file are elsewhere than in the take.");
 }
 
-ExportCheck checkFile(const std::string& path, const ExpectedMotion& expected, const ExportRequest& request,
-                      bool is_csv) {
+Status compareFile(const std::string& path, const ExpectedMotion& expected, const ExportRequest& request,
+                   ExportCheck& check) {
+    if (path == request.csv_path)
+        return compareCsv(path, request.angles, expected, check);
+    if (path == request.mot_path || path == request.sto_path)
+        return compareTable(path, path == request.mot_path, expected, check);
+    ExpectedMotion named = expected;
+    named.skeleton = renamed(expected.skeleton, request.names);
+    if (path == request.bvh_path)
+        return compareBvh(path, request.metres_per_unit, named, check);
+    check.position_limit_m = kExportScenePosition_m;
+    return compareSceneFile(path, path == request.fbx_path ? SceneFormat::kFbx : SceneFormat::kGlb, named,
+                            check);
+}
+
+ExportCheck checkFile(const std::string& path, const ExpectedMotion& expected, const ExportRequest& request) {
     ExportCheck check;
     check.path = path;
     check.expected_frames = expected.frames.size();
     check.expected_joints = expected.skeleton.size();
+    check.position_limit_m = kExportPosition_m;
     std::error_code ignored;
     check.bytes = static_cast<int64_t>(std::filesystem::file_size(path, ignored));
-    const Status compared = is_csv ? compareCsv(path, request.angles, expected, check)
-                                   : compareBvh(path, request.metres_per_unit, expected, check);
-    if (compared)
+    if (const Status compared = compareFile(path, expected, request, check); compared)
         judge(check, request.frames_per_second);
     else
         check.faults.push_back(compared.error().text() + ".");
@@ -123,13 +137,13 @@ Result<std::vector<ExportCheck>> checkExport(const ExportRequest& request, const
     if (!silent)
         return silent.error();
     std::vector<ExportCheck> checks;
-    for (const std::string* path : {&request.bvh_path, &request.csv_path}) {
-        if (path->empty())
-            continue;
+    const std::vector<std::string> paths = outputsOf(request);
+    for (const std::string& path : paths) {
         if (job.cancelled())
             return JobContext::cancelledError();
-        job.progress(checks.empty() ? 0 : 0.5, "Reading " + *path + " again");
-        checks.push_back(checkFile(*path, *expected, request, path == &request.csv_path));
+        job.progress(static_cast<double>(checks.size()) / static_cast<double>(paths.size()),
+                     "Reading " + path + " again");
+        checks.push_back(checkFile(path, *expected, request));
         checks.back().run = run_name;
         checks.back().silent = *silent;
     }

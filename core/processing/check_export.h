@@ -26,14 +26,15 @@ struct ExportCheck {
     int64_t bytes = 0;
     size_t frames = 0, expected_frames = 0;
     double frames_per_second = 0;                ///< as the file says
-    double height_m = 0, expected_height_m = 0;  ///< BVH: of the zero pose; CSV: of the first frame's joints
+    double height_m = 0, expected_height_m = 0;  ///< of the zero pose; CSV: of the first frame's joints
     double lowest_m = 0;                         ///< lowest joint or tip of all frames; 0 is the floor
-    /// Heading of the zero pose (BVH) or of the first frame (CSV): 0 faces +Z with the left side to +X,
+    /// Heading of the zero pose or of the first frame (CSV): 0 faces +Z with the left side to +X,
     /// positive turns towards +X.
     double facing_rad = 0, expected_facing_rad = 0;
     int joints = 0, expected_joints = 0;
     bool has_angles = false;  ///< the file states angles
     double largest_angle_rad = 0, largest_position_m = 0;
+    double position_limit_m = 0;  ///< what rounding in this kind of file can explain
     std::vector<SilentBoard> silent;
     std::vector<std::string> faults;  ///< whole sentences; empty: the file holds what the take holds
 
@@ -42,9 +43,11 @@ struct ExportCheck {
 
 /// What rounding in the files can explain, with room to spare; more is a fault.
 inline constexpr double kExportAngle_rad = 1e-4, kExportPosition_m = 1e-5;
+inline constexpr double kExportScenePosition_m = 5e-5;  ///< FBX and GLB hold float32
 
-/// One check per file of a request that was exported, in the order BVH, CSV. A file that cannot be read is a
-/// check with that as its fault; an Error means that the take could not be read.
+/// One check per file of a request that was exported, in the order of outputsOf(). OpenSim's tables are
+/// compared in what does not depend on how the root was held, and tell neither height nor facing. A file that
+/// cannot be read is a check with that as its fault; an Error means that the take could not be read.
 Result<std::vector<ExportCheck>> checkExport(const ExportRequest& request, const JobContext& job);
 
 }  // namespace noctule

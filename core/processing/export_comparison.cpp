@@ -72,9 +72,9 @@ Vector3d expectedRoot(const ExpectedMotion& expected, size_t frame) {
     return root;
 }
 
-class BvhComparison {
+class ClipComparison {
 public:
-    BvhComparison(const MotionClip& file, const ExpectedMotion& expected, ExportCheck& check)
+    ClipComparison(const MotionClip& file, const ExpectedMotion& expected, ExportCheck& check)
         : file_(file), expected_(expected), check_(check) {
         std::vector<std::string> names;
         for (const Joint& joint : file.skeleton.joints())
@@ -84,7 +84,8 @@ public:
 
     void run() {
         check_.frames = file_.frames.size();
-        check_.frames_per_second = 1 / file_.frame_time_s;
+        check_.frames_per_second =  // a scene file with one frame does not tell
+            1 / (check_.frames > 1 ? file_.frame_time_s : expected_.frame_time_s);
         check_.joints =
             static_cast<int>(std::count_if(joints_.begin(), joints_.end(), [](int j) { return j >= 0; }));
         check_.height_m = zeroPoseHeight(file_.skeleton, expected_.skeleton);
@@ -242,42 +243,6 @@ private:
     std::vector<int> joints_;
 };
 
-struct AngleColumns {
-    std::vector<std::string> names;
-    std::vector<size_t> joint;  ///< whose rotation they are taken from
-    std::vector<int> freedom;
-};
-
-AngleColumns angleColumns(const Skeleton& skeleton) {
-    AngleColumns columns;
-    for (size_t j = 0; j < skeleton.joints().size(); ++j)
-        for (size_t d = 0; d < skeleton.joints()[j].dof.size(); ++d) {
-            columns.names.push_back(skeleton.joints()[j].name + "." + skeleton.joints()[j].dof[d].name);
-            columns.joint.push_back(j);
-            columns.freedom.push_back(static_cast<int>(d));
-        }
-    return columns;
-}
-
-Status compareAngles(const std::string& path, const ExpectedMotion& expected, ExportCheck& check) {
-    const AngleColumns columns = angleColumns(expected.skeleton);
-    const auto table = readNumberColumns(path, columns.names);
-    if (!table)
-        return table.error();
-    check.has_angles = true;
-    const size_t width = columns.names.size();
-    for (size_t f = 0; f < std::min(table->size() / std::max<size_t>(1, width), expected.frames.size()); ++f)
-        for (size_t c = 0; c < width; ++c) {
-            const JointAngles angles =
-                projectOntoJoint(expected.skeleton.joints()[columns.joint[c]],
-                                 expected.frames[f].q_parent_joint[columns.joint[c]], false);
-            const double apart_rad = radians((*table)[f * width + c]) - angles.angles_rad[columns.freedom[c]];
-            check.largest_angle_rad =
-                std::max(check.largest_angle_rad, std::abs(std::remainder(apart_rad, 2 * M_PI)));
-        }
-    return Done{};
-}
-
 }  // namespace
 
 Status compareBvh(const std::string& path, double metres_per_unit, const ExpectedMotion& expected,
@@ -291,11 +256,36 @@ Status compareBvh(const std::string& path, double metres_per_unit, const Expecte
         const auto clip = toClip(*document, unit);
         if (!clip)
             return clip.error();
-        BvhComparison(*clip, expected, check).run();
+        ClipComparison(*clip, expected, check).run();
         return Done{};
     }
     return Error{ErrorKind::kUsage, path + ": the unit of its lengths is not one that can be checked",
                  "Write metres, centimetres, millimetres or inches"};
+}
+
+namespace {
+
+/// Scene files end with the last joint; where its segment ends is taken from the take.
+Skeleton withTips(const Skeleton& skeleton, const Skeleton& with_tips) {
+    std::vector<Joint> joints = skeleton.joints();
+    for (size_t j = 0; j < joints.size(); ++j)
+        joints[j].end_m = with_tips.joints()[j].end_m;
+    return Skeleton::make(std::move(joints)).value();
+}
+
+}  // namespace
+
+Status compareSceneFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
+                        ExportCheck& check) {
+    std::vector<std::string> names;
+    for (const Joint& joint : expected.skeleton.joints())
+        names.push_back(joint.name);
+    auto file = readSceneMotion(path, path, format, names);
+    if (!file)
+        return file.error();
+    file->clip.skeleton = withTips(file->clip.skeleton, expected.skeleton);
+    ClipComparison(file->clip, expected, check).run();
+    return Done{};
 }
 
 Status compareCsv(const std::string& path, bool angles, const ExpectedMotion& expected, ExportCheck& check) {

@@ -3,6 +3,7 @@
 // motion it should hold.
 #pragma once
 
+#include "core/formats/scene_reader.h"
 #include "core/processing/check_export.h"
 
 namespace noctule {
@@ -19,6 +20,13 @@ struct ExpectedMotion {
 /// An Error when the file cannot be read.
 Status compareBvh(const std::string& path, double metres_per_unit, const ExpectedMotion& expected,
                   ExportCheck& check);
+Status compareSceneFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
+                        ExportCheck& check);
+/// OpenSim's .mot (angles) or .sto (orientations).
+Status compareTable(const std::string& path, bool is_angles, const ExpectedMotion& expected,
+                    ExportCheck& check);
+/// The columns of freedoms that a CSV file of positions may have.
+Status compareAngles(const std::string& path, const ExpectedMotion& expected, ExportCheck& check);
 Status compareCsv(const std::string& path, bool angles, const ExpectedMotion& expected, ExportCheck& check);
 
 }  // namespace noctule

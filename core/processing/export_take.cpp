@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/processing/export_take.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/formats/bvh.h"
-#include "core/formats/positions_csv.h"
 #include "core/job/atomic_file.h"
 #include "core/math/rotation.h"
+#include "core/processing/bone_confidence.h"
+#include "core/processing/export_files.h"
 #include "core/processing/pose_runs.h"
 
 namespace noctule {
@@ -34,8 +35,9 @@ void holdRoot(MotionClip& clip, RootMotion root) {
     }
 }
 
-Result<MotionClip> cut(const Take& take, const TimedMotion& motion, const ExportRequest& request) {
-    MotionClip clip;
+Result<ExportedMotion> cut(const Take& take, const TimedMotion& motion, const ExportRequest& request) {
+    ExportedMotion exported;
+    MotionClip& clip = exported.clip;
     clip.name = take.header().name;
     clip.skeleton = motion.skeleton;
     clip.frame_time_s = 1 / request.frames_per_second;
@@ -49,24 +51,37 @@ Result<MotionClip> cut(const Take& take, const TimedMotion& motion, const Export
             const int64_t time_ns = begin + toNs(static_cast<double>(i) / request.frames_per_second);
             if (time_ns > end)
                 break;
-            if (auto pose = sampler.at(time_ns))
+            if (auto pose = sampler.at(time_ns)) {
                 clip.frames.push_back(std::move(*pose));
+                exported.confidence.push_back(boneConfidence(motion, time_ns));
+            }
         }
     }
     if (clip.frames.empty())
         return Error{ErrorKind::kUnusable, take.path() + ": there is no pose in the part to export",
                      "Choose --from and --to within the take's duration"};
     holdRoot(clip, request.root);
-    return clip;
+    const auto is_empty = [](const std::vector<float>& row) { return row.empty(); };
+    if (std::any_of(exported.confidence.begin(), exported.confidence.end(), is_empty))
+        exported.confidence.clear();
+    return exported;
 }
 
 }  // namespace
 
+std::vector<std::string> outputsOf(const ExportRequest& request) {
+    std::vector<std::string> paths;
+    for (const std::string* path : {&request.bvh_path, &request.fbx_path, &request.glb_path,
+                                    &request.csv_path, &request.mot_path, &request.sto_path})
+        if (!path->empty())
+            paths.push_back(*path);
+    return paths;
+}
+
 Result<ExportSummary> exportTake(const ExportRequest& request, const JobContext& job) {
-    for (const std::string& path : {request.bvh_path, request.csv_path})
-        if (!path.empty())
-            if (Status free = checkOutputPath(path, request.overwrite); !free)
-                return free.error();
+    for (const std::string& path : outputsOf(request))
+        if (Status free = checkOutputPath(path, request.overwrite); !free)
+            return free.error();
     const auto opened = Take::open(request.take_path);
     if (!opened)
         return opened.error();
@@ -77,34 +92,20 @@ Result<ExportSummary> exportTake(const ExportRequest& request, const JobContext&
     const auto motion = opened->poses(run->run);
     if (!motion)
         return motion.error();
-    const auto clip = cut(*opened, *motion, request);
-    if (!clip)
-        return clip.error();
-    ExportSummary summary{run->name, clip->frames.size(), clip->duration_s(), {}};
-    const auto written = [&](const std::string& path, const Status& done) {
-        if (done)
-            summary.files.push_back(path);
-        return done;
-    };
-    if (job.cancelled())
-        return JobContext::cancelledError();
-    job.progress(0.3, "Writing");
-    if (!request.bvh_path.empty()) {
-        BvhOptions options;
-        options.metres_per_unit = request.metres_per_unit;
-        if (Status done =
-                written(request.bvh_path, writeBvh(request.bvh_path, *clip, options, request.overwrite));
-            !done)
+    const auto exported = cut(*opened, *motion, request);
+    if (!exported)
+        return exported.error();
+    const MotionClip& clip = exported->clip;
+    ExportSummary summary{run->name, clip.frames.size(), clip.duration_s(), {}};
+    const auto writers = exportWriters(request, *exported);
+    for (size_t i = 0; i < writers.size(); ++i) {
+        if (job.cancelled())
+            return JobContext::cancelledError();
+        job.progress(0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(writers.size()), "Writing");
+        if (Status done = writers[i].write(); !done)
             return done.error();
+        summary.files.push_back(writers[i].path);
     }
-    if (job.cancelled())
-        return JobContext::cancelledError();
-    job.progress(0.7, "Writing");
-    if (!request.csv_path.empty())
-        if (Status done = written(request.csv_path, writePositionsCsv(request.csv_path, *clip, request.angles,
-                                                                      request.overwrite));
-            !done)
-            return done.error();
     job.progress(1, "Done");
     return summary;
 }

@@ -2126,10 +2126,6 @@
         <translation>Erst probieren</translation>
     </message>
     <message>
-        <source>CSV files are in metres.</source>
-        <translation>CSV-Dateien sind in Metern.</translation>
-    </message>
-    <message>
         <source>exports of the session</source>
         <translation>Exporte der Sitzung</translation>
     </message>
@@ -2148,6 +2144,46 @@
     <message>
         <source>Chosen for each take</source>
         <translation>Je Aufnahme gewählt</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Noctule&apos;s own</source>
+        <translation>Von Noctule</translation>
+    </message>
+    <message>
+        <source>HumanIK</source>
+        <translation>HumanIK</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Namen</translation>
+    </message>
+    <message>
+        <source>Skinned, in the performer&apos;s measures</source>
+        <translation>Mit Haut, in den Maßen der Person</translation>
+    </message>
+    <message>
+        <source>Skeleton alone</source>
+        <translation>Nur das Skelett</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>%1: always in metres.</source>
+        <translation>%1: immer in Metern.</translation>
+    </message>
+    <message>
+        <source>%1: names of its own.</source>
+        <translation>%1: eigene Namen.</translation>
+    </message>
+    <message>
+        <source>%1: has no place for a body.</source>
+        <translation>%1: hat keinen Platz für einen Körper.</translation>
     </message>
 </context>
 <context>
@@ -2428,10 +2464,6 @@
 <context>
     <name>noctule::ui::ExportSettings</name>
     <message>
-        <source>Comes with FBX export. Until then both read the BVH of the first preset.</source>
-        <translation>Kommt mit dem FBX-Export. Bis dahin lesen beide die BVH der ersten Vorgabe.</translation>
-    </message>
-    <message>
         <source>MotionBuilder and Maya</source>
         <translation>MotionBuilder und Maya</translation>
     </message>
@@ -2444,16 +2476,8 @@
         <translation>Blender</translation>
     </message>
     <message>
-        <source>BVH, metres, Y up</source>
-        <translation>BVH, Meter, Y oben</translation>
-    </message>
-    <message>
         <source>Unity</source>
         <translation>Unity</translation>
-    </message>
-    <message>
-        <source>Comes with FBX</source>
-        <translation>Kommt mit FBX</translation>
     </message>
     <message>
         <source>Unreal</source>
@@ -2480,16 +2504,56 @@
         <translation>CSV mit Winkeln, %1 Bilder</translation>
     </message>
     <message>
-        <source>CSV, metres, %1 frames</source>
-        <translation>CSV, Meter, %1 Bilder</translation>
+        <source>FBX, centimetres, skinned</source>
+        <translation>FBX, Zentimeter, mit Haut</translation>
     </message>
     <message>
-        <source>BVH, metres, %1 frames</source>
-        <translation>BVH, Meter, %1 Bilder</translation>
+        <source>FBX, metres, skinned</source>
+        <translation>FBX, Meter, mit Haut</translation>
     </message>
     <message>
-        <source>BVH, centimetres, %1 frames</source>
-        <translation>BVH, Zentimeter, %1 Bilder</translation>
+        <source>Any animation program</source>
+        <translation>Jedes Animationsprogramm</translation>
+    </message>
+    <message>
+        <source>Web and viewers</source>
+        <translation>Web und Betrachter</translation>
+    </message>
+    <message>
+        <source>glTF binary, metres, skinned</source>
+        <translation>glTF binär, Meter, mit Haut</translation>
+    </message>
+    <message>
+        <source>Biomechanics</source>
+        <translation>Biomechanik</translation>
+    </message>
+    <message>
+        <source>OpenSim joint angles, degrees</source>
+        <translation>OpenSim-Gelenkwinkel, Grad</translation>
+    </message>
+    <message>
+        <source>glTF binary</source>
+        <translation>glTF binär</translation>
+    </message>
+    <message>
+        <source>OpenSim angles</source>
+        <translation>OpenSim-Winkel</translation>
+    </message>
+    <message>
+        <source>OpenSim orientations</source>
+        <translation>OpenSim-Orientierungen</translation>
+    </message>
+    <message>
+        <source>%1, %2 frames</source>
+        <translation>%1, %2 Bilder</translation>
+    </message>
+    <message>
+        <source>%1, metres, %2 frames</source>
+        <translation>%1, Meter, %2 Bilder</translation>
+    </message>
+    <message>
+        <source>%1, centimetres, %2 frames</source>
+        <translation>%1, Zentimeter, %2 Bilder</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,10 @@
 #include <cmath>
 
 #include "core/formats/bvh.h"
+#include "core/formats/opensim.h"
 #include "core/formats/positions_csv.h"
+#include "core/formats/scene_reader.h"
+#include "core/job/atomic_file.h"
 #include "tests/support/program_run.h"
 
 namespace noctule::test {
@@ -125,6 +128,60 @@ TEST_F(RoundTrip, PresetsAndRootMotion) {
         EXPECT_NEAR(pose.p_world_root.z(), clip->frames[0].p_world_root.z(), 1e-6);
         const Vector3d forward = pose.q_parent_joint[0] * Vector3d::UnitZ();
         EXPECT_NEAR(std::atan2(forward.x(), forward.z()), 0, 1e-4);
+    }
+}
+
+/// Two takes at once, every format that holds a skeleton, the names of another program; all against the
+/// table.
+TEST_F(RoundTrip, SeveralTakesGoOutInEveryFormat) {
+    copyOfTake("again_002.noctule");
+    const auto json = jsonOf({"export",
+                              take(),
+                              file("again_002.noctule"),
+                              "--run",
+                              "given",
+                              "--from",
+                              "1",
+                              "--to",
+                              "2",
+                              "--preset",
+                              "unreal",
+                              "--fbx",
+                              file("{name}.fbx"),
+                              "--glb",
+                              file("{name}.glb"),
+                              "--mot",
+                              file("{name}.mot"),
+                              "--sto",
+                              file("{name}.sto"),
+                              "--csv",
+                              file("{name}_all.csv"),
+                              "--mesh",
+                              "none"});
+    for (const auto& one : json["takes"]) {
+        EXPECT_EQ(one["frames"], 61) << "the preset's rate";
+        EXPECT_EQ(one["files"].size(), 5U);
+    }
+    for (const std::string name : {"hops_001", "again_002"}) {
+        const auto table = readPositionsCsv(file(name + "_all.csv"));
+        ASSERT_TRUE(table);
+        std::vector<std::string> joints = table->joints;
+        std::replace(joints.begin(), joints.end(), std::string("Chest"), std::string("Spine2"));
+        for (const SceneFormat format : {SceneFormat::kFbx, SceneFormat::kGlb}) {
+            const std::string path = file(name + (format == SceneFormat::kFbx ? ".fbx" : ".glb"));
+            const auto scene = readSceneMotion(path, path, format, joints);
+            ASSERT_TRUE(scene) << scene.error().text();
+            EXPECT_EQ(scene->clip.name, "hops_001") << "the take's own name, whatever its file is called";
+            ASSERT_EQ(scene->clip.frames.size(), 61U);
+            for (const size_t frame : {0U, 30U, 60U})
+                for (size_t j = 0; j < joints.size(); ++j)
+                    EXPECT_LT((globalPose(scene->clip, frame).p_world_joint[j] - table->at(frame, j)).norm(),
+                              1e-5);
+        }
+        const auto angles = parseOpenSimTable(*readWholeFile(file(name + ".mot")), name);
+        ASSERT_TRUE(angles);
+        EXPECT_EQ(angles->rows(), 61U);
+        EXPECT_NEAR(angles->values[1], table->at(0, 0).z(), 1e-5) << "pelvis_tx is forward";
     }
 }
 

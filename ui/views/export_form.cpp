@@ -48,9 +48,12 @@ void chooseData(QComboBox* box, const T& value) {
 ExportForm::ExportForm(Studio& studio, QWidget* parent)
     : QWidget(parent),
       range(new QComboBox),
+      format(new QComboBox),
       frames(new QComboBox),
       root(new QComboBox),
       unit(new QComboBox),
+      names(new QComboBox),
+      body(new QComboBox),
       run(new QComboBox),
       angles(new QCheckBox(tr("Joint angles too, in degrees"))),
       name_pattern(new QLineEdit),
@@ -63,7 +66,7 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
     column->addWidget(new Divider);
     column->addWidget(makeWhere());
     column->addStretch(1);
-    for (QComboBox* box : {range, frames, root, unit})
+    for (QComboBox* box : {range, format, frames, root, unit, names, body})
         connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
     connect(run, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
     connect(angles, &QCheckBox::toggled, this, &ExportForm::read);
@@ -108,6 +111,10 @@ QWidget* ExportForm::makeWhat() {
     own->addWidget(new Label(tr("to"), TextRole::kSecondary, Ink::kLabel));
     own->addWidget(own_to_, 1);
     rows->addControl(own_range_);
+    for (const ExportFormat each : {ExportFormat::kFbx, ExportFormat::kGlb, ExportFormat::kBvh,
+                                    ExportFormat::kMot, ExportFormat::kSto, ExportFormat::kCsv})
+        format->addItem(formatName(each), static_cast<int>(each));
+    rows->addRow(tr("Format"), format);
     for (const double rate : kRates)
         frames->addItem(tr("%1 per second").arg(numberText(rate, 0)), rate);
     rows->addRow(tr("Frames"), frames);
@@ -118,6 +125,12 @@ QWidget* ExportForm::makeWhat() {
     unit->addItem(tr("Centimetres"), 0.01);
     unit->addItem(tr("Metres"), 1.0);
     rows->addRow(tr("Unit"), unit);
+    names->addItem(tr("Noctule's own"), static_cast<int>(JointNames::kOwn));
+    names->addItem(tr("HumanIK"), static_cast<int>(JointNames::kHumanIk));
+    rows->addRow(tr("Names"), names);
+    body->addItem(tr("Skinned, in the performer's measures"), true);
+    body->addItem(tr("Skeleton alone"), false);
+    rows->addRow(tr("Body"), body);
     rows->addControl(angles);
     column->addWidget(rows);
     return part;
@@ -145,7 +158,10 @@ void ExportForm::setSettings(const ExportSettings& settings) {
     chooseData(range, static_cast<int>(settings.range));
     chooseData(frames, settings.frames_per_second);
     chooseData(root, static_cast<int>(settings.root));
+    chooseData(format, static_cast<int>(settings.format));
     chooseData(unit, settings.metres_per_unit);
+    chooseData(names, static_cast<int>(settings.names));
+    chooseData(body, settings.with_body);
     angles->setChecked(settings.angles);
     name_pattern->setText(settings.name_pattern);
     own_from_->setValue(settings.own_from_s);
@@ -159,7 +175,11 @@ void ExportForm::read() {
     settings_.range = static_cast<ExportRange>(range->currentData().toInt());
     settings_.frames_per_second = frames->currentData().toDouble();
     settings_.root = static_cast<RootMotion>(root->currentData().toInt());
-    settings_.metres_per_unit = unit->currentData().toDouble();
+    settings_.format = static_cast<ExportFormat>(format->currentData().toInt());
+    if (unit->isEnabled())  // else it shows the only one there is
+        settings_.metres_per_unit = unit->currentData().toDouble();
+    settings_.names = static_cast<JointNames>(names->currentData().toInt());
+    settings_.with_body = body->currentData().toBool();
     settings_.angles = angles->isChecked();
     settings_.name_pattern = name_pattern->text();
     settings_.own_from_s = own_from_->value();
@@ -169,15 +189,20 @@ void ExportForm::read() {
 }
 
 void ExportForm::refresh() {
-    const bool is_bvh = settings_.format == ExportFormat::kBvh;
     own_range_->setVisible(settings_.range == ExportRange::kOwn);
-    unit->setEnabled(is_bvh);
-    unit->setToolTip(is_bvh ? QString() : tr("CSV files are in metres."));
-    if (!is_bvh) {
+    const QString name = formatName(settings_.format);
+    const auto offer = [](QComboBox* box, bool is_offered, const QString& why_not) {
+        box->setEnabled(is_offered);
+        box->setToolTip(is_offered ? QString() : why_not);
+    };
+    offer(unit, hasUnit(settings_.format), tr("%1: always in metres.").arg(name));
+    offer(names, hasNames(settings_.format), tr("%1: names of its own.").arg(name));
+    offer(body, hasBody(settings_.format), tr("%1: has no place for a body.").arg(name));
+    {
         const QScopedValueRollback<bool> quiet(setting_, true);
-        chooseData(unit, 1.0);
+        chooseData(unit, hasUnit(settings_.format) ? settings_.metres_per_unit : 1.0);
     }
-    angles->setVisible(!is_bvh);
+    angles->setVisible(settings_.format == ExportFormat::kCsv);
     takes_->setResultsShown(run->currentData().toInt() == static_cast<int>(ResultChoice::kEach));
     const bool is_open = studio_.session().isOpen();
     const QString folder = is_open ? exportFolder(studio_.session().session(), settings_) : settings_.folder;
@@ -221,8 +246,8 @@ QStringList ExportForm::takes() const {
     return takes_->ticked();
 }
 
-void ExportForm::setTakes(const QStringList& names) {
-    takes_->tick(names);
+void ExportForm::setTakes(const QStringList& chosen) {
+    takes_->tick(chosen);
 }
 
 void ExportForm::setPreview(const QString& words, bool is_problem) {

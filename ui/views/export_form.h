@@ -36,7 +36,7 @@ public:
     void setPreview(const QString& words, bool is_problem);
 
     // For those who fill it in, the operator and tests.
-    QComboBox *range, *frames, *root, *unit, *run;
+    QComboBox *range, *format, *frames, *root, *unit, *names, *body, *run;
     QCheckBox* angles;
     QLineEdit* name_pattern;
     Button* try_one_frame;

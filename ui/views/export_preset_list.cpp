@@ -105,10 +105,8 @@ void ExportPresetList::refresh() {
             auto* item = new QListWidgetItem(preset.name, list_);
             item->setData(kKeyRole, preset.key);
             item->setData(kDetailRole, preset.detail);
-            item->setToolTip(preset.unavailable.isEmpty() ? preset.detail : preset.unavailable);
+            item->setToolTip(preset.detail);
             item->setData(Qt::AccessibleDescriptionRole, item->toolTip());
-            if (!preset.unavailable.isEmpty())
-                item->setFlags(item->flags() & ~(Qt::ItemIsEnabled | Qt::ItemIsSelectable));
         }
         list_->setCurrentRow(std::max(0, presets_.indexOf(key)));
     }

@@ -79,7 +79,7 @@ Result<ExportResults> tryOneFrame(ExportJob job, double time_s, const JobContext
     if (!folder.isValid())
         return Error{ErrorKind::kDisk, "There is no room for a temporary file",
                      "Free some space on the disk"};
-    std::string& path = job.request.bvh_path.empty() ? job.request.csv_path : job.request.bvh_path;
+    std::string& path = pathIn(job.request, job.format);
     path = folder.filePath(QFileInfo(QString::fromStdString(path)).fileName()).toStdString();
     job.request.from_s = job.request.to_s = time_s;
     return runExport({job}, context);

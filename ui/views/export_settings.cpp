@@ -15,44 +15,51 @@ struct SettingsWords {
     Q_DECLARE_TR_FUNCTIONS(noctule::ui::ExportSettings)
 };
 
-ExportSettings bvh(double metres_per_unit) {
+/// As the program named by the key wants FBX files.
+ExportSettings madeFor(const char* key) {
+    const ExportProgram program = exportProgram(key);
     ExportSettings settings;
-    settings.metres_per_unit = metres_per_unit;
+    settings.format = ExportFormat::kFbx;
+    settings.metres_per_unit = program.metres_per_unit;
+    settings.frames_per_second = program.frames_per_second;
+    settings.names = program.names;
+    settings.root_name = QString::fromStdString(program.root_name);
     return settings;
 }
 
-ExportSettings csv(bool angles) {
+ExportSettings asFormat(ExportFormat format, bool angles = false) {
     ExportSettings settings;
-    settings.format = ExportFormat::kCsv;
+    settings.format = format;
     settings.angles = angles;
+    if (format == ExportFormat::kGlb)
+        settings.frames_per_second = 60;
     return settings;
+}
+
+ExportPreset shippedPreset(const QString& key, const QString& name, const QString& detail,
+                           const ExportSettings& settings) {
+    return {key, name, detail, false, settings};
 }
 
 std::vector<ExportPreset> shipped() {
-    const QString later =
-        SettingsWords::tr("Comes with FBX export. Until then both read the BVH of the first preset.");
-    return {
-        {"motionbuilder",
-         SettingsWords::tr("MotionBuilder and Maya"),
-         SettingsWords::tr("BVH, centimetres, Y up"),
-         {},
-         false,
-         bvh(0.01)},
-        {"blender", SettingsWords::tr("Blender"), SettingsWords::tr("BVH, metres, Y up"), {}, false, bvh(1)},
-        {"unity", SettingsWords::tr("Unity"), SettingsWords::tr("Comes with FBX"), later, false, {}},
-        {"unreal", SettingsWords::tr("Unreal"), SettingsWords::tr("Comes with FBX"), later, false, {}},
-        {"positions",
-         SettingsWords::tr("Numbers"),
-         SettingsWords::tr("CSV of joint positions, metres"),
-         {},
-         false,
-         csv(false)},
-        {"angles",
-         SettingsWords::tr("Numbers with angles"),
-         SettingsWords::tr("CSV of positions and joint angles"),
-         {},
-         false,
-         csv(true)}};
+    const QString centimetres = SettingsWords::tr("FBX, centimetres, skinned");
+    return {shippedPreset("motionbuilder", SettingsWords::tr("MotionBuilder and Maya"), centimetres,
+                          madeFor("motionbuilder")),
+            shippedPreset("blender", SettingsWords::tr("Blender"), SettingsWords::tr("FBX, metres, skinned"),
+                          madeFor("blender")),
+            shippedPreset("unity", SettingsWords::tr("Unity"), centimetres, madeFor("unity")),
+            shippedPreset("unreal", SettingsWords::tr("Unreal"), centimetres, madeFor("unreal")),
+            shippedPreset("bvh", SettingsWords::tr("Any animation program"),
+                          SettingsWords::tr("BVH, centimetres, Y up"), asFormat(ExportFormat::kBvh)),
+            shippedPreset("web", SettingsWords::tr("Web and viewers"),
+                          SettingsWords::tr("glTF binary, metres, skinned"), asFormat(ExportFormat::kGlb)),
+            shippedPreset("opensim", SettingsWords::tr("Biomechanics"),
+                          SettingsWords::tr("OpenSim joint angles, degrees"), asFormat(ExportFormat::kMot)),
+            shippedPreset("positions", SettingsWords::tr("Numbers"),
+                          SettingsWords::tr("CSV of joint positions, metres"), asFormat(ExportFormat::kCsv)),
+            shippedPreset("angles", SettingsWords::tr("Numbers with angles"),
+                          SettingsWords::tr("CSV of positions and joint angles"),
+                          asFormat(ExportFormat::kCsv, true))};
 }
 
 QString groupOf(const QString& key) {
@@ -63,7 +70,7 @@ ExportSettings loaded(QSettings& store, const QString& key, const ExportSettings
     store.beginGroup(groupOf(key));
     ExportSettings s = otherwise;
     s.format = static_cast<ExportFormat>(
-        std::clamp(store.value("format", static_cast<int>(s.format)).toInt(), 0, 1));
+        std::clamp(store.value("format", static_cast<int>(s.format)).toInt(), 0, 5));
     s.range =
         static_cast<ExportRange>(std::clamp(store.value("range", static_cast<int>(s.range)).toInt(), 0, 2));
     s.own_from_s = store.value("own_from_s", s.own_from_s).toDouble();
@@ -72,6 +79,10 @@ ExportSettings loaded(QSettings& store, const QString& key, const ExportSettings
         std::clamp(store.value("frames_per_second", s.frames_per_second).toDouble(), 1.0, 1000.0);
     s.root = static_cast<RootMotion>(std::clamp(store.value("root", static_cast<int>(s.root)).toInt(), 0, 2));
     s.metres_per_unit = store.value("metres_per_unit", s.metres_per_unit).toDouble() == 1 ? 1 : 0.01;
+    s.names =
+        static_cast<JointNames>(std::clamp(store.value("names", static_cast<int>(s.names)).toInt(), 0, 1));
+    s.with_body = store.value("with_body", s.with_body).toBool();
+    s.root_name = store.value("root_name", s.root_name).toString();
     s.angles = store.value("angles", s.angles).toBool();
     s.folder = store.value("folder", s.folder).toString();
     s.name_pattern = store.value("name_pattern", s.name_pattern).toString();
@@ -88,6 +99,9 @@ void save(QSettings& store, const QString& key, const ExportSettings& s) {
     store.setValue("frames_per_second", s.frames_per_second);
     store.setValue("root", static_cast<int>(s.root));
     store.setValue("metres_per_unit", s.metres_per_unit);
+    store.setValue("names", static_cast<int>(s.names));
+    store.setValue("with_body", s.with_body);
+    store.setValue("root_name", s.root_name);
     store.setValue("angles", s.angles);
     store.setValue("folder", s.folder);
     store.setValue("name_pattern", s.name_pattern);
@@ -153,17 +167,56 @@ void ExportPresets::removeOwn(const QString& key) {
     load();
 }
 
+QString formatName(ExportFormat format) {
+    switch (format) {
+        case ExportFormat::kBvh:
+            return "BVH";
+        case ExportFormat::kCsv:
+            return "CSV";
+        case ExportFormat::kFbx:
+            return "FBX";
+        case ExportFormat::kGlb:
+            return SettingsWords::tr("glTF binary");
+        case ExportFormat::kMot:
+            return SettingsWords::tr("OpenSim angles");
+        case ExportFormat::kSto:
+            return SettingsWords::tr("OpenSim orientations");
+    }
+    return {};
+}
+
+bool hasUnit(ExportFormat format) {
+    return format == ExportFormat::kBvh || format == ExportFormat::kFbx;
+}
+
+bool hasNames(ExportFormat format) {
+    return hasUnit(format) || format == ExportFormat::kGlb;
+}
+
+bool hasBody(ExportFormat format) {
+    return format == ExportFormat::kFbx || format == ExportFormat::kGlb;
+}
+
 QString settingsInWords(const ExportSettings& settings) {
-    const QString frames = numberText(settings.frames_per_second, 0);
-    if (settings.format == ExportFormat::kCsv)
-        return settings.angles ? SettingsWords::tr("CSV with angles, %1 frames").arg(frames)
-                               : SettingsWords::tr("CSV, metres, %1 frames").arg(frames);
-    return settings.metres_per_unit == 1 ? SettingsWords::tr("BVH, metres, %1 frames").arg(frames)
-                                         : SettingsWords::tr("BVH, centimetres, %1 frames").arg(frames);
+    const QString frames = numberText(settings.frames_per_second, 0), format = formatName(settings.format);
+    if (settings.format == ExportFormat::kMot || settings.format == ExportFormat::kSto)
+        return SettingsWords::tr("%1, %2 frames").arg(format, frames);
+    if (settings.format == ExportFormat::kCsv && settings.angles)
+        return SettingsWords::tr("CSV with angles, %1 frames").arg(frames);
+    const bool metres = !hasUnit(settings.format) || settings.metres_per_unit == 1;
+    return metres ? SettingsWords::tr("%1, metres, %2 frames").arg(format, frames)
+                  : SettingsWords::tr("%1, centimetres, %2 frames").arg(format, frames);
 }
 
 QString extensionOf(ExportFormat format) {
-    return format == ExportFormat::kBvh ? "bvh" : "csv";
+    constexpr const char* kExtensions[] = {"bvh", "csv", "fbx", "glb", "mot", "sto"};
+    return kExtensions[static_cast<size_t>(format)];
+}
+
+std::string& pathIn(ExportRequest& request, ExportFormat format) {
+    std::string* const paths[] = {&request.bvh_path, &request.csv_path, &request.fbx_path,
+                                  &request.glb_path, &request.mot_path, &request.sto_path};
+    return *paths[static_cast<size_t>(format)];
 }
 
 QString exportFolder(const Session& session, const ExportSettings& settings) {
@@ -175,6 +228,7 @@ Result<ExportJob> exportJob(const Session& session, const SessionTake& take, con
                             const ExportSettings& settings, const QString& date,
                             std::set<std::string>& taken) {
     ExportJob job;
+    job.format = settings.format;
     job.take = QString::fromStdString(take.name);
     ExportRequest& request = job.request;
     request.take_path = session.pathOf(take).string();
@@ -194,10 +248,12 @@ Result<ExportJob> exportJob(const Session& session, const SessionTake& take, con
         {take.name, take.performer, run.toStdString(), date.toStdString(), settings.frames_per_second});
     if (!name)
         return name.error();
-    const std::string path = freeFilePath(exportFolder(session, settings).toStdString(), *name,
-                                          extensionOf(settings.format).toStdString(), taken);
-    (settings.format == ExportFormat::kBvh ? request.bvh_path : request.csv_path) = path;
+    pathIn(request, settings.format) = freeFilePath(exportFolder(session, settings).toStdString(), *name,
+                                                    extensionOf(settings.format).toStdString(), taken);
     request.metres_per_unit = settings.metres_per_unit;
+    request.names = settings.names;
+    request.root_name = settings.root_name.toStdString();
+    request.with_body = settings.with_body;
     request.angles = settings.format == ExportFormat::kCsv && settings.angles;
     return job;
 }

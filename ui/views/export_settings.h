@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "core/processing/export_names.h"
+#include "core/processing/export_program.h"
 #include "core/processing/export_take.h"
 #include "core/session/session.h"
 
 namespace noctule::ui {
 
-enum class ExportFormat { kBvh, kCsv };
+/// Stored by number.
+enum class ExportFormat { kBvh, kCsv, kFbx, kGlb, kMot, kSto };
 enum class ExportRange { kInToOut, kWholeTake, kOwn };
 
 struct ExportSettings {
@@ -23,19 +25,21 @@ struct ExportSettings {
     double own_from_s = 0, own_to_s = 0;
     double frames_per_second = 120;
     RootMotion root = RootMotion::kMoving;
-    double metres_per_unit = 0.01;  ///< BVH; CSV files are in metres
-    bool angles = false;            ///< CSV
-    QString folder;                 ///< empty: exports/ of the session
+    double metres_per_unit = 0.01;        ///< BVH and FBX; the others are in metres
+    JointNames names = JointNames::kOwn;  ///< BVH, FBX and GLB
+    bool with_body = true;                ///< FBX and GLB
+    QString root_name = "Reference";      ///< FBX
+    bool angles = false;                  ///< CSV
+    QString folder;                       ///< empty: exports/ of the session
     QString name_pattern = "{take}_{fps}";
 
     bool operator==(const ExportSettings&) const = default;
 };
 
 struct ExportPreset {
-    QString key;          ///< in settings
-    QString name;         ///< "MotionBuilder and Maya"
-    QString detail;       ///< "BVH, centimetres, Y up"
-    QString unavailable;  ///< why it cannot be chosen; empty: it can
+    QString key;     ///< in settings
+    QString name;    ///< "MotionBuilder and Maya"
+    QString detail;  ///< "BVH, centimetres, Y up"
     bool is_own = false;
     ExportSettings settings;
 };
@@ -60,6 +64,11 @@ private:
     std::vector<ExportPreset> presets_;
 };
 
+/// "FBX", "OpenSim angles"
+QString formatName(ExportFormat format);
+bool hasUnit(ExportFormat format);   ///< of its own choice
+bool hasNames(ExportFormat format);  ///< of joints
+bool hasBody(ExportFormat format);
 /// "BVH, centimetres, 120 frames"
 QString settingsInWords(const ExportSettings& settings);
 QString extensionOf(ExportFormat format);
@@ -67,9 +76,12 @@ QString extensionOf(ExportFormat format);
 /// One take of an export.
 struct ExportJob {
     QString take;
+    ExportFormat format = ExportFormat::kBvh;
     ExportRequest request;
-    const std::string& path() const { return request.bvh_path.empty() ? request.csv_path : request.bvh_path; }
+    std::string path() const { return outputsOf(request).front(); }
 };
+/// Where the path of a format stands in a request.
+std::string& pathIn(ExportRequest& request, ExportFormat format);
 /// `run` empty: the last one. `taken`: names of this export so far. `date`: "2026-11-21".
 Result<ExportJob> exportJob(const Session& session, const SessionTake& take, const QString& run,
                             const ExportSettings& settings, const QString& date,

@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "core/body/actor.h"
+#include "core/formats/glb_writer.h"
 #include "core/job/atomic_file.h"
 #include "core/mesh/glb_reader.h"
-#include "core/mesh/glb_writer.h"
 
 namespace noctule {
 namespace {

@@ -38,7 +38,6 @@ protected:
         EXPECT_EQ(processed.exit_code, 0) << processed.err;
         std::vector<std::string> words{"export", take, "--bvh", bvh};
         words.insert(words.end(), {"--fps", std::to_string(studio.frames_per_second)});
-        words.insert(words.end(), {"--preset", studio.metres_per_unit == 1 ? "blender" : "motionbuilder"});
         const noctule::test::Ran exported = batch(words);
         EXPECT_EQ(exported.exit_code, 0) << exported.err;
         const auto written = readWholeFile(bvh);
@@ -66,6 +65,7 @@ TEST_F(Flow, FromTheStartPageToAnExportedFile) {
     QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
     ASSERT_EQ(window_->step(), Step::kExport);
     auto& page = dynamic_cast<ExportPage&>(window_->page(Step::kExport));
+    page.choosePreset("bvh");
     const auto plan = page.plan();
     ASSERT_TRUE(plan) << plan.error().text();
     ASSERT_EQ(plan->size(), 1U);

@@ -26,6 +26,7 @@ protected:
         page_ = std::make_unique<ExportPage>(*studio_);
         page_->resize(1000, 700);
         page_->show();
+        page_->choosePreset("bvh");
         page_->enter();
     }
     void TearDown() override {
@@ -46,7 +47,6 @@ protected:
 };
 
 TEST_F(ExportPageTest, WritesTheFileThatTheBatchProgramWrites) {
-    page_->choosePreset("motionbuilder");
     EXPECT_EQ(page_->form().takes(), QStringList{"swing_001"}) << "the open take is ticked";
     write();
     const ExportResults& results = *page_->results();
@@ -128,6 +128,49 @@ TEST_F(ExportPageTest, TablesWithAnglesAreChecked) {
     EXPECT_TRUE(checkAsText(*page_->results()).contains("Largest difference"));
 }
 
+TEST_F(ExportPageTest, EveryPresetWritesAFileThatHoldsTheTake) {
+    const std::pair<const char*, const char*> presets[] = {{"motionbuilder", "swing_001_120.fbx"},
+                                                           {"blender", "swing_001_60.fbx"},
+                                                           {"unity", "swing_001_60_2.fbx"},
+                                                           {"unreal", "swing_001_60_3.fbx"},
+                                                           {"web", "swing_001_60.glb"},
+                                                           {"opensim", "swing_001_120.mot"}};
+    studio_->session().setTakeRange(0, 1, 2);
+    for (const auto& [preset, name] : presets) {
+        page_->choosePreset(preset);
+        page_->enter();
+        write();
+        ASSERT_EQ(page_->results()->outcomes.size(), 1U);
+        const ExportOutcome& outcome = page_->results()->outcomes[0];
+        ASSERT_FALSE(outcome.error) << outcome.error->text();
+        EXPECT_TRUE(outcome.check.ok()) << preset << ": " << outcome.check.faults[0];
+        EXPECT_EQ(outcome.path, exported(name));
+    }
+}
+
+TEST_F(ExportPageTest, TheFormOffersWhatTheFormatHas) {
+    ExportForm& form = page_->form();
+    const auto choose = [&](ExportFormat format) {
+        form.format->setCurrentIndex(form.format->findData(static_cast<int>(format)));
+    };
+    choose(ExportFormat::kFbx);
+    EXPECT_TRUE(form.unit->isEnabled() && form.names->isEnabled() && form.body->isEnabled());
+    form.body->setCurrentIndex(form.body->findData(false));
+    form.names->setCurrentIndex(1);
+    EXPECT_FALSE(page_->plan()->front().request.with_body);
+    EXPECT_EQ(page_->plan()->front().request.names, JointNames::kHumanIk);
+    EXPECT_EQ(page_->plan()->front().request.bvh_path, "");
+    choose(ExportFormat::kGlb);
+    EXPECT_FALSE(form.unit->isEnabled());
+    EXPECT_EQ(form.unit->currentData().toDouble(), 1) << "always metres";
+    choose(ExportFormat::kSto);
+    EXPECT_FALSE(form.names->isEnabled() || form.body->isEnabled());
+    EXPECT_TRUE(form.names->toolTip().contains("OpenSim"));
+    EXPECT_TRUE(form.angles->isHidden());
+    choose(ExportFormat::kFbx);
+    EXPECT_EQ(form.unit->currentData().toDouble(), 0.01) << "as it was";
+}
+
 TEST_F(ExportPageTest, OneFrameLeavesNoFile) {
     page_->tryOneFrame();
     ASSERT_TRUE(waitFor([this] { return page_->resultsPanel().cardCount() == 1 && jobsAreDone(); }));
@@ -149,7 +192,7 @@ TEST(ExportPresetsTest, RememberSettingsPerPreset) {
     }
     ExportPresets presets(store);
     EXPECT_EQ(presets.all()[0].settings.frames_per_second, 30);
-    EXPECT_EQ(presets.all()[1].settings.frames_per_second, 120) << "each has its own";
+    EXPECT_EQ(presets.all()[2].settings.frames_per_second, 60) << "each has its own";
     ASSERT_TRUE(presets.all().back().is_own);
     EXPECT_EQ(presets.lastChosen(), presets.all().back().key);
     EXPECT_EQ(presets.all().back().name, "Mine");

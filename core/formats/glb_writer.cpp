@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/mesh/glb_writer.h"
+#include "core/formats/glb_writer.h"
 
+#include <assimp/anim.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
@@ -8,6 +9,7 @@
 #include <map>
 #include <memory>
 
+#include "core/formats/scene_check.h"
 #include "core/job/atomic_file.h"
 
 namespace noctule {
@@ -64,14 +66,14 @@ std::unique_ptr<aiMesh> meshOf(const SkinnedMesh& mesh) {
 
 /// Nodes of the bones, under each other as in the skeleton; a bone without a joint there goes to the top.
 /// Nodes stand where the bones were bound, which exporters and viewers take as the rest position.
-void addBoneNodes(aiNode& top, const SkinnedMesh& mesh, const Skeleton& skeleton) {
+void addBoneNodes(aiNode& top, const std::vector<SkinBone>& bones, const Skeleton& skeleton) {
     std::map<std::string, aiNode*> nodes;
     std::map<std::string, aiMatrix4x4> world_from_mesh;
-    for (const SkinBone& bone : mesh.bones) {
+    for (const SkinBone& bone : bones) {
         nodes[bone.joint] = new aiNode(bone.joint);
         world_from_mesh[bone.joint] = toAssimp(bone.bind_inverse);
     }
-    for (const SkinBone& bone : mesh.bones) {
+    for (const SkinBone& bone : bones) {
         const int joint = skeleton.find(bone.joint);
         const int parent = joint >= 0 ? skeleton.joint(joint).parent : -1;
         const auto found = parent >= 0 ? nodes.find(skeleton.joint(parent).name) : nodes.end();
@@ -85,38 +87,102 @@ void addBoneNodes(aiNode& top, const SkinnedMesh& mesh, const Skeleton& skeleton
     }
 }
 
-/// The skinned mesh hangs on the root node itself: glTF wants skinned meshes at the root.
-std::unique_ptr<aiScene> sceneOf(const SkinnedMesh& mesh, const Skeleton& skeleton) {
-    auto scene = std::make_unique<aiScene>();
+std::unique_ptr<aiMaterial> skinMaterial() {
     auto material = std::make_unique<aiMaterial>();
     const aiColor4D grey(0.62F, 0.66F, 0.72F, 1);
     const float metallic = 0, roughness = 0.8F;
     material->AddProperty(&grey, 1, AI_MATKEY_BASE_COLOR);
     material->AddProperty(&metallic, 1, AI_MATKEY_METALLIC_FACTOR);
     material->AddProperty(&roughness, 1, AI_MATKEY_ROUGHNESS_FACTOR);
-    scene->mNumMaterials = 1;
-    scene->mMaterials = new aiMaterial* [1] { material.release() };
-    scene->mNumMeshes = 1;
-    scene->mMeshes = new aiMesh* [1] { meshOf(mesh).release() };
+    return material;
+}
+
+/// Keys stand in seconds. Neighbouring quaternions are on the same side, so that any reader turns the short
+/// way.
+std::unique_ptr<aiNodeAnim> channelOf(const MotionClip& clip, size_t joint) {
+    const auto count = static_cast<unsigned>(clip.frames.size());
+    auto channel = std::make_unique<aiNodeAnim>();
+    channel->mNodeName = clip.skeleton.joints()[joint].name;
+    channel->mNumRotationKeys = count;
+    channel->mRotationKeys = new aiQuatKey[count];
+    if (jointIsMoved(clip, joint)) {
+        channel->mNumPositionKeys = count;
+        channel->mPositionKeys = new aiVectorKey[count];
+    }
+    Quaterniond before = Quaterniond::Identity();
+    for (unsigned f = 0; f < count; ++f) {
+        const double time_s = f * clip.frame_time_s;
+        Quaterniond q = clip.frames[f].q_parent_joint[joint].normalized();
+        if (q.dot(before) < 0)
+            q.coeffs() = -q.coeffs();
+        before = q;
+        const Eigen::Quaternionf single = q.cast<float>();
+        channel->mRotationKeys[f] = {time_s, {single.w(), single.x(), single.y(), single.z()}};
+        if (channel->mPositionKeys)
+            channel->mPositionKeys[f] = {
+                time_s, toAssimp(Eigen::Vector3f(localPosition_m(clip, f, joint).cast<float>()))};
+    }
+    return channel;
+}
+
+std::unique_ptr<aiAnimation> animationOf(const MotionClip& clip) {
+    auto animation = std::make_unique<aiAnimation>();
+    animation->mName = clip.name;
+    animation->mTicksPerSecond = 1;
+    animation->mDuration = clip.duration_s();
+    animation->mNumChannels = static_cast<unsigned>(clip.skeleton.size());
+    animation->mChannels = new aiNodeAnim*[animation->mNumChannels];
+    for (unsigned j = 0; j < animation->mNumChannels; ++j)
+        animation->mChannels[j] = channelOf(clip, j).release();
+    return animation;
+}
+
+/// The skinned mesh hangs on the root node itself: glTF wants skinned meshes at the root.
+std::unique_ptr<aiScene> sceneOf(const SkinnedMesh* mesh, const MotionClip& clip) {
+    auto scene = std::make_unique<aiScene>();
     scene->mRootNode = new aiNode("Mannequin");
-    scene->mRootNode->mNumMeshes = 1;
-    scene->mRootNode->mMeshes = new unsigned[1]{0};
-    addBoneNodes(*scene->mRootNode, mesh, skeleton);
+    if (mesh) {
+        scene->mNumMaterials = 1;
+        scene->mMaterials = new aiMaterial* [1] { skinMaterial().release() };
+        scene->mNumMeshes = 1;
+        scene->mMeshes = new aiMesh* [1] { meshOf(*mesh).release() };
+        scene->mRootNode->mNumMeshes = 1;
+        scene->mRootNode->mMeshes = new unsigned[1]{0};
+    }
+    addBoneNodes(*scene->mRootNode, mesh ? mesh->bones : bonesOf(clip.skeleton), clip.skeleton);
+    if (!clip.frames.empty()) {
+        scene->mNumAnimations = 1;
+        scene->mAnimations = new aiAnimation* [1] { animationOf(clip).release() };
+    }
     return scene;
+}
+
+Status writeScene(const std::string& path, const aiScene& scene, bool overwrite, const AsideCheck& check) {
+    Assimp::Exporter exporter;
+    const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, "glb2");
+    if (!blob)
+        return Error{ErrorKind::kInternal,
+                     path + ": the figure cannot be written as glTF: " + exporter.GetErrorString(),
+                     "Report this with the take"};
+    return writeFileAtomically(path, {static_cast<const char*>(blob->data), blob->size}, overwrite, check);
 }
 
 }  // namespace
 
+Status writeGlb(const std::string& path, const Figure& figure, bool overwrite) {
+    if (Status free = checkOutputPath(path, overwrite); !free)
+        return free;
+    const auto scene = sceneOf(figure.body ? &*figure.body : nullptr, figure.clip);
+    return writeScene(path, *scene, overwrite, [&](const std::string& aside) {
+        return checkScene(aside, path, SceneFormat::kGlb, figure);
+    });
+}
+
 Status writeSkinnedMesh(const std::string& path, const SkinnedMesh& mesh, const Skeleton& skeleton,
                         bool overwrite) {
-    const auto scene = sceneOf(mesh, skeleton);
-    Assimp::Exporter exporter;
-    const aiExportDataBlob* blob = exporter.ExportToBlob(scene.get(), "glb2");
-    if (!blob)
-        return Error{ErrorKind::kInternal,
-                     path + ": the mesh cannot be written as glTF: " + exporter.GetErrorString(),
-                     "Report this with the mesh"};
-    return writeFileAtomically(path, {static_cast<const char*>(blob->data), blob->size}, overwrite);
+    MotionClip still;
+    still.skeleton = skeleton;
+    return writeScene(path, *sceneOf(&mesh, still), overwrite, {});
 }
 
 }  // namespace noctule

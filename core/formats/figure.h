@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// A body in motion as scene files (FBX, glTF) hold it: a tree of joints, their motion and, unless only the
+// skeleton is wanted, the skin that hangs on them. Metres, Y up, facing +Z, in the bind pose of bindPose().
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mesh/skinned_mesh.h"
+#include "core/motion/clip.h"
+
+namespace noctule {
+
+struct Figure {
+    MotionClip clip;  ///< its name is the animation's; without frames the figure stands in its bind pose
+    std::optional<SkinnedMesh> body;  ///< one bone per joint, of the same name
+    /// Per frame one value per joint, 0..1: how far its rotation can be trusted. Empty: not known.
+    std::vector<std::vector<float>> confidence;
+};
+
+/// Whose names joints carry in a file.
+enum class JointNames {
+    kOwn,      ///< canonical: "Chest", "LeftForeArm"
+    kHumanIk,  ///< MotionBuilder and Maya: "Spine2"
+};
+
+/// The name that a joint has in a file; its own where the other program knows none.
+std::string exportedName(const Joint& joint, JointNames names);
+/// The same skeleton under other names.
+Skeleton renamed(const Skeleton& skeleton, JointNames names);
+
+/// Bones that the clip's skeleton has no joint for are folded into the nearest one above them; then joints
+/// and bones get their names. kUnusable when the clip holds anything that is not finite.
+Result<Figure> makeFigure(MotionClip clip, std::optional<SkinnedMesh> body, JointNames names);
+
+/// Where a joint stands in its parent's frame, of the root in the world.
+Vector3d localPosition_m(const MotionClip& clip, size_t frame, size_t joint);
+/// Whether that changes from frame to frame.
+bool jointIsMoved(const MotionClip& clip, size_t joint);
+
+}  // namespace noctule

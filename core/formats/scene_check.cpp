@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/formats/scene_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mesh/skinning.h"
+
+namespace noctule {
+namespace {
+
+constexpr size_t kSkinFrames = 8;         ///< in which the skin is compared
+constexpr double kRateOff_frames = 0.05;  ///< by the last frame
+
+std::vector<std::string> jointNamesOf(const Skeleton& skeleton) {
+    std::vector<std::string> names;
+    for (const Joint& joint : skeleton.joints())
+        names.push_back(joint.name);
+    return names;
+}
+
+/// What is wrong with the whole of it, before places are compared; empty: nothing.
+std::string otherThan(const Figure& figure, const SceneMotion& file) {
+    const MotionClip& wanted = figure.clip;
+    const size_t frames = std::max<size_t>(1, wanted.frames.size());
+    if (file.clip.frames.size() != frames)
+        return "it holds " + std::to_string(file.clip.frames.size()) + " frames instead of " +
+               std::to_string(frames);
+    const double off_frames =
+        std::abs(file.clip.frame_time_s / wanted.frame_time_s - 1) * static_cast<double>(frames - 1);
+    if (off_frames > kRateOff_frames)
+        return "it runs at another frame rate";
+    if (!file.clip.name.empty() && file.clip.name != wanted.name)
+        return "its motion is called " + file.clip.name;
+    if (figure.body && file.faces.size() != figure.body->triangles.size())
+        return "its body has " + std::to_string(file.faces.size()) + " triangles instead of " +
+               std::to_string(figure.body->triangles.size());
+    return {};
+}
+
+double largestJoint_m(const Figure& figure, const SceneMotion& file, size_t frame) {
+    const GlobalPose expected = globalPose(figure.clip, frame), seen = globalPose(file.clip, frame);
+    double largest_m = 0;
+    for (size_t j = 0; j < expected.p_world_joint.size(); ++j)
+        largest_m = std::max(largest_m, (seen.p_world_joint[j] - expected.p_world_joint[j]).norm());
+    return largest_m;
+}
+
+/// Readers may give every triangle its own corners; so the triangles are compared, corner by corner.
+double largestVertex_m(const Figure& figure, const SceneMotion& file, size_t frame) {
+    const SkinnedMesh& body = *figure.body;
+    const auto expected =
+        skinned(body, skinMatrices(body, figure.clip.skeleton, globalPose(figure.clip, frame)));
+    const std::vector<Vector3d> seen_m = file.skinned_m(frame);
+    double largest_m = 0;
+    for (size_t t = 0; t < body.triangles.size(); ++t)
+        for (size_t i = 0; i < 3; ++i)
+            largest_m = std::max(
+                largest_m,
+                (seen_m[file.faces[t][i]] - expected.points_m[body.triangles[t][i]].cast<double>()).norm());
+    return largest_m;
+}
+
+}  // namespace
+
+Result<SceneDifference> compareScene(const std::string& path, const std::string& where, SceneFormat format,
+                                     const Figure& figure) {
+    const auto file = readSceneMotion(path, where, format, jointNamesOf(figure.clip.skeleton));
+    if (!file)
+        return file.error();
+    if (const std::string wrong = otherThan(figure, *file); !wrong.empty())
+        return Error{ErrorKind::kUnreadable, where + ": " + wrong, "Write the file again"};
+    SceneDifference difference;
+    difference.frames = file->clip.frames.size();
+    difference.frames_per_second = difference.frames > 1 ? 1 / file->clip.frame_time_s : 0;
+    const size_t frames = figure.clip.frames.size(), step = std::max<size_t>(1, frames / kSkinFrames);
+    for (size_t f = 0; f < frames; ++f) {
+        difference.joint_m = std::max(difference.joint_m, largestJoint_m(figure, *file, f));
+        if (figure.body && f % step == 0)
+            difference.vertex_m = std::max(difference.vertex_m, largestVertex_m(figure, *file, f));
+    }
+    return difference;
+}
+
+Status checkScene(const std::string& path, const std::string& where, SceneFormat format,
+                  const Figure& figure) {
+    const auto difference = compareScene(path, where, format, figure);
+    if (difference && difference->joint_m <= kSceneLimit_m && difference->vertex_m <= kSceneLimit_m)
+        return Done{};
+    return Error{ErrorKind::kDisk,
+                 where + ": what was written does not read back the same" +
+                     (difference ? "" : " (" + difference.error().message + ")"),
+                 "Check the disk and try again"};
+}
+
+}  // namespace noctule

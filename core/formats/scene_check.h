@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// A written scene file (FBX, GLB) is opened again (scene_reader.h) and held against the figure it should
+// hold: every joint in every frame, the skin in some.
+#pragma once
+
+#include <string>
+
+#include "core/formats/figure.h"
+#include "core/formats/scene_reader.h"
+
+namespace noctule {
+
+struct SceneDifference {
+    size_t frames = 0;             ///< in the file
+    double frames_per_second = 0;  ///< by its keys; 0 with fewer than two
+    double joint_m = 0;            ///< largest distance of a joint from where it should be, in any frame
+    double vertex_m = 0;           ///< the same of the skin; 0 without
+};
+
+/// What float32 explains, with room to spare: a metre turned often is a few micrometres off.
+inline constexpr double kSceneLimit_m = 5e-5;
+
+/// kUnreadable when the file cannot be read, or when joints, name, frames or triangles in it are not the
+/// figure's; `where` names it in errors.
+Result<SceneDifference> compareScene(const std::string& path, const std::string& where, SceneFormat format,
+                                     const Figure& figure);
+
+/// The same as a verdict: kDisk when anything is further off than kSceneLimit_m.
+Status checkScene(const std::string& path, const std::string& where, SceneFormat format,
+                  const Figure& figure);
+
+}  // namespace noctule

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/formats/scene_reader.h"
+
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <map>
+
+#include "core/job/atomic_file.h"
+
+namespace noctule {
+namespace {
+
+constexpr double kTimeOff_frames = 0.05;  ///< a key may be off; glTF's times are float32
+constexpr int kYAxis = 1;
+
+Eigen::Matrix4d toEigen(const aiMatrix4x4& m) {
+    Eigen::Matrix4f result;
+    result << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4;
+    return result.cast<double>();
+}
+
+Vector3d toVector(const aiVector3D& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+Quaterniond toQuaternion(const aiQuaternion& q) {
+    return Eigen::Quaternionf(q.w, q.x, q.y, q.z).normalized().cast<double>();
+}
+
+class SceneReader {
+public:
+    SceneReader(const aiScene& scene, const std::string& where) : scene_(scene), where_(where) {}
+
+    Result<SceneMotion> read(const std::vector<std::string>& joints) {
+        for (Status (SceneReader::*step)(const std::vector<std::string>&) :
+             {&SceneReader::readUnit, &SceneReader::readJoints, &SceneReader::readChannels,
+              &SceneReader::readFrames, &SceneReader::readSkin})
+            if (Status done = (this->*step)(joints); !done)
+                return done.error();
+        return std::move(motion_);
+    }
+
+private:
+    Error odd(const std::string& what) const {
+        return {ErrorKind::kUnreadable, where_ + ": " + what, "Write the file again"};
+    }
+
+    /// FBX says both; glTF is in metres with Y up.
+    Status readUnit(const std::vector<std::string>&) {
+        float units_cm = 100;
+        int up = kYAxis;
+        if (scene_.mMetaData) {
+            scene_.mMetaData->Get("UnitScaleFactor", units_cm);
+            scene_.mMetaData->Get("UpAxis", up);
+        }
+        metres_per_unit_ = static_cast<double>(units_cm) / 100;
+        return up == kYAxis ? Status(Done{}) : Status(odd("Y is not up in it"));
+    }
+
+    /// Each hangs directly on its parent; above the first there may be nodes that stand still.
+    Status readJoints(const std::vector<std::string>& names) {
+        std::map<const aiNode*, int> joint_of;
+        std::vector<Joint> joints;
+        for (const std::string& name : names) {
+            const aiNode* node = scene_.mRootNode->FindNode(name.c_str());
+            if (!node)
+                return odd("joint " + name + " is missing");
+            Joint joint;
+            joint.name = name;
+            joint.type = joints.empty() ? JointType::kFree : JointType::kFixed;
+            if (!joints.empty()) {
+                const auto parent = joint_of.find(node->mParent);
+                if (parent == joint_of.end())
+                    return odd("joint " + name + " hangs on no joint");
+                joint.parent = parent->second;
+                joint.offset_m = toEigen(node->mTransformation).topRightCorner<3, 1>() * metres_per_unit_;
+            }
+            joint_of[node] = static_cast<int>(joints.size());
+            nodes_.push_back(node);
+            joints.push_back(joint);
+        }
+        for (const aiNode* node = nodes_[0]->mParent; node; node = node->mParent)
+            above_ = toEigen(node->mTransformation) * above_;
+        auto skeleton = Skeleton::make(std::move(joints));
+        if (!skeleton)
+            return skeleton.error();
+        motion_.clip.skeleton = std::move(*skeleton);
+        return Done{};
+    }
+
+    Status readChannels(const std::vector<std::string>& names) {
+        channels_.assign(names.size(), nullptr);
+        if (scene_.mNumAnimations == 0)
+            return Done{};
+        const aiAnimation& animation = *scene_.mAnimations[0];
+        motion_.clip.name = animation.mName.C_Str();
+        for (unsigned c = 0; c < animation.mNumChannels; ++c) {
+            const aiNodeAnim& channel = *animation.mChannels[c];
+            const auto name = std::find(names.begin(), names.end(), channel.mNodeName.C_Str());
+            if (name == names.end())
+                return odd("a motion belongs to " + std::string(channel.mNodeName.C_Str()) +
+                           ", which is no joint");
+            channels_[static_cast<size_t>(name - names.begin())] = &channel;
+            for (const Status& keys : {checkKeys(channel.mPositionKeys, channel.mNumPositionKeys),
+                                       checkKeys(channel.mRotationKeys, channel.mNumRotationKeys)})
+                if (!keys)
+                    return keys;
+        }
+        return Done{};
+    }
+
+    /// One key per frame at equal steps from time 0; or a single one for all.
+    template <class Key>
+    Status checkKeys(const Key* keys, unsigned count) {
+        if (count <= 1)
+            return Done{};
+        if (frames_ > 1 && count != frames_)
+            return odd("one joint has " + std::to_string(count) + " frames, another " +
+                       std::to_string(frames_));
+        const double step = keys[count - 1].mTime / (count - 1);
+        for (unsigned k = 0; k < count; ++k)
+            if (std::abs(keys[k].mTime / step - k) > kTimeOff_frames)
+                return odd("frame " + std::to_string(k + 1) + " stands at another time");
+        frames_ = count;
+        motion_.clip.frame_time_s = step / scene_.mAnimations[0]->mTicksPerSecond;
+        return Done{};
+    }
+
+    Status readFrames(const std::vector<std::string>&) {
+        for (size_t f = 0; f < frames_; ++f) {
+            Pose pose;
+            std::vector<Vector3d> places_m;
+            for (size_t j = 0; j < nodes_.size(); ++j) {
+                Eigen::Matrix4d local = localAt(j, f);
+                if (j == 0)
+                    local = above_ * local;
+                places_m.push_back(local.topRightCorner<3, 1>() * metres_per_unit_);
+                pose.q_parent_joint.push_back(Quaterniond(Matrix3d(local.topLeftCorner<3, 3>())));
+            }
+            pose.p_world_root = places_m[0];
+            motion_.clip.frames.push_back(std::move(pose));
+            motion_.clip.p_parent_joint_m.push_back(std::move(places_m));
+        }
+        return Done{};
+    }
+
+    Eigen::Matrix4d localAt(size_t joint, size_t frame) const {
+        Eigen::Matrix4d local = toEigen(nodes_[joint]->mTransformation);
+        const aiNodeAnim* channel = channels_[joint];
+        if (channel && channel->mNumRotationKeys > 0)
+            local.topLeftCorner<3, 3>() =
+                toQuaternion(channel->mRotationKeys[channel->mNumRotationKeys > 1 ? frame : 0].mValue)
+                    .toRotationMatrix();
+        if (channel && channel->mNumPositionKeys > 0)
+            local.topRightCorner<3, 1>() =
+                toVector(channel->mPositionKeys[channel->mNumPositionKeys > 1 ? frame : 0].mValue);
+        return local;
+    }
+
+    Status readSkin(const std::vector<std::string>& names) {
+        motion_.bind_inverse.assign(names.size(), Eigen::Matrix4d::Identity());
+        const auto end = scene_.mMeshes + scene_.mNumMeshes;
+        const auto found = std::find_if(scene_.mMeshes, end, [](const aiMesh* m) { return m->HasBones(); });
+        if (found == end)
+            return Done{};
+        const aiMesh& mesh = **found;
+        motion_.corners.resize(mesh.mNumVertices);
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v)
+            motion_.corners[v].p_m = toVector(mesh.mVertices[v]) * metres_per_unit_;
+        for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+            const aiBone& bone = *mesh.mBones[b];
+            const auto name = std::find(names.begin(), names.end(), bone.mName.C_Str());
+            if (name == names.end())
+                return odd("its skin hangs on " + std::string(bone.mName.C_Str()) + ", which is no joint");
+            const auto joint = static_cast<size_t>(name - names.begin());
+            motion_.bind_inverse[joint] = toEigen(bone.mOffsetMatrix);
+            motion_.bind_inverse[joint].topRightCorner<3, 1>() *= metres_per_unit_;
+            for (unsigned w = 0; w < bone.mNumWeights; ++w)
+                motion_.corners.at(bone.mWeights[w].mVertexId)
+                    .weights.emplace_back(joint, static_cast<double>(bone.mWeights[w].mWeight));
+        }
+        for (unsigned t = 0; t < mesh.mNumFaces; ++t)
+            if (mesh.mFaces[t].mNumIndices == 3)
+                motion_.faces.push_back(
+                    {mesh.mFaces[t].mIndices[0], mesh.mFaces[t].mIndices[1], mesh.mFaces[t].mIndices[2]});
+        return Done{};
+    }
+
+    const aiScene& scene_;
+    const std::string& where_;
+    double metres_per_unit_ = 1;
+    std::vector<const aiNode*> nodes_;         ///< per joint
+    std::vector<const aiNodeAnim*> channels_;  ///< per joint; nullptr: stands still
+    Eigen::Matrix4d above_ = Eigen::Matrix4d::Identity();
+    unsigned frames_ = 1;
+    SceneMotion motion_;
+};
+
+}  // namespace
+
+std::vector<Vector3d> SceneMotion::skinned_m(size_t frame) const {
+    const GlobalPose pose = globalPose(clip, frame);
+    std::vector<Eigen::Matrix4d> matrices;
+    for (size_t j = 0; j < bind_inverse.size(); ++j) {
+        Eigen::Matrix4d world = Eigen::Matrix4d::Identity();
+        world.topLeftCorner<3, 3>() = pose.q_world_joint[j].toRotationMatrix();
+        world.topRightCorner<3, 1>() = pose.p_world_joint[j];
+        matrices.push_back(world * bind_inverse[j]);
+    }
+    std::vector<Vector3d> points_m;
+    for (const SceneCorner& corner : corners) {
+        Eigen::Vector4d point = Eigen::Vector4d::Zero();
+        for (const auto& [joint, weight] : corner.weights)
+            point += weight * (matrices[joint] * corner.p_m.homogeneous());
+        points_m.emplace_back(point.head<3>());
+    }
+    return points_m;
+}
+
+Result<SceneMotion> readSceneMotion(const std::string& path, const std::string& where, SceneFormat format,
+                                    const std::vector<std::string>& joints) {
+    const auto bytes = readWholeFile(path);
+    if (!bytes)
+        return bytes.error();
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFileFromMemory(bytes->data(), bytes->size(), 0,
+                                                       format == SceneFormat::kFbx ? "fbx" : "glb");
+    if (!scene || !scene->mRootNode)
+        return Error{ErrorKind::kUnreadable,
+                     where + ": it cannot be read again (" + importer.GetErrorString() + ")",
+                     "Write the file again"};
+    return SceneReader(*scene, where).read(joints);
+}
+
+}  // namespace noctule

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scene file (FBX, GLB) holds of a known body, read through assimp: the joints that were asked for,
+// with their rest places and motion, and the skin that hangs on them. For looking again at what was written;
+// meshes of other programs come in through core/mesh.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/motion/clip.h"
+
+namespace noctule {
+
+enum class SceneFormat { kFbx, kGlb };
+
+struct SceneCorner {
+    Vector3d p_m = Vector3d::Zero();
+    std::vector<std::pair<size_t, double>> weights;  ///< joint, weight
+};
+
+struct SceneMotion {
+    MotionClip clip;  ///< in the order of the joints asked for; metres by what the file says of its unit
+    std::vector<SceneCorner> corners;            ///< of the first mesh with a skin
+    std::vector<std::array<uint32_t, 3>> faces;  ///< of corners
+    std::vector<Eigen::Matrix4d> bind_inverse;   ///< per joint, metres; as the file says
+
+    /// The skin in a frame, one point per corner, world.
+    std::vector<Vector3d> skinned_m(size_t frame) const;
+};
+
+/// Joints by name; kUnreadable when assimp cannot read the file, when one of them is missing, when keys are
+/// not one to a frame at equal steps, or when Y is not up. `where` names the file in errors.
+Result<SceneMotion> readSceneMotion(const std::string& path, const std::string& where, SceneFormat format,
+                                    const std::vector<std::string>& joints);
+
+}  // namespace noctule

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// node validate_gltf.js FOLDER FILE...: what Khronos' validator says about glTF files. Its npm package goes into
+// FOLDER, once. Exit code 77: it cannot be had, with the reason; 1: a file has errors, which are printed.
+const fs = require('fs');
+const path = require('path');
+const { spawnSync } = require('child_process');
+
+const SKIP = 77;
+const [folder, ...files] = process.argv.slice(2);
+const place = path.join(folder, 'node_modules', 'gltf-validator');
+
+if (!fs.existsSync(place)) {
+    fs.mkdirSync(folder, { recursive: true });
+    const done = spawnSync('npm', ['install', '--prefix', folder, '--no-audit', '--no-fund', '--fetch-retries=0',
+        '--fetch-timeout=20000', 'gltf-validator@2.0.0-dev.3.10'], { encoding: 'utf8' });
+    if (done.error || done.status !== 0) {
+        console.log('Khronos\' glTF validator cannot be installed: npm or the network is not there');
+        process.exit(SKIP);
+    }
+}
+
+const validator = require(place);
+Promise.all(files.map(file => validator.validateBytes(new Uint8Array(fs.readFileSync(file))).then(report => {
+    const issues = report.issues;
+    console.log(`${path.basename(file)}: ${issues.numErrors} errors, ${issues.numWarnings} warnings, ` +
+        `${report.info.animationCount} animations, ${report.info.totalVertexCount} vertices`);
+    issues.messages.filter(message => message.severity < 2).slice(0, 20)
+        .forEach(message => console.log(`${message.code} ${message.pointer}: ${message.message}`));
+    return issues.numErrors;
+}))).then(errors => process.exit(errors.some(count => count > 0) ? 1 : 0));
