@@ -135,7 +135,7 @@ private:
 
     /// Towards the fingers; zero when there are none. The thumb alone would mislead.
     Vector3d handDirection(int hand) const {
-        const std::vector<int>& fingers = childrenOf(target_)[static_cast<size_t>(hand)];
+        const std::vector<int> fingers = childrenOf(target_)[static_cast<size_t>(hand)];
         Vector3d sum = Vector3d::Zero();
         const Vector3d wrist = target_.nodes[static_cast<size_t>(hand)].T_world_rest.translation();
         for (const int finger : fingers)

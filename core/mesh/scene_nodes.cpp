@@ -104,7 +104,7 @@ void importNodes(SceneImport& import) {
         const auto [node, parent] = open.back();
         open.pop_back();
         const Eigen::Affine3d T_local = toEigen(node->mTransformation);
-        RigNode made{node->mName.C_Str(), parent, T_local, {}};
+        RigNode made{node->mName.C_Str(), parent, T_local};
         made.T_parent_node.translation() *= import.change.scale;
         if (parent < 0)
             made.T_parent_node = Eigen::Affine3d(import.change.turn) * made.T_parent_node;

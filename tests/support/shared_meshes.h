@@ -122,7 +122,7 @@ private:
             return known;
         const auto& bone = rig_["bones"][name];
         const int parent = bone["parent"].is_null() ? -1 : add(bone["parent"].get<std::string>());
-        RigNode node{name, parent, {}, {}};
+        RigNode node{name, parent};
         node.T_world_rest.translation() = joint(bone["head"].get<std::string>());
         node.T_parent_node =
             parent < 0 ? node.T_world_rest

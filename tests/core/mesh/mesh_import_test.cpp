@@ -144,7 +144,7 @@ TEST(MeshImport, SameThroughBytes) {
 
 TEST(MeshImport, BytesCutShortOrChangedAreNoMesh) {
     RiggedMesh mesh;
-    mesh.nodes.push_back({"root", -1, {}, {}});
+    mesh.nodes.push_back({"root", -1});
     mesh.skin.bones.push_back({"root", Eigen::Matrix4f::Identity()});
     mesh.node_of_bone.push_back(0);
     for (const float x : {0.0F, 1.0F, 2.0F})
