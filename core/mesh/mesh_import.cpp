@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "core/mesh/scene_import.h"
+#include "core/mesh/surface_graph.h"
 
 namespace noctule {
 namespace {
@@ -60,6 +61,29 @@ void weld(SkinnedMesh& skin) {
             corner = moved[corner];
 }
 
+/// Normals of the surface itself where those of the file point elsewhere: some programs store them for
+/// another pose than the one in which they bind the skin.
+void mendNormals(SkinnedMesh& skin) {
+    constexpr double kMayDiffer = 0.01;  // of all triangles; small ones may be wrong by rounding
+    const WeldedSurface surface = welded(skin);
+    std::vector<Vector3d> normals(surface.mesh.points.size(), Vector3d::Zero());
+    size_t against = 0;
+    for (const auto& [a, b, c] : skin.triangles) {
+        const auto p = [&](uint32_t v) { return Vector3d(skin.vertices[v].p_m.cast<double>()); };
+        const Vector3d normal = (p(b) - p(a)).cross(p(c) - p(a));
+        const Eigen::Vector3f told =
+            skin.vertices[a].normal + skin.vertices[b].normal + skin.vertices[c].normal;
+        against += normal.dot(told.cast<double>()) < 0;
+        for (const uint32_t corner : {a, b, c})
+            normals[surface.point_of[corner]] += normal;
+    }
+    if (static_cast<double>(against) <= kMayDiffer * static_cast<double>(skin.triangles.size()))
+        return;
+    for (size_t v = 0; v < skin.vertices.size(); ++v)
+        if (const Vector3d& normal = normals[surface.point_of[v]]; normal.norm() > 0)
+            skin.vertices[v].normal = normal.normalized().cast<float>();
+}
+
 Result<RiggedMesh> fromScene(const aiScene& scene, const std::string& path,
                              const MeshImportSettings& settings) {
     SceneImport import{scene, path, worldChangeOf(scene, suffixOf(path), settings), {}, {}, {}, {}};
@@ -71,6 +95,7 @@ Result<RiggedMesh> fromScene(const aiScene& scene, const std::string& path,
         return clips.error();
     if (const Status checked = checkRiggedMesh(import.mesh, path); !checked)
         return checked.error();
+    mendNormals(import.mesh.skin);
     weld(import.mesh.skin);
     return std::move(import.mesh);
 }

@@ -94,9 +94,9 @@ int drawAll(const std::string& folder, Blending blending) {
         Pose pose = clip.frames[f];
         pose.p_world_root.x() = pose.p_world_root.z() = 0;
         Camera camera;
-        camera.target_m = {0, 0.95, 0};
-        camera.distance_m = 5.2;
-        camera.azimuth_rad = 0.3;
+        camera.target_m = {0.2, 1.1, 0};
+        camera.distance_m = 6;
+        camera.azimuth_rad = 0.15;
         camera.elevation_rad = 0.08;
         const auto picture = (*offscreen)->render(figures.scene(pose), camera, kSize);
         const QImage image(picture->rgba.data(), picture->width_px, picture->height_px,

@@ -118,6 +118,22 @@ TEST(MeshImport, FiguresHaveTheirTrueSize) {
     EXPECT_NEAR(heightOf(test::sharedMesh(test::kMakeHuman + "base.obj")), 1.69, 0.01);  // from decimetres
 }
 
+TEST(MeshImport, NormalsPointOutOfTheSurface) {
+    if (!test::isShared(test::kKenney))
+        GTEST_SKIP() << test::sayMissing(test::kKenney);
+    // Kenney's file holds normals of another pose: an eighth of the triangles would be lit from behind.
+    for (const std::string& name : {test::kKenney, test::kCesiumMan, test::kMakeHuman + "base.obj"}) {
+        const SkinnedMesh skin = test::sharedMesh(name).skin;
+        size_t against = 0;
+        for (const auto& [a, b, c] : skin.triangles) {
+            const auto& v = skin.vertices;
+            const Eigen::Vector3f normal = (v[b].p_m - v[a].p_m).cross(v[c].p_m - v[a].p_m);
+            against += normal.dot(v[a].normal + v[b].normal + v[c].normal) < 0;
+        }
+        EXPECT_LE(static_cast<double>(against), 0.01 * static_cast<double>(skin.triangles.size())) << name;
+    }
+}
+
 TEST(MeshImport, TheUnitMayBeGiven) {
     if (!test::isShared(test::kCesiumMan))
         GTEST_SKIP() << test::sayMissing(test::kCesiumMan);
