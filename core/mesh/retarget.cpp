@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/math/rotation.h"
+#include "core/mesh/hand_rest.h"
 #include "core/mesh/rig_tree.h"
 
 namespace noctule {
@@ -30,6 +31,10 @@ constexpr LimbBone kLimbBones[] = {{"Arm", "ForeArm", ""},
                                    {"Hand", "", "ForeArm"},
                                    {"UpLeg", "Leg", ""},
                                    {"Leg", "Foot", "UpLeg"}};
+
+/// Of the default body in its zero pose: palms down, thumbs forward and a little down.
+const Vector3d kOurThumb(0, -0.25, 1);
+constexpr double kMostPalm_rad = radians(110);  ///< rest poses differ by less
 
 constexpr double kToes_m = 0.13;  ///< from ankle to toes, of a skeleton without toes
 
@@ -84,9 +89,11 @@ public:
         std::map<std::string, Matrix3d> aligned;
         for (const auto& [joint, node] : map_.node_of_joint)
             aligned[joint] = base;
-        for (const std::string side : {"Left", "Right"})
+        for (const std::string side : {"Left", "Right"}) {
             for (const LimbBone& bone : kLimbBones)
                 align(side, bone, aligned);
+            turnPalm(side, aligned);
+        }
         return aligned;
     }
 
@@ -126,21 +133,33 @@ private:
             theirs_along = theirs(side + bone.end) - theirs(side + bone.joint);
             ours_along = ours_m(side + bone.end) - ours_m(side + bone.joint);
         } else if (const auto& tip = source_.joint(jointOf(source_, side + bone.joint)).end_m) {
-            theirs_along = handDirection(node(side + bone.joint));
+            theirs_along = handOf(side).along;
             ours_along = *tip;
         }
         if (theirs_along.norm() > 1e-6 && ours_along.norm() > 1e-6)
             mine = smallestRotation(mine * theirs_along, ours_along).toRotationMatrix() * mine;
     }
 
-    /// Towards the fingers; zero when there are none. The thumb alone would mislead.
-    Vector3d handDirection(int hand) const {
-        const std::vector<int> fingers = childrenOf(target_)[static_cast<size_t>(hand)];
-        Vector3d sum = Vector3d::Zero();
-        const Vector3d wrist = target_.nodes[static_cast<size_t>(hand)].T_world_rest.translation();
-        for (const int finger : fingers)
-            sum += target_.nodes[static_cast<size_t>(finger)].T_world_rest.translation() - wrist;
-        return fingers.size() >= 4 ? sum : Vector3d(Vector3d::Zero());
+    HandRest handOf(const std::string& side) const {
+        return handAtRest(target_, node(side + "Hand"), theirs(side + "Hand") - theirs(side + "ForeArm"));
+    }
+
+    /// Turns a hand about its length until its thumb points where ours does, the forearm half as far: rest
+    /// poses differ in how the palms face. Limbs keep their directions.
+    void turnPalm(const std::string& side, std::map<std::string, Matrix3d>& aligned) const {
+        const Vector3d along = (ours_m(side + "Hand") - ours_m(side + "ForeArm")).normalized();
+        const Vector3d thumb = aligned.at(side + "Hand") * handOf(side).thumb;
+        const Vector3d across = thumb - along * along.dot(thumb),
+                       wanted = kOurThumb - along * along.dot(kOurThumb);
+        if (across.norm() < 0.3 * thumb.norm() || thumb.norm() < 1e-6)
+            return;
+        const double angle = std::atan2(along.dot(across.cross(wanted)), across.dot(wanted));
+        if (std::abs(angle) > kMostPalm_rad)
+            return;  // no thumb
+        Matrix3d& hand = aligned.at(side + "Hand");
+        Matrix3d& forearm = aligned.at(side + "ForeArm");
+        hand = axisAngle(along, angle).toRotationMatrix() * hand;
+        forearm = axisAngle(along, angle / 2).toRotationMatrix() * forearm;
     }
 
     const RiggedMesh& target_;

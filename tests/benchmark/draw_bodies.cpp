@@ -13,6 +13,7 @@
 #include "core/mesh/retarget.h"
 #include "core/mesh/surface_graph.h"
 #include "core/render/offscreen.h"
+#include "core/simulation/motion_fit.h"
 #include "tests/support/shared_meshes.h"
 
 namespace noctule {
@@ -79,19 +80,34 @@ private:
     std::vector<Figure> figures_;
 };
 
-int drawAll(const std::string& folder, Blending blending) {
-    const auto document = readBvh(NOCTULE_SOURCE_DIR "/resources/motions/sample.bvh");
-    const MotionClip clip = toClip(*document, BvhUnit::kCentimetre).value();
+/// Fitted to the default actor's joints, as the virtual suit would be worn.
+struct Motion {
+    Skeleton skeleton;
+    std::vector<Pose> poses;
+};
+
+Motion motionOf(const std::string& path) {
+    const MotionClip clip = toClip(*readBvh(path)).value();
+    const Actor actor = *simulation::actorFromClip(clip);
+    const auto fitted = simulation::fitMotion(clip, {actor, actor.skeleton});
+    Motion motion{actor.skeleton, {}};
+    for (const auto& row : fitted->rows)
+        motion.poses.push_back(simulation::Coordinates(actor.skeleton).toPose(row));
+    return motion;
+}
+
+int drawAll(const std::string& folder, Blending blending, const Motion& motion) {
+    constexpr size_t kPictures = 10;
     auto offscreen = Offscreen::create();
     if (!offscreen || !test::isShared(test::kMakeHuman)) {
         std::puts(offscreen ? "the meshes beside the repository are missing"
                             : offscreen.error().text().c_str());
         return 1;
     }
-    const Figures figures(clip.skeleton, blending);
+    const Figures figures(motion.skeleton, blending);
     std::filesystem::create_directories(folder);
-    for (size_t f = 0; f < clip.frames.size(); f += 90) {
-        Pose pose = clip.frames[f];
+    for (size_t f = 0; f < motion.poses.size(); f += motion.poses.size() / kPictures) {
+        Pose pose = motion.poses[f];
         pose.p_world_root.x() = pose.p_world_root.z() = 0;
         Camera camera;
         camera.target_m = {0.2, 1.1, 0};
@@ -114,9 +130,11 @@ int drawAll(const std::string& folder, Blending blending) {
 
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fputs("usage: draw_bodies FOLDER [dual]\n", stderr);
+        std::fputs("usage: draw_bodies FOLDER [dual|linear] [MOTION.bvh]\n", stderr);
         return 2;
     }
     const bool dual = argc > 2 && std::string(argv[2]) == "dual";
-    return noctule::drawAll(argv[1], dual ? noctule::Blending::kDualQuaternion : noctule::Blending::kLinear);
+    const std::string motion = argc > 3 ? argv[3] : NOCTULE_SOURCE_DIR "/resources/motions/sample.bvh";
+    return noctule::drawAll(argv[1], dual ? noctule::Blending::kDualQuaternion : noctule::Blending::kLinear,
+                            noctule::motionOf(motion));
 }

@@ -157,6 +157,74 @@ TEST(Retarget, SolesStandOnTheGroundAndJumpsAreScaled) {
     EXPECT_NEAR(lowestFoot_m(rig, retargeter->pose(crouching)), ankle, 1e-9);
 }
 
+/// How far the feet wander from where ours would stand, at our size: what a planted foot can slide.
+double worstWander_m(const RiggedMesh& rig, const std::string& name) {
+    const BoneMap map = findBoneMap(rig);
+    const auto retargeter = Retargeter::make(rig, map, walk().skeleton, name);
+    double worst = 0;
+    for (const char* foot : {"LeftFoot", "RightFoot"}) {
+        Vector3d first = Vector3d::Zero();
+        for (size_t f = 0; f < walk().frames.size(); f += 10) {
+            const Vector3d ours = globalPose(walk().skeleton, walk().frames[f])
+                                      .p_world_joint[static_cast<size_t>(walk().skeleton.find(foot))];
+            const RigPose pose = retargeter->pose(walk().frames[f]);
+            const Vector3d theirs =
+                pose[static_cast<size_t>(rig.find(map.node_of_joint.at(foot)))].translation();
+            Vector3d off = theirs / retargeter->scale() - ours;
+            off.y() = 0;
+            if (f == 0)
+                first = off;
+            worst = std::max(worst, (off - first).norm());
+        }
+    }
+    std::printf("%s: feet wander %.0f mm at most\n", name.c_str(), 1e3 * worst);
+    return worst;
+}
+
+/// Four fingers ahead of each hand and a thumb that the rest pose turns about the arm by `palm_deg`.
+RiggedMesh rigWithFingers(double palm_deg) {
+    RiggedMesh rig = namedRig([](const std::string& joint) { return joint; });
+    for (const double side : {1.0, -1.0}) {
+        const int hand = rig.find(side > 0 ? "LeftHand" : "RightHand");
+        const Quaterniond palm = axisAngle(Vector3d::UnitX(), radians(palm_deg));
+        for (int finger = 0; finger < 5; ++finger) {
+            const Vector3d end = finger == 0 ? palm * Vector3d(0.08 * side, -0.02, 0.08)
+                                             : Vector3d(0.18 * side, 0, 0.005 * finger);
+            RigNode node{(side > 0 ? "L" : "R") + std::to_string(finger), hand};
+            node.T_parent_node = Eigen::Translation3d(end);
+            node.T_world_rest = rig.nodes[static_cast<size_t>(hand)].T_world_rest * node.T_parent_node;
+            rig.nodes.push_back(node);
+        }
+    }
+    return rig;
+}
+
+TEST(Retarget, PalmsFaceAsOursWhateverTheRestPose) {
+    for (const double palm_deg : {0.0, 45.0, -80.0}) {
+        const RiggedMesh rig = rigWithFingers(palm_deg);
+        const BoneMap map = findBoneMap(rig);
+        const auto retargeter = Retargeter::make(rig, map, walk().skeleton, "rig");
+        ASSERT_TRUE(retargeter);
+        EXPECT_LT(worstLimb_deg(rig, map, *retargeter, walk()), 0.01);
+        const RigPose pose = retargeter->pose(bindPose(walk().skeleton));
+        for (const char* side : {"L", "R"}) {
+            const auto& hand = pose[static_cast<size_t>(rig.find(*side == 'L' ? "LeftHand" : "RightHand"))];
+            Vector3d thumb = pose[static_cast<size_t>(rig.find(side + std::string("0")))].translation() -
+                             hand.translation();
+            thumb.x() = 0;
+            EXPECT_LT(degrees(angleBetweenDirections(thumb, {0, -0.25, 1})), 3) << side << " " << palm_deg;
+        }
+    }
+}
+
+TEST(Retarget, FeetHardlyWander) {
+    if (!test::isShared(test::kKenney))
+        GTEST_SKIP() << test::sayMissing(test::kKenney);
+    EXPECT_LT(worstWander_m(test::sharedMesh(test::kKenney), "Kenney"), 0.06);
+    EXPECT_LT(worstWander_m(test::sharedMesh(test::kCesiumMan), "CesiumMan"), 0.06);
+    EXPECT_LT(worstWander_m(test::MakeHuman().mesh(), "MakeHuman"), 0.06);
+}
+
 TEST(Retarget, LocalTransformsGiveThePoseBack) {
     const RiggedMesh rig =
         namedRig([](const std::string& joint) { return joint; }, aPose, 1, expQuaternion({1, 2, 0}));
