@@ -8,10 +8,9 @@
 
 #include "core/body/actor.h"
 #include "core/formats/bvh.h"
-#include "core/mesh/auto_rig.h"
 #include "core/mesh/glb_reader.h"
 #include "core/mesh/retarget.h"
-#include "core/mesh/surface_graph.h"
+#include "core/mesh/wearable.h"
 #include "core/render/offscreen.h"
 #include "core/simulation/motion_fit.h"
 #include "tests/support/shared_meshes.h"
@@ -30,8 +29,7 @@ public:
         add(test::sharedMesh(test::kKenney), "Kenney");
         add(test::sharedMesh(test::kCesiumMan), "CesiumMan");
         add(test::MakeHuman().mesh(), "MakeHuman");
-        const RiggedMesh skin = test::makeHumanSkin();
-        add(*autoRigged(skin, *findLandmarks(welded(skin.skin).mesh, "MakeHuman"), "MakeHuman"), "automatic");
+        add(wearable(test::sharedMesh(test::kMakeHuman + "base.obj"), "base.obj")->mesh, "automatic");
     }
 
     Scene scene(const Pose& pose) const {
