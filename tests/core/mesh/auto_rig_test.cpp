@@ -8,6 +8,7 @@
 #include "core/mesh/bone_map.h"
 #include "core/mesh/mannequin.h"
 #include "core/mesh/retarget.h"
+#include "core/mesh/sight.h"
 #include "core/mesh/surface_graph.h"
 #include "tests/support/shared_meshes.h"
 
@@ -85,6 +86,18 @@ TEST(HeatWeights, ABoneBehindAWallDoesNotWarm) {
     ASSERT_TRUE(weights);
     EXPECT_GT(weights->col(0).head(count).minCoeff(), 0.999);
     EXPECT_GT(weights->col(1).tail(count).minCoeff(), 0.999);
+}
+
+TEST(Sight, EndsAtTheNextWall) {
+    const TriangleMesh mesh = tube();
+    const Sight sight(mesh);
+    for (uint32_t p = 16 * 5; p < 16 * 35; p += 7) {
+        const Vector3d& from_m = mesh.points[p];
+        const Vector3d across(-from_m.x() + 0.0037, from_m.y() + 0.011, -from_m.z() + 0.0021);  // past edges
+        EXPECT_TRUE(sight.isClear(p, {0, from_m.y(), 0})) << p;
+        EXPECT_TRUE(sight.isClear(p, {0, 0.5, 0})) << p;
+        EXPECT_FALSE(sight.isClear(p, from_m + 1.2 * (across - from_m))) << p;
+    }
 }
 
 TEST(HeatWeights, CanBeCancelled) {

@@ -49,6 +49,10 @@ struct DrawnPose {
     double unit_m;
 };
 
+void PrintTo(const DrawnPose& drawn, std::ostream* out) {
+    *out << std::filesystem::path(drawn.mesh).stem().string() << "_" << drawn.frame;
+}
+
 class DrawnPoses : public testing::TestWithParam<DrawnPose> {};
 
 TEST_P(DrawnPoses, AreReproduced) {

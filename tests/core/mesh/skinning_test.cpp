@@ -70,16 +70,18 @@ TEST(Skinning, ATwistKeepsItsRadiusWithDualQuaternionsOnly) {
 
 TEST(Skinning, QuaternionsOfEitherSignGoTheShortWay) {
     const SkinnedMesh mesh = ring();
-    // 350 degrees about X is 10 degrees the other way; its quaternion has the other sign.
-    const std::vector<Eigen::Matrix4f> matrices = {
-        moved(axisAngle(Vector3d::UnitX(), radians(175)), {1, 0, 0}),
-        moved(axisAngle(Vector3d::UnitX(), radians(-175)), {1, 0, 0})};
-    const PosedSurface surface = skinned(mesh, matrices, Blending::kDualQuaternion);
-    for (size_t v = 0; v < mesh.vertices.size(); ++v) {
-        const Vector3d expected =
-            axisAngle(Vector3d::UnitX(), radians(180)) * mesh.vertices[v].p_m.cast<double>() +
-            Vector3d::UnitX();
-        EXPECT_LT((surface.points_m[v].cast<double>() - expected).norm(), 1e-5);
+    // Half way between the two; the quaternions of the second pair come out of their matrices with opposite
+    // signs.
+    for (const auto& [first_deg, second_deg] : {std::pair{175.0, 185.0}, {-110.0, -160.0}}) {
+        const std::vector<Eigen::Matrix4f> matrices = {
+            moved(axisAngle(Vector3d::UnitX(), radians(first_deg)), {1, 0, 0}),
+            moved(axisAngle(Vector3d::UnitX(), radians(second_deg)), {1, 0, 0})};
+        const Quaterniond half = axisAngle(Vector3d::UnitX(), radians((first_deg + second_deg) / 2));
+        const PosedSurface surface = skinned(mesh, matrices, Blending::kDualQuaternion);
+        for (size_t v = 0; v < mesh.vertices.size(); ++v) {
+            const Vector3d expected = half * mesh.vertices[v].p_m.cast<double>() + Vector3d::UnitX();
+            EXPECT_LT((surface.points_m[v].cast<double>() - expected).norm(), 1e-5);
+        }
     }
 }
 
