@@ -12,7 +12,7 @@ namespace {
 
 struct CardVertex {
     float p_m[3], normal[3];
-    uint8_t bones[4];
+    uint16_t bones[4];
     float weights[4];
 };
 
@@ -23,8 +23,7 @@ std::vector<CardVertex> forCard(const SkinnedMesh& mesh) {
         CardVertex vertex{};
         std::copy_n(from.p_m.data(), 3, vertex.p_m);
         std::copy_n(from.normal.data(), 3, vertex.normal);
-        for (size_t i = 0; i < 4; ++i)
-            vertex.bones[i] = static_cast<uint8_t>(from.bones[i]);
+        std::copy_n(from.bones.data(), 4, vertex.bones);
         std::copy_n(from.weights.data(), 4, vertex.weights);
         vertices.push_back(vertex);
     }
@@ -38,7 +37,7 @@ void describeVertex() {
         glEnableVertexAttribArray(location);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(CardVertex, p_m)));
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(CardVertex, normal)));
-    glVertexAttribIPointer(2, 4, GL_UNSIGNED_BYTE, kStride, offset(offsetof(CardVertex, bones)));
+    glVertexAttribIPointer(2, 4, GL_UNSIGNED_SHORT, kStride, offset(offsetof(CardVertex, bones)));
     glVertexAttribPointer(3, 4, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(CardVertex, weights)));
 }
 
@@ -46,6 +45,33 @@ template <class T>
 void fillBuffer(GLenum kind, GLuint buffer, const std::vector<T>& values) {
     glBindBuffer(kind, buffer);
     glBufferData(kind, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
+}
+
+/// Three texels for each bone: the rows of its matrix.
+std::vector<float> linearTexels(const std::vector<Eigen::Matrix4f>& skin) {
+    std::vector<float> texels;
+    texels.reserve(skin.size() * 12);
+    for (const Eigen::Matrix4f& matrix : skin)
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 4; ++column)
+                texels.push_back(matrix(row, column));
+    return texels;
+}
+
+/// Five texels for each bone: the rows of its stretch, then the two parts of its dual quaternion.
+std::vector<float> dualTexels(const std::vector<Eigen::Matrix4f>& skin) {
+    std::vector<float> texels;
+    texels.reserve(skin.size() * 20);
+    for (const DualBone& bone : dualBones(skin)) {
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column)
+                texels.push_back(bone.stretch(row, column));
+            texels.push_back(0);
+        }
+        texels.insert(texels.end(), bone.real.data(), bone.real.data() + 4);
+        texels.insert(texels.end(), bone.dual.data(), bone.dual.data() + 4);
+    }
+    return texels;
 }
 
 bool canBeDrawn(const SceneBody& body) {
@@ -106,15 +132,28 @@ const BodyPainter::Upload& BodyPainter::uploaded(const std::shared_ptr<const Ski
     return uploads_.back();
 }
 
+void BodyPainter::uploadBones(const SceneBody& body) {
+    if (!bones_) {
+        bones_ = makeBuffer();
+        GLuint name = 0;
+        glGenTextures(1, &name);
+        bone_texture_ = GlTexture(name);
+    }
+    glBindBuffer(GL_TEXTURE_BUFFER, bones_);
+    const std::vector<float> texels =
+        body.blending == Blending::kLinear ? linearTexels(body.skin) : dualTexels(body.skin);
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(texels.size() * sizeof(float)), texels.data(),
+                 GL_STREAM_DRAW);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_BUFFER, bone_texture_);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, bones_);
+}
+
 void BodyPainter::drawTriangles(const GlProgram& program, const SceneBody& body, const ScreenView& view,
                                 float outwards_px) {
-    std::vector<float> rows;
-    rows.reserve(body.skin.size() * 12);
-    for (const Eigen::Matrix4f& matrix : body.skin)
-        for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 4; ++column)
-                rows.push_back(matrix(row, column));
-    glUniform4fv(program.at("bones"), static_cast<GLsizei>(rows.size() / 4), rows.data());
+    uploadBones(body);
+    glUniform1i(program.at("bones"), 0);
+    glUniform1i(program.at("dual_quaternions"), body.blending == Blending::kDualQuaternion);
     const Eigen::Matrix4f view_from_world = view.camera.viewMatrix().cast<float>();
     const Eigen::Matrix4f clip_from_view = view.camera.projectionMatrix(view.size).cast<float>();
     glUniformMatrix4fv(program.at("view_from_world"), 1, GL_FALSE, view_from_world.data());

@@ -36,10 +36,14 @@ private:
     void drawDepth(const SceneBody& body, const ScreenView& view);
     void drawSolid(const SceneBody& body, const ScreenView& view);
     void drawOutline(const SceneBody& body, const ScreenView& view);
+    /// Into the texture that the body's shader reads.
+    void uploadBones(const SceneBody& body);
     void drawTriangles(const GlProgram& program, const SceneBody& body, const ScreenView& view,
                        float outwards_px);
 
     GlProgram surface_, contour_;
+    GlBuffer bones_;
+    GlTexture bone_texture_;
     std::vector<Upload> uploads_;
 };
 

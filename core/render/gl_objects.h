@@ -45,6 +45,9 @@ inline void deleteBuffer(GLuint name) {
 inline void deleteVertexArray(GLuint name) {
     glDeleteVertexArrays(1, &name);
 }
+inline void deleteTexture(GLuint name) {
+    glDeleteTextures(1, &name);
+}
 inline void deleteRenderbuffer(GLuint name) {
     glDeleteRenderbuffers(1, &name);
 }
@@ -54,6 +57,7 @@ inline void deleteFramebuffer(GLuint name) {
 
 using GlProgramName = GlName<deleteProgram>;
 using GlBuffer = GlName<deleteBuffer>;
+using GlTexture = GlName<deleteTexture>;
 using GlVertexArray = GlName<deleteVertexArray>;
 
 GlBuffer makeBuffer();

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/mesh/skinned_mesh.h"
+#include "core/mesh/skinning.h"
 
 namespace noctule {
 
@@ -44,6 +44,7 @@ enum class BodyStyle {
 struct SceneBody {
     std::shared_ptr<const SkinnedMesh> mesh;
     std::vector<Eigen::Matrix4f> skin;  ///< per bone, from skinMatrices()
+    Blending blending = Blending::kLinear;
     Rgba color;
     float opacity = 1;  ///< below 1 the ground shows through; of the body only the nearest surface
     BodyStyle style = BodyStyle::kSolid;

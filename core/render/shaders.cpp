@@ -53,8 +53,10 @@ void main() {
 }
 )";
 
+// The same as mesh/skinning.cpp.
 const char* const kBodyVertex = R"(
-uniform vec4 bones[192];  // three rows of each bone's matrix
+uniform samplerBuffer bones;  // linear: three rows of each bone's matrix; else of its stretch, then real and dual part
+uniform bool dual_quaternions;
 uniform mat4 view_from_world, clip_from_view;
 uniform vec2 outline_ndc;  // how far the surface is moved outwards on the screen
 layout(location = 0) in vec3 position;
@@ -64,17 +66,34 @@ layout(location = 3) in vec4 weight;
 out vec3 normal_view;
 out vec3 normal_world;
 out vec3 p_view;
+vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 void main() {
-    vec4 r0 = vec4(0.0), r1 = vec4(0.0), r2 = vec4(0.0);
+    int stride = dual_quaternions ? 5 : 3;
+    vec4 r0 = vec4(0.0), r1 = vec4(0.0), r2 = vec4(0.0), real = vec4(0.0), dual = vec4(0.0);
+    vec4 first = dual_quaternions ? texelFetch(bones, int(bone[0]) * stride + 3) : vec4(0.0);
     for (int i = 0; i < 4; ++i) {
-        int b = int(bone[i]) * 3;
-        r0 += weight[i] * bones[b];
-        r1 += weight[i] * bones[b + 1];
-        r2 += weight[i] * bones[b + 2];
+        int b = int(bone[i]) * stride;
+        r0 += weight[i] * texelFetch(bones, b);
+        r1 += weight[i] * texelFetch(bones, b + 1);
+        r2 += weight[i] * texelFetch(bones, b + 2);
+        if (dual_quaternions) {
+            vec4 q = texelFetch(bones, b + 3);
+            float turned_weight = dot(q, first) < 0.0 ? -weight[i] : weight[i];
+            real += turned_weight * q;
+            dual += turned_weight * texelFetch(bones, b + 4);
+        }
     }
     vec4 p = vec4(position, 1.0);
     vec4 world = vec4(dot(r0, p), dot(r1, p), dot(r2, p), 1.0);
     normal_world = vec3(dot(r0.xyz, normal_in), dot(r1.xyz, normal_in), dot(r2.xyz, normal_in));
+    if (dual_quaternions) {
+        float norm = length(real);
+        real /= norm;
+        dual /= norm;
+        world.xyz = turned(real, world.xyz)
+                  + 2.0 * (real.w * dual.xyz - dual.w * real.xyz + cross(real.xyz, dual.xyz));
+        normal_world = turned(real, normal_world);
+    }
     normal_view = mat3(view_from_world) * normal_world;
     vec4 view = view_from_world * world;
     p_view = view.xyz;

@@ -16,7 +16,7 @@ extern const char* const kLineFragment;
 extern const char* const kMarkerVertex;
 extern const char* const kMarkerFragment;
 
-/// Bones that fit into the uniforms that OpenGL 3.3 promises.
-inline constexpr int kMaxBones = 64;
+/// Five texels each fit into the buffer texture that OpenGL 3.3 promises.
+inline constexpr int kMaxBones = 65536 / 5;
 
 }  // namespace noctule::shaders

@@ -52,6 +52,7 @@ def parse_options():
     parser.add_argument("--kills", type=int, default=200, metavar="N", help="and as many power failures")
     parser.add_argument("--calibration-trials", type=int, default=50, metavar="N", help="suits of each calibration")
     parser.add_argument("--damaged-inputs", type=int, default=1_000_000, metavar="N", help="of fuzz, each reader")
+    parser.add_argument("--damaged-meshes", type=int, default=1000, metavar="N", help="of fuzz")
     parser.add_argument("--fuzz-inputs", type=int, default=20000, metavar="N")
     parser.add_argument("--fuzz-seed", type=int, default=1, metavar="N")
     parser.add_argument("--live-seconds", type=int, default=600, metavar="N", help="of live")

@@ -18,4 +18,7 @@ def figure(options):
             ("JSON of sessions", "test_core_session", "FuzzSession.DamagedDocuments")):
         found = built_tests.run(program, cases, "damaged inputs|could be opened", NOCTULE_FUZZ_INPUTS=count, **in_memory)
         text += f"{what}:\n\n{found}\n"
-    return text
+    # A process for each: fewer of them.
+    found = built_tests.run("test_core_mesh", "FuzzMesh.*", "damaged inputs|could be opened",
+                            NOCTULE_FUZZ_INPUTS=str(min(options.damaged_inputs, options.damaged_meshes)), **in_memory)
+    return text + f"meshes, each in a reader of its own:\n\n{found}\n"

@@ -210,5 +210,59 @@ TEST_F(OffscreenPicture, MeshesThatDoNotFitTheirSkinAreLeftOut) {
     EXPECT_TRUE(isBackground(render(scene).at(160, 120)));
 }
 
+/// A square beam along X of 200 rings; each hangs half on a bone of its own and half on the last.
+std::shared_ptr<SkinnedMesh> beam() {
+    constexpr uint32_t kRings = 200;
+    auto mesh = std::make_shared<SkinnedMesh>();
+    for (uint32_t ring = 0; ring < kRings; ++ring) {
+        mesh->bones.push_back({std::to_string(ring), Eigen::Matrix4f::Identity()});
+        for (const auto& [y, z] : {std::pair{-0.4F, -0.4F}, {0.4F, -0.4F}, {0.4F, 0.4F}, {-0.4F, 0.4F}})
+            mesh->vertices.push_back({{static_cast<float>(ring) / 100 - 1, y, z},
+                                      Eigen::Vector3f(0, y, z).normalized(),
+                                      {static_cast<uint16_t>(ring), kRings - 1, 0, 0},
+                                      {0.5F, 0.5F, 0, 0}});
+        for (uint32_t side = 0; ring && side < 4; ++side) {
+            const uint32_t a = 4 * ring + side, b = 4 * ring + (side + 1) % 4;
+            mesh->triangles.push_back({a, a - 4, b});
+            mesh->triangles.push_back({b, a - 4, b - 4});
+        }
+    }
+    return mesh;
+}
+
+TEST_F(OffscreenPicture, TheCardBlendsManyBonesAsTheProcessorDoes) {
+    const auto mesh = beam();
+    SceneBody body = bodyOf(mesh, BodyStyle::kSolid);
+    body.skin.clear();
+    for (size_t bone = 0; bone < mesh->bones.size(); ++bone) {
+        Eigen::Affine3f T(Eigen::AngleAxisf(0.011F * static_cast<float>(bone), Eigen::Vector3f::UnitX()));
+        T.translate(Eigen::Vector3f(0, 0.1F, 0)).scale(bone == 50 ? 1.5F : 1);
+        body.skin.push_back(T.matrix());
+    }
+    std::vector<Picture> drawn;
+    for (const Blending blending : {Blending::kLinear, Blending::kDualQuaternion}) {
+        Scene scene = emptyScene();
+        body.blending = blending;
+        scene.bodies = {body};
+        drawn.push_back(render(scene));
+        const PosedSurface surface = skinned(*mesh, body.skin, blending);
+        auto still = std::make_shared<SkinnedMesh>(*mesh);
+        still->bones.resize(1);
+        for (size_t v = 0; v < still->vertices.size(); ++v)
+            still->vertices[v] = {surface.points_m[v], surface.normals[v], {}, {1, 0, 0, 0}};
+        scene.bodies = {bodyOf(still, BodyStyle::kSolid)};
+        drawn.push_back(render(scene));
+    }
+    const auto different = [&](const Picture& a, const Picture& b) {
+        int count = 0;
+        for (size_t i = 0; i < a.rgba.size(); ++i)
+            count += std::abs(a.rgba[i] - b.rgba[i]) > 24;  // the card does not normalise within triangles
+        return count;
+    };
+    EXPECT_LT(different(drawn[0], drawn[1]), 40);
+    EXPECT_LT(different(drawn[2], drawn[3]), 40);
+    EXPECT_GT(different(drawn[0], drawn[2]), 2000);  // the wrapped candy against the full one
+}
+
 }  // namespace
 }  // namespace noctule

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// noctule-read-mesh: reads one mesh for the studio and the command line, which start it; not for people.
+#include <cstdio>
+
+#include "core/mesh/mesh_reader.h"
+
+int main(int argc, char** argv) {
+    const int code = noctule::runMeshReader({argv + 1, argv + argc});
+    if (code == static_cast<int>(noctule::ErrorKind::kUsage))
+        std::fputs("noctule-read-mesh reads meshes for noctule, which starts it by itself\n", stderr);
+    return code;
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the joints of a figure are, found in its surface: ends of the limbs, rings around them, the heights
+// at which legs and trunk meet, and proportions (Winter, "Biomechanics and Motor Control of Human Movement",
+// 4th ed., figure 4.1) where nothing shows. Corrected by hand in the studio.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/job/result.h"
+#include "core/mesh/triangle_mesh.h"
+
+namespace noctule {
+
+/// Place in metres by canonical joint name; the tips of head, hands and toes as "HeadEnd", "LeftHandEnd",
+/// "LeftToeBaseEnd".
+using Landmarks = std::map<std::string, Vector3d>;
+
+/// Names of all that findLandmarks() gives.
+std::vector<std::string> landmarkNames();
+
+/// Of a figure that stands upright (Y up, Z forward) with its arms away from its body, T or A pose. Other
+/// pieces than the largest (eyes, clothes) are not looked at. kUnusable with what was not found; `where`
+/// names the mesh.
+Result<Landmarks> findLandmarks(const TriangleMesh& figure, const std::string& where);
+
+nlohmann::json toJson(const Landmarks& landmarks);
+/// kUnreadable when a landmark is missing or no place.
+Result<Landmarks> landmarksFromJson(const nlohmann::json& json, const std::string& where);
+
+}  // namespace noctule

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes of other programs through assimp: glTF, GLB, FBX and Collada with their rigs and animations, OBJ and
+// PLY without. The library trusts what it reads, so files from outside go through importMeshApart()
+// (mesh_reader.h), which does this in a process of its own.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/job/result.h"
+#include "core/mesh/rigged_mesh.h"
+
+namespace noctule {
+
+struct MeshImportSettings {
+    /// Metres per unit of the file. Absent: what the file says. OBJ and PLY say nothing: then the usual unit
+    /// that makes the figure as tall as a person, metres when none does.
+    std::optional<double> unit_m;
+};
+
+/// Checked by checkRiggedMesh(). At most four weights per vertex, normalised; vertices without weights in a
+/// rigged mesh hang on their object's node. kUnreadable: missing, damaged, of another format; kUnusable: no
+/// triangle, or too large.
+Result<RiggedMesh> importMesh(const std::string& path, const MeshImportSettings& settings = {});
+
+/// Whether a file's name ends as one of the formats that can be read, in any case.
+bool isMeshFileName(const std::string& path);
+
+}  // namespace noctule

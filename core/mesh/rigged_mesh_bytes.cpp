@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/mesh/rigged_mesh_bytes.h"
+
+#include <cstring>
+
+namespace noctule {
+namespace {
+
+constexpr std::string_view kMeshMagic = "NCRM", kErrorMagic = "NCRE";
+constexpr uint32_t kBytesVersion = 1;
+
+/// One list of fields for both directions: `archive(value)` writes or reads it.
+template <class Archive>
+void fields(Archive& archive, RigNode& node) {
+    archive(node.name);
+    archive(node.parent);
+    archive(node.T_parent_node.matrix());
+    archive(node.T_world_rest.matrix());
+}
+
+template <class Archive>
+void fields(Archive& archive, SkinnedVertex& vertex) {
+    archive(vertex.p_m);
+    archive(vertex.normal);
+    archive(vertex.bones);
+    archive(vertex.weights);
+}
+
+template <class Archive>
+void fields(Archive& archive, SkinBone& bone) {
+    archive(bone.joint);
+    archive(bone.bind_inverse);
+}
+
+template <class Archive>
+void fields(Archive& archive, MeshPart& part) {
+    archive(part.name);
+    archive(part.first_triangle);
+    archive(part.triangles);
+}
+
+template <class Archive>
+void fields(Archive& archive, Quaterniond& q) {
+    archive(q.coeffs());
+}
+
+template <class Archive>
+void fields(Archive& archive, RigTrack& track) {
+    archive(track.node);
+    archive(track.t_s);
+    archive(track.p_m);
+    archive(track.q_parent_node);
+    archive(track.scale);
+}
+
+template <class Archive>
+void fields(Archive& archive, RigClip& clip) {
+    archive(clip.name);
+    archive(clip.duration_s);
+    archive(clip.tracks);
+}
+
+template <class Archive>
+void fields(Archive& archive, RiggedMesh& mesh) {
+    archive(mesh.nodes);
+    archive(mesh.skin.vertices);
+    archive(mesh.skin.triangles);
+    archive(mesh.skin.bones);
+    archive(mesh.node_of_bone);
+    archive(mesh.parts);
+    archive(mesh.clips);
+}
+
+template <class T, class Archive>
+concept HasFields = requires(Archive& archive, T& value) {
+    fields(archive, value);
+};
+
+class Writer {
+public:
+    template <class T>
+    requires std::is_arithmetic_v<T>
+    void operator()(const T& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); }
+    template <class Derived>
+    void operator()(const Eigen::MatrixBase<Derived>& values) {
+        for (Eigen::Index i = 0; i < values.size(); ++i)
+            (*this)(values.derived().data()[i]);
+    }
+    template <class T, size_t N>
+    void operator()(const std::array<T, N>& values) {
+        for (const T& value : values)
+            (*this)(value);
+    }
+    void operator()(const std::string& text) {
+        (*this)(static_cast<uint64_t>(text.size()));
+        bytes += text;
+    }
+    template <class T>
+    void operator()(std::vector<T>& values) {
+        (*this)(static_cast<uint64_t>(values.size()));
+        for (T& value : values)
+            (*this)(value);
+    }
+    template <HasFields<Writer> T>
+    void operator()(T& value) {
+        fields(*this, value);
+    }
+
+    std::string bytes;
+};
+
+/// After the first trouble it reads nothing any more and makes nothing larger.
+class Reader {
+public:
+    explicit Reader(std::string_view bytes) : left_(bytes) {}
+
+    template <class T>
+    requires std::is_arithmetic_v<T>
+    void operator()(T& value) {
+        if (sizeof value > left_.size())
+            return fail();
+        std::memcpy(&value, left_.data(), sizeof value);
+        left_.remove_prefix(sizeof value);
+    }
+    template <class Derived>
+    void operator()(Eigen::MatrixBase<Derived>& values) {
+        for (Eigen::Index i = 0; i < values.size(); ++i)
+            (*this)(values.derived().data()[i]);
+    }
+    template <class T, size_t N>
+    void operator()(std::array<T, N>& values) {
+        for (T& value : values)
+            (*this)(value);
+    }
+    void operator()(std::string& text) {
+        const size_t size = count();
+        text = left_.substr(0, size);
+        left_.remove_prefix(size);
+    }
+    template <class T>
+    void operator()(std::vector<T>& values) {
+        const size_t size = count();
+        for (size_t i = 0; i < size && ok_; ++i)
+            (*this)(values.emplace_back());
+    }
+    template <HasFields<Reader> T>
+    void operator()(T& value) {
+        fields(*this, value);
+    }
+
+    bool finished() const { return ok_ && left_.empty(); }
+
+private:
+    /// Every element takes at least one byte, so no count can exceed what is left.
+    size_t count() {
+        uint64_t size = 0;
+        (*this)(size);
+        if (size > left_.size())
+            fail();
+        return ok_ ? static_cast<size_t>(size) : 0;
+    }
+    void fail() {
+        ok_ = false;
+        left_ = {};
+    }
+
+    std::string_view left_;
+    bool ok_ = true;
+};
+
+Error brokenBytes(const std::string& where) {
+    return {ErrorKind::kUnreadable, where + ": reading it broke off",
+            "Export the mesh again, best as binary glTF (.glb)"};
+}
+
+Result<RiggedMesh> errorFromBytes(Reader& reader, const std::string& where) {
+    int32_t kind = 0;
+    Error error;
+    reader(kind);
+    reader(error.message);
+    reader(error.remedy);
+    if (!reader.finished() || (kind != static_cast<int32_t>(ErrorKind::kUnreadable) &&
+                               kind != static_cast<int32_t>(ErrorKind::kUnusable)))
+        return brokenBytes(where);
+    error.kind = static_cast<ErrorKind>(kind);
+    return error;
+}
+
+}  // namespace
+
+std::string toBytes(const Result<RiggedMesh>& mesh) {
+    Writer writer;
+    writer.bytes = mesh ? kMeshMagic : kErrorMagic;
+    writer(kBytesVersion);
+    if (mesh) {
+        RiggedMesh copy = *mesh;  // the fields are listed once, for writing and reading
+        fields(writer, copy);
+    } else {
+        writer(static_cast<int32_t>(mesh.error().kind));
+        writer(mesh.error().message);
+        writer(mesh.error().remedy);
+    }
+    return std::move(writer.bytes);
+}
+
+Result<RiggedMesh> meshFromBytes(std::string_view bytes, const std::string& where) {
+    const std::string_view magic = bytes.substr(0, kMeshMagic.size());
+    if (magic != kMeshMagic && magic != kErrorMagic)
+        return brokenBytes(where);
+    Reader reader(bytes.substr(magic.size()));
+    uint32_t version = 0;
+    reader(version);
+    if (version != kBytesVersion)
+        return brokenBytes(where);
+    if (magic == kErrorMagic)
+        return errorFromBytes(reader, where);
+    RiggedMesh mesh;
+    fields(reader, mesh);
+    if (!reader.finished())
+        return brokenBytes(where);
+    if (const Status checked = checkRiggedMesh(mesh, where); !checked)
+        return checked.error();
+    return mesh;
+}
+
+}  // namespace noctule
