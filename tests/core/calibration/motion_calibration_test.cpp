@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "core/calibration/rest_pose_calibration.h"
+#include "core/formats/bvh.h"
 #include "core/math/rotation.h"
 #include "tests/support/guided_motion.h"
 #include "tests/support/observed_take.h"
@@ -126,6 +127,15 @@ TEST_F(GuidedMovement, CanBeCancelled) {
     const auto report = calibrateMotion({take_->observations}, plainSettings(), {nullptr, &cancel});
     ASSERT_FALSE(report);
     EXPECT_EQ(report.error().kind, ErrorKind::kCancelled);
+}
+
+/// For programs that take motions from files: packaging/acceptance/calibration.py.
+TEST(GuidedMovementFile, IsWrittenAsAFile) {
+    const char* path = std::getenv("NOCTULE_GUIDED_BVH");
+    if (!path)
+        GTEST_SKIP() << "set NOCTULE_GUIDED_BVH to the file to write";
+    ASSERT_TRUE(writeBvh(path, test::GuidedMotion::clip(), {}, true));
+    std::printf("guided movement: %s\n", path);
 }
 
 TEST(MotionCalibration, StandingStillIsTooLittleMovement) {
