@@ -58,7 +58,7 @@ void ArrowheadSystem::addPair(const ResidualBlock& residuals, const ColumnBlock&
 void ArrowheadSystem::add(const ResidualBlock& residuals) {
     const Vector3d weighted = residuals.weight.cwiseProduct(residuals.residual);
     for (const ColumnBlock& a : residuals.columns) {
-        const Vector3d gradient = a.J.topRows(residuals.rows).transpose() * weighted.head(residuals.rows);
+        const Vector3d gradient = a.J.transpose() * weighted;  // what stands below `rows` is zero
         if (a.border)
             border_gradient_.segment(a.first, a.width) += gradient.head(a.width);
         else
@@ -110,12 +110,12 @@ void ArrowheadSystem::substituteBack() {
     }
 }
 
-bool ArrowheadSystem::solve(double damping) {
+bool ArrowheadSystem::solve(double damping, const JobContext& job) {
     for (Node& node : nodes_)
         node.own.diagonal() *= 1 + damping;
     corner_.diagonal() *= 1 + damping;
     for (int k = 0; k < static_cast<int>(nodes_.size()); ++k)
-        if (!eliminate(k))
+        if (job.cancelled() || !eliminate(k))
             return false;
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(corner_);
     if (factor.info() != Eigen::Success)

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/job/job.h"
 #include "core/math/conventions.h"
 
 namespace noctule {
@@ -22,7 +23,7 @@ struct ColumnBlock {
 
 /// Up to three linearised residuals on at most three nodes in a row: residual + sum of J * step.
 struct ResidualBlock {
-    int first_node = 0, rows = 3;
+    int first_node = 0, rows = 3;  ///< below `rows` residual and J are zero
     Vector3d residual = Vector3d::Zero();
     Vector3d weight = Vector3d::Ones();  ///< 1 / variance
     std::vector<ColumnBlock> columns{};  ///< may overlap
@@ -39,8 +40,8 @@ public:
     void add(const ResidualBlock& residuals);
 
     /// Minimises the sum of squares; with `damping` times the diagonal added. False when it is not positive
-    /// definite; the system is used up in both cases.
-    bool solve(double damping);
+    /// definite or the job is cancelled; the system is used up in every case.
+    bool solve(double damping, const JobContext& job = {});
     /// After solve(): the nodes' steps, the border's, and the border's covariance.
     const Eigen::MatrixXd& nodeSteps() const { return node_step_; }  ///< node size x nodes
     const Eigen::VectorXd& borderStep() const { return border_step_; }

@@ -79,10 +79,11 @@ void MotionFit::addData(ResidualBlock& block, double sigma, double copies, std::
         sizes.push_back(std::abs(block.residual[row]));
 }
 
-void MotionFit::addReadings(const MotionUnknowns& unknowns, size_t index, Round& round) const {
+void MotionFit::addReadings(const MotionUnknowns& unknowns, size_t index, Round& round,
+                            const JobContext& job) const {
     const MotionEvidence& take = takes_[index];
     const double copies = std::max(1.0, settings_.correlation_s / settings_.step_s);
-    for (int b = 0; b < layout_.boards; ++b) {
+    for (int b = 0; b < layout_.boards && !job.cancelled(); ++b) {
         const auto board = static_cast<size_t>(b);
         for (int k = 0; k < take.nodes; ++k) {
             const double since_middle_s = (k - take.nodes / 2.0) * take.step_s;
@@ -100,6 +101,8 @@ void MotionFit::addReadings(const MotionUnknowns& unknowns, size_t index, Round&
         }
     }
     for (const HeardDistance& heard : take.distances) {
+        if (job.cancelled())
+            return;
         const auto board = static_cast<size_t>(heard.board);
         auto block = model_.distance(unknowns, heard, firstNode(index));
         addData(block, noise_.distance_m[board] / heard.confidence,
@@ -133,7 +136,7 @@ void MotionFit::assemble(const MotionUnknowns& unknowns, Round& round, const Job
     };
     priors_.addConstants(unknowns, expected_, board_segments_, sink);
     for (size_t take = 0; take < takes_.size() && !job.cancelled(); ++take) {
-        addReadings(unknowns, take, round);
+        addReadings(unknowns, take, round, job);
         addTies(unknowns, take, sink);
     }
 }
@@ -168,9 +171,10 @@ Result<MotionFitResult> MotionFit::run(MotionUnknowns start, const JobContext& j
         result.after = round.sizes.sizes();
         if (result.iterations == 0)
             result.before = result.after;
+        const bool solved = std::isfinite(round.cost) && round.system.solve(kDamping, job);
         if (job.cancelled())
             return JobContext::cancelledError();
-        if (!std::isfinite(round.cost) || !round.system.solve(kDamping)) {
+        if (!solved) {
             result.converged = false;
             return result;
         }

@@ -39,7 +39,7 @@ private:
     struct Sizes;
     void assemble(const MotionUnknowns& unknowns, Round& round, const JobContext& job) const;
     double largestTurn(const ArrowheadSystem& solved) const;
-    void addReadings(const MotionUnknowns& unknowns, size_t take, Round& round) const;
+    void addReadings(const MotionUnknowns& unknowns, size_t take, Round& round, const JobContext& job) const;
     void addTies(const MotionUnknowns& unknowns, size_t take, const ResidualSink& sink) const;
     void addData(ResidualBlock& block, double sigma, double copies, std::vector<double>& sizes,
                  Round& round) const;
