@@ -162,6 +162,8 @@ TEST(ArrowheadSystem, SolvesAsADenseSolverDoes) {
             block.addNode(first, matrix());
         block.addBorder(i % 2 ? 0 : 2, matrix());
         block.addBorder(4, Vector3d(random.gaussianVector(1)));
+        for (ColumnBlock& part : block.columns)
+            part.J.bottomRows(3 - block.rows).setZero();
         Eigen::MatrixXd J = Eigen::MatrixXd::Zero(block.rows, kAll);
         for (const ColumnBlock& part : block.columns)
             J.middleCols(part.border ? kNodes * kNode + part.first : block.first_node * kNode + part.first,
