@@ -16,7 +16,7 @@ namespace {
 /// Beyond it a board was put on otherwise than the suit says, and the calibration in force knows better.
 constexpr double kPutOnOtherwise_rad = radians(15);
 /// Of the prior's sigma: below, the movement has shown more than the rest pose and the suit knew.
-constexpr double kObservedShare = 0.4;
+constexpr double kObservedShare = 0.25;
 
 ExpectedConstants expectedOf(const Observations& take) {
     ExpectedConstants expected;
