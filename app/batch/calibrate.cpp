@@ -17,6 +17,7 @@ struct Plan {
                                        const JobContext&) = nullptr;
     bool hears = false;            ///< --detector
     bool knows_performer = false;  ///< --actor
+    bool measures = false;         ///< --actor-out
     bool checks_only = false;      ///< --calibration, and nothing but a report is written
 };
 
@@ -37,12 +38,14 @@ Result<CalibrateRequest> requestOf(const Arguments& arguments, const Plan& plan)
 }
 
 struct Outputs {
-    std::string calibration, report;  ///< empty: not wanted
+    std::string calibration, report, actor;  ///< empty: not wanted
     bool overwrite = false, force = false;
 };
 
 Outputs outputsOf(const Arguments& arguments, const Plan& plan) {
-    Outputs outputs{"", arguments.text("report"), arguments.given("overwrite"), false};
+    Outputs outputs{"", arguments.text("report"), "", arguments.given("overwrite"), false};
+    if (plan.measures)
+        outputs.actor = arguments.text("actor-out");
     if (!plan.checks_only) {
         outputs.calibration = arguments.text("out");
         outputs.force = arguments.given("force");
@@ -58,6 +61,9 @@ Status write(const CalibrationResult& result, const Outputs& outputs, bool refus
             return done;
     if (refused)
         return Done{};
+    if (result.actor && !outputs.actor.empty())
+        if (Status done = writeJson(outputs.actor, toJson(*result.actor), outputs.overwrite); !done)
+            return done;
     if (outputs.calibration.empty())
         return Done{};
     return writeJson(outputs.calibration, toJson(result.calibration), outputs.overwrite);
@@ -78,7 +84,8 @@ Result<Outcome> run(const VerbContext& context, const Plan& plan) {
     if (!request)
         return request.error();
     const Outputs outputs = outputsOf(context.arguments, plan);
-    if (Status free = checkOutputs({outputs.calibration, outputs.report}, outputs.overwrite); !free)
+    if (Status free = checkOutputs({outputs.calibration, outputs.report, outputs.actor}, outputs.overwrite);
+        !free)
         return free.error();
     const auto result = plan.solve(*request, context.arguments, context.job());
     if (!result)
@@ -236,6 +243,24 @@ Verb calibrateRestPoseVerb() {
         };
         return run(context,
                    {.verb = "calibrate rest-pose", .solve = solve, .hears = true, .knows_performer = true});
+    };
+    return verb;
+}
+
+Verb calibrateMotionVerb() {
+    Verb verb = calibrationVerb(
+        "motion", "find mounting, bones and sources from 30 to 60 s of movement that begins in the rest pose",
+        "T.noctule...", "moves_001.noctule --base worn.json --out moved.json --actor-out performer.json",
+        {actorOption(), text("actor-out", "A.json", "the performer with the bones found"), detectorOption()});
+    verb.run = [](const VerbContext& context) {
+        const auto solve = [](const CalibrateRequest& request, const Arguments&, const JobContext& job) {
+            return calibrateMotion(request, job);
+        };
+        return run(context, {.verb = "calibrate motion",
+                             .solve = solve,
+                             .hears = true,
+                             .knows_performer = true,
+                             .measures = true});
     };
     return verb;
 }

@@ -55,6 +55,11 @@ std::string verbList(bool later) {
     return text;
 }
 
+std::string laterVerbs() {
+    const std::string later = verbList(true);
+    return later.empty() ? "" : "\nnot yet available:\n" + later;
+}
+
 }  // namespace
 
 std::string optionList(const std::vector<Option>& options, bool later) {
@@ -71,8 +76,7 @@ std::string programHelp() {
            "       noctule --batch VERB [ARGUMENTS]\n"
            "       noctule --batch VERB --help\n"
            "       noctule --help | --version\n\nverbs:\n" +
-           verbList(false) + "\nnot yet available:\n" + verbList(true) + "\nafter every verb:\n" +
-           optionList(commonOptions(), false) +
+           verbList(false) + laterVerbs() + "\nafter every verb:\n" + optionList(commonOptions(), false) +
            "\nexit codes: 0 done, 1 internal error, 2 usage, 3 input unreadable or not what it should be,\n"
            "4 input readable but not usable, 5 device, 6 disk, 130 cancelled.\n\n"
            "example: " +

@@ -57,6 +57,7 @@ Verb calibrateSourcesVerb();
 Verb calibrateAccelerometersVerb();
 Verb calibrateGyroscopesVerb();
 Verb calibrateRestPoseVerb();
+Verb calibrateMotionVerb();
 Verb checkVerb();
 
 /// {"exit_code", "message", "remedy"}

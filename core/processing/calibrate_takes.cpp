@@ -151,6 +151,19 @@ Result<CalibrationResult> calibrateRestPose(const CalibrateRequest& request, con
     return resultOf(*report, request, *evidence, "rest-pose", report->applied(evidence->base, take.suit));
 }
 
+Result<CalibrationResult> calibrateMotion(const CalibrateRequest& request, const JobContext& job) {
+    const auto evidence = gather(request, job);
+    if (!evidence)
+        return evidence.error();
+    const auto report = calibrateMotion(evidence->takes, MotionSettings{}, job);
+    if (!report)
+        return report.error();
+    const Observations& take = evidence->takes[0];
+    auto result = resultOf(*report, request, *evidence, "motion", report->applied(evidence->base, take.suit));
+    result.actor = report->applied(take.actor);
+    return result;
+}
+
 Result<CalibrationResult> checkStill(const CalibrateRequest& request, const JobContext& job) {
     const auto evidence = gather(request, job);
     if (!evidence)

@@ -33,6 +33,7 @@ struct CalibrationResult {
     Calibration calibration;
     CalibrationDocument document;  ///< for people
     nlohmann::json json;           ///< values, sigmas, residuals, verdict, reasons: for machines
+    std::optional<Actor> actor{};  ///< with new measures, where a procedure finds any
 
     Grade grade() const { return gradeOf(document.findings); }
 };
@@ -45,6 +46,8 @@ Result<CalibrationResult> calibrateGyroscopes(const CalibrateRequest& request, d
                                               const JobContext& job);
 /// Of one take.
 Result<CalibrationResult> calibrateRestPose(const CalibrateRequest& request, const JobContext& job);
+/// Of takes of one performer; the result's actor has the bones found.
+Result<CalibrationResult> calibrateMotion(const CalibrateRequest& request, const JobContext& job);
 /// A still pose against the request's calibration; the result's calibration is that one.
 Result<CalibrationResult> checkStill(const CalibrateRequest& request, const JobContext& job);
 

@@ -259,6 +259,88 @@ CalibrationDocument documentOf(const RestPoseReport& report) {
     return found;
 }
 
+namespace {
+
+/// Three numbers of a board's axes.
+std::string axesText(const Vector3d& values, int decimals) {
+    return text::number(values.x(), decimals) + " " + text::number(values.y(), decimals) + " " +
+           text::number(values.z(), decimals);
+}
+
+CalibrationTable motionBoards(const MotionReport& report) {
+    CalibrationTable table{
+        "Boards",
+        "How each sits on its segment. A turn that no movement shows keeps the sigma that the rest pose "
+        "leaves "
+        "it: of hands, feet and head, and of a limb about its own bone.",
+        {"board", "turned, °", "sigma about x y z, °", "axes seen", "place, sigma, mm", "tissue, °"},
+        {}};
+    for (const BoardInMotion& board : report.boards)
+        if (board.measured)
+            table.rows.push_back(
+                {board.id, inDegrees(board.turned_rad), axesText(board.sigma_turn_rad * degrees(1), 2),
+                 std::to_string(board.observed[0] + board.observed[1] + board.observed[2]),
+                 axesText(board.sigma_place_m * kMillimetres, 1), inDegrees(board.tissue_spread_rad)});
+    return table;
+}
+
+CalibrationTable motionBody(const MotionReport& report) {
+    CalibrationTable table{"Bones",
+                           "Factor on the length that the performer's measures give.",
+                           {"joint at the lower end", "factor", "sigma"},
+                           {}};
+    for (const BoneInMotion& bone : report.bones)
+        table.rows.push_back(
+            {text::jointLabel(bone.joint), text::number(bone.scale, 4), text::number(bone.sigma, 4)});
+    return table;
+}
+
+CalibrationTable motionSources(const MotionReport& report) {
+    CalibrationTable table{"Sources",
+                           "Where each sits on its segment, and what its distances are too long by.",
+                           {"source", "place, mm", "sigma, mm", "too long, mm", "sigma, mm"},
+                           {}};
+    for (const SourceInMotion& source : report.sources)
+        table.rows.push_back({source.id, axesText(source.p_segment_source_m * kMillimetres, 1),
+                              axesText(source.sigma_place_m * kMillimetres, 1), millimetres(source.offset_m),
+                              millimetres(source.sigma_offset_m)});
+    return table;
+}
+
+}  // namespace
+
+CalibrationDocument documentOf(const MotionReport& report) {
+    const std::string moved = text::number(report.moved_s, 0) + " s of movement";
+    if (!report.fitted())
+        return document("Movement", "Nothing could be found from " + moved, report.findings, {});
+    CalibrationDocument found =
+        document("Movement",
+                 "Mounting of " + counted(report.boards, &BoardInMotion::measured) + " boards from " + moved +
+                     " with " + text::plural(report.distances, "distance", "distances"),
+                 report.findings, {motionBoards(report), motionBody(report), motionSources(report)});
+    CalibrationErrors errors{"What is left over of each board's distances", "mm", 5, {}};
+    double seen_square = 0, seen = 0, axes = 0;
+    for (const BoardInMotion& board : report.boards) {
+        if (!board.measured)
+            continue;
+        errors.rows.push_back(
+            {board.id, {board.before.distance_m * kMillimetres}, {board.after.distance_m * kMillimetres}});
+        for (int axis = 0; axis < 3; ++axis, ++axes)
+            if (board.observed[axis]) {
+                seen_square += board.sigma_turn_rad[axis] * board.sigma_turn_rad[axis];
+                ++seen;
+            }
+    }
+    found.numbers = {number(degrees(std::sqrt(seen_square / std::max(1.0, seen))), 0.7, 2, "°",
+                            "sigma of the turns that the movement shows"),
+                     numberOfParts(text::number(seen, 0) + " of " + text::number(axes, 0), "turns shown"),
+                     {text::number(100 * (report.sound_scale - 1), 2) + " %", "change of the speed of sound",
+                      "", Grade::kGood},
+                     {std::to_string(report.distances), "distances heard", "", Grade::kGood}};
+    found.errors = std::move(errors);
+    return found;
+}
+
 CalibrationDocument documentOf(const StillCheckReport& report) {
     CalibrationTable boards{"Boards",
                             "Against the calibration in force.",

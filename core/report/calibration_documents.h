@@ -7,6 +7,7 @@
 
 #include "core/calibration/accelerometer_calibration.h"
 #include "core/calibration/gyroscope_calibration.h"
+#include "core/calibration/motion_calibration.h"
 #include "core/calibration/rest_pose_calibration.h"
 #include "core/calibration/source_offsets.h"
 #include "core/calibration/still_check.h"
@@ -18,6 +19,7 @@ CalibrationDocument documentOf(const SourceOffsetReport& report);
 CalibrationDocument documentOf(const AccelerometerReport& report);
 CalibrationDocument documentOf(const GyroscopeReport& report);
 CalibrationDocument documentOf(const RestPoseReport& report);
+CalibrationDocument documentOf(const MotionReport& report);
 CalibrationDocument documentOf(const StillCheckReport& report);
 
 /// Members of one procedure alone; verdict and reasons are the same for all (findingsJson).
@@ -25,6 +27,7 @@ nlohmann::json toJson(const SourceOffsetReport& report);
 nlohmann::json toJson(const AccelerometerReport& report);
 nlohmann::json toJson(const GyroscopeReport& report);
 nlohmann::json toJson(const RestPoseReport& report);
+nlohmann::json toJson(const MotionReport& report);
 nlohmann::json toJson(const StillCheckReport& report);
 
 /// {"verdict": "usable", "reasons": [sentence...], "findings": [{"verdict", "part", "what", "remedy"}...]}

@@ -139,6 +139,51 @@ Json toJson(const RestPoseReport& report) {
             {"converged", report.converged}};
 }
 
+Json toJson(const LeftOver& left) {
+    return {{"turn_deg", degrees(left.turn_rad)},
+            {"force_m_per_s2", left.force_m_per_s2},
+            {"distance_m", left.distance_m}};
+}
+
+Json toJson(const BoardInMotion& board) {
+    Json row{{"id", board.id}, {"measured", board.measured}};
+    if (!board.measured)
+        return row;
+    row.update({{"q_segment_board", json::fromQuaternion(board.q_segment_board)},
+                {"sigma_turn_deg", json::fromVector(board.sigma_turn_rad * degrees(1))},
+                {"observed", board.observed},
+                {"turned_deg", degrees(board.turned_rad)},
+                {"p_segment_board_m", json::fromVector(board.p_segment_board_m)},
+                {"sigma_place_m", json::fromVector(board.sigma_place_m)},
+                {"tissue_mean_deg", degrees(board.tissue_mean_rad)},
+                {"tissue_spread_deg", degrees(board.tissue_spread_rad)},
+                {"before", toJson(board.before)},
+                {"after", toJson(board.after)}});
+    return row;
+}
+
+Json toJson(const MotionReport& report) {
+    Json boards = Json::array(), sources = Json::array(), bones = Json::array();
+    for (const BoardInMotion& board : report.boards)
+        boards.push_back(toJson(board));
+    for (const SourceInMotion& source : report.sources)
+        sources.push_back({{"id", source.id},
+                           {"p_segment_source_m", json::fromVector(source.p_segment_source_m)},
+                           {"sigma_place_m", json::fromVector(source.sigma_place_m)},
+                           {"offset_m", source.offset_m},
+                           {"sigma_offset_m", source.sigma_offset_m}});
+    for (const BoneInMotion& bone : report.bones)
+        bones.push_back({{"joint", bone.joint}, {"scale", bone.scale}, {"sigma", bone.sigma}});
+    return {{"boards", boards},
+            {"sources", sources},
+            {"bones", bones},
+            {"sound", {{"scale", report.sound_scale}, {"sigma", report.sigma_sound_scale}}},
+            {"moved_s", report.moved_s},
+            {"distances", report.distances},
+            {"iterations", report.iterations},
+            {"converged", report.converged}};
+}
+
 Json toJson(const StillCheckReport& report) {
     Json boards = Json::array(), pairs = Json::array();
     for (const BoardStillCheck& board : report.boards) {

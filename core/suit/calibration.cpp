@@ -69,6 +69,8 @@ nlohmann::json toJson(const SourceCalibration& source) {
         members["resonance_hz"] = *source.resonance_hz;
     if (source.q)
         members["q"] = *source.q;
+    if (source.p_segment_source_m)
+        members["p_segment_source_m"] = json::fromVector(*source.p_segment_source_m);
     return members;
 }
 
@@ -119,6 +121,7 @@ SourceCalibration readSourceCalibration(JsonObject& json, std::optional<Error>& 
     source.sigma_s = readSeconds(json, "sigma_s");
     source.resonance_hz = json.optionalPositive("resonance_hz");
     source.q = json.optionalPositive("q");
+    source.p_segment_source_m = json.optionalVector("p_segment_source_m");
     return source;
 }
 

@@ -51,6 +51,7 @@ struct SourceCalibration {
         offsets_s;  ///< detector name -> reported time at distance 0; "start" reserved
     std::map<std::string, double> sigma_s;
     std::optional<double> resonance_hz, q;
+    std::optional<Vector3d> p_segment_source_m = {};  ///< corrected place, replaces the suit's
     std::string serial;
     CalibrationHistory made;
 };

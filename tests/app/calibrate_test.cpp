@@ -3,10 +3,12 @@
 // is kept, what is refused.
 #include <cmath>
 
+#include "core/formats/bvh.h"
 #include "core/math/rotation.h"
 #include "core/suit/calibration.h"
 #include "core/suit/default_suit.h"
 #include "core/vision/marker_plan.h"
+#include "tests/support/guided_motion.h"
 #include "tests/support/photographed_jig.h"
 #include "tests/support/program_run.h"
 
@@ -92,6 +94,42 @@ TEST_F(CalibrateByCommand, RigsAndRestPoseMakeTheCalibrationOfAWornSuit) {
     const Ran moved = batch({"check", takeOf("rest"), "--calibration", file("slipped.json")});
     EXPECT_EQ(moved.exit_code, 4) << moved.out;
     EXPECT_NE(moved.err.find("left forearm, has slipped"), std::string::npos) << moved.err;
+}
+
+TEST_F(CalibrateByCommand, MovementTellsMountingAndBonesAndStandingStillDoesNot) {
+    ASSERT_TRUE(writeBvh(file("guided.bvh"), GuidedMotion::clip(16), {}, true));
+    ASSERT_EQ(batch({"simulate", "--motion", file("guided.bvh"), "--level", "readings", "--out",
+                     takeOf("guided"), "--seed", "5"})
+                  .exit_code,
+              0);
+    const Ran moved = calibrate({"motion", takeOf("guided"), "--out", file("moved.json"), "--actor-out",
+                                 file("performer.json"), "--report", file("moved.html"), "--json"});
+    ASSERT_EQ(moved.exit_code, 0) << moved.err;
+    EXPECT_EQ(moved.json().at("verdict"), "good") << moved.json().at("reasons");
+    EXPECT_EQ(moved.json().at("boards").size(), 18u);
+    EXPECT_TRUE(moved.json().at("boards")[0].contains("sigma_turn_deg"));
+    EXPECT_NE(readBytes(file("moved.html")).find("Bones"), std::string::npos);
+    const Calibration found = read(file("moved.json"));
+    for (const BoardCalibration& board : found.boards)
+        EXPECT_EQ(board.made.at("motion").verdict, "good") << board.id;
+    EXPECT_TRUE(found.sources[0].p_segment_source_m);
+    EXPECT_EQ(batch({"process", takeOf("guided"), "--calibration", file("moved.json"), "--actor",
+                     file("performer.json")})
+                  .exit_code,
+              0);
+
+    simulate("rest", {"--duration", "20"});
+    const std::vector<std::string> still{"motion",           takeOf("rest"), "--out",
+                                         file("still.json"), "--actor-out",  file("still_actor.json")};
+    const Ran refused = calibrate(still);
+    EXPECT_EQ(refused.exit_code, 4);
+    EXPECT_NE(refused.err.find("movement"), std::string::npos) << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(file("still.json")) ||
+                 std::filesystem::exists(file("still_actor.json")));
+    std::vector<std::string> forced = still;
+    forced.push_back("--force");
+    EXPECT_EQ(calibrate(forced).exit_code, 0);
+    EXPECT_TRUE(std::filesystem::exists(file("still.json")));
 }
 
 TEST_F(CalibrateByCommand, WhatCannotBeUsedIsRefusedWithItsReasonAndNothingIsWritten) {

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/calibration/motion_calibration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/calibration/motion_findings.h"
+#include "core/calibration/motion_fit.h"
+#include "core/calibration/motion_start.h"
+#include "core/math/rotation.h"
+#include "core/suit/calibration_entries.h"
+
+namespace noctule {
+namespace {
+
+/// Beyond it a board was put on otherwise than the suit says, and the calibration in force knows better.
+constexpr double kPutOnOtherwise_rad = radians(15);
+/// Of the prior's sigma: below, the movement has shown more than the rest pose and the suit knew.
+constexpr double kObservedShare = 0.25;
+
+ExpectedConstants expectedOf(const Observations& take) {
+    ExpectedConstants expected;
+    for (const Board& board : take.suit.boards) {
+        BoardConstants constants;
+        constants.q_segment_board = board.q_segment_board;
+        constants.p_segment_board_m = board.p_segment_board_m;
+        const BoardCalibration* known = take.calibration.findBoard(board.id);
+        if (known && known->q_segment_board &&
+            angleBetween(*known->q_segment_board, board.q_segment_board) > kPutOnOtherwise_rad)
+            constants.q_segment_board = *known->q_segment_board;
+        expected.boards.push_back(constants);
+    }
+    for (const Source& source : take.suit.sources)
+        expected.sources.push_back({source.p_segment_source_m, 0});
+    return expected;
+}
+
+bool isOnBody(const Observations& take) {
+    const auto known = [&](const auto& part) { return take.actor.skeleton.find(part.segment) >= 0; };
+    return std::ranges::all_of(take.suit.boards, known) && std::ranges::all_of(take.suit.sources, known);
+}
+
+/// Everything that one calibration works on.
+class Workshop {
+public:
+    Workshop(const std::vector<Observations>& takes, const MotionSettings& settings)
+        : takes_(takes),
+          settings_(settings),
+          body_(takes[0].actor),
+          layout_{body_.size(), static_cast<int>(takes[0].suit.boards.size()),
+                  static_cast<int>(takes[0].suit.sources.size()), static_cast<int>(body_.bones().size()),
+                  settings.flesh},
+          model_(body_, takes[0], layout_, settings.step_s),
+          expected_(expectedOf(takes[0])) {}
+
+    /// False when there is nothing to fit.
+    bool prepare(MotionReport& report);
+    Status fit(MotionReport& report, const JobContext& job);
+
+private:
+    bool readTake(const Observations& take, MotionReport& report);
+    void fillBoard(const MotionFitResult& found, int index, BoardInMotion& board) const;
+    void fillTissue(const MotionFitResult& found, int index, BoardInMotion& board) const;
+    Vector3d sigma(const MotionFitResult& found, int first) const {
+        return found.cov_border.diagonal().segment<3>(first).cwiseSqrt();
+    }
+
+    const std::vector<Observations>& takes_;
+    const MotionSettings& settings_;
+    MotionBody body_;
+    MotionLayout layout_;
+    MotionModel model_;
+    ExpectedConstants expected_;
+    std::vector<MotionEvidence> evidence_;
+    MotionUnknowns start_;
+    std::vector<int> rest_of_node_;
+};
+
+bool Workshop::readTake(const Observations& take, MotionReport& report) {
+    const StillStretch still = findStillStretch(take);
+    if (!still.isUsable()) {
+        report.findings.push_back({Grade::kNotUsable, "",
+                                   take.take + ": there is no second of standing still to begin with",
+                                   "Stand still in the rest pose for three seconds, then move"});
+        return false;
+    }
+    evidence_.push_back(readMotion(take, still, settings_.step_s, settings_.longest_s));
+    const MotionEvidence& evidence = evidence_.back();
+    addEvidenceFindings(take, still, evidence, report.findings);
+    report.moved_s += std::max(0, evidence.nodes - evidence.still_nodes) * evidence.step_s;
+    report.distances += static_cast<int>(evidence.distances.size());
+    for (size_t b = 0; b < still.boards.size(); ++b)
+        if (still.boards[b].heard())
+            report.boards[b].gyro_zero_counts = still.boards[b].gyro_counts;
+    return evidence.nodes > 3;
+}
+
+bool Workshop::prepare(MotionReport& report) {
+    for (const Observations& take : takes_)
+        if (!readTake(take, report))
+            return false;
+    std::vector<Quaterniond> q_segment_board;
+    for (const MotionEvidence& evidence : evidence_) {
+        const int first = static_cast<int>(start_.nodes.size());
+        appendFirstNodes(body_, model_, evidence, expected_, q_segment_board, start_.nodes);
+        rest_of_node_.resize(start_.nodes.size(), first + evidence.still_nodes / 2);
+    }
+    addMovementFindings(settings_, body_, start_.nodes, report.moved_s, report.findings);
+    start_.boards = expected_.boards;
+    for (size_t b = 0; b < start_.boards.size(); ++b)
+        start_.boards[b].q_segment_board = q_segment_board[b];
+    start_.sources = expected_.sources;
+    start_.bone_scale.assign(body_.bones().size(), 1);
+    const auto is_about_movement = [](const Finding& finding) {
+        return finding.grade == Grade::kNotUsable && finding.part.empty();
+    };
+    return std::ranges::none_of(report.findings, is_about_movement);
+}
+
+void Workshop::fillTissue(const MotionFitResult& found, int index, BoardInMotion& board) const {
+    const auto b = static_cast<size_t>(index);
+    const int segment = model_.boardSegment(index);
+    std::vector<Vector3d> tilts;
+    Vector3d mean = Vector3d::Zero();
+    for (size_t k = 0; k < found.unknowns.nodes.size(); ++k) {
+        const auto rest = static_cast<size_t>(rest_of_node_[k]);
+        tilts.push_back(found.unknowns.boards[b].tilt_rad *
+                        (jointFeatures(body_, found.unknowns.nodes[k], segment) -
+                         jointFeatures(body_, found.unknowns.nodes[rest], segment)));
+        mean += tilts.back() / static_cast<double>(found.unknowns.nodes.size());
+    }
+    double square = 0;
+    for (const Vector3d& tilt : tilts)
+        square += (tilt - mean).squaredNorm() / static_cast<double>(tilts.size());
+    board.tissue_mean_rad = mean.norm();
+    board.tissue_spread_rad = std::sqrt(square);
+}
+
+void Workshop::fillBoard(const MotionFitResult& found, int index, BoardInMotion& board) const {
+    const auto b = static_cast<size_t>(index);
+    const BoardConstants& constants = found.unknowns.boards[b];
+    board.measured =
+        std::ranges::all_of(evidence_, [b](const MotionEvidence& evidence) { return evidence.isHeard(b); });
+    if (!board.measured)
+        return;
+    board.q_segment_board = constants.q_segment_board;
+    board.sigma_turn_rad = sigma(found, layout_.mounting(index));
+    for (int axis = 0; axis < 3; ++axis)
+        board.observed[axis] = board.sigma_turn_rad[axis] < kObservedShare * settings_.sigma_mounting_rad;
+    const BoardCalibration* known = takes_[0].calibration.findBoard(board.id);
+    board.turned_rad = angleBetween(
+        constants.q_segment_board,
+        known && known->q_segment_board ? *known->q_segment_board : takes_[0].suit.boards[b].q_segment_board);
+    board.p_segment_board_m = constants.p_segment_board_m;
+    board.sigma_place_m = sigma(found, layout_.place(index));
+    board.gyro_zero_rad_per_s = constants.gyro_zero_rad_per_s;
+    board.accel_zero_m_per_s2 = constants.accel_zero_m_per_s2;
+    fillTissue(found, index, board);
+    const auto leftOver = [&](const MotionResidualSizes& sizes) {
+        return LeftOver{sizes.gyro_rad[b], sizes.accel_m_per_s2[b], sizes.distance_m[b]};
+    };
+    board.before = leftOver(found.before);
+    board.after = leftOver(found.after);
+}
+
+Status Workshop::fit(MotionReport& report, const JobContext& job) {
+    MotionFit fit(body_, model_, layout_, settings_, evidence_, expected_);
+    const auto found = fit.run(start_, job);
+    if (!found)
+        return found.error();
+    report.iterations = found->iterations;
+    report.converged = found->converged;
+    if (!report.converged)
+        return Done{};
+    for (int b = 0; b < layout_.boards; ++b)
+        fillBoard(*found, b, report.boards[static_cast<size_t>(b)]);
+    const auto sigmaOf = [&](int column) { return std::sqrt(found->cov_border(column, column)); };
+    for (int s = 0; s < layout_.sources && report.distances > 0; ++s) {
+        const SourceConstants& source = found->unknowns.sources[static_cast<size_t>(s)];
+        report.sources.push_back({takes_[0].suit.sources[static_cast<size_t>(s)].id,
+                                  source.p_segment_source_m, sigma(*found, layout_.source(s)),
+                                  source.offset_m, sigmaOf(layout_.offset(s))});
+    }
+    for (int bone = 0; bone < layout_.bones; ++bone)
+        report.bones.push_back({takes_[0].actor.skeleton.joint(body_.bones()[static_cast<size_t>(bone)]).name,
+                                found->unknowns.bone_scale[static_cast<size_t>(bone)],
+                                sigmaOf(layout_.bone(bone))});
+    report.sound_scale = 1 / found->unknowns.sound_scale;
+    report.sigma_sound_scale = sigmaOf(layout_.soundScale());
+    return Done{};
+}
+
+}  // namespace
+
+Calibration MotionReport::applied(const Calibration& base, const Suit& suit) const {
+    Calibration calibration = base;
+    for (size_t b = 0; b < boards.size(); ++b) {
+        const BoardInMotion& board = boards[b];
+        if (!board.measured)
+            continue;
+        BoardCalibration& known = entryOf(calibration, suit.boards[b]);
+        known.q_segment_board = board.q_segment_board;
+        known.p_segment_board_m = board.p_segment_board_m;
+        known.gyro.zero_counts =
+            board.gyro_zero_counts + known.gyro.matrix.partialPivLu().solve(board.gyro_zero_rad_per_s);
+        known.accel.zero_counts += known.accel.matrix.partialPivLu().solve(board.accel_zero_m_per_s2);
+    }
+    for (size_t s = 0; s < sources.size(); ++s) {
+        SourceCalibration& known = entryOf(calibration, suit.sources[s]);
+        if (known.offsets_s.contains(detector))
+            known.offsets_s[detector] += sources[s].offset_m / c_m_per_s;
+        known.p_segment_source_m = sources[s].p_segment_source_m;
+    }
+    if (!sources.empty() && calibration.sound.kind != SoundModel::Kind::kFixed)
+        calibration.sound.scale *= sound_scale;
+    return calibration;
+}
+
+Actor MotionReport::applied(const Actor& actor) const {
+    std::vector<Joint> joints = actor.skeleton.joints();
+    for (const BoneInMotion& bone : bones)
+        for (Joint& joint : joints)
+            if (joint.name == bone.joint)
+                joint.offset_m *= bone.scale;
+    Actor measured = actor;
+    measured.skeleton = Skeleton::make(std::move(joints)).value();
+    return measured;
+}
+
+Result<MotionReport> calibrateMotion(const std::vector<Observations>& takes, const MotionSettings& settings,
+                                     const JobContext& job) {
+    require(!takes.empty(), "a calibration from motion without takes");
+    MotionReport report;
+    report.detector = takes[0].detector;
+    for (const Board& board : takes[0].suit.boards) {
+        report.boards.emplace_back();
+        report.boards.back().id = board.id;
+    }
+    if (!takes[0].flights.empty())
+        report.c_m_per_s = takes[0].flights.front().c_m_per_s;
+    if (takes[0].actor.skeleton.size() == 0 || !isOnBody(takes[0])) {
+        report.findings.push_back({Grade::kNotUsable, "",
+                                   takes[0].take + ": a board or source is not on the performer's body",
+                                   "Record with the suit worn, and with an actor that has its segments"});
+        return report;
+    }
+    Workshop workshop(takes, settings);
+    if (!workshop.prepare(report))
+        return report;
+    if (const Status fitted = workshop.fit(report, job); !fitted)
+        return fitted.error();
+    addResultFindings(takes[0], report, report.findings);
+    job.progress(1, "Movement");
+    return report;
+}
+
+}  // namespace noctule

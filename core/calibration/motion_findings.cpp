@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/calibration/motion_findings.h"
+
+#include <algorithm>
+
+#include "core/body/text.h"
+#include "core/calibration/worn_part_names.h"
+#include "core/math/rotation.h"
+
+namespace noctule {
+namespace {
+
+constexpr double kWellHeardShare = 0.9;
+constexpr double kLeastTurn_rad = radians(5);  // root mean square about a joint's own mean
+constexpr double kStillJointsAllowed = 0.25;   // of all
+constexpr double kMuchTurn_rad = radians(25), kMuchShift_m = 0.04;
+const char* const kMoveAgain =
+    "Move again: squats, arm circles, leg swings, turns of trunk and head, bends of elbows, knees and wrists";
+
+/// How far the segment turns against its parent, about its mean.
+double turnSpread_rad(const MotionBody& body, const std::vector<MotionNode>& nodes, int segment) {
+    const auto s = static_cast<size_t>(segment), parent = static_cast<size_t>(body.segment(segment).parent);
+    std::vector<Vector3d> turns;
+    Vector3d mean = Vector3d::Zero();
+    for (const MotionNode& node : nodes) {
+        const Matrix3d R = node.R_world_segment[parent].transpose() * node.R_world_segment[s];
+        turns.push_back(logQuaternion(body.segment(segment).q_parent_rest.conjugate() * Quaterniond(R)));
+        mean += turns.back() / static_cast<double>(nodes.size());
+    }
+    double square = 0;
+    for (const Vector3d& turn : turns)
+        square += (turn - mean).squaredNorm();
+    return std::sqrt(square / std::max(1.0, static_cast<double>(nodes.size())));
+}
+
+}  // namespace
+
+void addEvidenceFindings(const Observations& take, const StillStretch& still, const MotionEvidence& evidence,
+                         std::vector<Finding>& into) {
+    for (int b = 0; b < static_cast<int>(evidence.heard_share.size()); ++b) {
+        const auto board = static_cast<size_t>(b);
+        const double share = evidence.heard_share[board];
+        if (share >= kWellHeardShare && still.boards[board].heard())
+            continue;
+        const bool lost = !evidence.isHeard(board) || !still.boards[board].heard();
+        into.push_back({lost ? Grade::kNotUsable : Grade::kUsable, take.suit.boards[board].id,
+                        boardName(take.suit, b) + ", is heard in only " + text::number(100 * share, 0) +
+                            " % of the movement in " + take.take,
+                        "Push its plug in until it clicks and see that its readings stay within their range, "
+                        "then move again"});
+    }
+    if (evidence.distances.empty())
+        into.push_back(
+            {Grade::kUsable, "",
+             "No distance took part in " + take.take + ", so lengths and places rest on accelerations alone",
+             "Calibrate the sources first and see that they are plugged in"});
+}
+
+void addMovementFindings(const MotionSettings& settings, const MotionBody& body,
+                         const std::vector<MotionNode>& nodes, double moved_s, std::vector<Finding>& into) {
+    if (moved_s < settings.shortest_s)
+        into.push_back({Grade::kNotUsable, "",
+                        "There are only " + text::number(moved_s, 0) + " s of movement after the rest pose",
+                        "Move for 30 to 60 seconds"});
+    std::vector<std::string> still;
+    for (int s = 1; s < body.size(); ++s)
+        if (turnSpread_rad(body, nodes, s) < kLeastTurn_rad)
+            still.push_back(text::jointLabel(body.segment(s).name));
+    if (still.empty())
+        return;
+    std::string names;
+    for (const std::string& name : still)
+        names += (names.empty() ? "" : ", ") + name;
+    const bool too_many = static_cast<double>(still.size()) > kStillJointsAllowed * (body.size() - 1);
+    into.push_back({too_many ? Grade::kNotUsable : Grade::kUsable, "",
+                    "Too little movement to show how boards sit at: " + names, kMoveAgain});
+}
+
+void addResultFindings(const Observations& take, const MotionReport& report, std::vector<Finding>& into) {
+    for (int b = 0; b < static_cast<int>(report.boards.size()); ++b) {
+        const BoardInMotion& board = report.boards[static_cast<size_t>(b)];
+        const Vector3d shift_m =
+            board.p_segment_board_m - take.suit.boards[static_cast<size_t>(b)].p_segment_board_m;
+        if (board.measured && (board.turned_rad > kMuchTurn_rad || shift_m.norm() > kMuchShift_m))
+            into.push_back({Grade::kUsable, board.id,
+                            boardName(take.suit, b) + ", is found " +
+                                text::number(degrees(board.turned_rad), 0) + "° and " +
+                                text::number(100 * shift_m.norm(), 0) +
+                                " cm from where it was thought to sit",
+                            "Put its strap right or correct the suit file, then calibrate again"});
+    }
+    if (!report.converged)
+        into.push_back({Grade::kNotUsable, "", "The fit of the movement did not converge",
+                        "Record the movement again, from a rest pose that is held still"});
+}
+
+}  // namespace noctule

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// What speaks against a calibration from motion, by name, with the remedy.
+#pragma once
+
+#include "core/calibration/motion_calibration.h"
+#include "core/calibration/motion_evidence.h"
+#include "core/calibration/motion_unknowns.h"
+#include "core/calibration/still_stretch.h"
+
+namespace noctule {
+
+/// Of one take, before anything is fitted.
+void addEvidenceFindings(const Observations& take, const StillStretch& still, const MotionEvidence& evidence,
+                         std::vector<Finding>& into);
+/// Too short, or joints that moved too little to show anything; from the first trajectory of all takes.
+void addMovementFindings(const MotionSettings& settings, const MotionBody& body,
+                         const std::vector<MotionNode>& nodes, double moved_s, std::vector<Finding>& into);
+/// Of what was found.
+void addResultFindings(const Observations& take, const MotionReport& report, std::vector<Finding>& into);
+
+}  // namespace noctule

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Batch least squares over trajectories and constants: Gauss-Newton with robust weights, the noise of every
+// board's readings learnt from what the fit leaves over.
+#pragma once
+
+#include "core/calibration/motion_evidence.h"
+#include "core/calibration/motion_model.h"
+#include "core/calibration/motion_priors.h"
+#include "core/job/job.h"
+
+namespace noctule {
+
+/// Root mean squares, robust; per board.
+struct MotionResidualSizes {
+    std::vector<double> gyro_rad{}, accel_m_per_s2{}, distance_m{};  ///< a step's turn; a force; a distance
+};
+
+struct MotionFitResult {
+    MotionUnknowns unknowns{};
+    Eigen::MatrixXd cov_border{};
+    MotionResidualSizes before{},
+        after{};  ///< what the first trajectory left over with the constants expected
+    int iterations = 0;
+    bool converged = false;
+};
+
+class MotionFit {
+public:
+    /// Keeps references to all.
+    MotionFit(const MotionBody& body, const MotionModel& model, const MotionLayout& layout,
+              const MotionSettings& settings, const std::vector<MotionEvidence>& takes,
+              const ExpectedConstants& expected);
+
+    /// From first nodes and constants.
+    Result<MotionFitResult> run(MotionUnknowns start, const JobContext& job);
+
+private:
+    struct Round;
+    struct Sizes;
+    void assemble(const MotionUnknowns& unknowns, Round& round, const JobContext& job) const;
+    double largestTurn(const ArrowheadSystem& solved) const;
+    void addReadings(const MotionUnknowns& unknowns, size_t take, Round& round, const JobContext& job) const;
+    void addTies(const MotionUnknowns& unknowns, size_t take, const ResidualSink& sink) const;
+    void addData(ResidualBlock& block, double sigma, double copies, std::vector<double>& sizes,
+                 Round& round) const;
+    void learnNoise(const MotionResidualSizes& sizes);
+    int firstNode(size_t take) const { return first_node_[take]; }
+
+    const MotionBody& body_;
+    MotionModel model_;
+    MotionLayout layout_;
+    MotionSettings settings_;
+    const std::vector<MotionEvidence>& takes_;
+    const ExpectedConstants& expected_;
+    MotionPriors priors_;
+    MotionResidualSizes noise_;
+    std::vector<int> first_node_, rest_of_node_, board_segments_;
+};
+
+}  // namespace noctule

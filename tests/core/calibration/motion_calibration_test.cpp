@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calibration from a guided movement: what it finds against the simulator's truth, and what it refuses.
+// NOCTULE_CALIBRATION_TRIALS performers for the full figures.
+#include "core/calibration/motion_calibration.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/calibration/rest_pose_calibration.h"
+#include "core/formats/bvh.h"
+#include "core/math/rotation.h"
+#include "tests/support/guided_motion.h"
+#include "tests/support/observed_take.h"
+
+namespace noctule {
+namespace {
+
+using simulation::Scenario;
+
+Result<test::ObservedTake> guidedTake(const Scenario& scenario, uint64_t seed, double moves_s) {
+    simulation::StageRequest request = test::stageOf(std::nullopt, seed);
+    request.scenario = scenario;
+    request.clip = test::GuidedMotion::clip(moves_s);
+    request.duration_s = moves_s + scenario.rest_seconds;
+    return test::observe(request);
+}
+
+/// Only the mounting is unknown: what the solver does on perfect readings.
+Scenario badlyMounted() {
+    Scenario scenario = Scenario::ideal();
+    scenario.mounting_rad = 0.052;
+    return scenario;
+}
+
+/// A suit whose every value but the mounting is believed; without tissue it is solved in seconds.
+MotionSettings plainSettings() {
+    MotionSettings settings;
+    settings.flesh = false;
+    settings.sigma_place_m = settings.sigma_source_m = 1e-4;
+    settings.sigma_bone = 1e-3;
+    settings.sigma_give_rad = radians(0.3);
+    settings.sigma_rest_rad = settings.sigma_level_rad = radians(0.1);
+    return settings;
+}
+
+/// Errors of the mounting in degrees, about the board's axes.
+struct MountingErrors {
+    double square = 0, seen_square = 0, unseen_square = 0, before_square = 0, sigma_square = 0, worst = 0;
+    int boards = 0, seen = 0, unseen = 0;
+
+    void add(const MotionReport& report, const test::ObservedTake& take, const RestPoseReport* rest) {
+        for (size_t b = 0; b < report.boards.size(); ++b) {
+            const BoardInMotion& board = report.boards[b];
+            const Quaterniond& truth = take.stage.body->worn().boards[b].q_segment_board;
+            const Vector3d error = logQuaternion(truth.conjugate() * board.q_segment_board) * degrees(1);
+            if (rest)
+                before_square += std::pow(degrees(angleBetween(truth, rest->boards[b].q_segment_board)), 2);
+            square += error.squaredNorm();
+            sigma_square += (board.sigma_turn_rad * degrees(1)).squaredNorm();
+            worst = std::max(worst, error.norm());
+            ++boards;
+            for (int axis = 0; axis < 3; ++axis) {
+                (board.observed[axis] ? seen_square : unseen_square) += error[axis] * error[axis];
+                ++(board.observed[axis] ? seen : unseen);
+            }
+        }
+    }
+    static double rms(double sum, int count) { return std::sqrt(sum / std::max(1, count)); }
+};
+
+std::string reasonsOf(const MotionReport& report) {
+    std::string text;
+    for (const Finding& finding : report.findings)
+        text += finding.what + ". " + finding.remedy + ".\n";
+    return text;
+}
+
+class GuidedMovement : public ::testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        take_ = new test::ObservedTake(guidedTake(badlyMounted(), 4, 18).value());
+    }
+    static void TearDownTestSuite() { delete std::exchange(take_, nullptr); }
+
+    static test::ObservedTake* take_;
+};
+test::ObservedTake* GuidedMovement::take_ = nullptr;
+
+TEST_F(GuidedMovement, ShowsHowBoardsSitOnPerfectReadings) {
+    const auto report = calibrateMotion({take_->observations}, plainSettings(), {});
+    ASSERT_TRUE(report);
+    EXPECT_TRUE(report->converged);
+    EXPECT_EQ(report->grade(), Grade::kGood) << reasonsOf(*report);
+    MountingErrors errors;
+    errors.add(*report, *take_, nullptr);
+    std::printf("perfect readings: mounting rms %.3f deg, worst %.3f deg, %d iterations\n",
+                MountingErrors::rms(errors.square, errors.boards), errors.worst, report->iterations);
+    EXPECT_LT(MountingErrors::rms(errors.square, errors.boards), 0.15);
+    EXPECT_LT(errors.worst, 0.5);
+    EXPECT_NEAR(report->sound_scale, 1, 1e-3);
+}
+
+TEST_F(GuidedMovement, WithASilentBoardIsNotUsableAndNamesIt) {
+    Observations damaged = take_->observations;
+    damaged.boards[6].clear();
+    MotionSettings settings = plainSettings();
+    settings.longest_s = 18;
+    const auto report = calibrateMotion({damaged}, settings, {});
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->grade(), Grade::kNotUsable);
+    EXPECT_EQ(report->findings[0].part, damaged.suit.boards[6].id);
+    EXPECT_NE(reasonsOf(*report).find("Board 7"), std::string::npos) << reasonsOf(*report);
+    EXPECT_FALSE(report->boards[6].measured);
+    EXPECT_TRUE(report->boards[0].measured);
+    const Calibration base = damaged.calibration;
+    const Calibration found = report->applied(base, damaged.suit);
+    EXPECT_FALSE(found.findBoard(damaged.suit.boards[6].id)->q_segment_board);
+    EXPECT_TRUE(found.findBoard(damaged.suit.boards[0].id)->q_segment_board);
+    const Actor measured = report->applied(damaged.actor);
+    EXPECT_EQ(measured.skeleton.size(), damaged.actor.skeleton.size());
+}
+
+TEST_F(GuidedMovement, CanBeCancelled) {
+    CancelFlag cancel;
+    cancel.cancel();
+    const auto report = calibrateMotion({take_->observations}, plainSettings(), {nullptr, &cancel});
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().kind, ErrorKind::kCancelled);
+}
+
+/// For programs that take motions from files: packaging/acceptance/calibration.py.
+TEST(GuidedMovementFile, IsWrittenAsAFile) {
+    const char* path = std::getenv("NOCTULE_GUIDED_BVH");
+    if (!path)
+        GTEST_SKIP() << "set NOCTULE_GUIDED_BVH to the file to write";
+    ASSERT_TRUE(writeBvh(path, test::GuidedMotion::clip(), {}, true));
+    std::printf("guided movement: %s\n", path);
+}
+
+TEST(MotionCalibration, StandingStillIsTooLittleMovement) {
+    simulation::StageRequest request = test::stageOf(std::nullopt);
+    request.duration_s = 20;
+    const auto take = test::observe(request);
+    ASSERT_TRUE(take);
+    const auto report = calibrateMotion({take->observations}, {}, {});
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->grade(), Grade::kNotUsable);
+    EXPECT_NE(reasonsOf(*report).find("movement"), std::string::npos) << reasonsOf(*report);
+    EXPECT_FALSE(report->boards[0].measured);
+}
+
+TEST(MotionCalibration, ATakeWithoutStillnessNamesTheRemedy) {
+    auto take = guidedTake(badlyMounted(), 4, 18);
+    ASSERT_TRUE(take);
+    Observations& moving = take->observations;
+    moving.rest.reset();
+    for (auto& readings : moving.boards)
+        std::erase_if(readings, [](const CountReading& reading) { return reading.time_s < 5; });
+    const auto report = calibrateMotion({moving}, plainSettings(), {});
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->grade(), Grade::kNotUsable);
+    EXPECT_NE(reasonsOf(*report).find("Stand still"), std::string::npos) << reasonsOf(*report);
+}
+
+/// The scenario of a strap-on suit, all effects at once; what one performer's movement shows and what it does
+/// not.
+TEST(MotionCalibration, FiguresOfTheRealisticScenario) {
+    const char* wanted = std::getenv("NOCTULE_CALIBRATION_TRIALS");
+    const int trials = wanted ? std::max(1, std::atoi(wanted) / 10) : 0;
+    if (trials == 0)
+        GTEST_SKIP() << "a minute each; set NOCTULE_CALIBRATION_TRIALS to ten for each performer";
+    MountingErrors errors;
+    for (int trial = 0; trial < trials; ++trial) {
+        const auto take = guidedTake(Scenario::realistic(), static_cast<uint64_t>(trial) + 1, 39);
+        ASSERT_TRUE(take);
+        const auto rest = calibrateRestPose(take->observations, {}, {});
+        const auto report = calibrateMotion({take->observations}, {}, {});
+        ASSERT_TRUE(rest && report);
+        EXPECT_TRUE(report->converged);
+        errors.add(*report, *take, &*rest);
+    }
+    std::printf(
+        "realistic, %d performers: rest pose %.2f deg, movement %.2f deg rms of the whole mounting\n"
+        "turns that the movement shows (%d of %d): %.2f deg an axis; left to the rest pose: %.2f deg; "
+        "sigma says %.2f deg in all\n",
+        trials, MountingErrors::rms(errors.before_square, errors.boards),
+        MountingErrors::rms(errors.square, errors.boards), errors.seen, errors.seen + errors.unseen,
+        MountingErrors::rms(errors.seen_square, errors.seen),
+        MountingErrors::rms(errors.unseen_square, errors.unseen),
+        MountingErrors::rms(errors.sigma_square, errors.boards));
+    EXPECT_LT(MountingErrors::rms(errors.seen_square, errors.seen), 0.7);
+    EXPECT_LT(errors.square, 0.25 * errors.before_square);
+}
+
+}  // namespace
+}  // namespace noctule
