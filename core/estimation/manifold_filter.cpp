@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/manifold_filter.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/estimation/prediction.h"
@@ -29,6 +30,26 @@ StateLayout makeLayout(int freedoms, const SuitModel& suit, const ManifoldParame
     return layout;
 }
 
+/// Per joint: a gyroscope in use rides on its segment. `links` of boards are those of `tree`.
+std::vector<bool> gyroscopeJoints(const Skeleton& skeleton, const KinematicTree& tree, const SuitModel& suit,
+                                  const SensorSelection& sensors) {
+    std::vector<bool> with(static_cast<size_t>(skeleton.size()), false);
+    if (sensors.gyroscopes)
+        for (const MountedBoard& board : suit.boards)
+            if (board.link >= 0)
+                with[static_cast<size_t>(tree.link(board.link).joint)] = true;
+    return with;
+}
+
+SuitModel moved(SuitModel suit, const KinematicTree& from, const KinematicTree& to) {
+    const auto move = [&](int& link) { link = link < 0 ? link : to.linkOfJoint(from.link(link).joint); };
+    for (MountedBoard& board : suit.boards)
+        move(board.link);
+    for (MountedSource& source : suit.sources)
+        move(source.link);
+    return suit;
+}
+
 constexpr double kMinimumConfidence = 0.05;
 constexpr double kDivergedShare = 0.7;  // of distances gated out, running over about kGatingMemory of them
 constexpr double kGatingMemory = 60;
@@ -38,20 +59,21 @@ constexpr int kRestIterations = 6;
 
 ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const ManifoldParameters& parameters)
     : parameters_(parameters),
-      tree_(skeleton, BallCoordinates::kManifold),
       skeleton_(skeleton),
-      suit_(std::move(suit)),
+      gyroscope_joints_(gyroscopeJoints(skeleton, KinematicTree(skeleton, BallCoordinates::kManifold), suit,
+                                        parameters.sensors)),
+      tree_(parameters.joints_give ? givingSkeleton(skeleton, gyroscope_joints_) : skeleton,
+            BallCoordinates::kManifold),
+      suit_(moved(std::move(suit), KinematicTree(skeleton, BallCoordinates::kManifold), tree_)),
       layout_(makeLayout(tree_.freedoms(), suit_, parameters_)),
       observations_(tree_, suit_, layout_, parameters_.g_m_per_s2),
       step_s_(1.0 / (kInertialFramesPerSecond * parameters_.steps_per_frame)) {
     const int n = tree_.freedoms();
     acceleration_decay_ = Eigen::VectorXd::Constant(n, std::exp(-step_s_ / parameters_.joint_accel_time_s));
     acceleration_variance_ = Eigen::VectorXd::Constant(n, std::pow(parameters_.joint_accel_rad_per_s2, 2));
-    blind_joints_.assign(static_cast<size_t>(skeleton_.size()), true);
-    if (parameters_.sensors.gyroscopes)
-        for (const MountedBoard& board : suit_.boards)
-            if (board.link >= 0)
-                blind_joints_[static_cast<size_t>(tree_.link(board.link).joint)] = false;
+    if (parameters_.joints_give)
+        give_ = JointGive(skeleton_, tree_, gyroscope_joints_, parameters_.give);
+    board_noise_.assign(suit_.boards.size(), BoardNoise(parameters_.board_noise, suit_.sources.size()));
     for (const Link& link : tree_.links())
         if (isBlind(link))
             acceleration_variance_.segment(link.first, link.count)
@@ -94,6 +116,7 @@ void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, cons
         pose.q_parent_joint[0] = root->q_world_root;
     }
     initialise(pose);
+    correct(P_.update(give_.initial(state_.motion)));
     step_index_ = static_cast<int64_t>(std::ceil(rest.end_s / step_s_ - 1e-9));
     settle(rest, root);
     const int n = layout_.freedoms;
@@ -114,7 +137,7 @@ void ManifoldFilter::settle(const RestReadings& rest, const RootMeasurement* roo
                 blocks.push_back(observations_.gyro(state_, mean, 0));
             // The paper levels the asked-for pose by the accelerometers before the filter begins, so this
             // holds also where the run itself does without them; then nothing estimates their bias.
-            blocks.push_back(observations_.accel(state_, mean, 0));
+            blocks.push_back(observations_.accel(state_, mean, 0).block);
             if (layout_.accel_bias < 0)
                 blocks.back().variance.array() +=
                     parameters_.accel_bias_m_per_s2 * parameters_.accel_bias_m_per_s2;
@@ -171,6 +194,7 @@ void ManifoldFilter::step() {
     const double begin_s = limit_s - step_s_;
     current_ = inertial_.takeUpTo(limit_s);
     std::erase_if(current_, [&](const InertialMeasurement& m) { return m.time_s < begin_s - 1e-9; });
+    allowForClipping();
     updateRoot(limit_s);
     if (parameters_.sensors.accelerometers)
         updateTriads(false);
@@ -182,6 +206,23 @@ void ManifoldFilter::step() {
         updatePriors();
     if (step_index_ % parameters_.steps_per_frame == 0)
         poses_.push_back(estimateAt(static_cast<double>(step_index_) * step_s_));
+}
+
+/// What a gyroscope at the end of its range did not see may have been anything.
+void ManifoldFilter::allowForClipping() {
+    for (const InertialMeasurement& measurement : current_) {
+        const int board_link = suit_.boards[static_cast<size_t>(measurement.board)].link;
+        if (board_link <= 0 || measurement.gyro.count == 0 || !parameters_.sensors.gyroscopes)
+            continue;
+        const auto& axes = measurement.gyro.axes;
+        const bool clipped =
+            measurement.gyro.count < 3 ||
+            std::ranges::any_of(axes, [](const AxisReading& axis) { return axis.beyond != 0; });
+        const Link& link = tree_.link(board_link);
+        acceleration_variance_.segment(link.first, link.count)
+            .setConstant(
+                std::pow(parameters_.joint_accel_rad_per_s2 * (clipped ? parameters_.clipped_factor : 1), 2));
+    }
 }
 
 void ManifoldFilter::predict(double dt_s) {
@@ -208,16 +249,26 @@ void ManifoldFilter::updateTriads(bool gyro) {
     std::vector<ObservationBlock> blocks;
     for (const InertialMeasurement& measurement : current_) {
         const double offset_s = measurement.time_s - static_cast<double>(step_index_) * step_s_;
-        ObservationBlock block = gyro ? observations_.gyro(state_, measurement, offset_s)
-                                      : observations_.accel(state_, measurement, offset_s);
+        const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
+        BoardNoise& noise = board_noise_[static_cast<size_t>(measurement.board)];
+        if (gyro) {
+            blocks.push_back(observations_.gyro(state_, measurement, offset_s));
+            // Flesh under the board turns against a root that another system knows.
+            if (blocks.back().rows() > 0 && parameters_.root_given && link == 0)
+                noise.adaptGyro(blocks.back(), P_);
+            continue;
+        }
+        auto [block, motion_m_per_s2] = observations_.accel(state_, measurement, offset_s);
         if (block.rows() == 0)
             continue;
-        if (!gyro && !parameters_.sensors.gyroscopes)
+        if (!parameters_.sensors.gyroscopes)
             block.variance.array() += std::pow(parameters_.blind.accel_floor_m_per_s2, 2);
-        if (!gyro && layout_.accel_bias < 0)
-            block.variance.array() += std::pow(parameters_.accel_beside_distances_m_per_s2, 2);
+        else if (link > 0 && noise.isLost(measurement, block, parameters_.g_m_per_s2))
+            beginAnew(tree_.link(link));
+        noise.adaptAccel(block, motion_m_per_s2, give_.fleshShare(), P_);
         blocks.push_back(std::move(block));
     }
+    std::erase_if(blocks, [](const ObservationBlock& block) { return block.rows() == 0; });
     correct(P_.update(blocks));
 }
 
@@ -240,7 +291,8 @@ void ManifoldFilter::updateDistances(double limit_s) {
         } else if (measurement.confidence >= kMinimumConfidence) {
             const double sigma = measurement.sigma_m / measurement.confidence;
             block.variance[0] = sigma * sigma + parameters_.distance_floor_m * parameters_.distance_floor_m;
-            decision.sigma_m = std::sqrt(P_.innovationVariance(block)[0]);
+            BoardNoise& noise = board_noise_[static_cast<size_t>(measurement.board)];
+            decision.sigma_m = std::sqrt(noise.learnDistance(block, measurement.source, P_));
             const double ratio = std::abs(decision.innovation_m) / decision.sigma_m;
             const bool gated = ratio > parameters_.distance_gate_sigma;
             noteGating(gated);
@@ -250,7 +302,7 @@ void ManifoldFilter::updateDistances(double limit_s) {
             if (!gated) {
                 // Huber: beyond the threshold the pull grows no further.
                 const double excess = std::max(0.0, ratio / parameters_.distance_huber_sigma - 1);
-                block.variance[0] += excess * decision.sigma_m * decision.sigma_m;
+                block.variance[0] += noise.distanceVariance() + excess * decision.sigma_m * decision.sigma_m;
                 blocks.push_back(std::move(block));
             }
         }
@@ -270,8 +322,14 @@ void ManifoldFilter::noteGating(bool gated) {
     P_.dense().diagonal().segment(layout_.freedoms, layout_.freedoms).array() += 1.0;
 }
 
+/// One limb has been lost, most often while its gyroscope was at the end of its range.
+void ManifoldFilter::beginAnew(const Link& link) {
+    ++resets_;
+    P_.dense().diagonal().segment(link.first, link.count).array() += 0.5 * 0.5;
+}
+
 void ManifoldFilter::updatePriors() {
-    std::vector<ObservationBlock> blocks;
+    std::vector<ObservationBlock> blocks = give_.observe(state_.motion, P_, parameters_.prior_interval_s);
     const auto pull = [&](int index, double residual, double sigma) {
         blocks.push_back({{index},
                           Eigen::MatrixXd::Ones(1, 1),
@@ -322,7 +380,7 @@ void ManifoldFilter::correct(const Eigen::VectorXd& delta) {
 
 TimedPose ManifoldFilter::estimateAt(double time_s) const {
     return {std::llround(time_s * 1e9), tree_.poseFromState(state_.motion),
-            jointSigmas(tree_, skeleton_, state_.motion, P_.dense())};
+            jointSigmas(tree_, skeleton_, state_.motion, P_.dense(), give_.meanVariance_rad2())};
 }
 
 }  // namespace noctule

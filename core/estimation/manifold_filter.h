@@ -9,8 +9,10 @@
 
 #include <utility>
 
+#include "core/estimation/board_noise.h"
 #include "core/estimation/covariance.h"
 #include "core/estimation/estimator.h"
+#include "core/estimation/joint_give.h"
 
 namespace noctule {
 
@@ -22,7 +24,8 @@ struct ManifoldParameters {
     int steps_per_frame = 3;  ///< filter steps per 1/140 s; more: less extrapolation, more time
 
     // Motion: standard deviation of an acceleration and the time over which it changes.
-    double joint_accel_rad_per_s2 = 40, joint_accel_time_s = 0.1;
+    double joint_accel_rad_per_s2 = 80, joint_accel_time_s = 0.1;
+    double clipped_factor = 10;  ///< joint_accel of a segment whose gyroscope is at the end of its range
     double root_accel_m_per_s2 = 4, root_accel_time_s = 0.3;
     double root_turn_accel_rad_per_s2 = 25;
     double root_velocity_prior_m_per_s = 2;  ///< free root only, once per prior_interval_s
@@ -32,9 +35,9 @@ struct ManifoldParameters {
     double gyro_bias_rad_per_s = 0.01, gyro_bias_walk = 0.0003;  ///< walk: per sqrt(s)
     double accel_bias_m_per_s2 = 0.05, accel_bias_walk = 0.001;
     /// Beside distances, which hold the pose better than a level with a bias can, accelerometers' biases are
-    /// no states: 54 more would cost a third of the time. A constant bias is no noise, hence several times
-    /// its size.
-    double accel_beside_distances_m_per_s2 = 0.3;
+    /// no states: 54 more would cost a third of the time. They are noise of a colour then, which BoardNoise
+    /// finds.
+    BoardNoiseParameters board_noise;
     double source_offset_m = 0.0008;  ///< 1.5 us of offset error, and what the detector adds per source
     double sound_scale = 0.0015;
 
@@ -49,6 +52,9 @@ struct ManifoldParameters {
     double distance_floor_m = 0.0008;  ///< added to every distance: body and sensors are not rigid
 
     double prior_interval_s = 0.1;
+
+    bool joints_give = true;  ///< people; false: joints are exactly the skeleton's
+    GiveParameters give;
 
     /// Where no gyroscope rides on a segment, or none is listened to, nothing holds its joint and a
     /// linearised filter soon believes its own errors: slower motion and a pull towards the rest pose and
@@ -82,25 +88,28 @@ private:
     void settle(const RestReadings& rest, const RootMeasurement* root);
     void step();
     void predict(double dt_s);
+    void allowForClipping();
     void updateRoot(double limit_s);
     void updateTriads(bool gyro);
     void updateDistances(double limit_s);
     void updatePriors();
-    bool isBlind(const Link& link) const { return blind_joints_[static_cast<size_t>(link.joint)]; }
+    bool isBlind(const Link& link) const { return !gyroscope_joints_[static_cast<size_t>(link.joint)]; }
     void correct(const Eigen::VectorXd& delta);
     void noteGating(bool gated);
+    void beginAnew(const Link& link);
     TimedPose estimateAt(double time_s) const;
     void emitRestPoses(const RestReadings& rest);
 
     ManifoldParameters parameters_;
-    KinematicTree tree_;
     Skeleton skeleton_;
+    std::vector<bool> gyroscope_joints_;  ///< whose segments carry a gyroscope in use
+    KinematicTree tree_;
     SuitModel suit_;
     StateLayout layout_;
     ObservationModel observations_;
     BodyState state_;
-    MotionState rest_;                ///< for the pose prior
-    std::vector<bool> blind_joints_;  ///< their segments carry no gyroscope in use
+    MotionState rest_;  ///< for the pose prior
+    JointGive give_;
     Covariance P_;
     Eigen::VectorXd acceleration_decay_;     ///< per velocity index, for one step
     Eigen::VectorXd acceleration_variance_;  ///< stationary
@@ -111,6 +120,7 @@ private:
     TimeQueue<DistanceMeasurement> distances_;
     TimeQueue<RootMeasurement> roots_;
     std::vector<InertialMeasurement> current_;  ///< readings of this step
+    std::vector<BoardNoise> board_noise_;
 
     double gated_share_ = 0;  ///< running, over about 60 distances
     int resets_ = 0;

@@ -17,6 +17,8 @@ struct AxisReading {
     Vector3d sensitive_axis_board = Vector3d::UnitX();  ///< unit vector
     double value = 0;                                   ///< rad/s or m/s^2 (specific force)
     double sigma = 0;
+    int beyond =
+        0;  ///< +1 or -1: the sensor was at the end of its range, the truth lies at `value` or beyond
 };
 
 /// Up to three readings of a triad.
@@ -25,6 +27,14 @@ struct TriadReading {
     int count = 0;
 
     void add(const AxisReading& axis) { axes[static_cast<size_t>(count++)] = axis; }
+    /// Without the axes that were at the end of their range.
+    TriadReading inRange() const {
+        TriadReading kept;
+        for (int i = 0; i < count; ++i)
+            if (const AxisReading& axis = axes[static_cast<size_t>(i)]; axis.beyond == 0)
+                kept.add(axis);
+        return kept;
+    }
 };
 
 struct InertialMeasurement {

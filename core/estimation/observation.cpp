@@ -8,6 +8,8 @@
 namespace noctule {
 namespace {
 
+constexpr double kNothingLearnt = 1e8;  // a variance
+
 void resize(ChainMotion::Columns& columns, Eigen::Index rows, size_t count) {
     const Eigen::Index n = static_cast<Eigen::Index>(count);
     columns.theta.setZero(rows, n);
@@ -63,6 +65,10 @@ ObservationBlock ObservationModel::triad(const BodyState& state, const InertialM
         axes_world.row(i) = (R_world_board * axis.sensitive_axis_board).transpose();
         block.residual[i] = axis.value - axes_world.row(i).dot(sensed) - axes_board.row(i).dot(bias);
         block.variance[i] = axis.sigma * axis.sigma;
+        if (axis.beyond * block.residual[i] < 0) {  // expected beyond the end as well: nothing new
+            block.residual[i] = 0;
+            block.variance[i] = kNothingLearnt;
+        }
     }
 
     resize(columns_, triad.count, chain_.coordinates().size());
@@ -95,9 +101,21 @@ ObservationBlock ObservationModel::gyro(const BodyState& state, const InertialMe
     return triad(state, measurement, offset_s, true);
 }
 
-ObservationBlock ObservationModel::accel(const BodyState& state, const InertialMeasurement& measurement,
-                                         double offset_s) {
-    return triad(state, measurement, offset_s, false);
+ObservationModel::Acceleration ObservationModel::accel(const BodyState& state,
+                                                       const InertialMeasurement& measurement,
+                                                       double offset_s) {
+    Acceleration result{triad(state, measurement, offset_s, false), 0};
+    if (result.block.rows() == 0)
+        return result;
+    const MountedBoard& board = suit_.boards[static_cast<size_t>(measurement.board)];
+    const Vector3d up_board =
+        (chain_.end().R_world_link * board.R_link_board).transpose() * Vector3d::UnitY();
+    for (int i = 0; i < measurement.accel.count; ++i) {
+        const AxisReading& axis = measurement.accel.axes[static_cast<size_t>(i)];
+        result.motion_m_per_s2 = std::hypot(
+            result.motion_m_per_s2, axis.value - g_m_per_s2_ * up_board.dot(axis.sensitive_axis_board));
+    }
+    return result;
 }
 
 Vector3d ObservationModel::pointAt(const BodyState& state, int link, const Vector3d& p_link, double offset_s,

@@ -55,8 +55,12 @@ public:
 
     /// Equation 3. `offset_s` is the reading's instant minus the state's time.
     ObservationBlock gyro(const BodyState& state, const InertialMeasurement& measurement, double offset_s);
+    struct Acceleration {
+        ObservationBlock block;
+        double motion_m_per_s2 = 0;  ///< length of the reading without gravity, as far as its axes tell
+    };
     /// Equation 2.
-    ObservationBlock accel(const BodyState& state, const InertialMeasurement& measurement, double offset_s);
+    Acceleration accel(const BodyState& state, const InertialMeasurement& measurement, double offset_s);
 
     struct Distance {
         ObservationBlock block;

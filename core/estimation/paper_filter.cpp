@@ -101,7 +101,7 @@ void PaperFilter::updateTriads(const std::vector<InertialMeasurement>& readings,
     std::vector<ObservationBlock> blocks;
     for (const InertialMeasurement& reading : readings) {
         blocks.push_back(gyro ? observations_.gyro(state_, reading, 0)
-                              : observations_.accel(state_, reading, 0));
+                              : observations_.accel(state_, reading, 0).block);
         blocks.back().variance.setConstant(sigma * sigma);
     }
     correct(P_.update(blocks));

@@ -31,7 +31,8 @@ public:
 
     void start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) override;
     void add(const InertialMeasurement& measurement) override {
-        inertial_.add(measurement.time_s, measurement);
+        inertial_.add(measurement.time_s, {measurement.board, measurement.time_s, measurement.gyro.inRange(),
+                                           measurement.accel.inRange()});
     }
     void add(const DistanceMeasurement& measurement) override {
         distances_.add(measurement.arrival_s, measurement);

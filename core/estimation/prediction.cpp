@@ -106,7 +106,7 @@ void predictMotion(const KinematicTree& tree, MotionState& motion, Eigen::Matrix
 }
 
 std::vector<double> jointSigmas(const KinematicTree& tree, const Skeleton& skeleton,
-                                const MotionState& motion, const Eigen::MatrixXd& P) {
+                                const MotionState& motion, const Eigen::MatrixXd& P, double flesh_rad2) {
     std::vector<double> sigmas;
     for (int j = 0; j < skeleton.size(); ++j) {
         // Columns: how the joint's rotation (right perturbation) follows the coordinates of its links, last
@@ -131,7 +131,8 @@ std::vector<double> jointSigmas(const KinematicTree& tree, const Skeleton& skele
                 covariance += P(indices[a], indices[b]) * axes.col(static_cast<Eigen::Index>(a)) *
                               axes.col(static_cast<Eigen::Index>(b)).transpose();
         for (int i = 0; i < 3; ++i)
-            sigmas.push_back(covariance(i, i) > kLeastVariance ? std::sqrt(covariance(i, i)) : 0);
+            sigmas.push_back(covariance(i, i) > kLeastVariance ? std::sqrt(covariance(i, i) + flesh_rad2)
+                                                               : 0);
     }
     return sigmas;
 }

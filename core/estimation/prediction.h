@@ -15,8 +15,9 @@ void predictMotion(const KinematicTree& tree, MotionState& motion, Eigen::Matrix
                    const Eigen::VectorXd& decay, const Eigen::VectorXd& acceleration_variance);
 
 /// Standard deviation (rad, right perturbation, 3 per joint) of every joint's rotation from the leading
-/// coordinates' covariance; zero for a fixed joint.
+/// coordinates' covariance; zero for a fixed joint. `flesh_rad2` is added where a joint moves: how far boards
+/// turn against their bones.
 std::vector<double> jointSigmas(const KinematicTree& tree, const Skeleton& skeleton,
-                                const MotionState& motion, const Eigen::MatrixXd& P);
+                                const MotionState& motion, const Eigen::MatrixXd& P, double flesh_rad2 = 0);
 
 }  // namespace noctule

@@ -9,6 +9,9 @@
 namespace noctule {
 namespace {
 
+/// How far beyond the end of the range motion may be.
+constexpr double kClippedGyro_rad_per_s = 4, kClippedAccel_m_per_s2 = 40;
+
 constexpr double kLargeStep_counts = 58;  // inertial stream, section 1: near the ends such a step is suspect
 
 }  // namespace
@@ -59,6 +62,9 @@ InertialMeasurement InertialCalibrator::convert(const InertialReading& reading) 
         axis.last_counts = counts;
         if (*counts <= kCountsMin || *counts >= kCountsMax) {
             ++board.clipped;
+            triad.add({axis.sensitive_axis, (*counts - axis.zero_counts) * axis.per_count,
+                       (i < 3 ? kClippedGyro_rad_per_s : kClippedAccel_m_per_s2),
+                       *counts <= kCountsMin ? -1 : 1});
             continue;
         }
         const double reach = std::sqrt(12.0) * rounding;

@@ -94,8 +94,8 @@ void MotionTracker::addToRest(const InertialMeasurement& measurement) {
             ++sum.count;
         }
     };
-    add(measurement.gyro, 0);
-    add(measurement.accel, 3);
+    add(measurement.gyro.inRange(), 0);
+    add(measurement.accel.inRange(), 3);
 }
 
 void MotionTracker::add(const RangeMeasurement& range) {

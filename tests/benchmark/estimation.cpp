@@ -153,7 +153,7 @@ void kalmanUpdateBesideDense(benchmark::State& state) {
     ObservationModel observations(rig.tree, rig.model, filter.layout());
     std::vector<ObservationBlock> blocks;
     for (const InertialMeasurement& reading : stillReadings(rig, 0))
-        blocks.push_back(observations.accel(filter.state(), reading, 0.001));
+        blocks.push_back(observations.accel(filter.state(), reading, 0.001).block);
 
     Eigen::Index m = 0;
     for (const ObservationBlock& block : blocks)

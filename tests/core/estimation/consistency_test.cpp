@@ -174,6 +174,7 @@ void expectConsistent(bool a, bool g, bool d, bool root_given, double lower, dou
     parameters.root_given = root_given;
     parameters.distance_floor_m = 0;
     parameters.steps_per_frame = 4;
+    parameters.joints_give = false;
     parameters.root_velocity_prior_m_per_s = 1e6;
     parameters.joint_accel_rad_per_s2 = 5;
     parameters.root_turn_accel_rad_per_s2 = 15;
@@ -213,6 +214,7 @@ TEST(Consistency, OverconfidenceIsNoticed) {
     truth.sensors = {false, true, false};
     truth.root_given = true;
     truth.joint_accel_rad_per_s2 = 15;
+    truth.joints_give = false;
     ManifoldParameters believed = truth;
     believed.gyro_bias_rad_per_s = truth.gyro_bias_rad_per_s / 10;
     believed.initial_pose_rad = truth.initial_pose_rad / 3;

@@ -88,7 +88,7 @@ TEST_P(Observation, GyroscopeAndAccelerometerJacobians) {
             const InertialMeasurement m = reading(board);
             check([&](const BodyState& s) { return model.gyro(s, m, offset_s); },
                   "gyro " + std::to_string(board));
-            check([&](const BodyState& s) { return model.accel(s, m, offset_s); },
+            check([&](const BodyState& s) { return model.accel(s, m, offset_s).block; },
                   "accel " + std::to_string(board));
         }
 }
@@ -151,7 +151,7 @@ TEST(ObservationModelTest, StillBoardReadsGravityUpward) {
     const Vector3d up_in_board =
         testing::smallSuit().boards[0].q_segment_board.conjugate() * Vector3d::UnitY();
     m.accel.add({up_in_board, 9.80665, 0.1});
-    EXPECT_NEAR(model.accel(state, m, 0).residual[0], 0, 1e-12);
+    EXPECT_NEAR(model.accel(state, m, 0).block.residual[0], 0, 1e-12);
 }
 
 }  // namespace

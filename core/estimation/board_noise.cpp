@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/board_noise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/inertial/reading.h"
+
+namespace noctule {
+
+BoardNoise::BoardNoise(const BoardNoiseParameters& parameters, size_t sources)
+    : parameters_(parameters),
+      accel_(parameters.accel),
+      distance_(parameters.distance),
+      gyro_(parameters.gyro),
+      distance_before_(sources) {}
+
+void BoardNoise::adaptAccel(ObservationBlock& block, double motion_m_per_s2, double flesh_share,
+                            const Covariance& P) {
+    constexpr double kFrame_s = 1.0 / kInertialFramesPerSecond;
+    shaken_m_per_s2_ =
+        std::max(motion_m_per_s2, shaken_m_per_s2_ * std::exp(-kFrame_s / parameters_.wobble_time_s));
+    block.variance.array() += std::pow(flesh_share * parameters_.flesh_per_motion * shaken_m_per_s2_, 2) +
+                              std::pow(flesh_share * parameters_.flesh_accel_m_per_s2, 2);
+    adapt(block, accel_, accel_before_, P);
+}
+
+void BoardNoise::adaptGyro(ObservationBlock& block, const Covariance& P) {
+    adapt(block, gyro_, gyro_before_, P);
+}
+
+void BoardNoise::adapt(ObservationBlock& block, ExcessNoise& noise, Eigen::VectorXd& before,
+                       const Covariance& P) const {
+    const Eigen::VectorXd expected = P.innovationVariance(block);
+    noise.learn(block.residual, expected, before);
+    const Eigen::ArrayXd variance = expected.array() + noise.variance();
+    const Eigen::ArrayXd ratio = block.residual.array().abs() / variance.sqrt() / parameters_.huber_sigma;
+    block.variance.array() += noise.whitenedVariance() + (ratio - 1).max(0) * variance;
+}
+
+double BoardNoise::learnDistance(const ObservationBlock& block, int source, const Covariance& P) {
+    const Eigen::VectorXd expected = P.innovationVariance(block);
+    const double variance = expected[0] + distance_.variance();
+    distance_.learn(block.residual, expected, distance_before_[static_cast<size_t>(source)]);
+    return variance;
+}
+
+bool BoardNoise::isLost(const InertialMeasurement& measurement, const ObservationBlock& block,
+                        double g_m_per_s2) {
+    if (measurement.accel.count < 3)
+        return false;
+    double force = 0;
+    for (const AxisReading& axis : measurement.accel.axes)
+        force = std::hypot(force, axis.value);
+    if (std::abs(force - g_m_per_s2) > parameters_.calm_m_per_s2)
+        return false;
+    const double learning = 1 / (parameters_.lost_time_s * kInertialFramesPerSecond);
+    level_m_per_s2_ += learning * (block.residual - level_m_per_s2_);
+    if (level_m_per_s2_.norm() < parameters_.lost_m_per_s2)
+        return false;
+    level_m_per_s2_.setZero();
+    return true;
+}
+
+}  // namespace noctule

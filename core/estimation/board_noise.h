@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far one board's readings are believed beyond its data sheet: what its innovations teach, what flesh
+// adds to an accelerometer, and whether the estimate has lost the board.
+#pragma once
+
+#include "core/estimation/excess_noise.h"
+#include "core/estimation/measurement.h"
+
+namespace noctule {
+
+struct BoardNoiseParameters {
+    /// Accelerometers' biases are constant, distances' errors come from echoes and from where boards sit.
+    ExcessNoiseParameters accel{280}, distance{80}, gyro{280};
+    double huber_sigma = 2.5;  ///< beyond it an innovation pulls no further
+
+    /// On flesh an accelerometer reads its own wobble as well, as large as the motion that drives it (a
+    /// damped oscillator of some 12 Hz), and sits a few degrees off.
+    double flesh_per_motion = 1, flesh_accel_m_per_s2 = 3, wobble_time_s = 0.1;
+
+    /// A calm board that reads gravity from elsewhere, beyond what mountings and flesh explain, is lost.
+    double lost_m_per_s2 = 3, calm_m_per_s2 = 2, lost_time_s = 0.3;
+};
+
+class BoardNoise {
+public:
+    BoardNoise(const BoardNoiseParameters& parameters, size_t sources);
+
+    /// Adds to the variances. `motion_m_per_s2`: the reading without gravity; `flesh_share` 0 to 1.
+    void adaptAccel(ObservationBlock& block, double motion_m_per_s2, double flesh_share, const Covariance& P);
+    void adaptGyro(ObservationBlock& block, const Covariance& P);
+    /// Learns from a distance; returns the variance of its innovation, with what was learnt before, for the
+    /// gate.
+    double learnDistance(const ObservationBlock& block, int source, const Covariance& P);
+    double distanceVariance() const { return distance_.whitenedVariance(); }
+
+    /// True once when `block`, the innovation of this reading, shows that the board is elsewhere.
+    bool isLost(const InertialMeasurement& measurement, const ObservationBlock& block, double g_m_per_s2);
+
+private:
+    void adapt(ObservationBlock& block, ExcessNoise& noise, Eigen::VectorXd& before,
+               const Covariance& P) const;
+
+    BoardNoiseParameters parameters_;
+    ExcessNoise accel_, distance_, gyro_;
+    Eigen::VectorXd accel_before_, gyro_before_;
+    std::vector<Eigen::VectorXd> distance_before_;  ///< per source
+    double shaken_m_per_s2_ = 0;
+    Eigen::Vector3d level_m_per_s2_ = Eigen::Vector3d::Zero();  ///< mean innovation while calm
+};
+
+}  // namespace noctule

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/joint_give.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace noctule {
+namespace {
+
+/// A joint that comes out of an outage far off does not give because of that: larger deviations, as multiples
+/// of the usual ones, teach no more.
+constexpr double kOutlier = 2;
+constexpr double kLeastUsual_rad2 = 1e-5;
+/// The variance learnt is that of what comes and goes; deviations that stay are believed as large.
+constexpr double kWithConstant = 2;
+/// Deviations last for some tenths of a second: their white equivalent has more than their variance.
+constexpr double kWhitened = 2;
+
+bool lacksFreedoms(const Joint& joint) {
+    return joint.type == JointType::kUniversal || joint.type == JointType::kHinge;
+}
+
+double square(double x) {
+    return x * x;
+}
+
+}  // namespace
+
+Skeleton givingSkeleton(const Skeleton& actor, const std::vector<bool>& gives) {
+    std::vector<Joint> joints = actor.joints();
+    for (size_t j = 0; j < joints.size(); ++j)
+        if (gives[j] && lacksFreedoms(joints[j])) {
+            joints[j].type = JointType::kBall;
+            joints[j].dof = {{"x", Vector3d::UnitX()}, {"y", Vector3d::UnitY()}, {"z", Vector3d::UnitZ()}};
+        }
+    return Skeleton::make(std::move(joints)).value();
+}
+
+JointGive::JointGive(const Skeleton& actor, const KinematicTree& tree, const std::vector<bool>& gives,
+                     const GiveParameters& parameters)
+    : parameters_(parameters) {
+    for (int j = 0; j < actor.size(); ++j) {
+        const Joint& joint = actor.joint(j);
+        if (!gives[static_cast<size_t>(j)] || !lacksFreedoms(joint))
+            continue;
+        const int link = tree.linkOfJoint(j), first = tree.link(link).first;
+        const Vector3d axis = joint.dof[0].axis, across = axis.unitOrthogonal();
+        if (joint.type == JointType::kUniversal) {
+            constrain(link, first, axis, joint.dof[1].axis);
+        } else {
+            constrain(link, first, across, axis);
+            constrain(link, first, axis.cross(across), axis);
+        }
+    }
+}
+
+void JointGive::constrain(int link, int first, const Vector3d& fixed_parent, const Vector3d& moving_link) {
+    constraints_.push_back({link, first, fixed_parent, moving_link, square(parameters_.initial_rad), 0});
+}
+
+/// With zero variance. h = fixed^T R moving, and R exp(d) changes it by d^T (moving x R^T fixed).
+ObservationBlock JointGive::blockOf(const Constraint& constraint, const MotionState& motion) const {
+    const Matrix3d R = motion.q_parent_link[static_cast<size_t>(constraint.link)].toRotationMatrix();
+    const Vector3d fixed_link = R.transpose() * constraint.fixed_parent;
+    return {{constraint.first, constraint.first + 1, constraint.first + 2},
+            constraint.moving_link.cross(fixed_link).transpose(),
+            Eigen::VectorXd::Constant(1, -fixed_link.dot(constraint.moving_link)),
+            Eigen::VectorXd::Zero(1)};
+}
+
+std::vector<ObservationBlock> JointGive::initial(const MotionState& motion) const {
+    std::vector<ObservationBlock> blocks;
+    for (const Constraint& constraint : constraints_) {
+        blocks.push_back(blockOf(constraint, motion));
+        blocks.back().variance[0] = constraint.variance_rad2;
+    }
+    return blocks;
+}
+
+void JointGive::learn(Constraint& constraint, double deviation_rad, double estimate_variance,
+                      double interval_s) const {
+    constraint.constant_rad +=
+        std::min(1.0, interval_s / parameters_.constant_s) * (deviation_rad - constraint.constant_rad);
+    const double coming_and_going =
+        std::max(0.0, square(deviation_rad - constraint.constant_rad) - estimate_variance);
+    const double usual = std::max(constraint.variance_rad2, kLeastUsual_rad2);
+    const double seen = std::min(square(parameters_.most_rad),
+                                 kWithConstant * std::min(coming_and_going, square(kOutlier) * usual));
+    const double memory_s = std::min(parameters_.memory_s, parameters_.first_s + seen_s_);
+    constraint.variance_rad2 += std::min(1.0, interval_s / memory_s) * (seen - constraint.variance_rad2);
+}
+
+double JointGive::relevance(const Constraint& constraint) const {
+    return square(constraint.variance_rad2 / (constraint.variance_rad2 + square(parameters_.relevant_rad)));
+}
+
+std::vector<ObservationBlock> JointGive::observe(const MotionState& motion, const Covariance& P,
+                                                 double interval_s) {
+    std::vector<ObservationBlock> blocks;
+    double share = 0, variance = 0;
+    for (Constraint& constraint : constraints_) {
+        ObservationBlock block = blockOf(constraint, motion);
+        learn(constraint, -block.residual[0], P.innovationVariance(block)[0], interval_s);
+        const double given =
+            std::max(square(parameters_.least_rad), relevance(constraint) * constraint.variance_rad2);
+        block.variance[0] = kWhitened * given;
+        share += relevance(constraint);
+        variance += given;
+        blocks.push_back(std::move(block));
+    }
+    seen_s_ += interval_s;
+    const double count = std::max(1.0, static_cast<double>(constraints_.size()));
+    flesh_share_ = share / count;
+    mean_variance_rad2_ = variance / count;
+    return blocks;
+}
+
+}  // namespace noctule

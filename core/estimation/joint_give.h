@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Joints as they are in people: a knee is a hinge only nearly, and a board on flesh makes it less of one. A
+// joint that lacks freedoms and whose segment carries a gyroscope is estimated as a ball joint that is held
+// where the actor's joint could be. How stiffly follows from the motion itself: the deviations that come and
+// go are the variance of those to come, and a joint that hardly gives counts as rigid (automatic relevance
+// determination). What joints give together tells how much the boards ride on flesh.
+#pragma once
+
+#include <vector>
+
+#include "core/body/kinematics.h"
+#include "core/estimation/covariance.h"
+
+namespace noctule {
+
+struct GiveParameters {
+    double initial_rad = 0.01, least_rad = 0.0003, most_rad = 0.15;  ///< deviations from the actor's joint
+    double relevant_rad = 0.02;        ///< below it a joint soon counts as rigid
+    double first_s = 1, memory_s = 3;  ///< of learning
+    double constant_s = 1;  ///< what stays longer is an error of the estimate, not a joint that gives
+};
+
+/// The actor's skeleton with ball joints where `gives` (per joint) and the joint is universal or a hinge.
+Skeleton givingSkeleton(const Skeleton& actor, const std::vector<bool>& gives);
+
+class JointGive {
+public:
+    JointGive() = default;
+    /// `tree` of givingSkeleton(actor, gives).
+    JointGive(const Skeleton& actor, const KinematicTree& tree, const std::vector<bool>& gives,
+              const GiveParameters& parameters);
+
+    /// What the actor's joints say of the state before anything has been learnt.
+    std::vector<ObservationBlock> initial(const MotionState& motion) const;
+    /// The same once per `interval_s`, after learning how much the joints give.
+    std::vector<ObservationBlock> observe(const MotionState& motion, const Covariance& P, double interval_s);
+
+    /// 0 on a rigid body, 1 where boards ride on flesh.
+    double fleshShare() const { return flesh_share_; }
+    /// Mean square deviation that counts as given, over all constraints.
+    double meanVariance_rad2() const { return mean_variance_rad2_; }
+
+private:
+    /// One direction in which the actor's joint would not turn: `fixed_parent` (in the joint's zero frame)
+    /// and `moving_link` (in the link's) stay perpendicular.
+    struct Constraint {
+        int link = 0, first = 0;  ///< velocity index
+        Vector3d fixed_parent, moving_link;
+        double variance_rad2 = 0, constant_rad = 0;  ///< of the deviations
+    };
+    void constrain(int link, int first, const Vector3d& fixed_parent, const Vector3d& moving_link);
+    ObservationBlock blockOf(const Constraint& constraint, const MotionState& motion) const;
+    void learn(Constraint& constraint, double deviation_rad, double estimate_variance,
+               double interval_s) const;
+    double relevance(const Constraint& constraint) const;
+
+    GiveParameters parameters_;
+    std::vector<Constraint> constraints_;
+    double seen_s_ = 0;
+    double flesh_share_ = 0, mean_variance_rad2_ = 0;
+};
+
+}  // namespace noctule
