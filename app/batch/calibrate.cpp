@@ -84,7 +84,8 @@ Result<Outcome> run(const VerbContext& context, const Plan& plan) {
     if (!request)
         return request.error();
     const Outputs outputs = outputsOf(context.arguments, plan);
-    if (Status free = checkOutputs({outputs.calibration, outputs.report, outputs.actor}, outputs.overwrite);
+    if (Status free = checkOutputs({outputs.calibration, outputs.report, outputs.actor}, outputs.overwrite,
+                                   context.arguments.operands());
         !free)
         return free.error();
     const auto result = plan.solve(*request, context.arguments, context.job());

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <filesystem>
-#include <set>
-
 #include "app/batch/files.h"
 #include "app/batch/takes.h"
 #include "app/batch/verb.h"
@@ -66,16 +63,16 @@ Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest
     if (arguments.given("from") && arguments.given("to") &&
         *arguments.number("from") > *arguments.number("to"))
         return Error{ErrorKind::kUsage, "--from lies after --to", "Give --from S before --to S"};
-    std::set<std::string> paths;
+    std::vector<std::string> paths;
     for (const ExportRequest& request : requests)
-        for (const std::string& path : outputsOf(request)) {
-            if (!paths.insert(std::filesystem::path(path).lexically_normal()).second)
-                return Error{ErrorKind::kUsage, "two outputs would be " + path,
-                             requests.size() > 1 ? "Write {name} into the path; it stands for the take's name"
-                                                 : "Give different paths"};
-            if (Status free = checkOutputs({path}, request.overwrite); !free)
-                return free;
-        }
+        for (const std::string& path : outputsOf(request))
+            paths.push_back(path);
+    if (Status free = checkOutputs(paths, requests.front().overwrite, arguments.operands()); !free) {
+        if (requests.size() == 1)
+            return free;
+        return Error{free.error().kind, free.error().message,
+                     free.error().remedy + "; {name} in a path stands for the take's name"};
+    }
     return Done{};
 }
 

@@ -2,6 +2,7 @@
 #include "app/batch/files.h"
 
 #include <filesystem>
+#include <set>
 
 #include "app/batch/option.h"
 #include "core/formats/bvh.h"
@@ -63,11 +64,25 @@ Result<Calibration> readCalibration(const std::string& path) {
     return readDocument<Calibration>(path, calibrationFromJson);
 }
 
-Status checkOutputs(const std::vector<std::string>& paths, bool overwrite) {
-    for (const std::string& path : paths)
-        if (!path.empty())
-            if (Status free = checkOutputPath(path, overwrite); !free)
-                return free;
+Status checkOutputs(const std::vector<std::string>& paths, bool overwrite,
+                    const std::vector<std::string>& inputs) {
+    const auto placeOf = [](const std::string& path) {
+        std::error_code none;
+        return std::filesystem::weakly_canonical(path, none).string();
+    };
+    std::set<std::string> reads, writes;
+    for (const std::string& input : inputs)
+        reads.insert(placeOf(input));
+    for (const std::string& path : paths) {
+        if (path.empty())
+            continue;
+        if (reads.contains(placeOf(path)))
+            return Error{ErrorKind::kUsage, path + " is read and would be written", "Give another path"};
+        if (!writes.insert(placeOf(path)).second)
+            return Error{ErrorKind::kUsage, "two outputs would be " + path, "Give different paths"};
+        if (Status free = checkOutputPath(path, overwrite); !free)
+            return free;
+    }
     return Done{};
 }
 

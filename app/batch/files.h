@@ -36,8 +36,10 @@ Status readGiven(const Arguments& arguments, const char* option, Result<Value> (
     return Done{};
 }
 
-/// Refuses an output that stands in the way before long work begins; an empty path is none.
-Status checkOutputs(const std::vector<std::string>& paths, bool overwrite);
+/// Refuses, before long work begins, an output that stands in the way, that is another output too, or that is
+/// one of the inputs, which --overwrite must not cost; an empty path is none.
+Status checkOutputs(const std::vector<std::string>& paths, bool overwrite,
+                    const std::vector<std::string>& inputs = {});
 Status writeJson(const std::string& path, const nlohmann::json& json, bool overwrite);
 
 /// "walk_001" of "takes/walk_001.noctule".

@@ -15,22 +15,26 @@ BoardNoise::BoardNoise(const BoardNoiseParameters& parameters, size_t sources)
       gyro_(parameters.gyro),
       distance_before_(sources) {}
 
-void BoardNoise::adaptAccel(ObservationBlock& block, double motion_m_per_s2, double flesh_share,
-                            const Covariance& P) {
+void BoardNoise::adaptAccel(ObservationBlock& block, const TriadReading& reading, double motion_m_per_s2,
+                            double flesh_share, const Covariance& P) {
     constexpr double kFrame_s = 1.0 / kInertialFramesPerSecond;
     shaken_m_per_s2_ =
         std::max(motion_m_per_s2, shaken_m_per_s2_ * std::exp(-kFrame_s / parameters_.wobble_time_s));
     block.variance.array() += std::pow(flesh_share * parameters_.flesh_per_motion * shaken_m_per_s2_, 2) +
                               std::pow(flesh_share * parameters_.flesh_accel_m_per_s2, 2);
-    adapt(block, accel_, accel_before_, P);
+    adapt(block, reading, accel_, accel_before_, P);
 }
 
-void BoardNoise::adaptGyro(ObservationBlock& block, const Covariance& P) {
-    adapt(block, gyro_, gyro_before_, P);
+void BoardNoise::adaptGyro(ObservationBlock& block, const TriadReading& reading, const Covariance& P) {
+    adapt(block, reading, gyro_, gyro_before_, P);
 }
 
-void BoardNoise::adapt(ObservationBlock& block, ExcessNoise& noise, Eigen::VectorXd& before,
-                       const Covariance& P) const {
+void BoardNoise::adapt(ObservationBlock& block, const TriadReading& reading, ExcessNoise& noise,
+                       Eigen::VectorXd& before, const Covariance& P) const {
+    if (reading.isClipped()) {  // its innovation is not of this noise
+        block.variance.array() += noise.whitenedVariance();
+        return;
+    }
     const Eigen::VectorXd expected = P.innovationVariance(block);
     noise.learn(block.residual, expected, before);
     const Eigen::ArrayXd variance = expected.array() + noise.variance();

@@ -26,8 +26,9 @@ public:
     BoardNoise(const BoardNoiseParameters& parameters, size_t sources);
 
     /// Adds to the variances. `motion_m_per_s2`: the reading without gravity; `flesh_share` 0 to 1.
-    void adaptAccel(ObservationBlock& block, double motion_m_per_s2, double flesh_share, const Covariance& P);
-    void adaptGyro(ObservationBlock& block, const Covariance& P);
+    void adaptAccel(ObservationBlock& block, const TriadReading& reading, double motion_m_per_s2,
+                    double flesh_share, const Covariance& P);
+    void adaptGyro(ObservationBlock& block, const TriadReading& reading, const Covariance& P);
     /// Learns from a distance; returns the variance of its innovation, with what was learnt before, for the
     /// gate.
     double learnDistance(const ObservationBlock& block, int source, const Covariance& P);
@@ -37,8 +38,8 @@ public:
     bool isLost(const InertialMeasurement& measurement, const ObservationBlock& block, double g_m_per_s2);
 
 private:
-    void adapt(ObservationBlock& block, ExcessNoise& noise, Eigen::VectorXd& before,
-               const Covariance& P) const;
+    void adapt(ObservationBlock& block, const TriadReading& reading, ExcessNoise& noise,
+               Eigen::VectorXd& before, const Covariance& P) const;
 
     BoardNoiseParameters parameters_;
     ExcessNoise accel_, distance_, gyro_;

@@ -64,7 +64,8 @@ ObservationBlock JointGive::blockOf(const Constraint& constraint, const MotionSt
     const Vector3d fixed_link = R.transpose() * constraint.fixed_parent;
     return {{constraint.first, constraint.first + 1, constraint.first + 2},
             constraint.moving_link.cross(fixed_link).transpose(),
-            Eigen::VectorXd::Constant(1, -fixed_link.dot(constraint.moving_link)),
+            Eigen::VectorXd::Constant(1, constraint.fixed_parent.dot(constraint.moving_link) -
+                                             fixed_link.dot(constraint.moving_link)),
             Eigen::VectorXd::Zero(1)};
 }
 

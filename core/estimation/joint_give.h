@@ -42,7 +42,7 @@ public:
 
 private:
     /// One direction in which the actor's joint would not turn: `fixed_parent` (in the joint's zero frame)
-    /// and `moving_link` (in the link's) stay perpendicular.
+    /// and `moving_link` (in the link's) keep the angle they have in the zero pose.
     struct Constraint {
         int link = 0, first = 0;  ///< velocity index
         Vector3d fixed_parent, moving_link;

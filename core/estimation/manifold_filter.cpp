@@ -41,6 +41,19 @@ std::vector<bool> gyroscopeJoints(const Skeleton& skeleton, const KinematicTree&
     return with;
 }
 
+/// Per joint: nothing tells whether a joint gives unless the segments on both its sides carry a gyroscope.
+std::vector<bool> givingJoints(const Skeleton& skeleton, const std::vector<bool>& with_gyroscope) {
+    std::vector<bool> gives = with_gyroscope;
+    for (int j = 0; j < skeleton.size(); ++j) {
+        int above = skeleton.joint(j).parent;
+        while (above >= 0 && skeleton.joint(above).type == JointType::kFixed)
+            above = skeleton.joint(above).parent;
+        if (above < 0 || !with_gyroscope[static_cast<size_t>(above)])
+            gives[static_cast<size_t>(j)] = false;
+    }
+    return gives;
+}
+
 SuitModel moved(SuitModel suit, const KinematicTree& from, const KinematicTree& to) {
     const auto move = [&](int& link) { link = link < 0 ? link : to.linkOfJoint(from.link(link).joint); };
     for (MountedBoard& board : suit.boards)
@@ -50,10 +63,16 @@ SuitModel moved(SuitModel suit, const KinematicTree& from, const KinematicTree& 
     return suit;
 }
 
+/// The link that carries this one about: itself unless its joint is rigid.
+const Link& movingLink(const KinematicTree& tree, int link) {
+    while (tree.link(link).count == 0 && tree.link(link).parent >= 0)
+        link = tree.link(link).parent;
+    return tree.link(link);
+}
+
 constexpr double kMinimumConfidence = 0.05;
 constexpr double kDivergedShare = 0.7;  // of distances gated out, running over about kGatingMemory of them
 constexpr double kGatingMemory = 60;
-constexpr int kRestIterations = 6;
 
 }  // namespace
 
@@ -62,7 +81,8 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
       skeleton_(skeleton),
       gyroscope_joints_(gyroscopeJoints(skeleton, KinematicTree(skeleton, BallCoordinates::kManifold), suit,
                                         parameters.sensors)),
-      tree_(parameters.joints_give ? givingSkeleton(skeleton, gyroscope_joints_) : skeleton,
+      tree_(parameters.joints_give ? givingSkeleton(skeleton, givingJoints(skeleton, gyroscope_joints_))
+                                   : skeleton,
             BallCoordinates::kManifold),
       suit_(moved(std::move(suit), KinematicTree(skeleton, BallCoordinates::kManifold), tree_)),
       layout_(makeLayout(tree_.freedoms(), suit_, parameters_)),
@@ -72,7 +92,7 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
     acceleration_decay_ = Eigen::VectorXd::Constant(n, std::exp(-step_s_ / parameters_.joint_accel_time_s));
     acceleration_variance_ = Eigen::VectorXd::Constant(n, std::pow(parameters_.joint_accel_rad_per_s2, 2));
     if (parameters_.joints_give)
-        give_ = JointGive(skeleton_, tree_, gyroscope_joints_, parameters_.give);
+        give_ = JointGive(skeleton_, tree_, givingJoints(skeleton_, gyroscope_joints_), parameters_.give);
     board_noise_.assign(suit_.boards.size(), BoardNoise(parameters_.board_noise, suit_.sources.size()));
     for (const Link& link : tree_.links())
         if (isBlind(link))
@@ -83,89 +103,6 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
         acceleration_variance_.head<3>().setConstant(std::pow(parameters_.root_accel_m_per_s2, 2));
         acceleration_variance_.segment<3>(3).setConstant(std::pow(parameters_.root_turn_accel_rad_per_s2, 2));
     }
-}
-
-void ManifoldFilter::initialise(const Pose& rest_pose) {
-    const auto square = [](double x) { return x * x; };
-    state_.motion = tree_.stateFromPose(rest_pose);
-    rest_ = state_.motion;
-    state_.gyro_bias.assign(suit_.boards.size(), Vector3d::Zero());
-    state_.accel_bias.assign(suit_.boards.size(), Vector3d::Zero());
-    state_.source_offset_m.assign(suit_.sources.size(), 0.0);
-    state_.sound_scale = 0;
-    const int n = layout_.freedoms;
-    Eigen::VectorXd variance = Eigen::VectorXd::Zero(layout_.size);
-    variance.segment(0, n).setConstant(square(parameters_.initial_pose_rad));
-    variance.segment(n, n).setConstant(square(parameters_.rest_rate_rad_per_s));
-    variance.segment(2 * n, n).setConstant(square(parameters_.rest_accel_rad_per_s2));
-    const auto fill = [&](int first, size_t count, double sigma) {
-        if (first >= 0)
-            variance.segment(first, static_cast<Eigen::Index>(count)).setConstant(square(sigma));
-    };
-    fill(layout_.gyro_bias, 3 * suit_.boards.size(), parameters_.gyro_bias_rad_per_s);
-    fill(layout_.accel_bias, 3 * suit_.boards.size(), parameters_.accel_bias_m_per_s2);
-    fill(layout_.source_offset, suit_.sources.size(), parameters_.source_offset_m);
-    fill(layout_.sound_scale, 1, parameters_.sound_scale);
-    P_ = Covariance(variance);
-}
-
-void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) {
-    Pose pose = rest_pose;
-    if (root) {
-        pose.p_world_root = root->p_world_root;
-        pose.q_parent_joint[0] = root->q_world_root;
-    }
-    initialise(pose);
-    correct(P_.update(give_.initial(state_.motion)));
-    step_index_ = static_cast<int64_t>(std::ceil(rest.end_s / step_s_ - 1e-9));
-    settle(rest, root);
-    const int n = layout_.freedoms;
-    P_.dense().diagonal().segment(n, n).array() += std::pow(parameters_.initial_rate_rad_per_s, 2);
-    P_.dense().diagonal().segment(2 * n, n).array() += std::pow(parameters_.initial_accel_rad_per_s2, 2);
-    emitRestPoses(rest);
-}
-
-/// Mean readings of a still body as one iterated update: mean accelerations point up (section 5.4), mean
-/// rates are zero plus the bias.
-void ManifoldFilter::settle(const RestReadings& rest, const RootMeasurement* root) {
-    const BodyState prior = state_;
-    Eigen::VectorXd total = Eigen::VectorXd::Zero(layout_.size);
-    for (int iteration = 0; iteration < kRestIterations; ++iteration) {
-        std::vector<ObservationBlock> blocks;
-        for (const InertialMeasurement& mean : rest.mean_by_board) {
-            if (parameters_.sensors.gyroscopes)
-                blocks.push_back(observations_.gyro(state_, mean, 0));
-            // The paper levels the asked-for pose by the accelerometers before the filter begins, so this
-            // holds also where the run itself does without them; then nothing estimates their bias.
-            blocks.push_back(observations_.accel(state_, mean, 0).block);
-            if (layout_.accel_bias < 0)
-                blocks.back().variance.array() +=
-                    parameters_.accel_bias_m_per_s2 * parameters_.accel_bias_m_per_s2;
-        }
-        if (root)
-            blocks.push_back(observations_.root(state_, *root, 0));
-        for (ObservationBlock& block : blocks)
-            for (Eigen::Index k = 0; k < block.H.cols(); ++k)
-                block.residual += block.H.col(k) * total[block.columns[static_cast<size_t>(k)]];
-        Covariance P = P_;
-        const Eigen::VectorXd delta = P.update(blocks);
-        const double change = (delta - total).norm();
-        total = delta;
-        state_ = prior;
-        correct(total);
-        if (iteration + 1 == kRestIterations || change < 1e-9) {
-            P_ = P;
-            break;
-        }
-    }
-}
-
-void ManifoldFilter::emitRestPoses(const RestReadings& rest) {
-    const int64_t frame_steps = parameters_.steps_per_frame;
-    for (int64_t k = 0; k < step_index_; k += frame_steps)
-        poses_.push_back(estimateAt(static_cast<double>(k) * step_s_));
-    if (step_index_ % frame_steps == 0 && rest.end_s >= 0)
-        poses_.push_back(estimateAt(static_cast<double>(step_index_) * step_s_));
 }
 
 void ManifoldFilter::add(const InertialMeasurement& measurement) {
@@ -214,11 +151,10 @@ void ManifoldFilter::allowForClipping() {
         const int board_link = suit_.boards[static_cast<size_t>(measurement.board)].link;
         if (board_link <= 0 || measurement.gyro.count == 0 || !parameters_.sensors.gyroscopes)
             continue;
-        const auto& axes = measurement.gyro.axes;
-        const bool clipped =
-            measurement.gyro.count < 3 ||
-            std::ranges::any_of(axes, [](const AxisReading& axis) { return axis.beyond != 0; });
-        const Link& link = tree_.link(board_link);
+        const bool clipped = measurement.gyro.count < 3 || measurement.gyro.isClipped();
+        const Link& link = movingLink(tree_, board_link);
+        if (link.type == LinkType::kFree)
+            continue;
         acceleration_variance_.segment(link.first, link.count)
             .setConstant(
                 std::pow(parameters_.joint_accel_rad_per_s2 * (clipped ? parameters_.clipped_factor : 1), 2));
@@ -255,7 +191,7 @@ void ManifoldFilter::updateTriads(bool gyro) {
             blocks.push_back(observations_.gyro(state_, measurement, offset_s));
             // Flesh under the board turns against a root that another system knows.
             if (blocks.back().rows() > 0 && parameters_.root_given && link == 0)
-                noise.adaptGyro(blocks.back(), P_);
+                noise.adaptGyro(blocks.back(), measurement.gyro, P_);
             continue;
         }
         auto [block, motion_m_per_s2] = observations_.accel(state_, measurement, offset_s);
@@ -264,8 +200,8 @@ void ManifoldFilter::updateTriads(bool gyro) {
         if (!parameters_.sensors.gyroscopes)
             block.variance.array() += std::pow(parameters_.blind.accel_floor_m_per_s2, 2);
         else if (link > 0 && noise.isLost(measurement, block, parameters_.g_m_per_s2))
-            beginAnew(tree_.link(link));
-        noise.adaptAccel(block, motion_m_per_s2, give_.fleshShare(), P_);
+            beginAnew(movingLink(tree_, link));
+        noise.adaptAccel(block, measurement.accel, motion_m_per_s2, give_.fleshShare(), P_);
         blocks.push_back(std::move(block));
     }
     std::erase_if(blocks, [](const ObservationBlock& block) { return block.rows() == 0; });
@@ -325,7 +261,7 @@ void ManifoldFilter::noteGating(bool gated) {
 /// One limb has been lost, most often while its gyroscope was at the end of its range.
 void ManifoldFilter::beginAnew(const Link& link) {
     ++resets_;
-    P_.dense().diagonal().segment(link.first, link.count).array() += 0.5 * 0.5;
+    P_.dense().diagonal().segment(link.first, link.count).tail(std::min(link.count, 3)).array() += 0.5 * 0.5;
 }
 
 void ManifoldFilter::updatePriors() {

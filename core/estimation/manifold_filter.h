@@ -53,7 +53,7 @@ struct ManifoldParameters {
 
     double prior_interval_s = 0.1;
 
-    bool joints_give = true;  ///< people; false: joints are exactly the skeleton's
+    bool joints_give = true;  ///< of people; a robot's are exactly the skeleton's
     GiveParameters give;
 
     /// Where no gyroscope rides on a segment, or none is listened to, nothing holds its joint and a

@@ -27,6 +27,7 @@ struct TriadReading {
     int count = 0;
 
     void add(const AxisReading& axis) { axes[static_cast<size_t>(count++)] = axis; }
+    bool isClipped() const { return inRange().count < count; }
     /// Without the axes that were at the end of their range.
     TriadReading inRange() const {
         TriadReading kept;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/suit_model.h"
 
+#include "core/suit/placed_suit.h"
+
 namespace noctule {
 namespace {
 
@@ -20,16 +22,14 @@ Result<SuitModel> mountSuit(const Suit& suit, const Calibration& calibration, co
     if (!checked)
         return checked.error();
     SuitModel model;
-    for (const Board& board : suit.boards) {
-        const BoardCalibration* known = calibration.findBoard(board.id);
-        const Vector3d p =
-            known && known->p_segment_board_m ? *known->p_segment_board_m : board.p_segment_board_m;
-        const Quaterniond q =
-            known && known->q_segment_board ? *known->q_segment_board : board.q_segment_board;
+    const Suit placed = placedSuit(suit, calibration);
+    for (const Board& board : placed.boards) {
+        const Vector3d p = board.p_segment_board_m;
+        const Quaterniond q = board.q_segment_board;
         model.boards.push_back(
             {linkOf(board.segment, actor, tree), p, q.toRotationMatrix(), p + q * board.p_board_mic_m});
     }
-    for (const Source& source : suit.sources)
+    for (const Source& source : placed.sources)
         model.sources.push_back(
             {linkOf(source.segment, actor, tree), source.p_segment_source_m, source.normal_segment});
     return model;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/mesh/skinning.h"
 
@@ -38,11 +39,16 @@ std::string otherThan(const Figure& figure, const SceneMotion& file) {
     return {};
 }
 
+/// What is no number is larger than any.
+double larger(double a, double b) {
+    return std::isnan(b) ? std::numeric_limits<double>::infinity() : std::max(a, b);
+}
+
 double largestJoint_m(const Figure& figure, const SceneMotion& file, size_t frame) {
     const GlobalPose expected = globalPose(figure.clip, frame), seen = globalPose(file.clip, frame);
     double largest_m = 0;
     for (size_t j = 0; j < expected.p_world_joint.size(); ++j)
-        largest_m = std::max(largest_m, (seen.p_world_joint[j] - expected.p_world_joint[j]).norm());
+        largest_m = larger(largest_m, (seen.p_world_joint[j] - expected.p_world_joint[j]).norm());
     return largest_m;
 }
 
@@ -55,7 +61,7 @@ double largestVertex_m(const Figure& figure, const SceneMotion& file, size_t fra
     double largest_m = 0;
     for (size_t t = 0; t < body.triangles.size(); ++t)
         for (size_t i = 0; i < 3; ++i)
-            largest_m = std::max(
+            largest_m = larger(
                 largest_m,
                 (seen_m[file.faces[t][i]] - expected.points_m[body.triangles[t][i]].cast<double>()).norm());
     return largest_m;

@@ -20,7 +20,7 @@ struct InertialReading {
 
 /// Frames per second of every board, clocked by the suit's sample clock.
 inline constexpr int kInertialFramesPerSecond = 140;
-/// Lowest and highest count mean "clipped": reported, never used as a reading.
+/// Lowest and highest count mean "clipped": the truth lies there or beyond.
 inline constexpr double kCountsMin = 0, kCountsMax = 4095;
 
 }  // namespace noctule

@@ -32,14 +32,6 @@ void warnOfOtherSerials(const Suit& suit, const Calibration& calibration,
                            ". Its values are used all the same; calibrate these parts.");
 }
 
-/// Where a calibration has found that sources sit.
-void placeSources(const Calibration& calibration, Suit& suit) {
-    for (Source& source : suit.sources)
-        if (const SourceCalibration* known = calibration.findSource(source.id);
-            known && known->p_segment_source_m)
-            source.p_segment_source_m = *known->p_segment_source_m;
-}
-
 /// A calibration of another suit is refused; boards it lacks get nominal values and a warning.
 Status checkCalibration(const Take& take, const Suit& suit, const Calibration& calibration,
                         std::vector<std::string>& warnings) {
@@ -131,7 +123,6 @@ Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& re
     if (!calibration)
         return calibration.error();
     in.calibration = *calibration;
-    placeSources(in.calibration, in.suit);
     if (Status fits = checkCalibration(take, in.suit, in.calibration, warnings); !fits)
         return fits.error();
     auto actor = chooseActor(take, request, in, warnings);

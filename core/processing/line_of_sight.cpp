@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/math/segment_distance.h"
+#include "core/suit/placed_suit.h"
 
 namespace noctule {
 namespace {
@@ -18,16 +19,13 @@ double pointDistance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
 
 LineOfSight::LineOfSight(const Suit& suit, const Calibration& calibration, const Actor& actor)
     : skeleton_(actor.skeleton) {
-    for (const Source& source : suit.sources)
+    const Suit placed = placedSuit(suit, calibration);
+    for (const Source& source : placed.sources)
         sources_.push_back(placeOn(source.segment, source.p_segment_source_m, source.normal_segment));
-    for (const Board& board : suit.boards) {
-        const BoardCalibration* known = calibration.findBoard(board.id);
-        const Vector3d p =
-            known ? known->p_segment_board_m.value_or(board.p_segment_board_m) : board.p_segment_board_m;
-        const Quaterniond q =
-            known ? known->q_segment_board.value_or(board.q_segment_board) : board.q_segment_board;
-        microphones_.push_back(placeOn(board.segment, p + q * board.p_board_mic_m, Vector3d::Zero()));
-    }
+    for (const Board& board : placed.boards)
+        microphones_.push_back(placeOn(board.segment,
+                                       board.p_segment_board_m + board.q_segment_board * board.p_board_mic_m,
+                                       Vector3d::Zero()));
     for (const Capsule& capsule : actor.capsules)
         if (const int segment = skeleton_.find(capsule.segment); segment >= 0)
             capsules_.push_back({segment, capsule.a_m, capsule.b_m, capsule.radius_m});

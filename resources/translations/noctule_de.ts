@@ -633,6 +633,13 @@
         <source>%1 is left out: how it sits today stays unknown.</source>
         <translation>%1 wird ausgelassen: wie sie heute sitzt, bleibt unbekannt.</translation>
     </message>
+    <message numerus="yes">
+        <source>So are %n other(s).</source>
+        <translation>
+            <numerusform>So liegt auch eine weitere.</numerusform>
+            <numerusform>So liegen auch %n weitere.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Measures</name>
@@ -1794,6 +1801,10 @@
     <message>
         <source>No session is open. Open one first.</source>
         <translation>Keine Sitzung ist offen. Zuerst eine öffnen.</translation>
+    </message>
+    <message>
+        <source>The calibration %1 of this session is gone or damaged. Takes are made with what the suit knows of itself; choose another one in step Calibrate.</source>
+        <translation>Die Kalibrierung %1 dieser Sitzung ist verschwunden oder beschädigt. Aufgenommen wird mit dem, was der Anzug von sich selbst weiß; wählen Sie im Schritt Kalibrieren eine andere.</translation>
     </message>
 </context>
 <context>
@@ -5241,8 +5252,12 @@ keine Lücken</translation>
         <translation>Aufnahmen damit wären falsch, wo die Karten es sagen. Wiederholen, was genannt ist.</translation>
     </message>
     <message>
-        <source>Will be saved as %1-%2. Every later take names it; undo with Ctrl+Z.</source>
-        <translation>Wird als %1-%2 gesichert. Jede spätere Aufnahme nennt sie; rückgängig mit Strg+Z.</translation>
+        <source>Saved. Takes are made with another calibration now; step Calibrate has the list.</source>
+        <translation>Gesichert. Aufgenommen wird jetzt mit einer anderen Kalibrierung; die Liste steht im Schritt Kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Will be saved as %1. Every later take names it; undo with Ctrl+Z.</source>
+        <translation>Wird als %1 gesichert. Jede spätere Aufnahme nennt sie; rückgängig mit Strg+Z.</translation>
     </message>
 </context>
 <context>

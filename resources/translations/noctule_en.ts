@@ -50,6 +50,13 @@
             <numerusform>All %n boards are in place. Nothing touches them.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>So are %n other(s).</source>
+        <translation>
+            <numerusform>So is one other.</numerusform>
+            <numerusform>So are %n others.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::BoardCard</name>

@@ -16,6 +16,7 @@ struct SimulatedTake {
     simulation::Level level = simulation::Level::kReadings;  ///< rows at once: quick
     double duration_s = 0;                                   ///< 0: the motion once
     std::optional<double> rest_seconds{};                    ///< none: the scenario's
+    simulation::Scenario scenario = simulation::Scenario::nominal();
 };
 
 /// Named as its file.
@@ -23,7 +24,7 @@ inline Status writeSimulatedTake(const std::string& path, SimulatedTake wanted, 
     simulation::StageRequest request;
     request.suit = defaultSuit();
     request.clip = std::move(wanted.clip);
-    request.scenario = simulation::Scenario::nominal();
+    request.scenario = wanted.scenario;
     request.rest_seconds = wanted.rest_seconds;
     request.duration_s = wanted.duration_s;
     const auto stage = simulation::prepareStage(request);

@@ -53,6 +53,8 @@ UnfinishedCalibration readUnfinished(const QString& path, const QString& evidenc
         return {};
     UnfinishedCalibration unfinished;
     try {
+        if (json.value("version", 1) > 1)
+            return {};
         unfinished.started_utc = textIn(json, "started_utc");
         unfinished.distances_path = textIn(json, "distances");
         for (const nlohmann::json& entry : json.at("evidence")) {

@@ -91,14 +91,26 @@ void WizardRun::watch() {
     guide_ = makeGuide(task_, suit_, base().value_or(nominalCalibration(suit_)), sampleRate_hz(), known_);
     for (int board = 0; board < static_cast<int>(suit_.boards.size()); ++board)
         guide_->skip(board, skipped.contains(suit_.boards[static_cast<size_t>(board)].id));
-    for (const WizardEvidence& part : unfinished_.evidence)
-        for (int step = 0; step < guide_->stepCount(); ++step) {
-            const QString label = QString::fromStdString(guide_->labelOf(step));
-            const bool shows = label.isEmpty() ? part.step == step : part.placement == label;
-            for (const std::string& id : part.boards)
-                if (const int board = suit_.findBoard(id); shows && board >= 0)
-                    guide_->setDone(step, board);
-        }
+    std::erase_if(unfinished_.evidence, [this](WizardEvidence& part) {
+        const auto step = stepShownBy(part);
+        if (!step)
+            return true;  // of a placement that is not asked for any more; the take stays in its folder
+        part.step = *step;
+        for (const std::string& id : part.boards)
+            if (const int board = suit_.findBoard(id); board >= 0)
+                guide_->setDone(*step, board);
+        return false;
+    });
+}
+
+/// By its label where steps have one: a file of distances may have been changed since.
+std::optional<int> WizardRun::stepShownBy(const WizardEvidence& part) const {
+    for (int step = 0; step < guide_->stepCount(); ++step) {
+        const QString label = QString::fromStdString(guide_->labelOf(step));
+        if (label.isEmpty() ? part.step == step : part.placement == label)
+            return step;
+    }
+    return std::nullopt;
 }
 
 /// Another suit, or the same one named otherwise.
@@ -301,7 +313,7 @@ void WizardRun::solve(const std::vector<std::string>& paths) {
     saved_file_.clear();
     KnownDistances known = known_;
     std::erase_if(known.distances, [this](const KnownDistance& distance) {
-        const int board = guide_ ? suit_.findBoard(distance.board) : -1;
+        const int board = guide_ && from_evidence_ ? suit_.findBoard(distance.board) : -1;
         return board >= 0 && guide_->isSkipped(board);
     });
     job_ = studio_.jobs().start<CalibrationResult>(

@@ -98,6 +98,7 @@ signals:
 private:
     void setPhase(Phase phase);
     void watch();
+    std::optional<int> stepShownBy(const WizardEvidence& part) const;
     void followWearing();
     int sampleRate_hz() const;
     void look();

@@ -74,12 +74,19 @@ TEST(InertialCalibrator, MisalignedTriadWithAnAxisMissingStillGivesExactEquation
     }
 }
 
-TEST(InertialCalibrator, ClippedReadingsAreLeftOutAndCounted) {
+TEST(InertialCalibrator, ClippedReadingsSaySoAndAreCounted) {
     InertialCalibrator calibrator(oneBoard(), nominalCalibration(oneBoard()), kRate_hz);
-    EXPECT_EQ(calibrator.convert(readingOf({2048, 2048, 2048}, {2048, 2048, 2048})).gyro.count, 3);
+    const InertialMeasurement whole = calibrator.convert(readingOf({2048, 2048, 2048}, {2048, 2048, 2048}));
+    EXPECT_EQ(whole.gyro.inRange().count, 3);
     const InertialMeasurement clipped = calibrator.convert(readingOf({0, 2048, 4095}, {2048, 4095, 2048}, 1));
-    EXPECT_EQ(clipped.gyro.count, 1);
-    EXPECT_EQ(clipped.accel.count, 2);
+    ASSERT_EQ(clipped.gyro.count, 3);
+    EXPECT_EQ(clipped.gyro.axes[0].beyond, -1);
+    EXPECT_NEAR(clipped.gyro.axes[0].value, -17.5, 0.01);
+    EXPECT_EQ(clipped.gyro.axes[1].beyond, 0);
+    EXPECT_EQ(clipped.gyro.axes[2].beyond, 1);
+    EXPECT_GT(clipped.gyro.axes[2].sigma, 1) << "the truth may lie far beyond";
+    EXPECT_EQ(clipped.gyro.inRange().count, 1);
+    EXPECT_EQ(clipped.accel.inRange().count, 2);
     EXPECT_EQ(calibrator.clippedReadings(0), 3);
 }
 

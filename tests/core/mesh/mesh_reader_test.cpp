@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/body/actor.h"
-#include "core/mesh/glb_writer.h"
+#include "core/formats/glb_writer.h"
 #include "core/mesh/rigged_mesh_bytes.h"
 #include "tests/support/files.h"
 #include "tests/support/fuzzing.h"

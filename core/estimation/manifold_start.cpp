@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the filter begins: from the pose that was asked for and what the boards read while it was held.
+#include <cmath>
+
+#include "core/estimation/manifold_filter.h"
+
+namespace noctule {
+namespace {
+
+constexpr int kRestIterations = 6;
+
+}  // namespace
+
+void ManifoldFilter::initialise(const Pose& rest_pose) {
+    const auto square = [](double x) { return x * x; };
+    state_.motion = tree_.stateFromPose(rest_pose);
+    rest_ = state_.motion;
+    state_.gyro_bias.assign(suit_.boards.size(), Vector3d::Zero());
+    state_.accel_bias.assign(suit_.boards.size(), Vector3d::Zero());
+    state_.source_offset_m.assign(suit_.sources.size(), 0.0);
+    state_.sound_scale = 0;
+    const int n = layout_.freedoms;
+    Eigen::VectorXd variance = Eigen::VectorXd::Zero(layout_.size);
+    variance.segment(0, n).setConstant(square(parameters_.initial_pose_rad));
+    variance.segment(n, n).setConstant(square(parameters_.rest_rate_rad_per_s));
+    variance.segment(2 * n, n).setConstant(square(parameters_.rest_accel_rad_per_s2));
+    const auto fill = [&](int first, size_t count, double sigma) {
+        if (first >= 0)
+            variance.segment(first, static_cast<Eigen::Index>(count)).setConstant(square(sigma));
+    };
+    fill(layout_.gyro_bias, 3 * suit_.boards.size(), parameters_.gyro_bias_rad_per_s);
+    fill(layout_.accel_bias, 3 * suit_.boards.size(), parameters_.accel_bias_m_per_s2);
+    fill(layout_.source_offset, suit_.sources.size(), parameters_.source_offset_m);
+    fill(layout_.sound_scale, 1, parameters_.sound_scale);
+    P_ = Covariance(variance);
+}
+
+void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) {
+    Pose pose = rest_pose;
+    if (root) {
+        pose.p_world_root = root->p_world_root;
+        pose.q_parent_joint[0] = root->q_world_root;
+    }
+    initialise(pose);
+    correct(P_.update(give_.initial(state_.motion)));
+    step_index_ = static_cast<int64_t>(std::ceil(rest.end_s / step_s_ - 1e-9));
+    settle(rest, root);
+    const int n = layout_.freedoms;
+    P_.dense().diagonal().segment(n, n).array() += std::pow(parameters_.initial_rate_rad_per_s, 2);
+    P_.dense().diagonal().segment(2 * n, n).array() += std::pow(parameters_.initial_accel_rad_per_s2, 2);
+    emitRestPoses(rest);
+}
+
+/// Mean readings of a still body as one iterated update: mean accelerations point up (section 5.4), mean
+/// rates are zero plus the bias.
+void ManifoldFilter::settle(const RestReadings& rest, const RootMeasurement* root) {
+    const BodyState prior = state_;
+    Eigen::VectorXd total = Eigen::VectorXd::Zero(layout_.size);
+    for (int iteration = 0; iteration < kRestIterations; ++iteration) {
+        std::vector<ObservationBlock> blocks;
+        for (const InertialMeasurement& mean : rest.mean_by_board) {
+            if (parameters_.sensors.gyroscopes)
+                blocks.push_back(observations_.gyro(state_, mean, 0));
+            // The paper levels the asked-for pose by the accelerometers before the filter begins, so this
+            // holds also where the run itself does without them; then nothing estimates their bias.
+            blocks.push_back(observations_.accel(state_, mean, 0).block);
+            if (layout_.accel_bias < 0)
+                blocks.back().variance.array() +=
+                    parameters_.accel_bias_m_per_s2 * parameters_.accel_bias_m_per_s2;
+        }
+        if (root)
+            blocks.push_back(observations_.root(state_, *root, 0));
+        for (ObservationBlock& block : blocks)
+            for (Eigen::Index k = 0; k < block.H.cols(); ++k)
+                block.residual += block.H.col(k) * total[block.columns[static_cast<size_t>(k)]];
+        Covariance P = P_;
+        const Eigen::VectorXd delta = P.update(blocks);
+        const double change = (delta - total).norm();
+        total = delta;
+        state_ = prior;
+        correct(total);
+        if (iteration + 1 == kRestIterations || change < 1e-9) {
+            P_ = P;
+            break;
+        }
+    }
+}
+
+void ManifoldFilter::emitRestPoses(const RestReadings& rest) {
+    const int64_t frame_steps = parameters_.steps_per_frame;
+    for (int64_t k = 0; k < step_index_; k += frame_steps)
+        poses_.push_back(estimateAt(static_cast<double>(k) * step_s_));
+    if (step_index_ % frame_steps == 0 && rest.end_s >= 0)
+        poses_.push_back(estimateAt(static_cast<double>(step_index_) * step_s_));
+}
+
+}  // namespace noctule

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/joint_give.h"
+
+#include <gtest/gtest.h>
+
+#include "core/math/rotation.h"
+#include "tests/core/estimation/small_body.h"
+#include "tests/support/jacobian_checker.h"
+
+namespace noctule {
+namespace {
+
+using Eigen::VectorXd;
+
+/// The small body whose universal and hinge joints give.
+class JointGiveTest : public ::testing::Test {
+protected:
+    JointGiveTest()
+        : actor(testing::smallSkeleton()),
+          giving(givingSkeleton(actor, gives)),
+          tree(giving, BallCoordinates::kManifold),
+          P(VectorXd::Constant(3 * tree.freedoms(), 1e-8)),
+          give(actor, tree, gives, {}) {}
+
+    /// Arm and forearm moved by their own freedoms, then by `off_rad` of what they lack.
+    MotionState at(double time_s, double off_rad) const {
+        Pose pose = actor.zeroPose();
+        const double a = std::sin(time_s), b = std::cos(0.7 * time_s);
+        pose.q_parent_joint[2] = axisAngle(Vector3d::UnitZ(), a) * axisAngle(Vector3d::UnitX(), off_rad) *
+                                 axisAngle(Vector3d::UnitY(), b);
+        pose.q_parent_joint[3] = axisAngle(Vector3d::UnitY(), 1 + b) * axisAngle(Vector3d::UnitX(), off_rad);
+        return tree.stateFromPose(pose);
+    }
+
+    double largestResidual(const std::vector<ObservationBlock>& blocks) const {
+        double largest = 0;
+        for (const ObservationBlock& block : blocks)
+            largest = std::max(largest, std::abs(block.residual[0]));
+        return largest;
+    }
+
+    /// Ten seconds in which the joints give by `amplitude_rad`.
+    std::vector<ObservationBlock> observed(double amplitude_rad) {
+        std::vector<ObservationBlock> last;
+        for (int k = 1; k <= 100; ++k)
+            last = give.observe(at(0.1 * k, amplitude_rad * std::sin(0.6 * k)), P, 0.1);
+        return last;
+    }
+
+    const std::vector<bool> gives{false, false, true, true};
+    Skeleton actor, giving;
+    KinematicTree tree;
+    Covariance P;
+    JointGive give;
+};
+
+TEST_F(JointGiveTest, WhatTheActorsJointsCanDoIsNoDeviation) {
+    const auto blocks = give.initial(at(0.8, 0));
+    EXPECT_EQ(blocks.size(), 3u);  // one direction of the universal joint, two of the hinge
+    EXPECT_LT(largestResidual(blocks), 1e-12);
+    EXPECT_NEAR(largestResidual(give.initial(at(0.8, 0.05))), 0.05, 0.001);
+}
+
+TEST_F(JointGiveTest, JacobiansEqualDifferences) {
+    const MotionState state = at(0.8, 0.07);
+    const auto blocks = give.initial(state);
+    for (size_t i = 0; i < blocks.size(); ++i) {
+        Eigen::MatrixXd full = Eigen::MatrixXd::Zero(1, tree.freedoms());
+        for (size_t k = 0; k < blocks[i].columns.size(); ++k)
+            full.col(blocks[i].columns[k]) = blocks[i].H.col(static_cast<Eigen::Index>(k));
+        testing::expectJacobian(
+            [&](const VectorXd& delta) -> VectorXd {
+                MotionState moved = state;
+                tree.retract(moved, delta);
+                return -give.initial(moved)[i].residual;
+            },
+            full, "constraint " + std::to_string(i));
+    }
+}
+
+TEST_F(JointGiveTest, JointsThatNeverGiveBecomeRigid) {
+    for (const ObservationBlock& block : observed(0))
+        EXPECT_LT(std::sqrt(block.variance[0]), 0.001);
+    EXPECT_LT(give.fleshShare(), 0.001);
+    EXPECT_LT(std::sqrt(give.meanVariance_rad2()), 0.001);
+}
+
+TEST_F(JointGiveTest, JointsThatGiveAreBelievedTo) {
+    observed(0.08);
+    EXPECT_GT(give.fleshShare(), 0.7);
+    const double rms_rad = 0.08 / std::sqrt(2.0);
+    EXPECT_GT(std::sqrt(give.meanVariance_rad2()), 0.7 * rms_rad);
+    EXPECT_LT(std::sqrt(give.meanVariance_rad2()), 2 * rms_rad);
+}
+
+TEST_F(JointGiveTest, OneFarDeviationAfterAnOutageTeachesLittle) {
+    observed(0);
+    give.observe(at(10.1, 0.6), P, 0.1);
+    EXPECT_LT(give.fleshShare(), 0.001);
+}
+
+}  // namespace
+}  // namespace noctule
