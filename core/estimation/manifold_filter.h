@@ -24,7 +24,7 @@ struct ManifoldParameters {
     int steps_per_frame = 3;  ///< filter steps per 1/140 s; more: less extrapolation, more time
 
     // Motion: standard deviation of an acceleration and the time over which it changes.
-    double joint_accel_rad_per_s2 = 80, joint_accel_time_s = 0.1;
+    double joint_accel_rad_per_s2 = 60, joint_accel_time_s = 0.1;
     double clipped_factor = 10;  ///< joint_accel of a segment whose gyroscope is at the end of its range
     double root_accel_m_per_s2 = 4, root_accel_time_s = 0.3;
     double root_turn_accel_rad_per_s2 = 25;
