@@ -7,19 +7,6 @@
 namespace noctule {
 namespace {
 
-Status checkFigureMotion(const MotionClip& clip) {
-    for (size_t f = 0; f < clip.frames.size(); ++f) {
-        const GlobalPose global = globalPose(clip, f);
-        for (size_t j = 0; j < global.p_world_joint.size(); ++j)
-            if (!global.p_world_joint[j].allFinite() || !global.q_world_joint[j].coeffs().allFinite())
-                return Error{ErrorKind::kUnusable,
-                             clip.name + ": frame " + std::to_string(f + 1) + " of joint " +
-                                 clip.skeleton.joints()[j].name + " is not a finite number",
-                             "Process the take again or leave this part out"};
-    }
-    return Done{};
-}
-
 /// The same body with exactly the skeleton's joints as its bones.
 SkinnedMesh onJointsOf(const Skeleton& skeleton, const SkinnedMesh& body) {
     SkinnedMesh result = body;
@@ -35,6 +22,19 @@ SkinnedMesh onJointsOf(const Skeleton& skeleton, const SkinnedMesh& body) {
 
 }  // namespace
 
+Status checkFinite(const MotionClip& clip) {
+    for (size_t f = 0; f < clip.frames.size(); ++f) {
+        const GlobalPose global = globalPose(clip, f);
+        for (size_t j = 0; j < global.p_world_joint.size(); ++j)
+            if (!global.p_world_joint[j].allFinite() || !global.q_world_joint[j].coeffs().allFinite())
+                return Error{ErrorKind::kUnusable,
+                             clip.name + ": frame " + std::to_string(f + 1) + " of joint " +
+                                 clip.skeleton.joints()[j].name + " is not a finite number",
+                             "Process the take again or leave this part out"};
+    }
+    return Done{};
+}
+
 std::string exportedName(const Joint& joint, JointNames names) {
     const auto alias = joint.aliases.find("humanik");
     return names == JointNames::kHumanIk && alias != joint.aliases.end() ? alias->second : joint.name;
@@ -49,7 +49,7 @@ Skeleton renamed(const Skeleton& skeleton, JointNames names) {
 }
 
 Result<Figure> makeFigure(MotionClip clip, std::optional<SkinnedMesh> body, JointNames names) {
-    if (Status finite = checkFigureMotion(clip); !finite)
+    if (Status finite = checkFinite(clip); !finite)
         return finite.error();
     Figure figure{std::move(clip), std::nullopt, {}};
     if (body)

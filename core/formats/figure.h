@@ -30,6 +30,9 @@ std::string exportedName(const Joint& joint, JointNames names);
 /// The same skeleton under other names.
 Skeleton renamed(const Skeleton& skeleton, JointNames names);
 
+/// kUnusable, and names frame and joint, when the clip holds anything that is not finite.
+Status checkFinite(const MotionClip& clip);
+
 /// Bones that the clip's skeleton has no joint for are folded into the nearest one above them; then joints
 /// and bones get their names. kUnusable when the clip holds anything that is not finite.
 Result<Figure> makeFigure(MotionClip clip, std::optional<SkinnedMesh> body, JointNames names);

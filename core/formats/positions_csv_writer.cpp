@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "core/formats/figure.h"
 #include "core/formats/number_text.h"
 #include "core/formats/positions_csv.h"
 #include "core/job/atomic_file.h"
@@ -47,19 +48,6 @@ void appendAngles(std::string& text, const Skeleton& skeleton, const Pose& pose)
         for (const double angle_rad : projected.angles_rad)
             appendNumber(text, degrees(angle_rad));
     }
-}
-
-Status checkFinite(const MotionClip& clip) {
-    for (size_t f = 0; f < clip.frames.size(); ++f) {
-        const GlobalPose global = globalPose(clip, f);
-        for (size_t j = 0; j < global.p_world_joint.size(); ++j)
-            if (!global.p_world_joint[j].allFinite() || !global.q_world_joint[j].coeffs().allFinite())
-                return Error{ErrorKind::kUnusable,
-                             clip.name + ": frame " + std::to_string(f + 1) + " of joint " +
-                                 clip.skeleton.joints()[j].name + " is not a finite number",
-                             "Process the take again or leave this part out"};
-    }
-    return Done{};
 }
 
 }  // namespace
