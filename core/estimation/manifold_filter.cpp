@@ -228,7 +228,10 @@ void ManifoldFilter::updateDistances(double limit_s) {
             const double sigma = measurement.sigma_m / measurement.confidence;
             block.variance[0] = sigma * sigma + parameters_.distance_floor_m * parameters_.distance_floor_m;
             BoardNoise& noise = board_noise_[static_cast<size_t>(measurement.board)];
-            decision.sigma_m = std::sqrt(noise.learnDistance(block, measurement.source, P_));
+            // Without gyroscopes innovations are those of a coarse model of motion, and no noise.
+            decision.sigma_m =
+                std::sqrt(parameters_.sensors.gyroscopes ? noise.learnDistance(block, measurement.source, P_)
+                                                         : P_.innovationVariance(block)[0]);
             const double ratio = std::abs(decision.innovation_m) / decision.sigma_m;
             const bool gated = ratio > parameters_.distance_gate_sigma;
             noteGating(gated);
