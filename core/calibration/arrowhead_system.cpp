@@ -4,6 +4,11 @@
 #include <Eigen/Cholesky>
 
 namespace noctule {
+namespace {
+
+constexpr int kWaitingNodes = 8;
+
+}  // namespace
 
 void ResidualBlock::addBorder(int first, const Vector3d& column) {
     columns.push_back({true, first, 1, Matrix3d::Zero()});
@@ -16,6 +21,7 @@ ArrowheadSystem::ArrowheadSystem(int nodes, int node_size, int border_size)
       node_gradient_(Eigen::MatrixXd::Zero(node_size, nodes)),
       node_step_(Eigen::MatrixXd::Zero(node_size, nodes)),
       corner_(Eigen::MatrixXd::Zero(border_size, border_size)),
+      waiting_(kWaitingNodes * node_size, border_size),
       border_gradient_(Eigen::VectorXd::Zero(border_size)),
       border_step_(Eigen::VectorXd::Zero(border_size)) {
     for (Node& node : nodes_) {
@@ -79,7 +85,10 @@ bool ArrowheadSystem::eliminate(int index) {
     auto gradient = node_gradient_.col(index);
     lower.solveInPlace(gradient);
     lower.solveInPlace(node.border);
-    corner_.selfadjointView<Eigen::Lower>().rankUpdate(node.border.transpose(), -1);
+    waiting_.middleRows(waiting_rows_, node_size_) = node.border;
+    waiting_rows_ += node_size_;
+    if (waiting_rows_ == waiting_.rows())
+        shrinkCorner();
     border_gradient_.noalias() -= node.border.transpose() * gradient;
     const auto later = [&](int distance, Eigen::MatrixXd& coupling) {
         if (index + distance >= static_cast<int>(nodes_.size()))
@@ -95,6 +104,11 @@ bool ArrowheadSystem::eliminate(int index) {
     if (index + 2 < static_cast<int>(nodes_.size()))
         nodes_[static_cast<size_t>(index) + 1].next.noalias() -= node.after_next * node.next.transpose();
     return true;
+}
+
+void ArrowheadSystem::shrinkCorner() {
+    corner_.selfadjointView<Eigen::Lower>().rankUpdate(waiting_.topRows(waiting_rows_).transpose(), -1);
+    waiting_rows_ = 0;
 }
 
 void ArrowheadSystem::substituteBack() {
@@ -117,6 +131,7 @@ bool ArrowheadSystem::solve(double damping, const JobContext& job) {
     for (int k = 0; k < static_cast<int>(nodes_.size()); ++k)
         if (job.cancelled() || !eliminate(k))
             return false;
+    shrinkCorner();
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(corner_);
     if (factor.info() != Eigen::Success)
         return false;

@@ -54,12 +54,17 @@ private:
     };
     void addPair(const ResidualBlock& residuals, const ColumnBlock& a, const ColumnBlock& b);
     bool eliminate(int node);
+    void shrinkCorner();
     void substituteBack();
 
     int node_size_;
     std::vector<Node> nodes_;
     Eigen::MatrixXd node_gradient_, node_step_;  ///< node size x nodes
     Eigen::MatrixXd corner_;                     ///< after solve() its Cholesky factor
+    /// Eliminated borders that the corner has yet to lose: it is far larger than the cache, and is gone
+    /// through once for several nodes.
+    Eigen::MatrixXd waiting_;
+    int waiting_rows_ = 0;
     Eigen::VectorXd border_gradient_, border_step_;
 };
 

@@ -188,6 +188,10 @@ private:
 
 }  // namespace
 
+std::span<const UnitMistake> unitMistakes() {
+    return kUnitMistakes;
+}
+
 std::optional<UnitMistake> findUnitMistake(const JigData& jig) {
     std::map<int, std::vector<const JigMeasurement*>> by_source;
     for (const JigMeasurement& m : jig.measurements)
@@ -207,7 +211,7 @@ std::optional<UnitMistake> findUnitMistake(const JigData& jig) {
     const double factor = medianOf(factors);
     for (const UnitMistake& mistake : kUnitMistakes)
         if (std::abs(factor / mistake.factor - 1) < kUnitTolerance)
-            return UnitMistake{mistake.factor, mistake.words};
+            return mistake;
     return std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/calibration/jig_measurements.h"
@@ -15,6 +16,7 @@ struct UnitMistake {
     double factor = 1;  ///< known distances over true ones
     const char* words;  ///< "as if millimetres stood under a heading in metres"
 };
+std::span<const UnitMistake> unitMistakes();
 std::optional<UnitMistake> findUnitMistake(const JigData& jig);
 
 /// Finds them one after another, the plainest first, and marks their measurements as mislabelled.

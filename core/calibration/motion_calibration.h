@@ -62,6 +62,7 @@ struct MotionReport {
     double sound_scale = 1, sigma_sound_scale = 0;  ///< factor on the speed of sound in force
     double c_m_per_s = 340;                         ///< that speed
     double moved_s = 0;                             ///< of all takes, without the rest
+    int rests = 0;                                  ///< how often the rest pose was held
     int distances = 0, iterations = 0;
     bool converged = false;
 

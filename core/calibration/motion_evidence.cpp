@@ -63,6 +63,17 @@ void readDistances(const Observations& take, const Calibration& calibration, Mot
 
 }  // namespace
 
+int MotionEvidence::restNodes() const {
+    int sum = 0;
+    for (const NodeSpan& rest : rests)
+        sum += rest.count;
+    return sum;
+}
+
+bool MotionEvidence::isStillStep(int node) const {
+    return std::ranges::any_of(rests, [node](const NodeSpan& rest) { return rest.holdsStep(node); });
+}
+
 MotionEvidence readMotion(const Observations& take, const StillStretch& still, double step_s,
                           double longest_s) {
     MotionEvidence evidence;
@@ -71,7 +82,13 @@ MotionEvidence readMotion(const Observations& take, const StillStretch& still, d
     evidence.begin_s = still.stretch.end_s - rest_s;
     const double lasts_s = std::min(longest_s, take.duration_s - evidence.begin_s);
     evidence.nodes = std::max(0, static_cast<int>(std::floor(lasts_s / step_s)));
-    evidence.still_nodes = std::min(evidence.nodes, static_cast<int>(std::floor(rest_s / step_s)));
+    evidence.rests = {{0, std::min(evidence.nodes, static_cast<int>(std::floor(rest_s / step_s)))}};
+    for (const Stretch& again : returnsTo(still, take)) {
+        const int first = static_cast<int>(std::ceil((again.begin_s - evidence.begin_s) / step_s));
+        const int last = static_cast<int>(std::floor((again.end_s - evidence.begin_s) / step_s));
+        if (first > evidence.rests.back().first + evidence.rests.back().count && last < evidence.nodes)
+            evidence.rests.push_back({first, last - first + 1});
+    }
     Calibration calibration = take.calibration;
     for (size_t b = 0; b < take.suit.boards.size(); ++b) {
         BoardCalibration& known = entryOf(calibration, take.suit.boards[b]);

@@ -32,14 +32,25 @@ struct HeardDistance {
     double distance_m = 0, confidence = 1;
 };
 
+struct NodeSpan {
+    int first = 0, count = 0;
+
+    int middle() const { return first + count / 2; }
+    /// Both this node and the next one.
+    bool holdsStep(int node) const { return node >= first && node + 1 < first + count; }
+};
+
 struct MotionEvidence {
     double begin_s = 0, step_s = 0.1;
     int nodes = 0;
-    int still_nodes = 0;                            ///< the first ones: the performer holds the rest pose
+    std::vector<NodeSpan> rests{};  ///< the performer holds the rest pose; the first one begins with node 0
     std::vector<std::vector<BoardTurn>> turns{};    ///< per board, nodes - 1
     std::vector<std::vector<BoardForce>> forces{};  ///< per board, nodes; ends are not heard
     std::vector<HeardDistance> distances{};         ///< in order of nodes
     std::vector<double> heard_share{};              ///< per board, of its turns
+
+    int restNodes() const;
+    bool isStillStep(int node) const;  ///< from the node to the next one
 
     static constexpr double kLeastHeardShare = 0.5;
     bool isHeard(size_t board) const { return heard_share[board] >= kLeastHeardShare; }
@@ -47,8 +58,8 @@ struct MotionEvidence {
 
 struct StillStretch;
 
-/// From shortly before the end of the rest pose on, for at most `longest_s`. Gyroscopes' zeros are those of
-/// the rest pose.
+/// From shortly before the end of the rest pose on, for at most `longest_s`, with every return to it.
+/// Gyroscopes' zeros are those of the first rest pose.
 MotionEvidence readMotion(const Observations& take, const StillStretch& still, double step_s,
                           double longest_s);
 

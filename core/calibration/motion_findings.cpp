@@ -6,6 +6,7 @@
 #include "core/body/text.h"
 #include "core/calibration/worn_part_names.h"
 #include "core/math/rotation.h"
+#include "core/suit/placed_suit.h"
 
 namespace noctule {
 namespace {
@@ -57,36 +58,43 @@ void addEvidenceFindings(const Observations& take, const StillStretch& still, co
 }
 
 void addMovementFindings(const MotionSettings& settings, const MotionBody& body,
-                         const std::vector<MotionNode>& nodes, double moved_s, std::vector<Finding>& into) {
+                         const std::vector<int>& board_segments, const std::vector<MotionNode>& nodes,
+                         double moved_s, std::vector<Finding>& into) {
     if (moved_s < settings.shortest_s)
         into.push_back({Grade::kNotUsable, "",
                         "There are only " + text::number(moved_s, 0) + " s of movement after the rest pose",
                         "Move for 30 to 60 seconds"});
     std::vector<std::string> still;
-    for (int s = 1; s < body.size(); ++s)
+    int joints = 0;
+    for (int s = 1; s < body.size(); ++s) {
+        if (std::ranges::find(board_segments, s) == board_segments.end())
+            continue;
+        ++joints;
         if (turnSpread_rad(body, nodes, s) < kLeastTurn_rad)
             still.push_back(text::jointLabel(body.segment(s).name));
+    }
     if (still.empty())
         return;
     std::string names;
     for (const std::string& name : still)
         names += (names.empty() ? "" : ", ") + name;
-    const bool too_many = static_cast<double>(still.size()) > kStillJointsAllowed * (body.size() - 1);
+    const bool too_many = static_cast<double>(still.size()) > kStillJointsAllowed * joints;
     into.push_back({too_many ? Grade::kNotUsable : Grade::kUsable, "",
                     "Too little movement to show how boards sit at: " + names, kMoveAgain});
 }
 
 void addResultFindings(const Observations& take, const MotionReport& report, std::vector<Finding>& into) {
+    const Suit placed = placedSuit(take.suit, take.calibration);
     for (int b = 0; b < static_cast<int>(report.boards.size()); ++b) {
         const BoardInMotion& board = report.boards[static_cast<size_t>(b)];
         const Vector3d shift_m =
-            board.p_segment_board_m - take.suit.boards[static_cast<size_t>(b)].p_segment_board_m;
+            board.p_segment_board_m - placed.boards[static_cast<size_t>(b)].p_segment_board_m;
         if (board.measured && (board.turned_rad > kMuchTurn_rad || shift_m.norm() > kMuchShift_m))
             into.push_back({Grade::kUsable, board.id,
                             boardName(take.suit, b) + ", is found " +
                                 text::number(degrees(board.turned_rad), 0) + "° and " +
                                 text::number(100 * shift_m.norm(), 0) +
-                                " cm from where it was thought to sit",
+                                " cm from where the calibration before has it",
                             "Put its strap right or correct the suit file, then calibrate again"});
     }
     if (!report.converged)

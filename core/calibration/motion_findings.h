@@ -12,9 +12,11 @@ namespace noctule {
 /// Of one take, before anything is fitted.
 void addEvidenceFindings(const Observations& take, const StillStretch& still, const MotionEvidence& evidence,
                          std::vector<Finding>& into);
-/// Too short, or joints that moved too little to show anything; from the first trajectory of all takes.
+/// Too short, or joints that moved too little to show how the boards below them sit; from the first
+/// trajectory of all takes. `board_segments`: of each board.
 void addMovementFindings(const MotionSettings& settings, const MotionBody& body,
-                         const std::vector<MotionNode>& nodes, double moved_s, std::vector<Finding>& into);
+                         const std::vector<int>& board_segments, const std::vector<MotionNode>& nodes,
+                         double moved_s, std::vector<Finding>& into);
 /// Of what was found.
 void addResultFindings(const Observations& take, const MotionReport& report, std::vector<Finding>& into);
 

@@ -61,7 +61,7 @@ MotionFit::MotionFit(const MotionBody& body, const MotionModel& model, const Mot
     for (const MotionEvidence& take : takes) {
         first_node_.push_back(static_cast<int>(rest_of_node_.size()));
         rest_of_node_.insert(rest_of_node_.end(), static_cast<size_t>(take.nodes),
-                             first_node_.back() + take.still_nodes / 2);
+                             first_node_.back() + take.rests.front().middle());
     }
     for (int b = 0; b < layout.boards; ++b)
         board_segments_.push_back(model.boardSegment(b));
@@ -113,12 +113,13 @@ void MotionFit::addReadings(const MotionUnknowns& unknowns, size_t index, Round&
 void MotionFit::addTies(const MotionUnknowns& unknowns, size_t index, const ResidualSink& sink) const {
     const MotionEvidence& take = takes_[index];
     const int first = firstNode(index);
-    priors_.addRest(unknowns, first + take.still_nodes / 2, sink);
+    for (size_t rest = 0; rest < take.rests.size(); ++rest)
+        priors_.addRest(unknowns, first + take.rests[rest].middle(), rest == 0, sink);
     for (int k = 0; k < take.nodes; ++k) {
         priors_.addJoints(unknowns, first + k, sink);
         if (k + 1 == take.nodes)
             break;
-        priors_.addRootStep(unknowns, first + k, k + 1 < take.still_nodes, sink);
+        priors_.addRootStep(unknowns, first + k, take.isStillStep(k), sink);
         for (int s = 0; s < body_.size(); ++s) {
             bool heard = false;
             for (size_t b = 0; b < board_segments_.size() && !heard; ++b)

@@ -93,11 +93,16 @@ void MotionPriors::addConstants(const MotionUnknowns& unknowns, const ExpectedCo
     addScalar(layout_.soundScale(), unknowns.sound_scale - 1, settings_.sigma_sound);
 }
 
-void MotionPriors::addRest(const MotionUnknowns& unknowns, int index, const ResidualSink& sink) const {
+void MotionPriors::addRest(const MotionUnknowns& unknowns, int index, bool first,
+                           const ResidualSink& sink) const {
     const MotionNode& node = unknowns.nodes[static_cast<size_t>(index)];
     for (int s = 0; s < body_.size(); ++s) {
         const BodySegment& segment = body_.segment(s);
         const Matrix3d& R = node.R_world_segment[static_cast<size_t>(s)];
+        if (segment.parent < 0 && !first) {
+            addLevel(R, index, s, sink);
+            continue;
+        }
         const Matrix3d R_parent_segment =
             segment.parent < 0
                 ? R
@@ -113,9 +118,23 @@ void MotionPriors::addRest(const MotionUnknowns& unknowns, int index, const Resi
             block.addNode(MotionLayout::segment(segment.parent), -by_turn * R_parent_segment.transpose());
         sink(block);
     }
+    if (!first)
+        return;
     ResidualBlock place = blockOf(index, node.p_world_root_m, kRootPlaceSigma_m);
     place.addNode(0, Matrix3d::Identity());
     sink(place);
+}
+
+/// As upright as in the rest pose, whichever way it looks.
+void MotionPriors::addLevel(const Matrix3d& R_world_segment, int node, int segment,
+                            const ResidualSink& sink) const {
+    const Vector3d up = R_world_segment.transpose() * Vector3d::UnitY();
+    Matrix3d rows = Matrix3d::Zero();
+    rows.topRows<2>() = across(body_.segment(segment).q_parent_rest.conjugate() * Vector3d::UnitY());
+    ResidualBlock block = blockOf(node, rows * up, settings_.sigma_level_rad);
+    block.rows = 2;
+    block.addNode(MotionLayout::segment(segment), rows * skew(up));
+    sink(block);
 }
 
 void MotionPriors::addJoints(const MotionUnknowns& unknowns, int index, const ResidualSink& sink) const {

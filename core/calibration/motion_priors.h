@@ -26,8 +26,9 @@ public:
 
     void addConstants(const MotionUnknowns& unknowns, const ExpectedConstants& expected,
                       const std::vector<int>& board_segments, const ResidualSink& sink) const;
-    /// At one node, in the middle of the stillness.
-    void addRest(const MotionUnknowns& unknowns, int node, const ResidualSink& sink) const;
+    /// At one node, in the middle of the stillness. In a take's `first` rest pose one stands in the world's
+    /// middle and looks along its z; in later ones anywhere.
+    void addRest(const MotionUnknowns& unknowns, int node, bool first, const ResidualSink& sink) const;
     /// What the joints of one node cannot do.
     void addJoints(const MotionUnknowns& unknowns, int node, const ResidualSink& sink) const;
     /// From a node to the next one: the root goes no faster than people do, and not at all while it is
@@ -37,6 +38,7 @@ public:
     void addFollowing(const MotionUnknowns& unknowns, int node, int segment, const ResidualSink& sink) const;
 
 private:
+    void addLevel(const Matrix3d& R_world_segment, int node, int segment, const ResidualSink& sink) const;
     void addBoard(const BoardConstants& board, const BoardConstants& expected, int index,
                   const Vector3d& along, const ResidualSink& sink) const;
 

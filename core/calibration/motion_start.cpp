@@ -23,7 +23,7 @@ std::vector<Quaterniond> restOrientations(const MotionBody& body) {
 
 Vector3d meanForceAtRest(const MotionEvidence& evidence, size_t board) {
     Vector3d sum = Vector3d::Zero();
-    for (int k = 0; k < evidence.still_nodes; ++k)
+    for (int k = 0; k < evidence.rests.front().count; ++k)
         sum += evidence.forces[board][static_cast<size_t>(k)].mean_m_per_s2;
     return sum;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/suit/placed_suit.h"
+
 namespace noctule {
 namespace {
 
@@ -149,19 +151,17 @@ RestEvidence RestEvidenceMaker::make(const Arrangement& arrangement) const {
 
 RestPriors priorsOf(const Observations& take, bool oriented_as_calibrated) {
     RestPriors priors;
-    for (const Board& board : take.suit.boards) {
-        const BoardCalibration* known = take.calibration.findBoard(board.id);
+    const Suit placed = placedSuit(take.suit, take.calibration);
+    for (size_t b = 0; b < placed.boards.size(); ++b) {
+        const Board& board = placed.boards[b];
         BoardPrior prior;
         prior.joint = take.actor.skeleton.find(board.segment);
-        prior.q_segment_board = oriented_as_calibrated && known && known->q_segment_board
-                                    ? *known->q_segment_board
-                                    : board.q_segment_board;
-        const Vector3d p_segment_board_m =
-            known && known->p_segment_board_m ? *known->p_segment_board_m : board.p_segment_board_m;
-        prior.p_segment_mic_m = p_segment_board_m + prior.q_segment_board * board.p_board_mic_m;
+        prior.q_segment_board =
+            oriented_as_calibrated ? board.q_segment_board : take.suit.boards[b].q_segment_board;
+        prior.p_segment_mic_m = board.p_segment_board_m + prior.q_segment_board * board.p_board_mic_m;
         priors.boards.push_back(prior);
     }
-    for (const Source& source : take.suit.sources)
+    for (const Source& source : placed.sources)
         priors.sources.push_back({take.actor.skeleton.find(source.segment), source.p_segment_source_m, 0});
     return priors;
 }

@@ -16,6 +16,7 @@ constexpr double kTurn_rad_per_s = 0.1, kTurn_m_per_s2 = 0.4;
 constexpr int kLeastReadings = 20;  // in the stretch: a seventh of a second
 constexpr int kParts = 8;           // of the stretch, for the sigma of means
 constexpr size_t kLeastFlights = 5;
+constexpr double kSamePose_rad = radians(25);  // held twice, with a few degrees in each joint of a chain
 
 struct SlotOfBoard {
     int readings = 0;
@@ -91,17 +92,22 @@ void markMovements(const Observations& take, size_t board, const Stretch& range,
     }
 }
 
-Stretch longestStill(const std::vector<bool>& still, const Stretch& range) {
-    size_t best_first = 0, best_count = 0, count = 0;
+/// Runs of still slots, in order of time.
+std::vector<Stretch> runsOf(const std::vector<bool>& still, const Stretch& range) {
+    std::vector<Stretch> runs;
     for (size_t i = 0; i < still.size(); ++i) {
-        count = still[i] ? count + 1 : 0;
-        if (count > best_count) {
-            best_count = count;
-            best_first = i + 1 - count;
-        }
+        if (!still[i])
+            continue;
+        const double begin_s = range.begin_s + static_cast<double>(i) * kSlot_s;
+        if (i == 0 || !still[i - 1])
+            runs.push_back({begin_s, begin_s, "still"});
+        runs.back().end_s = begin_s + kSlot_s;
     }
-    const double begin_s = range.begin_s + static_cast<double>(best_first) * kSlot_s;
-    return {begin_s, begin_s + static_cast<double>(best_count) * kSlot_s, "still"};
+    return runs;
+}
+
+double length_s(const Stretch& stretch) {
+    return stretch.end_s - stretch.begin_s;
 }
 
 /// Rotation that the readings integrate to with these zeros; each reading holds until the next.
@@ -229,6 +235,35 @@ std::vector<StillFlight> averageFlights(const Observations& take, const Stretch&
     return means;
 }
 
+size_t heardBoards(const Observations& take) {
+    return std::min(take.boards.size(), take.suit.boards.size());
+}
+
+/// Every board is as upright as it was in the pose.
+bool isHeldAgain(const StillStretch& pose, const Observations& take, const Stretch& run) {
+    for (size_t b = 0; b < heardBoards(take); ++b) {
+        const StillBoard now = averageBoard(take, b, run);
+        const AxisCalibration accel = scaleOf(take, b, false);
+        if (pose.boards[b].heard() && now.heard() &&
+            logQuaternion(
+                smallestRotation(accel.apply(pose.boards[b].accel_counts), accel.apply(now.accel_counts)))
+                    .norm() > kSamePose_rad)
+            return false;
+    }
+    return true;
+}
+
+std::vector<Stretch> stillRuns(const Observations& take, const Stretch& range,
+                               std::vector<BoardMovement>& movements) {
+    const double slots = std::floor(length_s(range) / kSlot_s + 1e-6);
+    if (!(slots >= 1 && slots < 1e7))
+        return {};
+    std::vector<bool> still(static_cast<size_t>(slots), true);
+    for (size_t b = 0; b < heardBoards(take); ++b)
+        markMovements(take, b, range, still, movements);
+    return runsOf(still, range);
+}
+
 }  // namespace
 
 bool StillStretch::isUsable() const {
@@ -238,25 +273,32 @@ bool StillStretch::isUsable() const {
 StillStretch findStillStretch(const Observations& take) {
     StillStretch all;
     all.marked = take.rest.has_value();
-    const Stretch range = take.rest.value_or(Stretch{0, take.duration_s, ""});
     all.boards.resize(take.suit.boards.size());
-    const double slots = std::floor((range.end_s - range.begin_s) / kSlot_s + 1e-6);
-    if (!(slots >= 1 && slots < 1e7))
-        return all;
-    std::vector<bool> still(static_cast<size_t>(slots), true);
-    const size_t boards = std::min(take.boards.size(), take.suit.boards.size());
-    for (size_t b = 0; b < boards; ++b)
-        markMovements(take, b, range, still, all.movements);
+    const std::vector<Stretch> runs =
+        stillRuns(take, take.rest.value_or(Stretch{0, take.duration_s, ""}), all.movements);
     std::ranges::stable_sort(all.movements, std::greater{},
                              [](const BoardMovement& moved) { return moved.end_s - moved.begin_s; });
-    all.stretch = longestStill(still, range);
-    all.found = all.stretch.end_s - all.stretch.begin_s >= StillStretch::kShortestStill_s;
+    const auto longest = std::ranges::max_element(
+        runs, {}, [](const Stretch& run) { return std::lround(length_s(run) / kSlot_s); });
+    if (longest == runs.end())
+        return all;
+    all.stretch = *longest;
+    all.found = length_s(all.stretch) >= StillStretch::kShortestStill_s;
     if (!all.found)
         return all;
-    for (size_t b = 0; b < boards; ++b)
+    for (size_t b = 0; b < heardBoards(take); ++b)
         all.boards[b] = averageBoard(take, b, all.stretch);
     all.flights = averageFlights(take, all.stretch);
     return all;
+}
+
+std::vector<Stretch> returnsTo(const StillStretch& pose, const Observations& take) {
+    std::vector<BoardMovement> movements;
+    std::vector<Stretch> runs = stillRuns(take, {pose.stretch.end_s, take.duration_s, ""}, movements);
+    std::erase_if(runs, [&](const Stretch& run) {
+        return length_s(run) < StillStretch::kShortestStill_s || !isHeldAgain(pose, take, run);
+    });
+    return runs;
 }
 
 }  // namespace noctule

@@ -53,4 +53,8 @@ struct StillStretch {
 
 StillStretch findStillStretch(const Observations& take);
 
+/// The performer stands still again later in the take, for at least kShortestStill_s, with every board as
+/// upright as in `pose`.
+std::vector<Stretch> returnsTo(const StillStretch& pose, const Observations& take);
+
 }  // namespace noctule

@@ -20,6 +20,7 @@ enum class GuidedBoard {
     kMoves,      ///< neither still nor turning evenly
     kElsewhere,  ///< on another side than most
     kAskew,      ///< not square in its slot
+    kIdle,       ///< has not moved as the exercise asks
 };
 
 enum class Hindrance {
@@ -36,6 +37,10 @@ enum class Hindrance {
     kOffSpeed,    ///< none of the table's speeds, or not the one asked for
     kTooFast,     ///< beyond 80 % of what a gyroscope can measure
     kUnheard,     ///< too few of the pairs that were measured are heard
+    kUnit,        ///< the distances that were measured are in another unit than their table says
+    kStand,       ///< before a movement: in the rest pose, for so many seconds more
+    kMove,        ///< the rest pose has been held long enough
+    kIdle,        ///< the movement left boards out: once more, from the rest pose on
 };
 
 struct Guidance {
@@ -43,7 +48,7 @@ struct Guidance {
     Hindrance hindrance = Hindrance::kNoReadings;
     int board = -1;     ///< the one that hinders most
     int hindering = 0;  ///< boards
-    double value = 0;   ///< of the hindrance: radians askew, turns a minute, share of pairs
+    double value = 0;   ///< of the hindrance: radians askew, turns a minute, share of pairs, factor, seconds
     std::vector<GuidedBoard> boards;
     std::vector<std::optional<double>> askew_rad;  ///< per board; absent where nothing tells yet
     int right_boards = 0, asked_boards = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/calibration/jig_labels.h"
 #include "core/calibration/order_statistics.h"
 
 namespace noctule {
@@ -37,12 +38,13 @@ PlacementGuide::PlacementGuide(const Suit& suit, const Calibration& calibration,
     }
 }
 
-std::optional<double> PlacementGuide::misfit_m(const HealthReport& health, size_t placement) const {
+std::optional<double> PlacementGuide::misfit_m(const HealthReport& health, size_t placement,
+                                               double factor) const {
     std::map<int, std::vector<double>> by_source;
     for (const Pair& pair : pairs_[placement])
         if (const PairHealth& heard = health.pair(pair.source, pair.board);
             !isSkipped(pair.board) && isHeardWell(heard))
-            by_source[pair.source].push_back(heard.distance_m - pair.distance_m);
+            by_source[pair.source].push_back(heard.distance_m - pair.distance_m / factor);
     std::vector<double> misfits;
     for (const auto& [source, differences] : by_source) {
         if (differences.size() < 3)
@@ -52,6 +54,14 @@ std::optional<double> PlacementGuide::misfit_m(const HealthReport& health, size_
             misfits.push_back(std::abs(difference - offset_m));
     }
     return misfits.empty() ? std::nullopt : std::optional(medianOf(misfits));
+}
+
+std::optional<double> PlacementGuide::unitFactor(const HealthReport& health) const {
+    for (const UnitMistake& mistake : unitMistakes())
+        for (size_t placement = 0; placement < pairs_.size(); ++placement)
+            if (misfit_m(health, placement, mistake.factor).value_or(kFits_m) < kFits_m)
+                return mistake.factor;
+    return std::nullopt;
 }
 
 double PlacementGuide::heardShare(const HealthReport& health, size_t placement) const {
@@ -78,7 +88,13 @@ Hindrance PlacementGuide::see(const HealthReport& health, Guidance& guidance) {
     }
     guidance.heard_share = guidance.step ? heardShare(health, index(*guidance.step)) : share;
     guidance.value = *guidance.heard_share;
-    return *guidance.heard_share < kEnoughShare ? Hindrance::kUnheard : Hindrance::kNone;
+    if (*guidance.heard_share < kEnoughShare)
+        return Hindrance::kUnheard;
+    const auto factor = guidance.step ? std::nullopt : unitFactor(health);
+    if (!factor)
+        return Hindrance::kNone;
+    guidance.value = *factor;
+    return Hindrance::kUnit;
 }
 
 }  // namespace noctule

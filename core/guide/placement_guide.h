@@ -32,8 +32,11 @@ private:
         int source, board;
         double distance_m;
     };
-    /// How far the distances heard are from the placement's, in the median; absent with too few.
-    std::optional<double> misfit_m(const HealthReport& health, size_t placement) const;
+    /// How far the distances heard are from the placement's, which are taken for so many times the true ones,
+    /// in the median; absent with too few.
+    std::optional<double> misfit_m(const HealthReport& health, size_t placement, double factor = 1) const;
+    /// By which the table's distances are too long, if one of the usual mistakes explains what is heard.
+    std::optional<double> unitFactor(const HealthReport& health) const;
     double heardShare(const HealthReport& health, size_t placement) const;
 
     std::vector<std::string> placements_;

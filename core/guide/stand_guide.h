@@ -15,6 +15,11 @@ public:
     StandGuide(const Suit& suit, const Calibration& calibration, int sample_rate_hz)
         : Guide(suit, calibration, sample_rate_hz, 1) {}
 
+    static bool isCalm(const BoardHealth::Means& means) {
+        return means.gyro_deviation_rad_per_s < kSway_rad_per_s &&
+               means.accel_deviation_m_per_s2 < kSway_m_per_s2;
+    }
+
 protected:
     Hindrance see(const HealthReport& health, Guidance& guidance) override;
 };

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/suit/placed_suit.h"
+
 namespace noctule {
 
 namespace {
@@ -48,19 +50,14 @@ BodyPlaces placeBody(const Skeleton& skeleton, const Pose& pose, const Suit& sui
     BodyPlaces places;
     places.joints = globalPose(skeleton, pose);
     addBones(skeleton, places);
-    for (const Board& board : suit.boards) {
-        const BoardCalibration* corrected = calibration ? calibration->findBoard(board.id) : nullptr;
-        Vector3d p_segment_board = board.p_segment_board_m;
-        Quaterniond q_segment_board = board.q_segment_board;
-        if (corrected) {
-            p_segment_board = corrected->p_segment_board_m.value_or(p_segment_board);
-            q_segment_board = corrected->q_segment_board.value_or(q_segment_board);
-        }
+    const Suit placed = calibration ? placedSuit(suit, *calibration) : suit;
+    for (const Board& board : placed.boards) {
         const Eigen::Isometry3d T_world_segment = segmentFrame(skeleton, places.joints, board.segment);
-        places.boards.push_back({T_world_segment * p_segment_board,
-                                 (Quaterniond(T_world_segment.linear()) * q_segment_board).normalized()});
+        places.boards.push_back(
+            {T_world_segment * board.p_segment_board_m,
+             (Quaterniond(T_world_segment.linear()) * board.q_segment_board).normalized()});
     }
-    for (const Source& source : suit.sources) {
+    for (const Source& source : placed.sources) {
         const Eigen::Isometry3d T_world_segment = segmentFrame(skeleton, places.joints, source.segment);
         places.sources.push_back(
             {T_world_segment * source.p_segment_source_m, T_world_segment.linear() * source.normal_segment});

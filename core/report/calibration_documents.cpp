@@ -316,7 +316,8 @@ CalibrationDocument documentOf(const MotionReport& report) {
     CalibrationDocument found =
         document("Movement",
                  "Mounting of " + counted(report.boards, &BoardInMotion::measured) + " boards from " + moved +
-                     " with " + text::plural(report.distances, "distance", "distances"),
+                     " with " + text::plural(report.distances, "distance", "distances") + " and " +
+                     text::plural(report.rests, "rest pose", "rest poses"),
                  report.findings, {motionBoards(report), motionBody(report), motionSources(report)});
     CalibrationErrors errors{"What is left over of each board's distances", "mm", 5, {}};
     double seen_square = 0, seen = 0, axes = 0;

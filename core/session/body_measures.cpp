@@ -22,24 +22,33 @@ Vector3d offset(const Skeleton& skeleton, const char* joint) {
     return skeleton.joint(skeleton.find(joint)).offset_m;
 }
 
-/// The lengths that an actor has, read off its skeleton.
-BodyMeasures measuresOf(const Actor& actor) {
+}  // namespace
+
+std::optional<BodyMeasures> measuresOf(const Actor& actor) {
     const Skeleton& s = actor.skeleton;
+    for (const char* joint :
+         {"Spine", "Chest", "Neck", "LeftShoulder", "RightShoulder", "LeftArm", "RightArm", "LeftForeArm",
+          "RightForeArm", "LeftHand", "RightHand", "LeftUpLeg", "RightUpLeg", "LeftLeg", "RightLeg",
+          "LeftFoot", "RightFoot", "LeftToeBase", "RightToeBase"})
+        if (s.find(joint) < 0)
+            return std::nullopt;
+    const auto length = [&](const std::string& joint) {
+        return (offset(s, ("Left" + joint).c_str()).norm() + offset(s, ("Right" + joint).c_str()).norm()) / 2;
+    };
     BodyMeasures m;
     m.height_m = actor.height_m;
-    m.upper_arm_m = offset(s, "LeftForeArm").norm();
-    m.forearm_m = offset(s, "LeftHand").norm();
+    m.upper_arm_m = length("ForeArm");
+    m.forearm_m = length("Hand");
     m.hand_m = s.joint(s.find("LeftHand")).end_m.value_or(Vector3d::Zero()).norm();
-    m.shoulder_width_m = 2 * (offset(s, "LeftShoulder") + offset(s, "LeftArm")).x();
+    m.shoulder_width_m = (offset(s, "LeftShoulder") + offset(s, "LeftArm")).x() -
+                         (offset(s, "RightShoulder") + offset(s, "RightArm")).x();
     m.trunk_m = (offset(s, "Spine") + offset(s, "Chest") + offset(s, "Neck")).y();
-    m.hip_width_m = 2 * offset(s, "LeftUpLeg").x();
-    m.thigh_m = offset(s, "LeftLeg").norm();
-    m.shin_m = offset(s, "LeftFoot").norm();
-    m.foot_m = offset(s, "LeftToeBase").z();
+    m.hip_width_m = offset(s, "LeftUpLeg").x() - offset(s, "RightUpLeg").x();
+    m.thigh_m = length("Leg");
+    m.shin_m = length("Foot");
+    m.foot_m = (offset(s, "LeftToeBase").z() + offset(s, "RightToeBase").z()) / 2;
     return m;
 }
-
-}  // namespace
 
 std::span<const Measure> bodyMeasures() {
     return kMeasures;
@@ -48,7 +57,7 @@ std::span<const Measure> bodyMeasures() {
 double proportionalLength_m(const BodyMeasures& measures, double BodyMeasures::*length) {
     BodyMeasures height_only;
     height_only.height_m = measures.height_m;
-    return measuresOf(defaultActor(height_only)).*length;
+    return measuresOf(defaultActor(height_only)).value().*length;
 }
 
 MeasureDoubt doubtAbout(const BodyMeasures& measures, double BodyMeasures::*length) {

@@ -3,6 +3,7 @@
 // what was typed can be right. Metres.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/body/actor.h"
@@ -13,6 +14,9 @@ struct Measure {
     const char* key;  ///< as in session.json: "upper_arm_m"
     double BodyMeasures::*length;
 };
+
+/// The lengths that an actor has, of limbs the mean of both sides; none without the canonical joints.
+std::optional<BodyMeasures> measuresOf(const Actor& actor);
 
 /// All but the height.
 std::span<const Measure> bodyMeasures();

@@ -2,6 +2,7 @@
 """Calibration on simulated rigs, many suits of 18 boards, from rendered photographs and from a guided movement; true
 values hidden."""
 import built_tests
+import screen
 import studio
 
 MOTIONS = (studio.REAL_MOTIONS / "01_01.bvh", studio.REAL_MOTIONS / "Boxing_Toes.bvh", studio.REAL_MOTIONS / "01_03.bvh")
@@ -50,15 +51,28 @@ def movement():
     return text
 
 
+def at_an_operators_pace():
+    with screen.own_screen() as display, screen.own_home(display, NOCTULE_WIZARD_PACE="1") as environment:
+        return built_tests.run("test_ui_wizards", "*OperatorsPace", "18 boards", environment)
+
+
 def figure(options):
-    rigs = built_tests.run("test_core_calibration", "*", r"[0-9].*(mm|mg|deg|°|named|error)",
-                           NOCTULE_CALIBRATION_TRIALS=str(options.calibration_trials))
-    photographs = built_tests.run("test_core_vision", "*", r"(mm|px|chi-square)")
-    text = (f"Nominal scenario, {options.calibration_trials} suits each; movement in the realistic one, a tenth as many "
-            f"performers.\n\n### Rigs, rest pose and movement\n\n{rigs}\n### Photographs with markers\n\n{photographs}\n"
-            "### What a guided movement does for other motions\n\n")
-    try:
-        return text + movement()
-    except studio.Missed as missed:
-        missed.text = text + missed.text
-        raise
+    trials = str(options.calibration_trials)
+    parts = [("Rigs, rest pose and movement",
+              lambda: built_tests.run("test_core_calibration", "*", r"[0-9].*(mm|mg|deg|°|named|error)",
+                                      NOCTULE_CALIBRATION_TRIALS=trials)),
+             ("Photographs with markers", lambda: built_tests.run("test_core_vision", "*", r"(mm|px|chi-square)")),
+             ("The wizard of accelerometers with an operator", at_an_operators_pace),
+             ("What a guided movement does for other motions", movement)]
+    text = f"Nominal scenario, {trials} suits each; movement in the realistic one, a tenth as many performers.\n\n"
+    missed = []
+    for title, part in parts:
+        try:
+            found = part()
+        except studio.Missed as error:
+            missed.append(str(error))
+            found = error.text
+        text += f"### {title}\n\n{found}\n"
+    if missed:
+        raise studio.Missed(missed, text)
+    return text

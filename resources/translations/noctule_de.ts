@@ -640,6 +640,50 @@
             <numerusform>So liegen auch %n weitere.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Once more: %1 hardly moved</source>
+        <translation>Noch einmal: %1 hat sich kaum bewegt</translation>
+    </message>
+    <message>
+        <source>Stand still in the rest pose, then: %1. %2</source>
+        <translation>In der Ruhehaltung still stehen, dann: %1. %2</translation>
+    </message>
+    <message>
+        <source>The file’s distances are %1 times those heard</source>
+        <translation>Die Abstände der Datei sind das %1-Fache der gehörten</translation>
+    </message>
+    <message>
+        <source>Its numbers are in another unit than their heading says. Correct the heading (x_m or x_mm, distance_m or distance_mm), leave and choose the file again.</source>
+        <translation>Ihre Zahlen haben eine andere Einheit, als die Überschrift sagt. Die Überschrift berichtigen (x_m oder x_mm, distance_m oder distance_mm), verlassen und die Datei neu wählen.</translation>
+    </message>
+    <message>
+        <source>Stand still for %1</source>
+        <translation>%1 lang still stehen</translation>
+    </message>
+    <message>
+        <source>In the rest pose: arms hanging, palms towards the body.</source>
+        <translation>In der Ruhehaltung: Arme hängen, Handflächen zum Körper.</translation>
+    </message>
+    <message>
+        <source>Move now</source>
+        <translation>Jetzt bewegen</translation>
+    </message>
+    <message>
+        <source>Smoothly and as far as is comfortable, until the ring is full.</source>
+        <translation>Fließend und so weit, wie es angenehm ist, bis der Ring voll ist.</translation>
+    </message>
+    <message>
+        <source>Smoothly and as far as is comfortable.</source>
+        <translation>Fließend und so weit, wie es angenehm ist.</translation>
+    </message>
+    <message>
+        <source>Go on for %1</source>
+        <translation>Noch %1 weiter</translation>
+    </message>
+    <message>
+        <source>Movement</source>
+        <translation>Bewegung</translation>
+    </message>
 </context>
 <context>
     <name>Measures</name>
@@ -1412,6 +1456,86 @@
         <source>Stand still in the rest pose</source>
         <translation>In der Ruhehaltung still stehen</translation>
     </message>
+    <message>
+        <source>Movement</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>How each board sits, to half a degree; lengths of bones and places of sources too.</source>
+        <translation>Wie jede Platine sitzt, auf ein halbes Grad; dazu Längen der Knochen und Orte der Quellen.</translation>
+    </message>
+    <message>
+        <source>Six exercises, about 2 minutes; after the rest pose, each time the suit is put on</source>
+        <translation>Sechs Übungen, etwa 2 Minuten; nach der Ruhehaltung, bei jedem Anlegen des Anzugs</translation>
+    </message>
+    <message>
+        <source>The performer with the suit on, all straps tight, the rest pose calibrated</source>
+        <translation>Der Darsteller im Anzug, alle Gurte fest, die Ruhehaltung kalibriert</translation>
+    </message>
+    <message>
+        <source>Two metres of free floor in all directions</source>
+        <translation>Zwei Meter freier Boden nach allen Seiten</translation>
+    </message>
+    <message>
+        <source>Each exercise begins in the rest pose: arms hanging, palms towards the body, eyes straight ahead. Then move smoothly, as far as is comfortable, for 8 seconds.</source>
+        <translation>Jede Übung beginnt in der Ruhehaltung: Arme hängen, Handflächen zum Körper, Blick geradeaus. Dann 8 Sekunden lang fließend bewegen, so weit es angenehm ist.</translation>
+    </message>
+    <message>
+        <source>One exercise after the other. The page sees when you stand and when you move.</source>
+        <translation>Eine Übung nach der anderen. Die Seite sieht, wann man steht und wann man sich bewegt.</translation>
+    </message>
+    <message>
+        <source>Squats</source>
+        <translation>Kniebeugen</translation>
+    </message>
+    <message>
+        <source>Squat, bend the elbows and turn the hands</source>
+        <translation>In die Knie gehen, die Ellbogen beugen und die Hände drehen</translation>
+    </message>
+    <message>
+        <source>Arm circles</source>
+        <translation>Armkreisen</translation>
+    </message>
+    <message>
+        <source>Circle both arms, large and slowly</source>
+        <translation>Beide Arme kreisen, groß und langsam</translation>
+    </message>
+    <message>
+        <source>Leg swings</source>
+        <translation>Beinschwingen</translation>
+    </message>
+    <message>
+        <source>Swing one leg, then the other; bend knees and feet</source>
+        <translation>Ein Bein schwingen, dann das andere; Knie und Füße beugen</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Rumpf</translation>
+    </message>
+    <message>
+        <source>Bend and turn the trunk to all sides</source>
+        <translation>Den Rumpf nach allen Seiten beugen und drehen</translation>
+    </message>
+    <message>
+        <source>Head and shoulders</source>
+        <translation>Kopf und Schultern</translation>
+    </message>
+    <message>
+        <source>Nod and turn the head, shrug, roll the wrists</source>
+        <translation>Nicken, den Kopf drehen, die Schultern heben, die Handgelenke kreisen</translation>
+    </message>
+    <message>
+        <source>March</source>
+        <translation>Marschieren</translation>
+    </message>
+    <message>
+        <source>March on the spot and swing the arms</source>
+        <translation>Auf der Stelle marschieren und die Arme schwingen</translation>
+    </message>
+    <message>
+        <source>from the rest pose</source>
+        <translation>aus der Ruhehaltung</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::AboutDialog</name>
@@ -1787,6 +1911,14 @@
         <source>The other values stay in use; their cards say how good they are.</source>
         <translation>Die übrigen Werte gelten weiter; ihre Karten sagen, wie gut sie sind.</translation>
     </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>What differs from the calibration in use</source>
+        <translation>Was sich von der benutzten Kalibrierung unterscheidet</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::CalibrationShelf</name>
@@ -1805,6 +1937,29 @@
     <message>
         <source>The calibration %1 of this session is gone or damaged. Takes are made with what the suit knows of itself; choose another one in step Calibrate.</source>
         <translation>Die Kalibrierung %1 dieser Sitzung ist verschwunden oder beschädigt. Aufgenommen wird mit dem, was der Anzug von sich selbst weiß; wählen Sie im Schritt Kalibrieren eine andere.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::CompareDialog</name>
+    <message>
+        <source>Compare calibrations</source>
+        <translation>Kalibrierungen vergleichen</translation>
+    </message>
+    <message>
+        <source>%1 of %2, against the one in use, %3</source>
+        <translation>%1 vom %2, gegen die benutzte, %3</translation>
+    </message>
+    <message>
+        <source>Use %1</source>
+        <translation>%1 benutzen</translation>
+    </message>
+    <message>
+        <source>All values are the same.</source>
+        <translation>Alle Werte sind gleich.</translation>
+    </message>
+    <message>
+        <source>Going back to %1</source>
+        <translation>Zurück zu %1</translation>
     </message>
 </context>
 <context>
@@ -3896,6 +4051,40 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::ProcessTakesDialog</name>
+    <message>
+        <source>Process takes again</source>
+        <translation>Aufnahmen neu verarbeiten</translation>
+    </message>
+    <message>
+        <source>With the calibration in use, %1, all sensors and a free root. Every processing adds a result; nothing is replaced.</source>
+        <translation>Mit der benutzten Kalibrierung, %1, allen Sensoren und freier Wurzel. Jede Verarbeitung fügt ein Ergebnis hinzu; nichts wird ersetzt.</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Verarbeiten</translation>
+    </message>
+    <message>
+        <source>Takes to process</source>
+        <translation>Zu verarbeitende Aufnahmen</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <translation>%1   %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Process %n take(s)</source>
+        <translation>
+            <numerusform>%n Aufnahme verarbeiten</numerusform>
+            <numerusform>%n Aufnahmen verarbeiten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Tick at least one take.</source>
+        <translation>Mindestens eine Aufnahme ankreuzen.</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ProgressLine</name>
     <message>
         <source>Cancel</source>
@@ -5258,6 +5447,10 @@ keine Lücken</translation>
     <message>
         <source>Will be saved as %1. Every later take names it; undo with Ctrl+Z.</source>
         <translation>Wird als %1 gesichert. Jede spätere Aufnahme nennt sie; rückgängig mit Strg+Z.</translation>
+    </message>
+    <message>
+        <source>Process takes again</source>
+        <translation>Aufnahmen neu verarbeiten</translation>
     </message>
 </context>
 <context>
@@ -7307,6 +7500,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>%1, silent</source>
         <translation>%1, stumm</translation>
+    </message>
+    <message>
+        <source>%1, hardly moved</source>
+        <translation>%1, kaum bewegt</translation>
     </message>
 </context>
 <context>

@@ -192,6 +192,16 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::ProcessTakesDialog</name>
+    <message numerus="yes">
+        <source>Process %n take(s)</source>
+        <translation>
+            <numerusform>Process %n take</numerusform>
+            <numerusform>Process %n takes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::RatingStars</name>
     <message numerus="yes">
         <source>%n of 5 stars</source>

@@ -97,7 +97,7 @@ TEST_F(CalibrateByCommand, RigsAndRestPoseMakeTheCalibrationOfAWornSuit) {
 }
 
 TEST_F(CalibrateByCommand, MovementTellsMountingAndBonesAndStandingStillDoesNot) {
-    ASSERT_TRUE(writeBvh(file("guided.bvh"), GuidedMotion::clip(16), {}, true));
+    ASSERT_TRUE(writeBvh(file("guided.bvh"), GuidedMotion::clip({16.0 / 6}), {}, true));
     ASSERT_EQ(batch({"simulate", "--motion", file("guided.bvh"), "--level", "readings", "--out",
                      takeOf("guided"), "--seed", "5"})
                   .exit_code,

@@ -6,6 +6,8 @@
 
 #include "core/job/atomic_file.h"
 #include "core/processing/outside_files.h"
+#include "core/session/body_measures.h"
+#include "core/session/placement.h"
 
 namespace noctule::ui {
 namespace {
@@ -137,9 +139,26 @@ QString CalibrationShelf::save(const CalibrationResult& result, const QString& t
             writeFileAtomically(pathIn(folder_, name + ".html"), calibrationHtml(result.document), true);
         !report)
         emit warned(QString::fromStdString(report.error().text()));
-    use(name + ".json",
-        tr("Calibration of the %1").arg(QString::fromStdString(result.document.procedure).toLower()));
+    const QString what =
+        tr("Calibration of the %1").arg(QString::fromStdString(result.document.procedure).toLower());
+    session_.undoStack().beginMacro(what);
+    use(name + ".json", what);
+    if (result.actor)
+        keepMeasures(*result.actor, what);
+    session_.undoStack().endMacro();
     return {};
+}
+
+/// Bones that the calibration has found become those of the performer who wears the suit.
+void CalibrationShelf::keepMeasures(const Actor& actor, const QString& what) {
+    const auto measures = measuresOf(actor);
+    const Session& session = session_.session();
+    const auto performer = std::ranges::find(session.performers, session.current_performer, &Performer::name);
+    if (!measures || performer == session.performers.end() || suit_.known().actor)
+        return;
+    Performer measured = *performer;
+    setMeasures(measured, *measures);
+    session_.changePerformer(static_cast<int>(performer - session.performers.begin()), measured, what, {});
 }
 
 void CalibrationShelf::use(const QString& file, const QString& what) {

@@ -49,6 +49,7 @@ signals:
     void warned(const QString& what);
 
 private:
+    void keepMeasures(const Actor& actor, const QString& what);
     void follow();
     void read();
     void hand();

@@ -158,6 +158,15 @@ QString sourceTitle(const Suit& suit, int source) {
         .arg(sourcePlace(sourceOf(suit, source), NameCase::kInside));
 }
 
+std::map<std::string, QString> partNames(const Suit& suit) {
+    std::map<std::string, QString> names;
+    for (const Board& board : suit.boards)
+        names[board.id] = boardName(board);
+    for (int source = 0; source < static_cast<int>(suit.sources.size()); ++source)
+        names[suit.sources[static_cast<size_t>(source)].id] = sourceTitle(suit, source);
+    return names;
+}
+
 QString pairName(const Suit& suit, int source, int board) {
     return QCoreApplication::translate("PartNames", "%1 to %2", "source 8 (hat) to left shin")
         .arg(sourceName(suit, source), boardName(boardOf(suit, board), NameCase::kInside));

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QString>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ QString sourcePlace(const Source& source, NameCase name_case = NameCase::kTitle)
 QString sourceName(const Suit& suit, int source);
 /// "Source 8 (hat)"
 QString sourceTitle(const Suit& suit, int source);
+
+/// Of boards and sources by their ids, as they stand in tables.
+std::map<std::string, QString> partNames(const Suit& suit);
 
 /// "source 8 (hat) to left shin", as in legends.
 QString pairName(const Suit& suit, int source, int board);

@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kArmsDown_rad = 0.87, kLegsApart_rad = 0.09;
 constexpr double kMargin_m = 0.03;
+constexpr double kRoomToReach =
+    1.25;  // of the height: hands overhead, or from one to the other and a little more
 
 /// Arms half-way down and legs a little apart: nothing hides anything else.
 Pose openStance(const Skeleton& skeleton) {
@@ -41,8 +43,19 @@ Eigen::Vector3f skinned(const SkinnedVertex& vertex, const std::vector<Eigen::Ma
 
 }  // namespace
 
-BodyFigure::BodyFigure(const Actor& actor, std::shared_ptr<const SkinnedMesh> mesh)
+BodyFigure::BodyFigure(const Actor& actor, const std::shared_ptr<const SkinnedMesh>& mesh)
     : skeleton_(actor.skeleton), stance_(globalPose(actor.skeleton, openStance(actor.skeleton))) {
+    stand(actor, mesh);
+}
+
+BodyFigure::BodyFigure(const Actor& actor, const std::shared_ptr<const SkinnedMesh>& mesh, const Pose& pose)
+    : skeleton_(actor.skeleton), stance_(globalPose(actor.skeleton, pose)) {
+    stand(actor, mesh);
+    height_m_ = std::max(height_m_, kRoomToReach * actor.height_m);
+    half_width_m_ = std::max(half_width_m_, kRoomToReach * actor.height_m / 2);
+}
+
+void BodyFigure::stand(const Actor& actor, const std::shared_ptr<const SkinnedMesh>& mesh) {
     if (mesh && !mesh->vertices.empty())
         addMesh(*mesh);
     else

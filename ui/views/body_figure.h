@@ -21,8 +21,10 @@ namespace noctule::ui {
 
 class BodyFigure {
 public:
-    /// Without a mesh the actor's capsules stand for the flesh.
-    BodyFigure(const Actor& actor, std::shared_ptr<const SkinnedMesh> mesh);
+    /// In an open stance. Without a mesh the actor's capsules stand for the flesh.
+    BodyFigure(const Actor& actor, const std::shared_ptr<const SkinnedMesh>& mesh);
+    /// In any pose, with room for raised arms, so that all poses of one body are drawn at one scale.
+    BodyFigure(const Actor& actor, const std::shared_ptr<const SkinnedMesh>& mesh, const Pose& pose);
     /// The same one as last time for the same bones and mesh: what it has painted is not painted again.
     static std::shared_ptr<const BodyFigure> of(const Actor& actor,
                                                 const std::shared_ptr<const SkinnedMesh>& mesh);
@@ -51,6 +53,7 @@ private:
         Corners corners_m;
         std::vector<Share> shares;
     };
+    void stand(const Actor& actor, const std::shared_ptr<const SkinnedMesh>& mesh);
     void addMesh(const SkinnedMesh& mesh);
     void addCapsules(const Actor& actor);
     QPointF place(const std::string& segment, const Vector3d& p_segment_m) const;

@@ -105,9 +105,11 @@ void BoardTable::paintBox(QPainter& painter, const QRect& cell, int board, int s
     const Guidance& now = guide.guidance();
     const bool is_now = step == run_->step() && !now.boards.empty();
     const GuidedBoard state = is_now ? now.boards[static_cast<size_t>(board)] : GuidedBoard::kMoves;
-    const bool wrong = is_now && (state == GuidedBoard::kAskew || state == GuidedBoard::kElsewhere ||
-                                  state == GuidedBoard::kAbsent);
-    const QColor color = wrong ? tokens.warn : is_now ? tokens.acc : tokens.edge;
+    const bool absent = is_now && state == GuidedBoard::kAbsent;
+    const bool wrong =
+        absent || (is_now && (state == GuidedBoard::kAskew || state == GuidedBoard::kElsewhere ||
+                              state == GuidedBoard::kIdle));
+    const QColor color = absent ? tokens.err : wrong ? tokens.warn : is_now ? tokens.acc : tokens.edge;
     noctule::ui::paintBox(painter, box, theme.px(3), QColor(), color);
     if (wrong)
         painter.fillRect(
@@ -116,61 +118,76 @@ void BoardTable::paintBox(QPainter& painter, const QRect& cell, int board, int s
         painter.fillRect(box.adjusted(theme.px(4), theme.px(4), -theme.px(3), -theme.px(3)), color);
 }
 
-void BoardTable::paintEvent(QPaintEvent*) {
-    if (boards() == 0)
-        return;
+BoardTable::Columns BoardTable::placeColumns() const {
+    const Theme& theme = Theme::get();
+    const int left = theme.px(12), right = width() - theme.px(12), wide = theme.px(kColumn);
+    return {left, right - theme.px(kTilt) - stepColumns() * wide, wide, right - theme.px(kTilt),
+            theme.px(kTilt)};
+}
+
+void BoardTable::paintHead(QPainter& painter, const Columns& at) const {
     const Theme& theme = Theme::get();
     const Tokens& tokens = theme.tokens();
-    const Guidance& now = run_->guide()->guidance();
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const int row = rowHeight(), columns = stepColumns(), left = theme.px(12), right = width() - theme.px(12);
-    const int first_box = right - theme.px(kTilt) - columns * theme.px(kColumn);
-    const int current = run_->step();
-    if (columns > 1 && current < columns)
-        painter.fillRect(QRect(first_box + current * theme.px(kColumn), 0, theme.px(kColumn), height()),
-                         tokens.sel);
+    const int row = rowHeight(), current = run_->step();
+    if (stepColumns() > 1 && current < stepColumns())
+        painter.fillRect(QRect(at.steps + current * at.step, 0, at.step, height()), tokens.sel);
     painter.setFont(theme.font(TextRole::kCaption));
-    for (int step = 0; step < columns; ++step) {
+    for (int step = 0; step < stepColumns(); ++step) {
         painter.setPen(step == current ? tokens.acc : tokens.t3);
-        painter.drawText(QRect(first_box + step * theme.px(kColumn), 0, theme.px(kColumn), row),
-                         Qt::AlignCenter, QString::number(step + 1));
+        painter.drawText(QRect(at.steps + step * at.step, 0, at.step, row), Qt::AlignCenter,
+                         QString::number(step + 1));
     }
     painter.setPen(tokens.t3);
     if (run_->task() == WizardTask::kAccelerometers)
-        painter.drawText(QRect(right - theme.px(kTilt), 0, theme.px(kTilt), row),
-                         Qt::AlignRight | Qt::AlignVCenter, tr("askew"));
-    for (int board = 0; board < boards(); ++board) {
-        const auto at = static_cast<size_t>(board);
-        const QRect line(0, row * (board + 1), width(), row);
-        const bool wrong = board == now.board && now.hindering > 0 && now.hindrance != Hindrance::kMoves;
-        if (board == chosen_)
-            painter.fillRect(line, tokens.sel);
-        else if (wrong)
-            painter.fillRect(line, tokens.warnbg);
-        painter.setFont(theme.font(TextRole::kSecondary, true));
-        painter.setPen(wrong ? tokens.warn : tokens.t1);
-        painter.drawText(QRect(left, line.top(), theme.px(18), row), Qt::AlignRight | Qt::AlignVCenter,
-                         QString::number(board + 1));
-        painter.setFont(theme.font(TextRole::kSecondary));
-        const QRect name(left + theme.px(27), line.top(), first_box - left - theme.px(31), row);
-        painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
-                         painter.fontMetrics().elidedText(boardName(run_->suit().boards[at]), Qt::ElideRight,
-                                                          name.width()));
-        for (int step = 0; step < columns; ++step)
-            paintBox(painter, QRect(first_box + step * theme.px(kColumn), line.top(), theme.px(kColumn), row),
-                     board, step);
-        if (at < now.askew_rad.size() && now.askew_rad[at]) {
-            painter.setPen(wrong ? tokens.warn : tokens.t2);
-            painter.drawText(QRect(right - theme.px(kTilt), line.top(), theme.px(kTilt), row),
-                             Qt::AlignRight | Qt::AlignVCenter, degreesText(*now.askew_rad[at], 1));
-        }
+        painter.drawText(QRect(at.tilt, 0, at.tilt_width, row), Qt::AlignRight | Qt::AlignVCenter,
+                         tr("askew"));
+}
+
+void BoardTable::paintRow(QPainter& painter, const Columns& at, int board) const {
+    const Theme& theme = Theme::get();
+    const Tokens& tokens = theme.tokens();
+    const Guidance& now = run_->guide()->guidance();
+    const int row = rowHeight(), top = row * (board + 1);
+    const auto index = static_cast<size_t>(board);
+    const bool wrong = board == now.board && now.hindering > 0 && now.hindrance != Hindrance::kMoves;
+    const bool absent = wrong && now.hindrance == Hindrance::kAbsent;
+    const QColor ink = absent ? tokens.err : wrong ? tokens.warn : tokens.t1;
+    if (board == chosen_)
+        painter.fillRect(QRect(0, top, width(), row), tokens.sel);
+    else if (wrong)
+        painter.fillRect(QRect(0, top, width(), row), absent ? tokens.errbg : tokens.warnbg);
+    painter.setFont(theme.font(TextRole::kSecondary, true));
+    painter.setPen(ink);
+    painter.drawText(QRect(at.left, top, theme.px(18), row), Qt::AlignRight | Qt::AlignVCenter,
+                     QString::number(board + 1));
+    painter.setFont(theme.font(TextRole::kSecondary));
+    const QRect name(at.left + theme.px(27), top, at.steps - at.left - theme.px(31), row);
+    painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(boardName(run_->suit().boards[index]), Qt::ElideRight,
+                                                      name.width()));
+    for (int step = 0; step < stepColumns(); ++step)
+        paintBox(painter, QRect(at.steps + step * at.step, top, at.step, row), board, step);
+    if (index < now.askew_rad.size() && now.askew_rad[index]) {
+        painter.setPen(wrong ? ink : tokens.t2);
+        painter.drawText(QRect(at.tilt, top, at.tilt_width, row), Qt::AlignRight | Qt::AlignVCenter,
+                         degreesText(*now.askew_rad[index], 1));
     }
-    if (hasFocus()) {
-        painter.setPen(QPen(tokens.acc, theme.px(2)));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(rect().adjusted(1, 1, -1, -1));
-    }
+}
+
+void BoardTable::paintEvent(QPaintEvent*) {
+    if (boards() == 0)
+        return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Columns columns = placeColumns();
+    paintHead(painter, columns);
+    for (int board = 0; board < boards(); ++board)
+        paintRow(painter, columns, board);
+    if (!hasFocus())
+        return;
+    painter.setPen(QPen(Theme::get().tokens().acc, Theme::get().px(2)));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 
 }  // namespace noctule::ui

@@ -29,6 +29,13 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    /// Left edges and widths, pixels.
+    struct Columns {
+        int left, steps, step, tilt, tilt_width;
+    };
+    Columns placeColumns() const;
+    void paintHead(QPainter& painter, const Columns& at) const;
+    void paintRow(QPainter& painter, const Columns& at, int board) const;
     void refresh();
     int rowHeight() const;
     int boards() const;

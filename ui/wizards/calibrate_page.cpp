@@ -15,6 +15,7 @@
 #include "ui/widgets/section_header.h"
 #include "ui/widgets/verdict_header.h"
 #include "ui/wizards/calibration_state.h"
+#include "ui/wizards/compare_dialog.h"
 #include "ui/wizards/task_card.h"
 #include "ui/wizards/wizard_page.h"
 
@@ -220,8 +221,13 @@ void CalibratePage::showHistory() {
             connect(use, &QPushButton::clicked, this, [this, file = one.file] {
                 studio_.calibrations().use(file, tr("Going back to %1").arg(file.section('.', 0, 0)));
             });
+            auto* compare = makeButton(ButtonKind::kText, tr("Compare"));
+            compare->setToolTip(tr("What differs from the calibration in use"));
+            connect(compare, &QPushButton::clicked, this,
+                    [this, one] { CompareDialog(studio_, one, window()).exec(); });
             auto* row = addRow(column);
             row->addWidget(use);
+            row->addWidget(compare);
             row->addStretch();
         }
         use_.push_back(use);

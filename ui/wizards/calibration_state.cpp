@@ -21,6 +21,7 @@ int lastsDays(WizardTask task) {
         case WizardTask::kGyroscopes:
             return 92;
         case WizardTask::kRestPose:
+        case WizardTask::kMovement:
         case WizardTask::kCheck:
             break;
     }

@@ -11,6 +11,7 @@
 namespace noctule::ui {
 namespace {
 
+constexpr int kTicks = 4;
 constexpr int kErrorRow = 20, kNames = 130, kFoot = 26;
 
 /// 1, 2 or 5 times a power of ten that is not below.
@@ -57,58 +58,63 @@ double ErrorPlot::scaleEnd() const {
     return roundUp(std::max({most, errors_.good * 2, 1e-9}));
 }
 
+ErrorPlot::Axis ErrorPlot::axis() const {
+    const Theme& theme = Theme::get();
+    const int left = theme.px(kNames), right = width() - theme.px(16);
+    return {left, right, static_cast<int>(errors_.rows.size()) * theme.px(kErrorRow), scaleEnd()};
+}
+
+void ErrorPlot::paintAxis(QPainter& painter, const Axis& axis) const {
+    const Theme& theme = Theme::get();
+    const Tokens& tokens = theme.tokens();
+    painter.fillRect(QRectF(axis.left, 0, axis.at(errors_.good) - axis.left, axis.bottom), tokens.okbg);
+    painter.setFont(theme.font(TextRole::kCaption));
+    const int decimals = std::clamp(static_cast<int>(1 - std::floor(std::log10(axis.end))), 0, 4);
+    for (int tick = 0; tick <= kTicks; ++tick) {
+        const double value = axis.end * tick / kTicks, x = axis.at(value);
+        const bool last = tick == kTicks;
+        painter.setPen(tokens.line);
+        painter.drawLine(QPointF(x, 0), QPointF(x, axis.bottom));
+        painter.setPen(tokens.t3);
+        const QString unit = last ? ' ' + QString::fromStdString(errors_.unit) : QString();
+        painter.drawText(
+            QRectF(x - theme.px(50), axis.bottom + theme.px(4), theme.px(last ? 66 : 100), theme.px(18)),
+            last ? Qt::AlignRight : Qt::AlignHCenter, numberText(value, decimals) + unit);
+    }
+}
+
+/// What lies beyond the axis stands at its end, as a ring, where `marks_beyond`.
+void ErrorPlot::paintDots(QPainter& painter, const Axis& axis, const std::vector<double>& values, double y,
+                          const QColor& color, bool marks_beyond) const {
+    const Theme& theme = Theme::get();
+    for (const double value : values) {
+        const bool ring = marks_beyond && value > axis.end;
+        painter.setPen(ring ? QPen(theme.tokens().warn, theme.px(1.5)) : QPen(Qt::NoPen));
+        painter.setBrush(ring ? QBrush(Qt::NoBrush) : QBrush(color));
+        painter.drawEllipse(QPointF(axis.at(std::min(value, axis.end)), y), theme.px(3), theme.px(3));
+    }
+}
+
 void ErrorPlot::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::get();
     const Tokens& tokens = theme.tokens();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const int row = theme.px(kErrorRow), left = theme.px(kNames),
-              rows = static_cast<int>(errors_.rows.size());
-    const int right = width() - theme.px(16), bottom = rows * row;
-    const double end = scaleEnd(), scale = (right - left) / end;
-    QColor good = tokens.okbg;
-    painter.fillRect(QRectF(left, 0, errors_.good * scale, bottom), good);
-    painter.setFont(theme.font(TextRole::kCaption));
-    for (int tick = 0; tick <= 4; ++tick) {
-        const double x = left + (right - left) * tick / 4.0;
-        painter.setPen(tokens.line);
-        painter.drawLine(QPointF(x, 0), QPointF(x, bottom));
-        painter.setPen(tokens.t3);
-        const QString unit = tick == 4 ? ' ' + QString::fromStdString(errors_.unit) : QString();
-        const int decimals = std::clamp(static_cast<int>(1 - std::floor(std::log10(end))), 0, 4);
-        painter.drawText(
-            QRectF(x - theme.px(50), bottom + theme.px(4), theme.px(tick == 4 ? 66 : 100), theme.px(18)),
-            tick == 4 ? Qt::AlignRight : Qt::AlignHCenter, numberText(end * tick / 4, decimals) + unit);
-    }
-    const auto dots = [&](const std::vector<double>& values, double y, const QColor& color) {
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(color);
-        for (const double value : values) {
-            const bool beyond = value > end && color == tokens.acc;
-            const double x = left + std::min(value, end) * scale;
-            if (beyond) {
-                painter.setPen(QPen(tokens.warn, theme.px(1.5)));
-                painter.setBrush(Qt::NoBrush);
-            }
-            painter.drawEllipse(QPointF(x, y), theme.px(3), theme.px(3));
-            if (beyond) {
-                painter.setPen(Qt::NoPen);
-                painter.setBrush(color);
-            }
-        }
-    };
-    for (int i = 0; i < rows; ++i) {
-        const CalibrationErrors::Row& part = errors_.rows[static_cast<size_t>(i)];
-        const double middle = (i + 0.5) * row;
+    const Axis axis = this->axis();
+    paintAxis(painter, axis);
+    QColor before = tokens.t3;
+    before.setAlphaF(0.45);
+    const int row = theme.px(kErrorRow), names = axis.left - theme.px(8);
+    painter.setFont(theme.font(TextRole::kSecondary));
+    for (size_t i = 0; i < errors_.rows.size(); ++i) {
+        const CalibrationErrors::Row& part = errors_.rows[i];
+        const double top = static_cast<double>(i) * row, middle = top + row / 2.0;
         painter.setPen(tokens.t1);
-        painter.setFont(theme.font(TextRole::kSecondary));
-        painter.drawText(QRectF(0, i * row, left - theme.px(8), row), Qt::AlignRight | Qt::AlignVCenter,
-                         painter.fontMetrics().elidedText(QString::fromStdString(part.name), Qt::ElideRight,
-                                                          left - theme.px(8)));
-        QColor before = tokens.t3;
-        before.setAlphaF(0.45);
-        dots(part.before, middle, before);
-        dots(part.after, middle, tokens.acc);
+        painter.drawText(
+            QRectF(0, top, names, row), Qt::AlignRight | Qt::AlignVCenter,
+            painter.fontMetrics().elidedText(QString::fromStdString(part.name), Qt::ElideRight, names));
+        paintDots(painter, axis, part.before, middle, before, false);
+        paintDots(painter, axis, part.after, middle, tokens.acc, true);
     }
 }
 

@@ -22,6 +22,16 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// From zero at `left` to `end` at `right`; pixels.
+    struct Axis {
+        int left, right, bottom;
+        double end;
+        double at(double value) const { return left + (right - left) * value / end; }
+    };
+    Axis axis() const;
+    void paintAxis(QPainter& painter, const Axis& axis) const;
+    void paintDots(QPainter& painter, const Axis& axis, const std::vector<double>& values, double y,
+                   const QColor& color, bool marks_beyond) const;
     double scaleEnd() const;
 
     CalibrationErrors errors_;

@@ -3,6 +3,7 @@
 
 #include <QVBoxLayout>
 
+#include "ui/views/process_takes_dialog.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
@@ -18,6 +19,7 @@ ResultSide::ResultSide(Studio& studio, QWidget* parent)
       findings_(nullptr),
       words_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       save_(makeButton(ButtonKind::kPrimary, tr("Save and use"))),
+      process_(makeButton(ButtonKind::kOutlined, tr("Process takes again"), "redo")),
       repeat_(makeButton(ButtonKind::kOutlined, tr("Repeat steps"), "loop")),
       leave_(makeButton(ButtonKind::kText, tr("Back to Calibrate"))) {
     auto* column = makeColumn(this);
@@ -28,12 +30,15 @@ ResultSide::ResultSide(Studio& studio, QWidget* parent)
     auto* foot_column = makeColumn(foot, {12, 8, 12, 12}, 8);
     foot_column->addWidget(words_->wrapped());
     foot_column->addWidget(save_);
+    foot_column->addWidget(process_);
     auto* row = addRow(foot_column, 8);
     row->addWidget(repeat_);
     row->addStretch();
     row->addWidget(leave_);
     column->addWidget(foot);
     connect(save_, &QPushButton::clicked, this, &ResultSide::save);
+    connect(process_, &QPushButton::clicked, this,
+            [this] { ProcessTakesDialog(studio_, run_->result()->actor, window()).exec(); });
     connect(repeat_, &QPushButton::clicked, this, &ResultSide::repeatRequested);
     connect(leave_, &QPushButton::clicked, this, &ResultSide::leaveRequested);
 }
@@ -69,6 +74,8 @@ void ResultSide::refresh() {
     const bool checks = run_->task() == WizardTask::kCheck;
     const bool bad = run_->result()->grade() == Grade::kNotUsable;
     save_->setVisible(!checks && !run_->isSaved());
+    process_->setVisible(!checks && run_->isInUse() && studio_.session().isOpen() &&
+                         !studio_.session().session().takes.empty());
     save_->setText(bad ? tr("Save and use it anyway") : tr("Save and use"));
     repeat_->setVisible(!run_->isSaved() && run_->guide());
     if (run_->isSaved())

@@ -37,7 +37,7 @@ private:
     WizardRun* run_ = nullptr;
     QVBoxLayout* findings_;
     Label* words_;
-    Button *save_, *repeat_, *leave_;
+    Button *save_, *process_, *repeat_, *leave_;
 };
 
 }  // namespace noctule::ui

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <stdexcept>
 
+#include "core/guide/movement_guide.h"
 #include "core/guide/placement_guide.h"
 #include "core/guide/side_guide.h"
 #include "core/guide/stand_guide.h"
@@ -21,6 +22,8 @@ std::unique_ptr<Guide> makeGuide(WizardTask task, const Suit& suit, const Calibr
             return std::make_unique<SideGuide>(suit, known, sample_rate_hz);
         case WizardTask::kGyroscopes:
             return std::make_unique<TurnGuide>(suit, known, sample_rate_hz, 0);
+        case WizardTask::kMovement:
+            return std::make_unique<MovementGuide>(suit, known, sample_rate_hz);
         case WizardTask::kRestPose:
         case WizardTask::kCheck:
             return std::make_unique<StandGuide>(suit, known, sample_rate_hz);
@@ -39,6 +42,8 @@ Result<CalibrationResult> solveTask(WizardTask task, const CalibrateRequest& req
             return calibrateGyroscopes(request, 0, job);
         case WizardTask::kRestPose:
             return calibrateRestPose(request, job);
+        case WizardTask::kMovement:
+            return calibrateMotion(request, job);
         case WizardTask::kCheck:
             return checkStill(request, job);
     }

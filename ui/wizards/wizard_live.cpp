@@ -34,6 +34,7 @@ BoardMark markOf(const WizardRun& run, int board) {
             return BoardMark::kWaiting;
         case GuidedBoard::kElsewhere:
         case GuidedBoard::kAskew:
+        case GuidedBoard::kIdle:
             return BoardMark::kWrong;
         case GuidedBoard::kRight:
             break;
@@ -107,17 +108,32 @@ void WizardLive::setRun(WizardRun* run) {
         return;
     connect(run, &WizardRun::changed, this, &WizardLive::refresh);
     connect(run, &WizardRun::guided, this, &WizardLive::refresh);
-    is_dressed_ = false;
+    dressed_for_.reset();
     refresh();
+}
+
+/// While the performer is to move, or moves: of the exercise's animation.
+std::optional<int> WizardLive::exerciseFrame() const {
+    if (run_->task() != WizardTask::kMovement || run_->isWaitingForSuit())
+        return std::nullopt;
+    const Guidance& now = run_->guide()->guidance();
+    if (!now.isRight() && now.hindrance != Hindrance::kMove)
+        return std::nullopt;
+    return ExerciseFigures::frameAt(static_cast<Exercise>(run_->step()), run_->secondsSoFar());
 }
 
 /// As soon as a suit says who wears it.
 void WizardLive::dress() {
     const LiveSuit& suit = studio_.suit();
-    if (is_dressed_ || suit.phase() == LiveSuit::Phase::kNone || suit.suit().boards.empty())
+    if (suit.phase() == LiveSuit::Phase::kNone || suit.suit().boards.empty())
         return;
-    drawing_->setBody(BodyFigure::of(suit.actor(), studio_.body()), suit.suit());
-    is_dressed_ = true;
+    const std::optional<int> frame = exerciseFrame();
+    if (dressed_for_ == frame.value_or(-1))
+        return;
+    drawing_->setBody(frame ? exercises_.figure(*frame, suit.actor(), studio_.body())
+                            : BodyFigure::of(suit.actor(), studio_.body()),
+                      suit.suit());
+    dressed_for_ = frame.value_or(-1);
 }
 
 QString WizardLive::instruction() const {
@@ -164,6 +180,7 @@ void WizardLive::showPicture() {
         picture.call_out_text = now.hindrance == Hindrance::kAskew
                                     ? tr("%1, %2 askew").arg(place, degreesText(now.value, 1))
                                 : now.hindrance == Hindrance::kAbsent ? tr("%1, silent").arg(place)
+                                : now.hindrance == Hindrance::kIdle   ? tr("%1, hardly moved").arg(place)
                                                                       : place;
     }
     drawing_->setDescription(instruction_->text());

@@ -5,6 +5,9 @@
 
 #include <QWidget>
 #include <array>
+#include <optional>
+
+#include "ui/wizards/exercise_figures.h"
 
 namespace noctule::ui {
 
@@ -38,13 +41,16 @@ private:
     void refresh();
     void showPicture();
     void dress();
+    std::optional<int> exerciseFrame() const;
     void showMeasures();
 
     Studio& studio_;
     WizardRun* run_ = nullptr;
     Label *step_, *so_far_, *instruction_;
     RigDrawing* drawing_;
-    bool is_dressed_ = false;
+    /// What the drawing shows: -1 the open stance, else an exercise's frame; absent: nothing yet.
+    std::optional<int> dressed_for_;
+    ExerciseFigures exercises_;
     ToneCard* card_ = nullptr;
     HoldRing* ring_;
     Label *sentence_, *detail_;

@@ -108,21 +108,12 @@ void WizardPage::refresh() {
             break;
         case Phase::kResult:
             if (currentWidget() != result_)
-                result_->setDocument(run_->result()->document, partNames());
+                result_->setDocument(run_->result()->document,
+                                     partNames(run_->guide() ? run_->suit() : studio_.suit().suit()));
             setCurrentWidget(result_);
             side_->setCurrentWidget(result_side_);
             break;
     }
-}
-
-std::map<std::string, QString> WizardPage::partNames() const {
-    const Suit& suit = run_->guide() ? run_->suit() : studio_.suit().suit();
-    std::map<std::string, QString> names;
-    for (const Board& board : suit.boards)
-        names[board.id] = boardName(board);
-    for (int source = 0; source < static_cast<int>(suit.sources.size()); ++source)
-        names[suit.sources[static_cast<size_t>(source)].id] = sourceTitle(suit, source);
-    return names;
 }
 
 /// Heard with one's back to the screen: all is right, keep still.

@@ -47,7 +47,6 @@ signals:
 private:
     void refresh();
     void followGuide();
-    std::map<std::string, QString> partNames() const;
 
     Studio& studio_;
     std::unique_ptr<WizardRun> run_;

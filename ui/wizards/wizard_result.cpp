@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/wizards/wizard_result.h"
 
-#include <QGridLayout>
 #include <QVBoxLayout>
 #include <numeric>
 
@@ -13,6 +12,7 @@
 #include "ui/widgets/section_header.h"
 #include "ui/widgets/value_card.h"
 #include "ui/widgets/verdict_header.h"
+#include "ui/wizards/calibration_table_card.h"
 #include "ui/wizards/error_plot.h"
 
 namespace noctule::ui {
@@ -34,28 +34,6 @@ Tone toneOfGrade(Grade grade) {
             break;
     }
     return Tone::kNeutral;
-}
-
-QWidget* tableCard(const CalibrationTable& table) {
-    auto* card = new Card;
-    auto* column = makeColumn(card, {16, 12, 16, 12}, 8);
-    column->addWidget(new SectionHeader(wordsIn(table.title)));
-    column->addWidget((new Label(wordsIn(table.lead), TextRole::kSecondary, Ink::kHint))->wrapped());
-    auto* cells = new QWidget;
-    auto* grid = makeGrid(cells, {}, 6);
-    const auto add = [grid](const std::string& text, int row, int column_index, Ink ink, TextRole role) {
-        auto* cell = new Label(wordsIn(text), role, ink);
-        cell->setAlignment((column_index == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-        grid->addWidget(cell, row, column_index);
-    };
-    for (size_t i = 0; i < table.columns.size(); ++i)
-        add(table.columns[i], 0, static_cast<int>(i), Ink::kHint, TextRole::kCaption);
-    for (size_t row = 0; row < table.rows.size(); ++row)
-        for (size_t i = 0; i < table.rows[row].size(); ++i)
-            add(table.rows[row][i], static_cast<int>(row) + 1, static_cast<int>(i),
-                i == 0 ? Ink::kValue : Ink::kLabel, TextRole::kSecondary);
-    column->addWidget(cells);
-    return card;
 }
 
 double meanOf(const CalibrationErrors& errors, std::vector<double> CalibrationErrors::Row::*values) {
@@ -100,9 +78,7 @@ CalibrationDocument WizardResult::named(CalibrationDocument document,
             id = known->second.toStdString();
     };
     for (CalibrationTable& table : document.tables)
-        for (auto& row : table.rows)
-            if (!row.empty())
-                name(row.front());
+        table = ui::named(std::move(table), names);
     if (document.errors)
         for (CalibrationErrors::Row& row : document.errors->rows)
             name(row.name);
@@ -151,7 +127,7 @@ void WizardResult::fill(const CalibrationDocument& document) {
         content_->addWidget(card);
     }
     for (const CalibrationTable& table : document.tables)
-        content_->addWidget(tableCard(table));
+        content_->addWidget(new CalibrationTableCard(table));
     content_->addStretch();
 }
 

@@ -168,7 +168,7 @@ void WizardRun::keep() {
     LiveSuit::EvidencePlan plan;
     plan.kind = takeKindOf(task_).toStdString();
     plan.base_name = QStringLiteral("%1_%2").arg(keyOf(task_)).arg(*now.step + 1);
-    plan.length_s = holdOf(task_) + kMargin_s;
+    plan.length_s = leadOf(task_) + holdOf(task_) + kMargin_s;
     plan.placement = QString::fromStdString(guide_->labelOf(*now.step));
     trouble_ = studio_.suit().keepEvidence(plan);
     if (trouble_.isEmpty())
@@ -389,7 +389,7 @@ QString WizardRun::statePath() const {
 void WizardRun::store() const {
     const QString path = statePath();
     // Who stands there today stood otherwise yesterday.
-    if (path.isEmpty() || task_ == WizardTask::kCheck || task_ == WizardTask::kRestPose)
+    if (path.isEmpty() || isWorn(task_))
         return;
     if (const Status written = writeUnfinished(path, keyOf(task_), unfinished_); !written)
         emit studio_.warned(QString::fromStdString(written.error().text()));

@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include "core/guide/movement_guide.h"
+
 namespace noctule::ui {
 namespace {
 
@@ -90,6 +92,38 @@ WizardWords restPose() {
             TaskText::tr("It begins by itself when the performer stands still.")};
 }
 
+WizardWords movement() {
+    return {
+        TaskText::tr("Movement"),
+        "check",
+        TaskText::tr("How each board sits, to half a degree; lengths of bones and places of sources too."),
+        TaskText::tr("Six exercises, about 2 minutes; after the rest pose, each time the suit is put on"),
+        {TaskText::tr("The performer with the suit on, all straps tight, the rest pose calibrated"),
+         TaskText::tr("Two metres of free floor in all directions")},
+        TaskText::tr("Each exercise begins in the rest pose: arms hanging, palms towards the body, eyes "
+                     "straight ahead. Then move smoothly, as far as is comfortable, for 8 seconds."),
+        TaskText::tr("One exercise after the other. The page sees when you stand and when you move.")};
+}
+
+/// In the order of Exercise.
+struct ExerciseText {
+    const char *name, *instruction;
+};
+constexpr ExerciseText kExercises[kExerciseCount] = {
+    {QT_TRANSLATE_NOOP("WizardTask", "Squats"),
+     QT_TRANSLATE_NOOP("WizardTask", "Squat, bend the elbows and turn the hands")},
+    {QT_TRANSLATE_NOOP("WizardTask", "Arm circles"),
+     QT_TRANSLATE_NOOP("WizardTask", "Circle both arms, large and slowly")},
+    {QT_TRANSLATE_NOOP("WizardTask", "Leg swings"),
+     QT_TRANSLATE_NOOP("WizardTask", "Swing one leg, then the other; bend knees and feet")},
+    {QT_TRANSLATE_NOOP("WizardTask", "Trunk"),
+     QT_TRANSLATE_NOOP("WizardTask", "Bend and turn the trunk to all sides")},
+    {QT_TRANSLATE_NOOP("WizardTask", "Head and shoulders"),
+     QT_TRANSLATE_NOOP("WizardTask", "Nod and turn the head, shrug, roll the wrists")},
+    {QT_TRANSLATE_NOOP("WizardTask", "March"),
+     QT_TRANSLATE_NOOP("WizardTask", "March on the spot and swing the arms")},
+};
+
 WizardWords check() {
     return {TaskText::tr("Check"),
             "check",
@@ -113,6 +147,8 @@ WizardWords wordsOf(WizardTask task) {
             return gyroscopes();
         case WizardTask::kRestPose:
             return restPose();
+        case WizardTask::kMovement:
+            return movement();
         case WizardTask::kCheck:
             return check();
     }
@@ -120,19 +156,28 @@ WizardWords wordsOf(WizardTask task) {
 }
 
 QString keyOf(WizardTask task) {
-    constexpr const char* kKeys[] = {"sources", "accelerometers", "gyroscopes", "rest-pose", "check"};
+    constexpr const char* kKeys[] = {"sources",   "accelerometers", "gyroscopes",
+                                     "rest-pose", "motion",         "check"};
     return kKeys[static_cast<int>(task)];
 }
 
 QString takeKindOf(WizardTask task) {
-    constexpr const char* kKinds[] = {"jig", "level", "turntable", "motion", "motion"};
+    constexpr const char* kKinds[] = {"jig", "level", "turntable", "motion", "motion", "motion"};
     return kKinds[static_cast<int>(task)];
 }
 
 double holdOf(WizardTask task) {
     // A turn at 33 1/3 rpm takes 1.8 s: gravity's ripple wants some of them.
-    constexpr double kHolds_s[] = {6, 4, 8, 5, 3};
+    constexpr double kHolds_s[] = {6, 4, 8, 5, MovementGuide::kMove_s, 3};
     return kHolds_s[static_cast<int>(task)];
+}
+
+double leadOf(WizardTask task) {
+    return task == WizardTask::kMovement ? MovementGuide::kStand_s : 0;
+}
+
+bool isWorn(WizardTask task) {
+    return pictureOf(task) == RigPicture::Kind::kStand;
 }
 
 StepWords stepWordsOf(WizardTask task, int step, int up, const QString& label) {
@@ -146,6 +191,9 @@ StepWords stepWordsOf(WizardTask task, int step, int up, const QString& label) {
         case WizardTask::kGyroscopes:
             return {TaskText::tr("Turn %1").arg(step + 1), TaskText::tr(kSides[up].hint),
                     TaskText::tr(kSides[up].table)};
+        case WizardTask::kMovement:
+            return {TaskText::tr(kExercises[step].name), TaskText::tr("from the rest pose"),
+                    TaskText::tr(kExercises[step].instruction)};
         case WizardTask::kRestPose:
         case WizardTask::kCheck:
             break;
@@ -155,9 +203,9 @@ StepWords stepWordsOf(WizardTask task, int step, int up, const QString& label) {
 }
 
 RigPicture::Kind pictureOf(WizardTask task) {
-    constexpr RigPicture::Kind kKinds[] = {RigPicture::Kind::kJig, RigPicture::Kind::kPlate,
+    constexpr RigPicture::Kind kKinds[] = {RigPicture::Kind::kJig,       RigPicture::Kind::kPlate,
                                            RigPicture::Kind::kTurntable, RigPicture::Kind::kStand,
-                                           RigPicture::Kind::kStand};
+                                           RigPicture::Kind::kStand,     RigPicture::Kind::kStand};
     return kKinds[static_cast<int>(task)];
 }
 

@@ -10,11 +10,11 @@
 
 namespace noctule::ui {
 
-enum class WizardTask { kSources, kAccelerometers, kGyroscopes, kRestPose, kCheck };
+enum class WizardTask { kSources, kAccelerometers, kGyroscopes, kRestPose, kMovement, kCheck };
 
-inline constexpr WizardTask kWizardTasks[] = {WizardTask::kSources, WizardTask::kAccelerometers,
+inline constexpr WizardTask kWizardTasks[] = {WizardTask::kSources,    WizardTask::kAccelerometers,
                                               WizardTask::kGyroscopes, WizardTask::kRestPose,
-                                              WizardTask::kCheck};
+                                              WizardTask::kMovement,   WizardTask::kCheck};
 
 struct WizardWords {
     QString title, icon;
@@ -32,6 +32,10 @@ QString keyOf(WizardTask task);
 QString takeKindOf(WizardTask task);
 /// A step must be right for so long.
 double holdOf(WizardTask task);
+/// What is kept of a step begins so long before it was right: a movement with the rest pose it came from.
+double leadOf(WizardTask task);
+/// Somebody wears the suit and stands still in the rest pose.
+bool isWorn(WizardTask task);
 
 struct StepWords {
     QString name, hint;   ///< in the rail: "Side 3", "edge A down"

@@ -17,10 +17,6 @@ struct LiveText {
     Q_DECLARE_TR_FUNCTIONS(LiveText)
 };
 
-bool isWorn(WizardTask task) {
-    return task == WizardTask::kRestPose || task == WizardTask::kCheck;
-}
-
 QString askewText(double angle_rad) {
     return degreesText(angle_rad, 1);
 }
@@ -49,6 +45,10 @@ LiveSentence ofBoards(const WizardRun& run, const Guidance& now) {
                         LiveText::tr("Let the arms hang and breathe calmly. %1").arg(others)};
             return {Tone::kNeutral, LiveText::tr("Wait: board %1 still moves").arg(board),
                     LiveText::tr("Let go of it and wait until it lies still. %1").arg(others)};
+        case Hindrance::kIdle:
+            return {Tone::kWarn, LiveText::tr("Once more: %1 hardly moved").arg(place),
+                    LiveText::tr("Stand still in the rest pose, then: %1. %2")
+                        .arg(run.stepWords(*now.step).instruction, others)};
         case Hindrance::kElsewhere:
             return {
                 Tone::kWarn, LiveText::tr("Not yet: board %1 lies on another side").arg(board),
@@ -103,10 +103,26 @@ LiveSentence ofAll(const WizardRun& run, const Guidance& now) {
                                  "Put boards and sources as they were measured.")};
             return {Tone::kNeutral, LiveText::tr("Turn the plate onto a side"),
                     LiveText::tr("It lies between two sides, or is in somebody’s hands.")};
+        case Hindrance::kUnit:
+            return {
+                Tone::kError,
+                LiveText::tr("The file’s distances are %1 times those heard")
+                    .arg(numberText(now.value, now.value < 1     ? 3
+                                               : now.value < 100 ? 1
+                                                                 : 0)),
+                LiveText::tr("Its numbers are in another unit than their heading says. Correct the heading "
+                             "(x_m or x_mm, distance_m or distance_mm), leave and choose the file again.")};
         case Hindrance::kUnheard:
             return {Tone::kWarn, LiveText::tr("Only %1 of the pairs are heard").arg(percentText(now.value)),
                     LiveText::tr(
                         "Let boards and sources face each other, and take away what stands in between.")};
+        case Hindrance::kStand:
+            return {Tone::kNeutral,
+                    LiveText::tr("Stand still for %1").arg(secondsText(std::ceil(now.value), 0)),
+                    LiveText::tr("In the rest pose: arms hanging, palms towards the body.")};
+        case Hindrance::kMove:
+            return {Tone::kOk, LiveText::tr("Move now"),
+                    LiveText::tr("Smoothly and as far as is comfortable, until the ring is full.")};
         case Hindrance::kDone:
             return {Tone::kOk, LiveText::tr("%1 is done").arg(run.stepWords(*now.step).name),
                     LiveText::tr("Go on as above.")};
@@ -116,6 +132,8 @@ LiveSentence ofAll(const WizardRun& run, const Guidance& now) {
 }
 
 QString rightDetail(const WizardRun& run, const Guidance& now) {
+    if (run.task() == WizardTask::kMovement)
+        return LiveText::tr("Smoothly and as far as is comfortable.");
     if (isWorn(run.task()))
         return LiveText::tr("Stay like that, all boards are calm.");
     if (run.task() == WizardTask::kGyroscopes)
@@ -136,7 +154,10 @@ LiveSentence sentenceOf(const WizardRun& run) {
     const Guidance& now = run.guide()->guidance();
     if (now.isRight()) {
         const double left_s = std::max(0.0, holdOf(run.task()) - now.held_s);
-        return {Tone::kOk, LiveText::tr("Right. Hold it for %1").arg(secondsText(std::ceil(left_s), 0)),
+        const QString left = secondsText(std::ceil(left_s), 0);
+        return {Tone::kOk,
+                run.task() == WizardTask::kMovement ? LiveText::tr("Go on for %1").arg(left)
+                                                    : LiveText::tr("Right. Hold it for %1").arg(left),
                 rightDetail(run, now)};
     }
     return now.hindering > 0 && now.board >= 0 && now.hindrance != Hindrance::kTooFast ? ofBoards(run, now)
@@ -167,11 +188,18 @@ std::vector<LiveMeasure> measuresOf(const WizardRun& run) {
     if (run.task() == WizardTask::kSources)
         add(LiveText::tr("Pairs heard"), percentText(now.heard_share.value_or(0)),
             now.heard_share.value_or(0), now.heard_share.value_or(0) >= PlacementGuide::kEnoughShare);
+    const bool moving = run.task() == WizardTask::kMovement && now.isRight();
+    if (moving)
+        add(LiveText::tr("Movement"),
+            LiveText::tr("%1 of %2").arg(secondsText(now.held_s, 0), secondsText(holdOf(run.task()), 1)),
+            now.held_s / holdOf(run.task()), true);
     const double still_limit = worn ? StandGuide::kSway_m_per_s2 : HealthSettings{}.still_accel_m_per_s2;
-    add(LiveText::tr("Still"),
-        LiveText::tr("%1 m/s², limit %2")
-            .arg(numberText(now.worst_accel_deviation_m_per_s2, 2), numberText(still_limit, 2)),
-        now.worst_accel_deviation_m_per_s2 / still_limit, now.worst_accel_deviation_m_per_s2 <= still_limit);
+    if (!moving)
+        add(LiveText::tr("Still"),
+            LiveText::tr("%1 m/s², limit %2")
+                .arg(numberText(now.worst_accel_deviation_m_per_s2, 2), numberText(still_limit, 2)),
+            now.worst_accel_deviation_m_per_s2 / still_limit,
+            now.worst_accel_deviation_m_per_s2 <= still_limit);
     const int asked = std::max(1, now.asked_boards);
     add(LiveText::tr("Boards in place"), LiveText::tr("%1 of %2").arg(now.right_boards).arg(now.asked_boards),
         static_cast<double>(now.right_boards) / asked, now.right_boards == now.asked_boards);
@@ -187,6 +215,7 @@ QString costOfSkipping(const WizardRun& run, int board) {
         case WizardTask::kGyroscopes:
             return LiveText::tr("%1 is left out: it keeps the values it had before.").arg(name);
         case WizardTask::kRestPose:
+        case WizardTask::kMovement:
         case WizardTask::kCheck:
             break;
     }

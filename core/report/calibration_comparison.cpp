@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/report/calibration_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/body/text.h"
+#include "core/math/rotation.h"
+
+namespace noctule {
+namespace {
+
+constexpr const char* kUnknown = "–";
+
+/// "–" unless both are known.
+template <class Value, class Difference>
+std::string between(const std::optional<Value>& one, const std::optional<Value>& other, int decimals,
+                    Difference difference) {
+    return one && other ? text::number(difference(*one, *other), decimals) : kUnknown;
+}
+
+double millimetresBetween(const Vector3d& a, const Vector3d& b) {
+    return (a - b).norm() * 1e3;
+}
+
+double percentBetween(const AxisCalibration& a, const AxisCalibration& b) {
+    const Matrix3d change = a.matrix.partialPivLu().solve(b.matrix) - Matrix3d::Identity();
+    return change.cwiseAbs().maxCoeff() * 100;
+}
+
+/// What the zeros differ by, as a reading.
+double zeroBetween(const AxisCalibration& a, const AxisCalibration& b) {
+    return (a.matrix * (a.zero_counts - b.zero_counts)).norm();
+}
+
+std::vector<std::string> rowOf(const BoardCalibration& one, const BoardCalibration& other) {
+    return {one.id,
+            between(one.q_segment_board, other.q_segment_board, 2,
+                    [](const Quaterniond& a, const Quaterniond& b) { return degrees(angleBetween(a, b)); }),
+            between(one.p_segment_board_m, other.p_segment_board_m, 1, millimetresBetween),
+            text::number(degrees(zeroBetween(one.gyro, other.gyro)), 3),
+            text::number(percentBetween(one.gyro, other.gyro), 3),
+            text::number(zeroBetween(one.accel, other.accel) / kStandardGravity_m_per_s2 * 1e3, 1),
+            text::number(percentBetween(one.accel, other.accel), 3)};
+}
+
+std::vector<std::string> rowOf(const SourceCalibration& one, const SourceCalibration& other) {
+    std::string offset = kUnknown;
+    for (const auto& [detector, offset_s] : one.offsets_s)
+        if (const auto same = other.offsets_s.find(detector); same != other.offsets_s.end()) {
+            offset = text::number((same->second - offset_s) * 1e6, 1);
+            break;
+        }
+    return {one.id, offset, between(one.p_segment_source_m, other.p_segment_source_m, 1, millimetresBetween)};
+}
+
+bool differs(const std::vector<std::string>& row) {
+    return std::any_of(row.begin() + 1, row.end(), [](const std::string& cell) {
+        return cell != kUnknown && cell.find_first_of("123456789") != std::string::npos;
+    });
+}
+
+template <class Part, class Find>
+void addRows(const std::vector<Part>& parts, Find find, CalibrationTable table,
+             std::vector<CalibrationTable>& tables) {
+    for (const Part& part : parts) {
+        const Part* same = find(part.id);
+        if (!same) {
+            table.rows.push_back({part.id});
+            table.rows.back().resize(table.columns.size(), kUnknown);
+        } else if (auto row = rowOf(part, *same); differs(row)) {
+            table.rows.push_back(std::move(row));
+        }
+    }
+    if (!table.rows.empty())
+        tables.push_back(std::move(table));
+}
+
+}  // namespace
+
+std::vector<CalibrationTable> compareCalibrations(const Calibration& one, const Calibration& other) {
+    std::vector<CalibrationTable> tables;
+    addRows(
+        one.boards, [&](const std::string& id) { return other.findBoard(id); },
+        {"Boards",
+         "How far the values are apart.",
+         {"board", "mounting, °", "place, mm", "gyroscope's zero, °/s", "its slopes, %",
+          "accelerometer's zero, mg", "its slopes, %"},
+         {}},
+        tables);
+    addRows(
+        one.sources, [&](const std::string& id) { return other.findSource(id); },
+        {"Sources",
+         "How much later the other one takes each for; 1 µs is a third of a millimetre.",
+         {"source", "offset, µs", "place, mm"},
+         {}},
+        tables);
+    return tables;
+}
+
+}  // namespace noctule

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/process_takes_dialog.h"
+
+#include <QListWidget>
+#include <QVBoxLayout>
+
+#include "ui/style/words.h"
+#include "ui/widgets/button.h"
+
+namespace noctule::ui {
+
+ProcessTakesDialog::ProcessTakesDialog(Studio& studio, std::optional<Actor> actor, QWidget* parent)
+    : DialogFrame(tr("Process takes again"),
+                  tr("With the calibration in use, %1, all sensors and a free root. Every processing adds a "
+                     "result; nothing is replaced.")
+                      .arg(studio.calibrations().fileInForce().section('.', 0, 0)),
+                  tr("Process"), parent),
+      studio_(studio),
+      actor_(std::move(actor)),
+      takes_(new QListWidget) {
+    takes_->setAccessibleName(tr("Takes to process"));
+    content()->addWidget(takes_);
+    if (studio_.session().isOpen())
+        for (const SessionTake& take : studio_.session().session().takes) {
+            if (take.state == TakeState::kRecording)
+                continue;
+            const QString name = QString::fromStdString(take.name);
+            auto* item = new QListWidgetItem(tr("%1   %2").arg(name, timeText(take.duration_s, 0)), takes_);
+            item->setData(Qt::UserRole, name);
+            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
+            item->setCheckState(isOfPerformer(take) ? Qt::Checked : Qt::Unchecked);
+        }
+    connect(takes_, &QListWidget::itemChanged, this, &ProcessTakesDialog::refresh);
+    connect(this, &QDialog::accepted, this, &ProcessTakesDialog::process);
+    refresh();
+}
+
+bool ProcessTakesDialog::isOfPerformer(const SessionTake& take) const {
+    return take.performer == studio_.session().session().current_performer;
+}
+
+QStringList ProcessTakesDialog::ticked() const {
+    QStringList names;
+    for (int row = 0; row < takes_->count(); ++row)
+        if (takes_->item(row)->checkState() == Qt::Checked)
+            names << takes_->item(row)->data(Qt::UserRole).toString();
+    return names;
+}
+
+void ProcessTakesDialog::tick(const QStringList& names) {
+    for (int row = 0; row < takes_->count(); ++row) {
+        QListWidgetItem* item = takes_->item(row);
+        item->setCheckState(names.contains(item->data(Qt::UserRole).toString()) ? Qt::Checked
+                                                                                : Qt::Unchecked);
+    }
+}
+
+void ProcessTakesDialog::refresh() {
+    const int count = static_cast<int>(ticked().size());
+    actionButton()->setText(count > 0 ? tr("Process %n take(s)", nullptr, count) : tr("Process"));
+    actionButton()->setDisabledBecause(count > 0 ? QString() : tr("Tick at least one take."));
+}
+
+void ProcessTakesDialog::process() {
+    const QStringList names = ticked();
+    for (const SessionTake& take : studio_.session().session().takes) {
+        if (!names.contains(QString::fromStdString(take.name)))
+            continue;
+        ProcessRequest request;
+        request.take_path = studio_.session().session().pathOf(take).string();
+        request.calibration = studio_.calibrations().inForce();
+        if (isOfPerformer(take))
+            request.actor = actor_;
+        studio_.process(request);
+    }
+}
+
+}  // namespace noctule::ui

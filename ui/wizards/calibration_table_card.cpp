@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/wizards/calibration_table_card.h"
+
+#include <QGridLayout>
+
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/section_header.h"
+
+namespace noctule::ui {
+
+CalibrationTableCard::CalibrationTableCard(const CalibrationTable& table, QWidget* parent) : Card(parent) {
+    auto* column = makeColumn(this, {16, 12, 16, 12}, 8);
+    column->addWidget(new SectionHeader(QString::fromStdString(table.title)));
+    column->addWidget(
+        (new Label(QString::fromStdString(table.lead), TextRole::kSecondary, Ink::kHint))->wrapped());
+    auto* cells = new QWidget;
+    auto* grid = makeGrid(cells, {}, 6);
+    const auto add = [grid](const std::string& text, int row, int column_index, Ink ink, TextRole role) {
+        auto* cell = new Label(QString::fromStdString(text), role, ink);
+        cell->setAlignment((column_index == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        grid->addWidget(cell, row, column_index);
+    };
+    for (size_t i = 0; i < table.columns.size(); ++i)
+        add(table.columns[i], 0, static_cast<int>(i), Ink::kHint, TextRole::kCaption);
+    for (size_t row = 0; row < table.rows.size(); ++row)
+        for (size_t i = 0; i < table.rows[row].size(); ++i)
+            add(table.rows[row][i], static_cast<int>(row) + 1, static_cast<int>(i),
+                i == 0 ? Ink::kValue : Ink::kLabel, TextRole::kSecondary);
+    column->addWidget(cells);
+}
+
+CalibrationTable named(CalibrationTable table, const std::map<std::string, QString>& names) {
+    for (auto& row : table.rows)
+        if (const auto known = row.empty() ? names.end() : names.find(row.front()); known != names.end())
+            row.front() = known->second.toStdString();
+    return table;
+}
+
+}  // namespace noctule::ui
