@@ -37,7 +37,7 @@ Eigen::VectorXd Covariance::innovationVariance(const ObservationBlock& block) co
     return variance;
 }
 
-Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks) {
+Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks, ObservedUpdate* observed) {
     const Eigen::Index n = P_.rows();
     Eigen::Index m = 0;
     for (const ObservationBlock& block : blocks)
@@ -70,7 +70,7 @@ Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks) 
     const Eigen::LLT<Eigen::MatrixXd> factor(S);
     if (factor.info() != Eigen::Success)
         return Eigen::VectorXd::Zero(n);
-    const Eigen::MatrixXd inverse_L = factor.matrixL().solve(Eigen::MatrixXd::Identity(m, m));
+    Eigen::MatrixXd inverse_L = factor.matrixL().solve(Eigen::MatrixXd::Identity(m, m));
     const Eigen::VectorXd whitened = inverse_L * residual;
     Eigen::MatrixXd x = Eigen::MatrixXd::Zero(m, n);  // X^T = L^-1 H P
     addProduct(x, 1, inverse_L, gain_by_row, Shape::kLowerTriangular);
@@ -80,7 +80,10 @@ Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks) 
         all.topRows(pending_.rows()) = pending_;
     all.bottomRows(m) = x;
     pending_ = std::move(all);
-    return x.transpose() * whitened;
+    const Eigen::VectorXd correction = x.transpose() * whitened;
+    if (observed)
+        *observed = {blocks, inverse_L, std::move(x), whitened};
+    return correction;
 }
 
 }  // namespace noctule
