@@ -6,23 +6,38 @@
 namespace noctule {
 namespace {
 
-/// M H for the sparse H (m x n) of blocks.
-Eigen::MatrixXd timesBlocks(const Eigen::MatrixXd& M, const std::vector<ObservationBlock>& blocks,
-                            Eigen::Index n) {
-    Eigen::MatrixXd product = Eigen::MatrixXd::Zero(M.rows(), n);
+/// C += M H for the sparse H of blocks.
+void addTimesBlocks(Eigen::MatrixXd& C, const Eigen::MatrixXd& M,
+                    const std::vector<ObservationBlock>& blocks) {
     Eigen::Index row = 0;
     for (const ObservationBlock& block : blocks) {
-        for (Eigen::Index k = 0; k < block.H.cols(); ++k)
-            product.col(block.columns[static_cast<size_t>(k)]).noalias() +=
-                M.middleCols(row, block.rows()) * block.H.col(k);
+        addTimesSparse(C, M, row, block.columns, block.H);
+        row += block.rows();
+    }
+}
+
+/// x H^T.
+Eigen::MatrixXd timesTransposed(const Eigen::MatrixXd& x, const std::vector<ObservationBlock>& blocks,
+                                Eigen::Index rows) {
+    Eigen::MatrixXd product(x.rows(), rows);
+    Eigen::Index row = 0;
+    for (const ObservationBlock& block : blocks) {
+        multiplySparse(x, block.columns, block.H, product, row);
         row += block.rows();
     }
     return product;
 }
 
+Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+    Eigen::MatrixXd C = Eigen::MatrixXd::Zero(A.rows(), B.cols());
+    addProduct(C, 1, A, B);
+    return C;
+}
+
 }  // namespace
 
 void BackwardPass::back(const MotionTransition& transition) {
+    carryOutPending();
     transition.carryBack(lambda_);
     transition.carryBack(Lambda_);
 }
@@ -34,27 +49,46 @@ void BackwardPass::back(const MotionTransition& transition) {
 void BackwardPass::back(const ObservedUpdate& update) {
     if (update.blocks.empty())
         return;
-    const Eigen::Index n = lambda_.size();
-    const auto inverse_L_transposed = update.inverse_L.transpose().triangularView<Eigen::Upper>();
-    const Eigen::VectorXd pull = inverse_L_transposed * (update.x * lambda_ + update.residual);
-    const Eigen::MatrixXd x_Lambda = update.x * Lambda_;
-    Eigen::MatrixXd among = x_Lambda * update.x.transpose();
+    const Eigen::MatrixXd inverse_L_transposed = update.inverse_L.transpose();
+    const Eigen::MatrixXd pull = -(inverse_L_transposed * (update.x * lambda_ + update.residual)).transpose();
+    const Eigen::MatrixXd x_Lambda = timesLambda(update.x);
+    Eigen::MatrixXd among = product(x_Lambda, update.x.transpose());
     among.diagonal().array() += 1;
-    const Eigen::MatrixXd whitened = inverse_L_transposed * among;
     const Eigen::MatrixXd half =
-        0.5 * (whitened * update.inverse_L.triangularView<Eigen::Lower>());  // symmetric
-    Eigen::MatrixXd B = timesBlocks(half, update.blocks, n);
-    B -= inverse_L_transposed * x_Lambda;
-    const Eigen::MatrixXd B_transposed = B.transpose();
-    const Eigen::MatrixXd change = timesBlocks(B_transposed, update.blocks, n);
-    Lambda_ += change;
-    Lambda_ += change.transpose();
-    lambda_ -= timesBlocks(pull.transpose(), update.blocks, n).transpose();
+        0.5 * product(product(inverse_L_transposed, among), update.inverse_L);  // symmetric
+    Eigen::MatrixXd B = Eigen::MatrixXd::Zero(half.rows(), lambda_.size());
+    addTimesBlocks(B, half, update.blocks);
+    addProduct(B, -1, inverse_L_transposed, x_Lambda);
+    pending_.push_back({update.blocks, std::move(B)});
+
+    Eigen::MatrixXd lambda_transposed = lambda_.transpose();
+    addTimesBlocks(lambda_transposed, pull, update.blocks);
+    lambda_ = lambda_transposed.transpose();
 }
 
-BackwardPass::Smoothed BackwardPass::smooth(const Eigen::MatrixXd& P_rows) const {
-    const Eigen::MatrixXd through = P_rows * Lambda_;
-    return {-(P_rows * lambda_), P_rows.leftCols(P_rows.rows()) - through * P_rows.transpose()};
+Eigen::MatrixXd BackwardPass::timesLambda(const Eigen::MatrixXd& x) const {
+    Eigen::MatrixXd result = product(x, Lambda_);
+    for (const Pending& change : pending_) {
+        addTimesBlocks(result, product(x, change.B.transpose()), change.blocks);
+        addProduct(result, 1, timesTransposed(x, change.blocks, change.B.rows()), change.B);
+    }
+    return result;
+}
+
+void BackwardPass::carryOutPending() {
+    if (pending_.empty())
+        return;
+    Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(Lambda_.rows(), Lambda_.cols());
+    for (const Pending& change : pending_)
+        addTimesBlocks(changes, change.B.transpose(), change.blocks);
+    addWithTranspose(Lambda_, changes);
+    pending_.clear();
+}
+
+BackwardPass::Smoothed BackwardPass::smooth(const Eigen::MatrixXd& P_rows) {
+    carryOutPending();
+    const Eigen::MatrixXd through = product(P_rows, Lambda_);
+    return {-(P_rows * lambda_), P_rows.leftCols(P_rows.rows()) - product(through, P_rows.transpose())};
 }
 
 }  // namespace noctule

@@ -11,6 +11,8 @@
 // over its corrections unchanged, and so are lambda and Lambda.
 #pragma once
 
+#include <vector>
+
 #include "core/estimation/covariance.h"
 #include "core/estimation/prediction.h"
 
@@ -32,11 +34,21 @@ public:
         Eigen::MatrixXd covariance;  ///< of what then remains
     };
     /// Of the leading states, whose rows of the filter's covariance are `P_rows` (any number x n).
-    Smoothed smooth(const Eigen::MatrixXd& P_rows) const;
+    Smoothed smooth(const Eigen::MatrixXd& P_rows);
 
 private:
+    /// x (anything x n) times Lambda, what is pending included.
+    Eigen::MatrixXd timesLambda(const Eigen::MatrixXd& x) const;
+    void carryOutPending();
+
     Eigen::VectorXd lambda_;
     Eigen::MatrixXd Lambda_;
+    /// Changes of one instant, put off because each costs a pass over Lambda: + H^T B + B^T H.
+    struct Pending {
+        std::vector<ObservationBlock> blocks;  ///< H
+        Eigen::MatrixXd B;
+    };
+    std::vector<Pending> pending_;
 };
 
 }  // namespace noctule

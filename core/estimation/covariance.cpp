@@ -2,6 +2,7 @@
 #include "core/estimation/covariance.h"
 
 #include <Eigen/Cholesky>
+#include <numeric>
 #include <utility>
 
 #include "core/math/covariance_kernels.h"
@@ -23,15 +24,18 @@ Eigen::MatrixXd Covariance::timesPending(const ObservationBlock& block) const {
 }
 
 Eigen::VectorXd Covariance::innovationVariance(const ObservationBlock& block) const {
-    Eigen::VectorXd variance = block.variance;
-    const Eigen::Index n = block.H.cols();
-    for (Eigen::Index j = 0; j < n; ++j) {
-        const auto column = P_.col(block.columns[static_cast<size_t>(j)]);
-        for (Eigen::Index i = 0; i <= j; ++i) {
-            const double p = column[block.columns[static_cast<size_t>(i)]] * (i == j ? 1 : 2);
-            variance += p * block.H.col(i).cwiseProduct(block.H.col(j));
-        }
+    const Eigen::Index count = block.H.cols();
+    Eigen::MatrixXd P_seen(count, count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+        const double* column = P_.col(block.columns[static_cast<size_t>(j)]).data();
+        for (Eigen::Index i = 0; i < count; ++i)
+            P_seen(i, j) = column[block.columns[static_cast<size_t>(i)]];
     }
+    std::vector<int> all(static_cast<size_t>(count));
+    std::iota(all.begin(), all.end(), 0);
+    Eigen::MatrixXd P_H(count, block.rows());
+    multiplySparse(P_seen, all, block.H, P_H, 0);
+    Eigen::VectorXd variance = block.variance + P_H.transpose().cwiseProduct(block.H).rowwise().sum();
     if (pending_.rows() > 0)
         variance -= timesPending(block).rowwise().squaredNorm();
     return variance;

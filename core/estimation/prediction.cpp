@@ -38,24 +38,34 @@ MotionTransition::MotionTransition(const KinematicTree& tree, const MotionState&
     : n_(tree.freedoms()), dt_(dt_s), decay_(decay) {
     const Eigen::VectorXd advance = dt_s * motion.rate + 0.5 * dt_s * dt_s * motion.accel;
     for (const Link& link : tree.links()) {
-        const int first = link.first + (link.type == LinkType::kFree ? 3 : 0);
-        if (link.type == LinkType::kBall || (link.type == LinkType::kFree && link.count == 6)) {
-            const Vector3d u = advance.segment<3>(first);
-            turns_.push_back({first, expQuaternion(u).toRotationMatrix().transpose(), rightJacobian(u)});
+        const int turning =
+            link.type == LinkType::kBall || (link.type == LinkType::kFree && link.count == 6) ? 3 : 0;
+        const int rotation = link.first + link.count - turning;
+        for (int i = link.first; i < rotation; ++i) {
+            links_.emplace_back();
+            links_.back().first = i;
+            links_.back().decay[0] = decay[i];
+        }
+        if (turning > 0) {
+            const Vector3d u = advance.segment<3>(rotation);
+            links_.push_back({rotation, turning, expQuaternion(u).toRotationMatrix().transpose(),
+                              rightJacobian(u), decay.segment<3>(rotation)});
         }
     }
 }
 
-/// theta' = E^T theta + J (dt rate + dt^2/2 accel), rate' = rate + dt accel, accel' = decay * accel; E and J
-/// are identity except in turns.
+/// theta' = turn theta + J (dt rate + dt^2/2 accel), rate' = rate + dt accel, accel' = decay * accel; turn
+/// and J are identity except where a link turns.
 void MotionTransition::carryColumn(double* x) const {
     Eigen::Map<Eigen::VectorXd> theta(x, n_), rate(x + n_, n_), accel(x + 2 * n_, n_);
-    for (const Turn& turn : turns_) {
+    for (const LinkTransition& link : links_) {
+        if (link.count == 1)
+            continue;
         const Vector3d gained =
-            dt_ * rate.segment<3>(turn.first) + 0.5 * dt_ * dt_ * accel.segment<3>(turn.first);
+            dt_ * rate.segment<3>(link.first) + 0.5 * dt_ * dt_ * accel.segment<3>(link.first);
         // Written so that the plain gain below completes it.
-        theta.segment<3>(turn.first) =
-            turn.exp_u_transposed * theta.segment<3>(turn.first) + turn.right_jacobian * gained - gained;
+        theta.segment<3>(link.first) =
+            link.turn * theta.segment<3>(link.first) + link.jacobian * gained - gained;
     }
     theta += dt_ * rate + 0.5 * dt_ * dt_ * accel;
     rate += dt_ * accel;
@@ -63,81 +73,27 @@ void MotionTransition::carryColumn(double* x) const {
 }
 
 /// The transpose: accel' = decay * accel + dt rate + dt^2/2 J^T theta, rate' = rate + dt J^T theta, theta' =
-/// E theta.
+/// turn^T theta.
 void MotionTransition::carryColumnBack(double* x) const {
     Eigen::Map<Eigen::VectorXd> theta(x, n_), rate(x + n_, n_), accel(x + 2 * n_, n_);
     accel.array() = accel.array() * decay_.array() + dt_ * rate.array() + 0.5 * dt_ * dt_ * theta.array();
     rate += dt_ * theta;
-    for (const Turn& turn : turns_) {
-        const Vector3d old = theta.segment<3>(turn.first);
-        const Vector3d more = turn.right_jacobian.transpose() * old - old;
-        accel.segment<3>(turn.first) += 0.5 * dt_ * dt_ * more;
-        rate.segment<3>(turn.first) += dt_ * more;
-        theta.segment<3>(turn.first) = turn.exp_u_transposed.transpose() * old;
+    for (const LinkTransition& link : links_) {
+        if (link.count == 1)
+            continue;
+        const Vector3d old = theta.segment<3>(link.first);
+        const Vector3d more = link.jacobian.transpose() * old - old;
+        accel.segment<3>(link.first) += 0.5 * dt_ * dt_ * more;
+        rate.segment<3>(link.first) += dt_ * more;
+        theta.segment<3>(link.first) = link.turn.transpose() * old;
     }
-}
-
-void MotionTransition::mixColumns(Eigen::MatrixXd& P, Eigen::Index first, Eigen::Index count,
-                                  const Turn* turn) const {
-    auto theta = P.middleCols(first, count), rate = P.middleCols(n_ + first, count),
-         accel = P.middleCols(2 * n_ + first, count);
-    if (turn) {
-        Eigen::Matrix<double, Eigen::Dynamic, 3> gained = dt_ * rate + 0.5 * dt_ * dt_ * accel;
-        Eigen::Matrix<double, Eigen::Dynamic, 3> turned =
-            theta.leftCols<3>().lazyProduct(turn->exp_u_transposed.transpose());
-        turned += gained.lazyProduct((turn->right_jacobian - Matrix3d::Identity()).transpose());
-        theta = turned;
-    }
-    for (Eigen::Index i = 0; i < count; ++i) {
-        theta.col(i) += dt_ * rate.col(i) + 0.5 * dt_ * dt_ * accel.col(i);
-        rate.col(i) += dt_ * accel.col(i);
-        accel.col(i) *= decay_[first + i];
-    }
-}
-
-void MotionTransition::mixColumnsBack(Eigen::MatrixXd& Lambda, Eigen::Index first, Eigen::Index count,
-                                      const Turn* turn) const {
-    auto theta = Lambda.middleCols(first, count), rate = Lambda.middleCols(n_ + first, count),
-         accel = Lambda.middleCols(2 * n_ + first, count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        accel.col(i) = decay_[first + i] * accel.col(i) + dt_ * rate.col(i) + 0.5 * dt_ * dt_ * theta.col(i);
-        rate.col(i) += dt_ * theta.col(i);
-    }
-    if (turn) {
-        const Eigen::Matrix<double, Eigen::Dynamic, 3> old = theta;
-        const Eigen::Matrix<double, Eigen::Dynamic, 3> more =
-            old.lazyProduct(turn->right_jacobian - Matrix3d::Identity());
-        accel += 0.5 * dt_ * dt_ * more;
-        rate += dt_ * more;
-        theta = old.lazyProduct(turn->exp_u_transposed);
-    }
-}
-
-template <class Column, class Mix>
-void MotionTransition::bothSides(Eigen::MatrixXd& matrix, const Column& column, const Mix& mix) const {
-    const auto group = [&](Eigen::Index first, Eigen::Index count, const Turn* turn) {
-        for (Eigen::Index i = first; i < first + count; ++i)
-            for (const Eigen::Index c : {i, n_ + i, 2 * n_ + i})
-                column(matrix.col(c).data());
-        mix(first, count, turn);
-    };
-    Eigen::Index next = 0;
-    for (const Turn& turn : turns_) {
-        for (; next < turn.first; ++next)
-            group(next, 1, nullptr);
-        group(next, 3, &turn);
-        next += 3;
-    }
-    for (; next < n_; ++next)
-        group(next, 1, nullptr);
-    for (Eigen::Index c = 3 * n_; c < matrix.cols(); ++c)
-        column(matrix.col(c).data());
 }
 
 void MotionTransition::carry(Eigen::MatrixXd& P) const {
-    bothSides(
-        P, [&](double* x) { carryColumn(x); },
-        [&](Eigen::Index first, Eigen::Index count, const Turn* turn) { mixColumns(P, first, count, turn); });
+    for (Eigen::Index c = 0; c < P.cols(); ++c)
+        carryColumn(P.col(c).data());
+    for (const LinkTransition& link : links_)
+        mixColumns(P, n_, dt_, link);
 }
 
 void MotionTransition::carryBack(Eigen::VectorXd& lambda) const {
@@ -145,11 +101,10 @@ void MotionTransition::carryBack(Eigen::VectorXd& lambda) const {
 }
 
 void MotionTransition::carryBack(Eigen::MatrixXd& Lambda) const {
-    bothSides(
-        Lambda, [&](double* x) { carryColumnBack(x); },
-        [&](Eigen::Index first, Eigen::Index count, const Turn* turn) {
-            mixColumnsBack(Lambda, first, count, turn);
-        });
+    for (Eigen::Index c = 0; c < Lambda.cols(); ++c)
+        carryColumnBack(Lambda.col(c).data());
+    for (const LinkTransition& link : links_)
+        mixColumnsBack(Lambda, n_, dt_, link);
 }
 
 MotionTransition predictMotion(const KinematicTree& tree, MotionState& motion, Eigen::MatrixXd& P,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/body/kinematics.h"
+#include "core/math/transition_kernels.h"
 
 namespace noctule {
 
@@ -23,28 +24,14 @@ public:
     void carryBack(Eigen::MatrixXd& Lambda) const;
 
 private:
-    /// How the error of one link's rotation (3 coordinates from `first`) is carried over a step in which it
-    /// turns.
-    struct Turn {
-        int first;
-        Matrix3d exp_u_transposed, right_jacobian;
-    };
     /// x := F x and x := F^T x for one column.
     void carryColumn(double* x) const;
     void carryColumnBack(double* x) const;
-    /// Coordinates first .. first + count of P := P F^T and of Lambda := Lambda F.
-    void mixColumns(Eigen::MatrixXd& P, Eigen::Index first, Eigen::Index count, const Turn* turn) const;
-    void mixColumnsBack(Eigen::MatrixXd& Lambda, Eigen::Index first, Eigen::Index count,
-                        const Turn* turn) const;
-    /// Both sides of a symmetric matrix. One link's columns at a time: the matrix is as large as a
-    /// processor's cache, and each pass over it costs as much as the arithmetic.
-    template <class Column, class Mix>
-    void bothSides(Eigen::MatrixXd& matrix, const Column& column, const Mix& mix) const;
 
     Eigen::Index n_ = 0;  ///< coordinates
     double dt_ = 0;
     Eigen::VectorXd decay_;
-    std::vector<Turn> turns_;  ///< by `first`
+    std::vector<LinkTransition> links_;  ///< rotations by three, all else coordinate by coordinate
 };
 
 /// Carries the state and its covariance P (coordinates, rates, accelerations first; the rest is constant)
