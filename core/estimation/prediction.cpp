@@ -89,11 +89,21 @@ void MotionTransition::carryColumnBack(double* x) const {
     }
 }
 
+template <class Column, class Mix>
+void MotionTransition::bothSides(Eigen::MatrixXd& matrix, const Column& column, const Mix& mix) const {
+    for (const LinkTransition& link : links_) {
+        for (Eigen::Index i = link.first; i < link.first + link.count; ++i)
+            for (const Eigen::Index c : {i, n_ + i, 2 * n_ + i})
+                column(matrix.col(c).data());
+        mix(matrix, n_, dt_, link);
+    }
+    for (Eigen::Index c = 3 * n_; c < matrix.cols(); ++c)
+        column(matrix.col(c).data());
+}
+
 void MotionTransition::carry(Eigen::MatrixXd& P) const {
-    for (Eigen::Index c = 0; c < P.cols(); ++c)
-        carryColumn(P.col(c).data());
-    for (const LinkTransition& link : links_)
-        mixColumns(P, n_, dt_, link);
+    bothSides(
+        P, [this](double* x) { carryColumn(x); }, mixColumns);
 }
 
 void MotionTransition::carryBack(Eigen::VectorXd& lambda) const {
@@ -101,10 +111,8 @@ void MotionTransition::carryBack(Eigen::VectorXd& lambda) const {
 }
 
 void MotionTransition::carryBack(Eigen::MatrixXd& Lambda) const {
-    for (Eigen::Index c = 0; c < Lambda.cols(); ++c)
-        carryColumnBack(Lambda.col(c).data());
-    for (const LinkTransition& link : links_)
-        mixColumnsBack(Lambda, n_, dt_, link);
+    bothSides(
+        Lambda, [this](double* x) { carryColumnBack(x); }, mixColumnsBack);
 }
 
 MotionTransition predictMotion(const KinematicTree& tree, MotionState& motion, Eigen::MatrixXd& P,

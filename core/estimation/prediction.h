@@ -27,6 +27,10 @@ private:
     /// x := F x and x := F^T x for one column.
     void carryColumn(double* x) const;
     void carryColumnBack(double* x) const;
+    /// Both sides of a symmetric matrix, one link's columns at a time: the matrix is as large as a
+    /// processor's cache, and each pass over it costs as much as the arithmetic.
+    template <class Column, class Mix>
+    void bothSides(Eigen::MatrixXd& matrix, const Column& column, const Mix& mix) const;
 
     Eigen::Index n_ = 0;  ///< coordinates
     double dt_ = 0;

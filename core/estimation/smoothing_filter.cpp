@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace noctule {
 namespace {
@@ -17,6 +16,20 @@ const TapedFrame* frameOf(const FilterTape::value_type& event) {
 
 }  // namespace
 
+bool goBackOver(const FilterTape& tape, BackwardPass& backward, const EachSmoothed& each, int64_t last_ns) {
+    for (auto event = tape.rbegin(); event != tape.rend(); ++event) {
+        if (const auto* transition = std::get_if<MotionTransition>(&*event)) {
+            backward.back(*transition);
+        } else if (const auto* update = std::get_if<ObservedUpdate>(&*event)) {
+            backward.back(*update);
+        } else if (const TapedFrame* frame = frameOf(*event); frame->times_ns.back() <= last_ns) {
+            if (!each(*frame, backward.smooth(frame->P_pose)))
+                return false;
+        }
+    }
+    return true;
+}
+
 void SmoothingFilter::start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) {
     filter_.start(rest_pose, rest, root);
     for (const TimedPose& pose : filter_.takePoses())
@@ -25,19 +38,13 @@ void SmoothingFilter::start(const Pose& rest_pose, const RestReadings& rest, con
 
 bool SmoothingFilter::goBack(BackwardPass& backward, int64_t last_ns, const JobContext& job) {
     std::vector<TimedPose> newest_first;
-    for (auto event = tape_.rbegin(); event != tape_.rend(); ++event) {
-        if (const auto* transition = std::get_if<MotionTransition>(&*event)) {
-            backward.back(*transition);
-        } else if (const auto* update = std::get_if<ObservedUpdate>(&*event)) {
-            backward.back(*update);
-        } else if (const TapedFrame* frame = frameOf(*event); frame->times_ns.back() <= last_ns) {
-            if (job.cancelled())
-                return false;
-            const auto [error, covariance] = backward.smooth(frame->P_pose);
-            for (auto time_ns = frame->times_ns.rbegin(); time_ns != frame->times_ns.rend(); ++time_ns)
-                newest_first.push_back(filter_.poseOf(*frame, *time_ns, error, covariance));
-        }
-    }
+    const auto each = [&](const TapedFrame& frame, const BackwardPass::Smoothed& smoothed) {
+        for (auto time_ns = frame.times_ns.rbegin(); time_ns != frame.times_ns.rend(); ++time_ns)
+            newest_first.push_back(filter_.poseOf(frame, *time_ns, smoothed.error, smoothed.covariance));
+        return !job.cancelled();
+    };
+    if (!goBackOver(tape_, backward, each, last_ns))
+        return false;
     std::move(newest_first.rbegin(), newest_first.rend(), std::back_inserter(poses_));
     return true;
 }

@@ -4,10 +4,19 @@
 // weights, gates and widened covariances. Sigmas are those of the smoothed poses.
 #pragma once
 
+#include <functional>
+#include <limits>
+
 #include "core/estimation/backward_pass.h"
 #include "core/estimation/step_spool.h"
 
 namespace noctule {
+
+/// Goes back over a tape; `each` is given every frame up to `last_ns` and what is then known of its error,
+/// the newest first, and ends it by returning false.
+using EachSmoothed = std::function<bool(const TapedFrame& frame, const BackwardPass::Smoothed& smoothed)>;
+bool goBackOver(const FilterTape& tape, BackwardPass& backward, const EachSmoothed& each,
+                int64_t last_ns = std::numeric_limits<int64_t>::max());
 
 /// What both have in common: a filter driven by steps, its tape, and going back over it.
 class SmoothingFilter : public Estimator {
@@ -59,11 +68,11 @@ private:
 };
 
 /// Fixed lag: every `stride_s` the last `lag_s` of the tape are gone over. A pose knows of at least lag_s -
-/// stride_s that follow, and waits for lag_s at most.
+/// stride_s that follow, and waits for lag_s at most; a shorter stride costs lag_s / stride_s times the work.
 class FixedLagSmoother : public SmoothingFilter {
 public:
     FixedLagSmoother(const Skeleton& skeleton, SuitModel suit, const ManifoldParameters& parameters,
-                     double lag_s = 0.5, double stride_s = 0.1);
+                     double lag_s = 0.5, double stride_s = 0.2);
 
     void start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) override;
     void advanceTo(double time_s) override;

@@ -92,7 +92,7 @@ TEST(SmoothingFilter, GainsAndIsHonest) {
         for (unsigned seed = 1; seed <= kRuns; ++seed) {
             World world(parameters, seed);
             ManifoldFilter filter(testing::smallSkeleton(), world.suit, parameters);
-            FixedLagSmoother lag(testing::smallSkeleton(), world.suit, parameters);
+            FixedLagSmoother lag(testing::smallSkeleton(), world.suit, parameters, 0.5, 0.1);
             FixedIntervalSmoother full(testing::smallSkeleton(), world.suit, parameters, spool());
             const Judged filtered = judge(filter, parameters, seed, 3);
             filter_deg += filtered.rms_deg / kRuns;
