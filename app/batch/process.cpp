@@ -38,6 +38,12 @@ Result<ProcessRequest> requestOf(const Arguments& arguments) {
     request.tracker.sensors = *sensors;
     request.tracker.root_given = arguments.text("root") == "given";
     request.tracker.estimator = *estimatorFromName(arguments.text("estimator"));
+    request.tracker.smoother = *smootherFromName(arguments.text("smooth"));
+    if (request.tracker.smoother != Smoother::kNone && request.tracker.estimator == EstimatorKind::kPaper)
+        return Error{ErrorKind::kUsage,
+                     "--smooth " + arguments.text("smooth") +
+                         " does not go with the paper's estimator, which has no smoother",
+                     "Leave out --smooth, or --estimator paper"};
     request.detector = *detectorFromName(arguments.text("detector"));
     if (const auto sigma = arguments.number("paper-sigma")) {
         if (request.tracker.estimator != EstimatorKind::kPaper)
@@ -160,7 +166,10 @@ Verb processVerb() {
         choice("estimator", {"manifold", "paper"}, "paper: Vlasic 2007 to the letter").orElse("manifold"),
         number("paper-sigma", "X", 1e-6, 1e6,
                "process sigma of the paper's estimator, rad/s^2 (default 0.04)"),
-        choice("smooth", {"none"}, "smoothing afterwards").orElse("none").laterOn({"lag", "full", "batch"}),
+        choice("smooth", {"none", "lag", "full"},
+               "poses that know what came later: half a second of it (lag) or all (full)")
+            .orElse("none")
+            .laterOn({"batch"}),
         text("run-name", "NAME", "name of the new run; from sensors and estimator when not given"),
         text("out-dir", "D", "copy the take there and write into the copy")};
     verb.remarks = {"Nothing is replaced: every call adds a run, and the raw data stay as they are."};

@@ -2,6 +2,7 @@
 #include "core/estimation/covariance.h"
 
 #include <Eigen/Cholesky>
+#include <numeric>
 #include <utility>
 
 #include "core/math/covariance_kernels.h"
@@ -23,21 +24,24 @@ Eigen::MatrixXd Covariance::timesPending(const ObservationBlock& block) const {
 }
 
 Eigen::VectorXd Covariance::innovationVariance(const ObservationBlock& block) const {
-    Eigen::VectorXd variance = block.variance;
-    const Eigen::Index n = block.H.cols();
-    for (Eigen::Index j = 0; j < n; ++j) {
-        const auto column = P_.col(block.columns[static_cast<size_t>(j)]);
-        for (Eigen::Index i = 0; i <= j; ++i) {
-            const double p = column[block.columns[static_cast<size_t>(i)]] * (i == j ? 1 : 2);
-            variance += p * block.H.col(i).cwiseProduct(block.H.col(j));
-        }
+    const Eigen::Index count = block.H.cols();
+    Eigen::MatrixXd P_seen(count, count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+        const double* column = P_.col(block.columns[static_cast<size_t>(j)]).data();
+        for (Eigen::Index i = 0; i < count; ++i)
+            P_seen(i, j) = column[block.columns[static_cast<size_t>(i)]];
     }
+    std::vector<int> all(static_cast<size_t>(count));
+    std::iota(all.begin(), all.end(), 0);
+    Eigen::MatrixXd P_H(count, block.rows());
+    multiplySparse(P_seen, all, block.H, P_H, 0);
+    Eigen::VectorXd variance = block.variance + P_H.transpose().cwiseProduct(block.H).rowwise().sum();
     if (pending_.rows() > 0)
         variance -= timesPending(block).rowwise().squaredNorm();
     return variance;
 }
 
-Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks) {
+Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks, ObservedUpdate* observed) {
     const Eigen::Index n = P_.rows();
     Eigen::Index m = 0;
     for (const ObservationBlock& block : blocks)
@@ -70,7 +74,7 @@ Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks) 
     const Eigen::LLT<Eigen::MatrixXd> factor(S);
     if (factor.info() != Eigen::Success)
         return Eigen::VectorXd::Zero(n);
-    const Eigen::MatrixXd inverse_L = factor.matrixL().solve(Eigen::MatrixXd::Identity(m, m));
+    Eigen::MatrixXd inverse_L = factor.matrixL().solve(Eigen::MatrixXd::Identity(m, m));
     const Eigen::VectorXd whitened = inverse_L * residual;
     Eigen::MatrixXd x = Eigen::MatrixXd::Zero(m, n);  // X^T = L^-1 H P
     addProduct(x, 1, inverse_L, gain_by_row, Shape::kLowerTriangular);
@@ -80,7 +84,10 @@ Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks) 
         all.topRows(pending_.rows()) = pending_;
     all.bottomRows(m) = x;
     pending_ = std::move(all);
-    return x.transpose() * whitened;
+    const Eigen::VectorXd correction = x.transpose() * whitened;
+    if (observed)
+        *observed = {blocks, inverse_L, std::move(x), whitened};
+    return correction;
 }
 
 }  // namespace noctule

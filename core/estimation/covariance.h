@@ -14,6 +14,15 @@
 
 namespace noctule {
 
+/// One observation step as it was carried out, whitened by S = H P H^T + R = L L^T: all that a smoother
+/// needs.
+struct ObservedUpdate {
+    std::vector<ObservationBlock> blocks;  ///< H, of m rows in all
+    Eigen::MatrixXd inverse_L;             ///< m x m, lower triangular
+    Eigen::MatrixXd x;                     ///< L^-1 H P, m x n
+    Eigen::VectorXd residual;              ///< L^-1 (measured - expected)
+};
+
 class Covariance {
 public:
     Covariance() = default;
@@ -29,7 +38,9 @@ public:
 
     /// Observes; returns the error state's correction K * residual. Zero, and nothing changed, when nothing
     /// is observed or the innovation's covariance is not positive definite.
-    Eigen::VectorXd update(const std::vector<ObservationBlock>& blocks);
+    Eigen::VectorXd update(const std::vector<ObservationBlock>& blocks) { return update(blocks, nullptr); }
+    /// The same; `observed`, if given, then holds the step, with no blocks when nothing was changed.
+    Eigen::VectorXd update(const std::vector<ObservationBlock>& blocks, ObservedUpdate* observed);
 
 private:
     /// H times the pending X, rows x pending.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/estimation/measurement.h"
+#include "core/job/job.h"
 #include "core/motion/timed_poses.h"
 
 namespace noctule {
@@ -31,6 +32,12 @@ public:
     virtual std::vector<DistanceDecision> takeDecisions() = 0;
     /// How often the estimator noticed that it had diverged and began anew from a wide covariance.
     virtual int resets() const = 0;
+
+    /// Poses that had to wait for the end of the data come out in portions after the last advanceTo(), each
+    /// in order of time but the last portion of the take perhaps first.
+    virtual int portionsLeft() const { return 0; }
+    /// Works out the next portion; kCancelled, or kDisk when what was put aside cannot be read back.
+    virtual Status finishPortion(const JobContext&) { return Done{}; }
 };
 
 /// A queue of measurements ordered by time; those of equal time keep the order in which they came.

@@ -70,6 +70,10 @@ const Link& movingLink(const KinematicTree& tree, int link) {
     return tree.link(link);
 }
 
+int64_t nanoseconds(double time_s) {
+    return std::llround(time_s * 1e9);
+}
+
 constexpr double kMinimumConfidence = 0.05;
 constexpr double kDivergedShare = 0.7;  // of distances gated out, running over about kGatingMemory of them
 constexpr double kGatingMemory = 60;
@@ -90,18 +94,20 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
       step_s_(1.0 / (kInertialFramesPerSecond * parameters_.steps_per_frame)) {
     const int n = tree_.freedoms();
     acceleration_decay_ = Eigen::VectorXd::Constant(n, std::exp(-step_s_ / parameters_.joint_accel_time_s));
-    acceleration_variance_ = Eigen::VectorXd::Constant(n, std::pow(parameters_.joint_accel_rad_per_s2, 2));
+    now_.acceleration_variance =
+        Eigen::VectorXd::Constant(n, std::pow(parameters_.joint_accel_rad_per_s2, 2));
     if (parameters_.joints_give)
-        give_ = JointGive(skeleton_, tree_, givingJoints(skeleton_, gyroscope_joints_), parameters_.give);
-    board_noise_.assign(suit_.boards.size(), BoardNoise(parameters_.board_noise, suit_.sources.size()));
+        now_.give = JointGive(skeleton_, tree_, givingJoints(skeleton_, gyroscope_joints_), parameters_.give);
+    now_.board_noise.assign(suit_.boards.size(), BoardNoise(parameters_.board_noise, suit_.sources.size()));
     for (const Link& link : tree_.links())
         if (isBlind(link))
-            acceleration_variance_.segment(link.first, link.count)
+            now_.acceleration_variance.segment(link.first, link.count)
                 .setConstant(std::pow(parameters_.blind.joint_accel_rad_per_s2, 2));
     if (!tree_.links().empty() && tree_.link(0).type == LinkType::kFree) {
         acceleration_decay_.head<3>().setConstant(std::exp(-step_s_ / parameters_.root_accel_time_s));
-        acceleration_variance_.head<3>().setConstant(std::pow(parameters_.root_accel_m_per_s2, 2));
-        acceleration_variance_.segment<3>(3).setConstant(std::pow(parameters_.root_turn_accel_rad_per_s2, 2));
+        now_.acceleration_variance.head<3>().setConstant(std::pow(parameters_.root_accel_m_per_s2, 2));
+        now_.acceleration_variance.segment<3>(3).setConstant(
+            std::pow(parameters_.root_turn_accel_rad_per_s2, 2));
     }
 }
 
@@ -120,34 +126,43 @@ void ManifoldFilter::add(const RootMeasurement& measurement) {
 }
 
 void ManifoldFilter::advanceTo(double time_s) {
-    while ((static_cast<double>(step_index_) + 1.5) * step_s_ <= time_s)
-        step();
+    while (isDue(time_s))
+        step(nextInput());
 }
 
-void ManifoldFilter::step() {
+ManifoldFilter::StepInput ManifoldFilter::nextInput() {
+    const double limit_s = (static_cast<double>(now_.step_index) + 1.5) * step_s_;
+    StepInput input{roots_.takeUpTo(limit_s), inertial_.takeUpTo(limit_s), distances_.takeUpTo(limit_s)};
+    const auto is_before = [&](const auto& m) { return m.time_s < limit_s - step_s_ - 1e-9; };
+    std::erase_if(input.roots, is_before);
+    std::erase_if(input.inertial, is_before);
+    return input;
+}
+
+void ManifoldFilter::step(const StepInput& input) {
     predict(step_s_);
-    ++step_index_;
-    const double limit_s = (static_cast<double>(step_index_) + 0.5) * step_s_;
-    const double begin_s = limit_s - step_s_;
-    current_ = inertial_.takeUpTo(limit_s);
-    std::erase_if(current_, [&](const InertialMeasurement& m) { return m.time_s < begin_s - 1e-9; });
-    allowForClipping();
-    updateRoot(limit_s);
+    ++now_.step_index;
+    allowForClipping(input.inertial);
+    updateRoot(input.roots);
     if (parameters_.sensors.accelerometers)
-        updateTriads(false);
+        updateTriads(input.inertial, false);
     if (parameters_.sensors.gyroscopes)
-        updateTriads(true);
-    updateDistances(limit_s);
+        updateTriads(input.inertial, true);
+    updateDistances(input.distances);
     const auto prior_steps = std::max<int64_t>(1, std::llround(parameters_.prior_interval_s / step_s_));
-    if (step_index_ % prior_steps == 0)
+    if (now_.step_index % prior_steps == 0)
         updatePriors();
-    if (step_index_ % parameters_.steps_per_frame == 0)
-        poses_.push_back(estimateAt(static_cast<double>(step_index_) * step_s_));
+    if (now_.step_index % parameters_.steps_per_frame != 0)
+        return;
+    if (tape_)
+        tape_->push_back(frame({nanoseconds(nowSeconds())}));
+    else
+        poses_.push_back(estimateAt(nowSeconds()));
 }
 
 /// What a gyroscope at the end of its range did not see may have been anything.
-void ManifoldFilter::allowForClipping() {
-    for (const InertialMeasurement& measurement : current_) {
+void ManifoldFilter::allowForClipping(const std::vector<InertialMeasurement>& measurements) {
+    for (const InertialMeasurement& measurement : measurements) {
         const int board_link = suit_.boards[static_cast<size_t>(measurement.board)].link;
         if (board_link <= 0 || measurement.gyro.count == 0 || !parameters_.sensors.gyroscopes)
             continue;
@@ -155,71 +170,72 @@ void ManifoldFilter::allowForClipping() {
         const Link& link = movingLink(tree_, board_link);
         if (link.type == LinkType::kFree)
             continue;
-        acceleration_variance_.segment(link.first, link.count)
+        now_.acceleration_variance.segment(link.first, link.count)
             .setConstant(
                 std::pow(parameters_.joint_accel_rad_per_s2 * (clipped ? parameters_.clipped_factor : 1), 2));
     }
 }
 
 void ManifoldFilter::predict(double dt_s) {
-    predictMotion(tree_, state_.motion, P_.dense(), dt_s, acceleration_decay_, acceleration_variance_);
+    MotionTransition transition = predictMotion(tree_, now_.state.motion, now_.P.dense(), dt_s,
+                                                acceleration_decay_, now_.acceleration_variance);
+    if (tape_)
+        tape_->push_back(std::move(transition));
     const auto wander = [&](int first, size_t count, double walk) {
         if (first >= 0)
-            P_.dense().diagonal().segment(first, static_cast<Eigen::Index>(count)).array() +=
+            now_.P.dense().diagonal().segment(first, static_cast<Eigen::Index>(count)).array() +=
                 walk * walk * dt_s;
     };
     wander(layout_.gyro_bias, 3 * suit_.boards.size(), parameters_.gyro_bias_walk);
     wander(layout_.accel_bias, 3 * suit_.boards.size(), parameters_.accel_bias_walk);
 }
 
-void ManifoldFilter::updateRoot(double limit_s) {
+void ManifoldFilter::updateRoot(const std::vector<RootMeasurement>& measurements) {
     std::vector<ObservationBlock> blocks;
-    for (const RootMeasurement& measurement : roots_.takeUpTo(limit_s))
-        if (measurement.time_s >= limit_s - step_s_ - 1e-9)
-            blocks.push_back(observations_.root(
-                state_, measurement, measurement.time_s - static_cast<double>(step_index_) * step_s_));
-    correct(P_.update(blocks));
+    for (const RootMeasurement& measurement : measurements)
+        blocks.push_back(observations_.root(now_.state, measurement, measurement.time_s - nowSeconds()));
+    observe(std::move(blocks));
 }
 
-void ManifoldFilter::updateTriads(bool gyro) {
+void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measurements, bool gyro) {
     std::vector<ObservationBlock> blocks;
-    for (const InertialMeasurement& measurement : current_) {
-        const double offset_s = measurement.time_s - static_cast<double>(step_index_) * step_s_;
+    for (const InertialMeasurement& measurement : measurements) {
+        const double offset_s = measurement.time_s - nowSeconds();
         const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
-        BoardNoise& noise = board_noise_[static_cast<size_t>(measurement.board)];
+        BoardNoise& noise = now_.board_noise[static_cast<size_t>(measurement.board)];
         if (gyro) {
-            blocks.push_back(observations_.gyro(state_, measurement, offset_s));
+            blocks.push_back(observations_.gyro(now_.state, measurement, offset_s));
             // Flesh under the board turns against a root that another system knows.
             if (blocks.back().rows() > 0 && parameters_.root_given && link == 0)
-                noise.adaptGyro(blocks.back(), measurement.gyro, P_);
+                noise.adaptGyro(blocks.back(), measurement.gyro, now_.P);
             continue;
         }
-        auto [block, motion_m_per_s2] = observations_.accel(state_, measurement, offset_s);
+        auto [block, motion_m_per_s2] = observations_.accel(now_.state, measurement, offset_s);
         if (block.rows() == 0)
             continue;
         if (!parameters_.sensors.gyroscopes)
             block.variance.array() += std::pow(parameters_.blind.accel_floor_m_per_s2, 2);
         else if (link > 0 && noise.isLost(measurement, block, parameters_.g_m_per_s2))
             beginAnew(movingLink(tree_, link));
-        noise.adaptAccel(block, measurement.accel, motion_m_per_s2, give_.fleshShare(), P_);
+        noise.adaptAccel(block, measurement.accel, motion_m_per_s2, now_.give.fleshShare(), now_.P);
         blocks.push_back(std::move(block));
     }
     std::erase_if(blocks, [](const ObservationBlock& block) { return block.rows() == 0; });
-    correct(P_.update(blocks));
+    observe(std::move(blocks));
 }
 
-void ManifoldFilter::updateDistances(double limit_s) {
+void ManifoldFilter::updateDistances(const std::vector<DistanceMeasurement>& measurements) {
     std::vector<ObservationBlock> blocks;
-    const double now_s = static_cast<double>(step_index_) * step_s_;
-    for (const DistanceMeasurement& measurement : distances_.takeUpTo(limit_s)) {
+    const double now_s = nowSeconds();
+    for (const DistanceMeasurement& measurement : measurements) {
         DistanceDecision decision{measurement.id, measurement.board, RangeFate::kNoConfidence, 1, 0, 0};
-        if (measurement.arrival_s < limit_s - step_s_ - 1e-9) {  // before the first step
+        if (measurement.arrival_s < now_s - 0.5 * step_s_ - 1e-9) {  // before the first step
             decision.fate = RangeFate::kNotTried;
             decisions_.push_back(decision);
             continue;
         }
-        auto [block, cos_angle] = observations_.distance(state_, measurement, measurement.emission_s - now_s,
-                                                         measurement.arrival_s - now_s);
+        auto [block, cos_angle] = observations_.distance(
+            now_.state, measurement, measurement.emission_s - now_s, measurement.arrival_s - now_s);
         decision.w_a = cos_angle >= 0 ? 1 : 0;
         decision.innovation_m = block.residual[0];
         if (decision.w_a == 0) {
@@ -227,11 +243,11 @@ void ManifoldFilter::updateDistances(double limit_s) {
         } else if (measurement.confidence >= kMinimumConfidence) {
             const double sigma = measurement.sigma_m / measurement.confidence;
             block.variance[0] = sigma * sigma + parameters_.distance_floor_m * parameters_.distance_floor_m;
-            BoardNoise& noise = board_noise_[static_cast<size_t>(measurement.board)];
+            BoardNoise& noise = now_.board_noise[static_cast<size_t>(measurement.board)];
             // Without gyroscopes innovations are those of a coarse model of motion, and no noise.
-            decision.sigma_m =
-                std::sqrt(parameters_.sensors.gyroscopes ? noise.learnDistance(block, measurement.source, P_)
-                                                         : P_.innovationVariance(block)[0]);
+            decision.sigma_m = std::sqrt(parameters_.sensors.gyroscopes
+                                             ? noise.learnDistance(block, measurement.source, now_.P)
+                                             : now_.P.innovationVariance(block)[0]);
             const double ratio = std::abs(decision.innovation_m) / decision.sigma_m;
             const bool gated = ratio > parameters_.distance_gate_sigma;
             noteGating(gated);
@@ -247,28 +263,30 @@ void ManifoldFilter::updateDistances(double limit_s) {
         }
         decisions_.push_back(decision);
     }
-    correct(P_.update(blocks));
+    observe(std::move(blocks));
 }
 
 /// A filter that has diverged gates out good data for ever: widen the pose and begin anew.
 void ManifoldFilter::noteGating(bool gated) {
-    gated_share_ += ((gated ? 1.0 : 0.0) - gated_share_) / kGatingMemory;
-    if (gated_share_ < kDivergedShare)
+    now_.gated_share += ((gated ? 1.0 : 0.0) - now_.gated_share) / kGatingMemory;
+    if (now_.gated_share < kDivergedShare)
         return;
-    gated_share_ = 0;
-    ++resets_;
-    P_.dense().diagonal().head(layout_.freedoms).array() += 0.1 * 0.1;
-    P_.dense().diagonal().segment(layout_.freedoms, layout_.freedoms).array() += 1.0;
+    now_.gated_share = 0;
+    ++now_.resets;
+    now_.P.dense().diagonal().head(layout_.freedoms).array() += 0.1 * 0.1;
+    now_.P.dense().diagonal().segment(layout_.freedoms, layout_.freedoms).array() += 1.0;
 }
 
 /// One limb has been lost, most often while its gyroscope was at the end of its range.
 void ManifoldFilter::beginAnew(const Link& link) {
-    ++resets_;
-    P_.dense().diagonal().segment(link.first, link.count).tail(std::min(link.count, 3)).array() += 0.5 * 0.5;
+    ++now_.resets;
+    now_.P.dense().diagonal().segment(link.first, link.count).tail(std::min(link.count, 3)).array() +=
+        0.5 * 0.5;
 }
 
 void ManifoldFilter::updatePriors() {
-    std::vector<ObservationBlock> blocks = give_.observe(state_.motion, P_, parameters_.prior_interval_s);
+    std::vector<ObservationBlock> blocks =
+        now_.give.observe(now_.state.motion, now_.P, parameters_.prior_interval_s);
     const auto pull = [&](int index, double residual, double sigma) {
         blocks.push_back({{index},
                           Eigen::MatrixXd::Ones(1, 1),
@@ -278,48 +296,71 @@ void ManifoldFilter::updatePriors() {
     const bool free_root = tree_.link(0).type == LinkType::kFree && !parameters_.root_given;
     if (free_root)
         for (int i = 0; i < 3; ++i)
-            pull(layout_.rate(i), -state_.motion.rate[i], parameters_.root_velocity_prior_m_per_s);
+            pull(layout_.rate(i), -now_.state.motion.rate[i], parameters_.root_velocity_prior_m_per_s);
     for (size_t i = 0; i < tree_.links().size(); ++i) {
         const Link& link = tree_.links()[i];
         if (!isBlind(link) || (i == 0 && parameters_.root_given))
             continue;
         const int rotation = link.type == LinkType::kFree ? 3 : 0;
         const Vector3d away =
-            logQuaternion(rest_.q_parent_link[i].conjugate() * state_.motion.q_parent_link[i]);
+            logQuaternion(rest_.q_parent_link[i].conjugate() * now_.state.motion.q_parent_link[i]);
         for (int k = rotation; k < link.count; ++k) {
             const int index = link.first + k;
             const double angle = link.type == LinkType::kHinge
-                                     ? state_.motion.angle_rad[i] - rest_.angle_rad[i]
+                                     ? now_.state.motion.angle_rad[i] - rest_.angle_rad[i]
                                      : away[k - rotation];
             if (i > 0)
                 pull(layout_.theta(index), -angle, parameters_.blind.pose_prior_rad);
-            pull(layout_.rate(index), -state_.motion.rate[index], parameters_.blind.rate_prior_rad_per_s);
+            pull(layout_.rate(index), -now_.state.motion.rate[index], parameters_.blind.rate_prior_rad_per_s);
         }
     }
-    correct(P_.update(blocks));
+    observe(std::move(blocks));
+}
+
+void ManifoldFilter::observe(std::vector<ObservationBlock> blocks) {
+    if (blocks.empty())
+        return;
+    if (!tape_)
+        return correct(now_.P.update(blocks));
+    ObservedUpdate observed;
+    correct(now_.P.update(blocks, &observed));
+    tape_->push_back(std::move(observed));
 }
 
 void ManifoldFilter::correct(const Eigen::VectorXd& delta) {
     const int n = layout_.freedoms;
-    tree_.retract(state_.motion, delta.head(n));
-    state_.motion.rate += delta.segment(n, n);
-    state_.motion.accel += delta.segment(2 * n, n);
+    tree_.retract(now_.state.motion, delta.head(n));
+    now_.state.motion.rate += delta.segment(n, n);
+    now_.state.motion.accel += delta.segment(2 * n, n);
     for (size_t b = 0; b < suit_.boards.size(); ++b) {
         if (layout_.gyro_bias >= 0)
-            state_.gyro_bias[b] += delta.segment<3>(layout_.gyro_bias + 3 * static_cast<int>(b));
+            now_.state.gyro_bias[b] += delta.segment<3>(layout_.gyro_bias + 3 * static_cast<int>(b));
         if (layout_.accel_bias >= 0)
-            state_.accel_bias[b] += delta.segment<3>(layout_.accel_bias + 3 * static_cast<int>(b));
+            now_.state.accel_bias[b] += delta.segment<3>(layout_.accel_bias + 3 * static_cast<int>(b));
     }
     if (layout_.source_offset >= 0)
         for (size_t s = 0; s < suit_.sources.size(); ++s)
-            state_.source_offset_m[s] += delta[layout_.source_offset + static_cast<int>(s)];
+            now_.state.source_offset_m[s] += delta[layout_.source_offset + static_cast<int>(s)];
     if (layout_.sound_scale >= 0)
-        state_.sound_scale += delta[layout_.sound_scale];
+        now_.state.sound_scale += delta[layout_.sound_scale];
 }
 
 TimedPose ManifoldFilter::estimateAt(double time_s) const {
-    return {std::llround(time_s * 1e9), tree_.poseFromState(state_.motion),
-            jointSigmas(tree_, skeleton_, state_.motion, P_.dense(), give_.meanVariance_rad2())};
+    return {nanoseconds(time_s), tree_.poseFromState(now_.state.motion),
+            jointSigmas(tree_, skeleton_, now_.state.motion, now_.P.dense(), now_.give.meanVariance_rad2())};
+}
+
+TapedFrame ManifoldFilter::frame(std::vector<int64_t> times_ns) const {
+    return {std::move(times_ns), now_.state.motion, now_.P.dense().topRows(layout_.freedoms),
+            now_.give.meanVariance_rad2()};
+}
+
+TimedPose ManifoldFilter::poseOf(const TapedFrame& frame, int64_t time_ns, const Eigen::VectorXd& error,
+                                 const Eigen::MatrixXd& covariance) const {
+    MotionState motion = frame.motion;
+    tree_.retract(motion, error);
+    return {time_ns, tree_.poseFromState(motion),
+            jointSigmas(tree_, skeleton_, motion, covariance, frame.flesh_rad2)};
 }
 
 }  // namespace noctule

@@ -12,6 +12,7 @@
 #include "core/estimation/board_noise.h"
 #include "core/estimation/covariance.h"
 #include "core/estimation/estimator.h"
+#include "core/estimation/filter_tape.h"
 #include "core/estimation/joint_give.h"
 
 namespace noctule {
@@ -67,6 +68,25 @@ struct ManifoldParameters {
 
 class ManifoldFilter : public Estimator {
 public:
+    /// What one step of the filter observes.
+    struct StepInput {
+        std::vector<RootMeasurement> roots;
+        std::vector<InertialMeasurement> inertial;
+        std::vector<DistanceMeasurement> distances;
+    };
+    /// Everything that a step changes: with it and the inputs that followed, any stretch can be filtered
+    /// again, to the bit.
+    struct Memory {
+        BodyState state;
+        JointGive give;
+        Covariance P;
+        Eigen::VectorXd acceleration_variance;  ///< stationary, per velocity index
+        int64_t step_index = 0;
+        std::vector<BoardNoise> board_noise;
+        double gated_share = 0;  ///< running, over about 60 distances
+        int resets = 0;
+    };
+
     ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const ManifoldParameters& parameters);
 
     void start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) override;
@@ -76,27 +96,46 @@ public:
     void advanceTo(double time_s) override;
     std::vector<TimedPose> takePoses() override { return std::exchange(poses_, {}); }
     std::vector<DistanceDecision> takeDecisions() override { return std::exchange(decisions_, {}); }
-    int resets() const override { return resets_; }
+    int resets() const override { return now_.resets; }
+
+    /// For smoothers, which drive the filter by steps: advanceTo() is `while (isDue(t)) step(nextInput())`.
+    bool isDue(double time_s) const {
+        return (static_cast<double>(now_.step_index) + 1.5) * step_s_ <= time_s;
+    }
+    double stepSeconds() const { return step_s_; }
+    StepInput nextInput();
+    void step(const StepInput& input);
+    /// What the following steps do goes to `tape`, too; null: nowhere.
+    void setTape(FilterTape* tape) { tape_ = tape; }
+    const Memory& memory() const { return now_; }
+    void recall(const Memory& memory) { now_ = memory; }
+    /// The estimate now, to stand for these times.
+    TapedFrame frame(std::vector<int64_t> times_ns) const;
+    /// The pose of a frame after its coordinates' error has been found and taken off: `covariance` is what
+    /// remains.
+    TimedPose poseOf(const TapedFrame& frame, int64_t time_ns, const Eigen::VectorXd& error,
+                     const Eigen::MatrixXd& covariance) const;
 
     const StateLayout& layout() const { return layout_; }
-    const BodyState& state() const { return state_; }
-    const Eigen::MatrixXd& covariance() const { return P_.dense(); }
+    const BodyState& state() const { return now_.state; }
+    const Eigen::MatrixXd& covariance() const { return now_.P.dense(); }
     const KinematicTree& tree() const { return tree_; }
 
 private:
     void initialise(const Pose& rest_pose);
     void settle(const RestReadings& rest, const RootMeasurement* root);
-    void step();
     void predict(double dt_s);
-    void allowForClipping();
-    void updateRoot(double limit_s);
-    void updateTriads(bool gyro);
-    void updateDistances(double limit_s);
+    void allowForClipping(const std::vector<InertialMeasurement>& measurements);
+    void updateRoot(const std::vector<RootMeasurement>& measurements);
+    void updateTriads(const std::vector<InertialMeasurement>& measurements, bool gyro);
+    void updateDistances(const std::vector<DistanceMeasurement>& measurements);
     void updatePriors();
+    void observe(std::vector<ObservationBlock> blocks);
     bool isBlind(const Link& link) const { return !gyroscope_joints_[static_cast<size_t>(link.joint)]; }
     void correct(const Eigen::VectorXd& delta);
     void noteGating(bool gated);
     void beginAnew(const Link& link);
+    double nowSeconds() const { return static_cast<double>(now_.step_index) * step_s_; }
     TimedPose estimateAt(double time_s) const;
     void emitRestPoses(const RestReadings& rest);
 
@@ -107,23 +146,14 @@ private:
     SuitModel suit_;
     StateLayout layout_;
     ObservationModel observations_;
-    BodyState state_;
-    MotionState rest_;  ///< for the pose prior
-    JointGive give_;
-    Covariance P_;
-    Eigen::VectorXd acceleration_decay_;     ///< per velocity index, for one step
-    Eigen::VectorXd acceleration_variance_;  ///< stationary
-
-    int64_t step_index_ = 0;  ///< the state's time is step_index_ * step_s_
+    Memory now_;                          ///< the state's time is step_index * step_s_
+    MotionState rest_;                    ///< for the pose prior
+    Eigen::VectorXd acceleration_decay_;  ///< per velocity index, for one step
     double step_s_ = 0;
     TimeQueue<InertialMeasurement> inertial_;
     TimeQueue<DistanceMeasurement> distances_;
     TimeQueue<RootMeasurement> roots_;
-    std::vector<InertialMeasurement> current_;  ///< readings of this step
-    std::vector<BoardNoise> board_noise_;
-
-    double gated_share_ = 0;  ///< running, over about 60 distances
-    int resets_ = 0;
+    FilterTape* tape_ = nullptr;
     std::vector<TimedPose> poses_;
     std::vector<DistanceDecision> decisions_;
 };

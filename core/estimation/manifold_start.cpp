@@ -13,12 +13,12 @@ constexpr int kRestIterations = 6;
 
 void ManifoldFilter::initialise(const Pose& rest_pose) {
     const auto square = [](double x) { return x * x; };
-    state_.motion = tree_.stateFromPose(rest_pose);
-    rest_ = state_.motion;
-    state_.gyro_bias.assign(suit_.boards.size(), Vector3d::Zero());
-    state_.accel_bias.assign(suit_.boards.size(), Vector3d::Zero());
-    state_.source_offset_m.assign(suit_.sources.size(), 0.0);
-    state_.sound_scale = 0;
+    now_.state.motion = tree_.stateFromPose(rest_pose);
+    rest_ = now_.state.motion;
+    now_.state.gyro_bias.assign(suit_.boards.size(), Vector3d::Zero());
+    now_.state.accel_bias.assign(suit_.boards.size(), Vector3d::Zero());
+    now_.state.source_offset_m.assign(suit_.sources.size(), 0.0);
+    now_.state.sound_scale = 0;
     const int n = layout_.freedoms;
     Eigen::VectorXd variance = Eigen::VectorXd::Zero(layout_.size);
     variance.segment(0, n).setConstant(square(parameters_.initial_pose_rad));
@@ -32,7 +32,7 @@ void ManifoldFilter::initialise(const Pose& rest_pose) {
     fill(layout_.accel_bias, 3 * suit_.boards.size(), parameters_.accel_bias_m_per_s2);
     fill(layout_.source_offset, suit_.sources.size(), parameters_.source_offset_m);
     fill(layout_.sound_scale, 1, parameters_.sound_scale);
-    P_ = Covariance(variance);
+    now_.P = Covariance(variance);
 }
 
 void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) {
@@ -42,45 +42,45 @@ void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, cons
         pose.q_parent_joint[0] = root->q_world_root;
     }
     initialise(pose);
-    correct(P_.update(give_.initial(state_.motion)));
-    step_index_ = static_cast<int64_t>(std::ceil(rest.end_s / step_s_ - 1e-9));
+    correct(now_.P.update(now_.give.initial(now_.state.motion)));
+    now_.step_index = static_cast<int64_t>(std::ceil(rest.end_s / step_s_ - 1e-9));
     settle(rest, root);
     const int n = layout_.freedoms;
-    P_.dense().diagonal().segment(n, n).array() += std::pow(parameters_.initial_rate_rad_per_s, 2);
-    P_.dense().diagonal().segment(2 * n, n).array() += std::pow(parameters_.initial_accel_rad_per_s2, 2);
+    now_.P.dense().diagonal().segment(n, n).array() += std::pow(parameters_.initial_rate_rad_per_s, 2);
+    now_.P.dense().diagonal().segment(2 * n, n).array() += std::pow(parameters_.initial_accel_rad_per_s2, 2);
     emitRestPoses(rest);
 }
 
 /// Mean readings of a still body as one iterated update: mean accelerations point up (section 5.4), mean
 /// rates are zero plus the bias.
 void ManifoldFilter::settle(const RestReadings& rest, const RootMeasurement* root) {
-    const BodyState prior = state_;
+    const BodyState prior = now_.state;
     Eigen::VectorXd total = Eigen::VectorXd::Zero(layout_.size);
     for (int iteration = 0; iteration < kRestIterations; ++iteration) {
         std::vector<ObservationBlock> blocks;
         for (const InertialMeasurement& mean : rest.mean_by_board) {
             if (parameters_.sensors.gyroscopes)
-                blocks.push_back(observations_.gyro(state_, mean, 0));
+                blocks.push_back(observations_.gyro(now_.state, mean, 0));
             // The paper levels the asked-for pose by the accelerometers before the filter begins, so this
             // holds also where the run itself does without them; then nothing estimates their bias.
-            blocks.push_back(observations_.accel(state_, mean, 0).block);
+            blocks.push_back(observations_.accel(now_.state, mean, 0).block);
             if (layout_.accel_bias < 0)
                 blocks.back().variance.array() +=
                     parameters_.accel_bias_m_per_s2 * parameters_.accel_bias_m_per_s2;
         }
         if (root)
-            blocks.push_back(observations_.root(state_, *root, 0));
+            blocks.push_back(observations_.root(now_.state, *root, 0));
         for (ObservationBlock& block : blocks)
             for (Eigen::Index k = 0; k < block.H.cols(); ++k)
                 block.residual += block.H.col(k) * total[block.columns[static_cast<size_t>(k)]];
-        Covariance P = P_;
+        Covariance P = now_.P;
         const Eigen::VectorXd delta = P.update(blocks);
         const double change = (delta - total).norm();
         total = delta;
-        state_ = prior;
+        now_.state = prior;
         correct(total);
         if (iteration + 1 == kRestIterations || change < 1e-9) {
-            P_ = P;
+            now_.P = P;
             break;
         }
     }
@@ -88,10 +88,10 @@ void ManifoldFilter::settle(const RestReadings& rest, const RootMeasurement* roo
 
 void ManifoldFilter::emitRestPoses(const RestReadings& rest) {
     const int64_t frame_steps = parameters_.steps_per_frame;
-    for (int64_t k = 0; k < step_index_; k += frame_steps)
+    for (int64_t k = 0; k < now_.step_index; k += frame_steps)
         poses_.push_back(estimateAt(static_cast<double>(k) * step_s_));
-    if (step_index_ % frame_steps == 0 && rest.end_s >= 0)
-        poses_.push_back(estimateAt(static_cast<double>(step_index_) * step_s_));
+    if (now_.step_index % frame_steps == 0 && rest.end_s >= 0)
+        poses_.push_back(estimateAt(static_cast<double>(now_.step_index) * step_s_));
 }
 
 }  // namespace noctule

@@ -11,30 +11,6 @@ namespace {
 // Below a microradian a component is rounding of an axis that the joint does not have.
 constexpr double kLeastVariance = 1e-12;
 
-/// How the error of one link's rotation (3 coordinates from `first`) is carried over a step in which it
-/// turns.
-struct Turn {
-    int first;
-    Matrix3d exp_u_transposed, right_jacobian;
-};
-
-/// x := F x for one column of the covariance: theta' = E^T theta + J (dt rate + dt^2/2 accel), rate' = rate +
-/// dt accel, accel' = decay * accel; E and J are identity except in `turns`.
-void transitionColumn(double* x, Eigen::Index n, double dt, const Eigen::VectorXd& decay,
-                      const std::vector<Turn>& turns) {
-    Eigen::Map<Eigen::VectorXd> theta(x, n), rate(x + n, n), accel(x + 2 * n, n);
-    for (const Turn& turn : turns) {
-        const Vector3d gained =
-            dt * rate.segment<3>(turn.first) + 0.5 * dt * dt * accel.segment<3>(turn.first);
-        // Written so that the plain gain below completes it.
-        theta.segment<3>(turn.first) =
-            turn.exp_u_transposed * theta.segment<3>(turn.first) + turn.right_jacobian * gained - gained;
-    }
-    theta += dt * rate + 0.5 * dt * dt * accel;
-    rate += dt * accel;
-    accel.array() *= decay.array();
-}
-
 void addProcessNoise(Eigen::MatrixXd& P, Eigen::Index n, double dt, const Eigen::VectorXd& decay,
                      const Eigen::VectorXd& variance) {
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -55,54 +31,100 @@ void addProcessNoise(Eigen::MatrixXd& P, Eigen::Index n, double dt, const Eigen:
     }
 }
 
-/// P := F P F^T. Both sides of one link's columns at a time: the matrix is as large as a processor's cache,
-/// and each pass over it costs as much as the arithmetic.
-void transition(const KinematicTree& tree, Eigen::MatrixXd& P, double dt, const Eigen::VectorXd& decay,
-                const std::vector<Turn>& turns) {
-    const Eigen::Index n = tree.freedoms();
-    Eigen::Matrix<double, Eigen::Dynamic, 3> gained(P.rows(), 3), turned(P.rows(), 3);
-    auto turn = turns.begin();
-    for (const Link& link : tree.links()) {
-        for (Eigen::Index i = link.first; i < link.first + link.count; ++i)
-            for (Eigen::Index c : {i, n + i, 2 * n + i})
-                transitionColumn(P.col(c).data(), n, dt, decay, turns);
-        if (turn != turns.end() && turn->first < link.first + link.count) {
-            gained =
-                dt * P.middleCols<3>(n + turn->first) + 0.5 * dt * dt * P.middleCols<3>(2 * n + turn->first);
-            turned = P.middleCols<3>(turn->first).lazyProduct(turn->exp_u_transposed.transpose());
-            turned += gained.lazyProduct((turn->right_jacobian - Matrix3d::Identity()).transpose());
-            P.middleCols<3>(turn->first) = turned;
-            ++turn;
-        }
-        for (Eigen::Index i = link.first; i < link.first + link.count; ++i) {
-            P.col(i) += dt * P.col(n + i) + 0.5 * dt * dt * P.col(2 * n + i);
-            P.col(n + i) += dt * P.col(2 * n + i);
-            P.col(2 * n + i) *= decay[i];
-        }
-    }
-    for (Eigen::Index c = 3 * n; c < P.cols(); ++c)
-        transitionColumn(P.col(c).data(), n, dt, decay, turns);
-}
-
 }  // namespace
 
-void predictMotion(const KinematicTree& tree, MotionState& motion, Eigen::MatrixXd& P, double dt_s,
-                   const Eigen::VectorXd& decay, const Eigen::VectorXd& acceleration_variance) {
-    const Eigen::Index n = tree.freedoms();
-    std::vector<Turn> turns;
+MotionTransition::MotionTransition(const KinematicTree& tree, const MotionState& motion, double dt_s,
+                                   const Eigen::VectorXd& decay)
+    : n_(tree.freedoms()), dt_(dt_s), decay_(decay) {
     const Eigen::VectorXd advance = dt_s * motion.rate + 0.5 * dt_s * dt_s * motion.accel;
     for (const Link& link : tree.links()) {
-        const int first = link.first + (link.type == LinkType::kFree ? 3 : 0);
-        if (link.type == LinkType::kBall || (link.type == LinkType::kFree && link.count == 6)) {
-            const Vector3d u = advance.segment<3>(first);
-            turns.push_back({first, expQuaternion(u).toRotationMatrix().transpose(), rightJacobian(u)});
+        const int turning =
+            link.type == LinkType::kBall || (link.type == LinkType::kFree && link.count == 6) ? 3 : 0;
+        const int rotation = link.first + link.count - turning;
+        for (int i = link.first; i < rotation; ++i) {
+            links_.emplace_back();
+            links_.back().first = i;
+            links_.back().decay[0] = decay[i];
+        }
+        if (turning > 0) {
+            const Vector3d u = advance.segment<3>(rotation);
+            links_.push_back({rotation, turning, expQuaternion(u).toRotationMatrix().transpose(),
+                              rightJacobian(u), decay.segment<3>(rotation)});
         }
     }
-    transition(tree, P, dt_s, decay, turns);
-    addProcessNoise(P, n, dt_s, decay, acceleration_variance);
-    tree.retract(motion, advance);
+}
+
+/// theta' = turn theta + J (dt rate + dt^2/2 accel), rate' = rate + dt accel, accel' = decay * accel; turn
+/// and J are identity except where a link turns.
+void MotionTransition::carryColumn(double* x) const {
+    Eigen::Map<Eigen::VectorXd> theta(x, n_), rate(x + n_, n_), accel(x + 2 * n_, n_);
+    for (const LinkTransition& link : links_) {
+        if (link.count == 1)
+            continue;
+        const Vector3d gained =
+            dt_ * rate.segment<3>(link.first) + 0.5 * dt_ * dt_ * accel.segment<3>(link.first);
+        // Written so that the plain gain below completes it.
+        theta.segment<3>(link.first) =
+            link.turn * theta.segment<3>(link.first) + link.jacobian * gained - gained;
+    }
+    theta += dt_ * rate + 0.5 * dt_ * dt_ * accel;
+    rate += dt_ * accel;
+    accel.array() *= decay_.array();
+}
+
+/// The transpose: accel' = decay * accel + dt rate + dt^2/2 J^T theta, rate' = rate + dt J^T theta, theta' =
+/// turn^T theta.
+void MotionTransition::carryColumnBack(double* x) const {
+    Eigen::Map<Eigen::VectorXd> theta(x, n_), rate(x + n_, n_), accel(x + 2 * n_, n_);
+    accel.array() = accel.array() * decay_.array() + dt_ * rate.array() + 0.5 * dt_ * dt_ * theta.array();
+    rate += dt_ * theta;
+    for (const LinkTransition& link : links_) {
+        if (link.count == 1)
+            continue;
+        const Vector3d old = theta.segment<3>(link.first);
+        const Vector3d more = link.jacobian.transpose() * old - old;
+        accel.segment<3>(link.first) += 0.5 * dt_ * dt_ * more;
+        rate.segment<3>(link.first) += dt_ * more;
+        theta.segment<3>(link.first) = link.turn.transpose() * old;
+    }
+}
+
+template <class Column, class Mix>
+void MotionTransition::bothSides(Eigen::MatrixXd& matrix, const Column& column, const Mix& mix) const {
+    for (const LinkTransition& link : links_) {
+        for (Eigen::Index i = link.first; i < link.first + link.count; ++i)
+            for (const Eigen::Index c : {i, n_ + i, 2 * n_ + i})
+                column(matrix.col(c).data());
+        mix(matrix, n_, dt_, link);
+    }
+    for (Eigen::Index c = 3 * n_; c < matrix.cols(); ++c)
+        column(matrix.col(c).data());
+}
+
+void MotionTransition::carry(Eigen::MatrixXd& P) const {
+    bothSides(
+        P, [this](double* x) { carryColumn(x); }, mixColumns);
+}
+
+void MotionTransition::carryBack(Eigen::VectorXd& lambda) const {
+    carryColumnBack(lambda.data());
+}
+
+void MotionTransition::carryBack(Eigen::MatrixXd& Lambda) const {
+    bothSides(
+        Lambda, [this](double* x) { carryColumnBack(x); }, mixColumnsBack);
+}
+
+MotionTransition predictMotion(const KinematicTree& tree, MotionState& motion, Eigen::MatrixXd& P,
+                               double dt_s, const Eigen::VectorXd& decay,
+                               const Eigen::VectorXd& acceleration_variance) {
+    MotionTransition transition(tree, motion, dt_s, decay);
+    transition.carry(P);
+    addProcessNoise(P, tree.freedoms(), dt_s, decay, acceleration_variance);
+    tree.retract(motion, dt_s * motion.rate + 0.5 * dt_s * dt_s * motion.accel);
     motion.rate += dt_s * motion.accel;
     motion.accel.array() *= decay.array();
+    return transition;
 }
 
 std::vector<double> jointSigmas(const KinematicTree& tree, const Skeleton& skeleton,

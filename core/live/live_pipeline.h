@@ -36,6 +36,10 @@ public:
     /// The recording has ended.
     void finish();
 
+    /// Poses that had to wait for the end, after finish(); as those of Estimator.
+    int portionsLeft() const { return tracker_->portionsLeft(); }
+    Status finishPortion(const JobContext& job) { return tracker_->finishPortion(job); }
+
     std::vector<TimedPose> takePoses() { return tracker_->takePoses(); }
     std::vector<RangeMeasurement> takeRanges() { return tracker_->takeRanges(); }
     std::vector<InertialReading> takeReadings() { return std::exchange(readings_, {}); }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/estimation/manifold_filter.h"
+#include "core/estimation/smoothing_filter.h"
 
 namespace noctule {
 namespace {
@@ -14,6 +14,28 @@ constexpr double kUsualSpeedOfSound_m_per_s = 344;
 constexpr double kUnstatedSigma_m = 0.0025;  // Vlasic 2007, section 5.2
 // Nobody stands perfectly still: floors of a mean's deviation.
 constexpr double kRestGyroSigma_rad_per_s = 0.0005, kRestAccelSigma_m_per_s2 = 0.01;
+
+Result<std::unique_ptr<Estimator>> manifoldEstimator(const Skeleton& skeleton, SuitModel suit,
+                                                     const TrackerSettings& settings) {
+    ManifoldParameters parameters;
+    parameters.sensors = settings.sensors;
+    parameters.root_given = settings.root_given;
+    parameters.g_m_per_s2 = settings.g_m_per_s2;
+    std::unique_ptr<Estimator> estimator;
+    if (settings.smoother == Smoother::kFull) {
+        auto spool = UnnamedFile::make(settings.spool_folder, "what smoothing puts aside",
+                                       "Check that you may write there, or process without smoothing");
+        if (!spool)
+            return spool.error();
+        estimator =
+            std::make_unique<FixedIntervalSmoother>(skeleton, std::move(suit), parameters, std::move(*spool));
+    } else if (settings.smoother == Smoother::kLag) {
+        estimator = std::make_unique<FixedLagSmoother>(skeleton, std::move(suit), parameters);
+    } else {
+        estimator = std::make_unique<ManifoldFilter>(skeleton, std::move(suit), parameters);
+    }
+    return estimator;
+}
 
 }  // namespace
 
@@ -25,6 +47,17 @@ std::optional<EstimatorKind> estimatorFromName(const std::string& name) {
     for (EstimatorKind kind : {EstimatorKind::kManifold, EstimatorKind::kPaper})
         if (name == estimatorName(kind))
             return kind;
+    return std::nullopt;
+}
+
+const char* smootherName(Smoother smoother) {
+    return smoother == Smoother::kFull ? "full" : smoother == Smoother::kLag ? "lag" : "none";
+}
+
+std::optional<Smoother> smootherFromName(const std::string& name) {
+    for (Smoother smoother : {Smoother::kNone, Smoother::kLag, Smoother::kFull})
+        if (name == smootherName(smoother))
+            return smoother;
     return std::nullopt;
 }
 
@@ -43,12 +76,10 @@ Result<std::unique_ptr<MotionTracker>> MotionTracker::create(const Suit& suit, c
         tracker->rest_end_s_ = static_cast<double>(rest->second) / sample_rate_hz;
     }
     if (settings.estimator == EstimatorKind::kManifold) {
-        ManifoldParameters parameters;
-        parameters.sensors = settings.sensors;
-        parameters.root_given = settings.root_given;
-        parameters.g_m_per_s2 = settings.g_m_per_s2;
-        tracker->estimator_ =
-            std::make_unique<ManifoldFilter>(actor.skeleton, std::move(*mounted), parameters);
+        auto estimator = manifoldEstimator(actor.skeleton, std::move(*mounted), settings);
+        if (!estimator)
+            return estimator.error();
+        tracker->estimator_ = std::move(*estimator);
     } else {
         PaperParameters parameters;
         parameters.sensors = settings.sensors;

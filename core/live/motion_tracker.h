@@ -22,12 +22,21 @@ enum class EstimatorKind { kManifold, kPaper };
 const char* estimatorName(EstimatorKind kind);
 std::optional<EstimatorKind> estimatorFromName(const std::string& name);
 
+/// Whether poses know what came later: kLag half a second of it, kFull all.
+enum class Smoother { kNone, kLag, kFull };
+
+/// "none", "lag", "full": as on the command line and in takes.
+const char* smootherName(Smoother smoother);
+std::optional<Smoother> smootherFromName(const std::string& name);
+
 struct TrackerSettings {
     EstimatorKind estimator = EstimatorKind::kManifold;
     SensorSelection sensors;
     bool root_given = false;
     double g_m_per_s2 = kStandardGravity_m_per_s2;
     double paper_process_sigma_rad_per_s2 = 0.04;
+    Smoother smoother = Smoother::kNone;  ///< of kManifold only
+    std::string spool_folder = ".";       ///< kFull puts aside there what memory should not hold
 };
 
 class MotionTracker {
@@ -49,6 +58,10 @@ public:
     /// Ranges as judged: w_a from the pose then believed, fate and innovation. Each comes out once, after its
     /// time has passed; those of the rest pose are not tried.
     std::vector<RangeMeasurement> takeRanges();
+
+    /// As those of Estimator, after the last advanceTo().
+    int portionsLeft() const { return estimator_->portionsLeft(); }
+    Status finishPortion(const JobContext& job) { return estimator_->finishPortion(job); }
 
     int resets() const { return estimator_->resets(); }
     int64_t clippedReadings(int board) const { return calibrator_.clippedReadings(board); }

@@ -4,11 +4,7 @@
 #include <algorithm>
 
 #include "core/job/contract.h"
-
-#if defined(__x86_64__)
-#include <immintrin.h>
-#define NOCTULE_AVX2 __attribute__((target("avx2,fma")))
-#endif
+#include "core/math/instruction_sets.h"
 
 namespace noctule {
 namespace {
@@ -47,11 +43,38 @@ void multiplyOne(const double* p, long n, const int* columns, long count, const 
             product[i] += h[k * h_rows] * p[columns[k] * n + i];
 }
 
+/// target += sum over kCount columns of m (each `length` long) times factors.
+template <int kCount>
+[[gnu::always_inline]] inline void addColumns(double* target, const double* m, long length,
+                                              const double* factors) {
+    for (long i = 0; i < length; ++i) {
+        double sum = target[i];
+        for (long k = 0; k < kCount; ++k)
+            sum += m[k * length + i] * factors[k];
+        target[i] = sum;
+    }
+}
+
+/// addTimesSparse() for the columns of one block; `m` begins at the block's first row.
+[[gnu::always_inline]] inline void addBlockColumns(double* c, const double* m, long length,
+                                                   const int* columns, long count, const double* h,
+                                                   long h_rows) {
+    for (long k = 0; k < count; ++k) {
+        double* target = c + columns[k] * length;
+        const double* factors = h + k * h_rows;
+        long row = 0;
+        for (; row + 3 <= h_rows; row += 3)
+            addColumns<3>(target, m + row * length, length, factors + row);
+        for (; row < h_rows; ++row)
+            addColumns<1>(target, m + row * length, length, factors + row);
+    }
+}
+
 #ifdef NOCTULE_AVX2
 
-bool hasAvx2() {
-    static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    return has;
+NOCTULE_AVX2 void addBlockColumnsAvx2(double* c, const double* m, long length, const int* columns, long count,
+                                      const double* h, long h_rows) {
+    addBlockColumns(c, m, length, columns, count, h, h_rows);
 }
 
 template <int kRows>
@@ -105,17 +128,19 @@ NOCTULE_AVX2 void multiplyOneAvx2(const double* p, long n, const int* columns, l
             product[i] += h[k * h_rows] * p[columns[k] * n + i];
 }
 
-/// 4 * kFours rows of kCount columns: C += A (m x p) * B.
+/// 4 * kFours rows of kCount columns: C += A * B; `c_rows`, `a_rows` and `p` are the lengths of their
+/// columns.
 template <int kFours, int kCount>
-NOCTULE_AVX2 void addBlockAvx2(double* c, const double* a, const double* b, long m, long p, long p_used) {
+NOCTULE_AVX2 void addBlockAvx2(double* c, long c_rows, const double* a, long a_rows, const double* b, long p,
+                               long p_used) {
     __m256d sum[kCount][kFours];
     for (int i = 0; i < kCount; ++i)
         for (int f = 0; f < kFours; ++f)
-            sum[i][f] = _mm256_loadu_pd(c + i * m + 4 * f);
+            sum[i][f] = _mm256_loadu_pd(c + i * c_rows + 4 * f);
     for (long q = 0; q < p_used; ++q) {
         __m256d rows[kFours];
         for (int f = 0; f < kFours; ++f)
-            rows[f] = _mm256_loadu_pd(a + q * m + 4 * f);
+            rows[f] = _mm256_loadu_pd(a + q * a_rows + 4 * f);
         for (int i = 0; i < kCount; ++i) {
             const __m256d factor = _mm256_broadcast_sd(b + i * p + q);
             for (int f = 0; f < kFours; ++f)
@@ -124,28 +149,32 @@ NOCTULE_AVX2 void addBlockAvx2(double* c, const double* a, const double* b, long
     }
     for (int i = 0; i < kCount; ++i)
         for (int f = 0; f < kFours; ++f)
-            _mm256_storeu_pd(c + i * m + 4 * f, sum[i][f]);
+            _mm256_storeu_pd(c + i * c_rows + 4 * f, sum[i][f]);
 }
 
-/// kCount columns: C += A (m x p) * B; of a lower triangular A the upper part is not read.
+/// kCount columns: C (m rows) += A * B; A's columns are padded with zeros to whole packs of four (a_rows). Of
+/// a lower triangular A the upper part is not read.
 template <int kCount>
-NOCTULE_AVX2 void addColumnsAvx2(double* c, const double* a, const double* b, long m, long p, bool lower) {
+NOCTULE_AVX2 void addColumnsAvx2(double* c, long m, const double* a, long a_rows, const double* b, long p,
+                                 bool lower) {
     const auto used = [&](long row_end) { return lower ? std::min(p, row_end) : p; };
     long r = 0;
     for (; r + 8 <= m; r += 8)
-        addBlockAvx2<2, kCount>(c + r, a + r, b, m, p, used(r + 8));
+        addBlockAvx2<2, kCount>(c + r, m, a + r, a_rows, b, p, used(r + 8));
     for (; r + 4 <= m; r += 4)
-        addBlockAvx2<1, kCount>(c + r, a + r, b, m, p, used(r + 4));
-    for (; r < m; ++r)
-        for (int i = 0; i < kCount; ++i)
-            for (long q = 0; q < used(r + 1); ++q)
-                c[i * m + r] += a[q * m + r] * b[i * p + q];
+        addBlockAvx2<1, kCount>(c + r, m, a + r, a_rows, b, p, used(r + 4));
+    if (r == m)
+        return;
+    double last[4 * kCount] = {};
+    for (long i = 0; i < kCount; ++i)
+        std::copy(c + i * m + r, c + i * m + m, last + 4 * i);
+    addBlockAvx2<1, kCount>(last, 4, a + r, a_rows, b, p, used(m));
+    for (long i = 0; i < kCount; ++i)
+        std::copy(last + 4 * i, last + 4 * i + m - r, c + i * m + r);
 }
 
 #endif
 
-/// The best version for this processor; the choice is the same for the whole run, so results repeat to the
-/// bit.
 template <int kRows>
 void bestTileSum(const double* panel, const double* factors, long m, double* sum) {
 #ifdef NOCTULE_AVX2
@@ -230,6 +259,36 @@ void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, c
     }
 }
 
+void addTimesSparse(Eigen::MatrixXd& C, const Eigen::MatrixXd& M, Eigen::Index first,
+                    const std::vector<int>& columns, const Eigen::MatrixXd& H) {
+    const long count = static_cast<long>(columns.size());
+    require(H.cols() == count && C.rows() == M.rows() && first + H.rows() <= M.cols(),
+            "addTimesSparse: shapes do not fit");
+    const double* m = M.data() + first * M.rows();
+#ifdef NOCTULE_AVX2
+    if (hasAvx2())
+        return addBlockColumnsAvx2(C.data(), m, C.rows(), columns.data(), count, H.data(), H.rows());
+#endif
+    addBlockColumns(C.data(), m, C.rows(), columns.data(), count, H.data(), H.rows());
+}
+
+void addWithTranspose(Eigen::MatrixXd& P, const Eigen::MatrixXd& X) {
+    constexpr Eigen::Index kTile = 32;  // both tiles stay in the fastest cache
+    const Eigen::Index n = P.rows();
+    require(P.cols() == n && X.rows() == n && X.cols() == n, "addWithTranspose: shapes do not fit");
+    for (Eigen::Index column = 0; column < n; column += kTile)
+        for (Eigen::Index row = column; row < n; row += kTile) {
+            const Eigen::Index rows = std::min(kTile, n - row), columns = std::min(kTile, n - column);
+            Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kTile, kTile> sum =
+                X.block(column, row, columns, rows).transpose();
+            sum += X.block(row, column, rows, columns);
+            sum += P.block(row, column, rows, columns);
+            P.block(row, column, rows, columns) = sum;
+            if (row != column)
+                P.block(column, row, columns, rows) = sum.transpose();
+        }
+}
+
 void addProduct(Eigen::MatrixXd& C, double factor, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
                 Shape shape) {
     require(C.rows() == A.rows() && A.cols() == B.rows() && C.cols() == B.cols(),
@@ -237,13 +296,15 @@ void addProduct(Eigen::MatrixXd& C, double factor, const Eigen::MatrixXd& A, con
     const bool lower = shape == Shape::kLowerTriangular;
 #ifdef NOCTULE_AVX2
     if (hasAvx2()) {
-        const Eigen::MatrixXd scaled = factor * A;
-        const long m = C.rows(), p = A.cols(), n = C.cols();
+        const long m = C.rows(), p = A.cols(), n = C.cols(), padded = (m + 3) / 4 * 4;
+        Eigen::MatrixXd scaled(padded, p);
+        scaled.topRows(m) = factor * A;
+        scaled.bottomRows(padded - m).setZero();
         long j = 0;
         for (; j + 4 <= n; j += 4)
-            addColumnsAvx2<4>(C.col(j).data(), scaled.data(), B.col(j).data(), m, p, lower);
+            addColumnsAvx2<4>(C.col(j).data(), m, scaled.data(), padded, B.col(j).data(), p, lower);
         for (; j < n; ++j)
-            addColumnsAvx2<1>(C.col(j).data(), scaled.data(), B.col(j).data(), m, p, lower);
+            addColumnsAvx2<1>(C.col(j).data(), m, scaled.data(), padded, B.col(j).data(), p, lower);
         return;
     }
 #endif

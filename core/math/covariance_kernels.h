@@ -18,6 +18,14 @@ void subtractOuterProduct(Eigen::MatrixXd& P, const Eigen::MatrixXd& X_transpose
 void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, const Eigen::MatrixXd& H,
                     Eigen::MatrixXd& product, Eigen::Index first);
 
+/// C (any rows x n) += M H for an H (rows x columns.size()) that is zero outside `columns`; H's rows belong
+/// to columns first.. of M.
+void addTimesSparse(Eigen::MatrixXd& C, const Eigen::MatrixXd& M, Eigen::Index first,
+                    const std::vector<int>& columns, const Eigen::MatrixXd& H);
+
+/// P := P + X + X^T for a symmetric P; both triangles stay equal to the bit.
+void addWithTranspose(Eigen::MatrixXd& P, const Eigen::MatrixXd& X);
+
 enum class Shape { kFull, kLowerTriangular };
 
 /// C (m x n) += factor * A (m x p) * B (p x n) for small m and p. What stands above the diagonal of a lower

@@ -2,6 +2,7 @@
 #include "core/processing/process_take.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "core/live/live_pipeline.h"
 #include "core/processing/result_runs.h"
@@ -23,6 +24,25 @@ Status writeTracked(Tracked& from, ResultRuns& results) {
     if (Status done = results.write(from.takeRanges()); !done)
         return done;
     return results.write(from.takePoses());
+}
+
+/// Progress of the pass over the take's data, of all work: smoothing goes back over it.
+double shareDone(int64_t sample, const Ingredients& in, const TrackerSettings& settings) {
+    const double share = settings.smoother == Smoother::kFull ? 0.4 : 1;
+    return share * static_cast<double>(sample) / static_cast<double>(std::max<int64_t>(1, in.sample_count));
+}
+
+template <class Tracked>
+Status writeWaiting(Tracked& from, ResultRuns& results, const JobContext& job) {
+    const int all = from.portionsLeft();
+    while (from.portionsLeft() > 0) {
+        job.progress(1 - 0.6 * from.portionsLeft() / all, "Smoothing");
+        if (Status done = from.finishPortion(job); !done)
+            return done;
+        if (Status done = writeTracked(from, results); !done)
+            return done;
+    }
+    return Done{};
 }
 
 Status processSound(const Take& take, const Ingredients& in, const TrackerSettings& tracker,
@@ -52,9 +72,7 @@ Status processSound(const Take& take, const Ingredients& in, const TrackerSettin
             state = results.write(pipeline.takeReadings());
         if (state)
             state = writeTracked(pipeline, results);
-        job.progress(static_cast<double>(block.first_sample) /
-                         static_cast<double>(std::max<int64_t>(1, in.sample_count)),
-                     "Processing sound");
+        job.progress(shareDone(block.first_sample, in, tracker), "Processing sound");
         return state.ok();
     });
     if (!state)
@@ -69,7 +87,9 @@ Status processSound(const Take& take, const Ingredients& in, const TrackerSettin
         results.summary.warnings.push_back("No distances from a source: " + problem.reason + ".");
     if (Status done = results.write(pipeline.takeReadings()); !done)
         return done;
-    return writeTracked(pipeline, results);
+    if (Status done = writeTracked(pipeline, results); !done)
+        return done;
+    return writeWaiting(pipeline, results, job);
 }
 
 /// Primary readings and ranges, merged by time.
@@ -115,9 +135,7 @@ Status processReadings(const Take& take, const Ingredients& in, const TrackerSet
                 return done;
             if (job.cancelled())
                 return JobContext::cancelledError();
-            job.progress(
-                static_cast<double>(watermark) / static_cast<double>(std::max<int64_t>(1, in.sample_count)),
-                "Processing readings");
+            job.progress(shareDone(watermark, in, settings), "Processing readings");
         }
         if (ended)
             break;
@@ -128,7 +146,7 @@ Status processReadings(const Take& take, const Ingredients& in, const TrackerSet
     for (size_t b = 0; b < in.suit.boards.size(); ++b)
         results.summary.clipped_readings += tracker.clippedReadings(static_cast<int>(b));
     results.summary.resets = tracker.resets();
-    return Done{};
+    return writeWaiting(tracker, results, job);
 }
 
 }  // namespace
@@ -137,6 +155,8 @@ Result<ProcessSummary> processTake(const ProcessRequest& request, const JobConte
     return writeRuns(request, [&](const Take& take, const Ingredients& in, ResultRuns& results) {
         TrackerSettings tracker = request.tracker;
         tracker.g_m_per_s2 = take.header().g_m_per_s2;
+        const std::filesystem::path folder = std::filesystem::path(request.take_path).parent_path();
+        tracker.spool_folder = folder.empty() ? "." : folder.string();
         return take.level() == TakeLevel::kSignal ? processSound(take, in, tracker, results, job)
                                                   : processReadings(take, in, tracker, results, job);
     });

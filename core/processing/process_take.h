@@ -21,7 +21,7 @@ struct ProcessRequest {
     std::optional<Actor> actor;              ///< likewise
     TrackerSettings tracker;                 ///< sensors, root, estimator
     Detector detector = Detector::kInflection;
-    std::string run_name;  ///< empty: sensors and estimator, "AGD manifold"
+    std::string run_name;  ///< empty: defaultRunName()
     std::string software;  ///< goes into the runs' rows
     std::string created_utc;
 };
@@ -37,7 +37,7 @@ struct ProcessSummary {
     std::vector<std::string> warnings;  ///< whole sentences
 };
 
-/// What a run is called when no name is given: "AGD", "G paper".
+/// What a run is called when no name is given: "AGD", "G paper", "AGD smoothed", "AGD lag".
 std::string defaultRunName(const TrackerSettings& tracker);
 
 /// Everything or nothing: failed or cancelled, the take stays as it was.

@@ -31,7 +31,7 @@ nlohmann::json settingsJson(const ProcessRequest& request, const Ingredients& in
                             {"root", request.tracker.root_given ? "given" : "free"},
                             {"estimator", estimatorName(request.tracker.estimator)},
                             {"detector", detectorName(request.detector)},
-                            {"smooth", "none"},
+                            {"smooth", smootherName(request.tracker.smoother)},
                             {"inertial_run", runs.inertial_run},
                             {"range_run", runs.range_run}};
     if (in.rest)
@@ -71,7 +71,10 @@ Status addDocuments(TakeEdit& edit, const ProcessRequest& request, Ingredients& 
 }  // namespace
 
 std::string defaultRunName(const TrackerSettings& tracker) {
-    return sensorLetters(tracker.sensors) + (tracker.estimator == EstimatorKind::kPaper ? " paper" : "");
+    return sensorLetters(tracker.sensors) + (tracker.estimator == EstimatorKind::kPaper ? " paper" : "") +
+           (tracker.smoother == Smoother::kFull  ? " smoothed"
+            : tracker.smoother == Smoother::kLag ? " lag"
+                                                 : "");
 }
 
 Result<ResultRuns> ResultRuns::begin(const Take& take, TakeEdit& edit, const ProcessRequest& request,

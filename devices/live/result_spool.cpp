@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/live/result_spool.h"
 
-#include <stdlib.h>
-#include <unistd.h>
-
-#include <type_traits>
-
 namespace noctule {
 namespace {
 
@@ -14,49 +9,31 @@ constexpr char kReadings = 'i', kRanges = 'r', kPoses = 'p';
 }  // namespace
 
 Result<ResultSpool> ResultSpool::make(const std::filesystem::path& folder) {
-    std::string name = (folder / ".live-results-XXXXXX").string();
-    const int descriptor = mkstemp(name.data());
-    std::FILE* file = descriptor < 0 ? nullptr : fdopen(descriptor, "w+b");
-    if (descriptor >= 0)
-        unlink(name.c_str());
-    if (!file) {
-        if (descriptor >= 0)
-            close(descriptor);
-        return Error{ErrorKind::kDisk, folder.string() + ": live results cannot be kept there",
-                     "Check that you may write there, or process the take afterwards"};
-    }
-    return ResultSpool(file);
-}
-
-template <class T>
-void ResultSpool::put(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    failed_ = failed_ || std::fwrite(&value, sizeof value, 1, file_.get()) != 1;
-}
-
-template <class T>
-bool ResultSpool::take(T& value) {
-    return std::fread(&value, sizeof value, 1, file_.get()) == 1;
+    auto file = UnnamedFile::make(folder, "live results",
+                                  "Check that you may write there, or process the take afterwards");
+    if (!file)
+        return file.error();
+    return ResultSpool(std::move(*file));
 }
 
 template <class Row>
 void ResultSpool::putRows(char kind, const std::vector<Row>& rows) {
     if (rows.empty())
         return;
-    put(kind);
-    put(rows.size());
+    file_.put(kind);
+    file_.put(rows.size());
     for (const Row& row : rows)
-        put(row);
+        file_.put(row);
 }
 
 template <class Row>
 bool ResultSpool::takeRows(std::vector<Row>& rows) {
     size_t count = 0;
-    if (!take(count))
+    if (!file_.take(count))
         return false;
     rows.resize(count);
     for (Row& row : rows)
-        if (!take(row))
+        if (!file_.take(row))
             return false;
     return true;
 }
@@ -72,43 +49,43 @@ void ResultSpool::add(const std::vector<RangeMeasurement>& ranges) {
 void ResultSpool::add(const std::vector<TimedPose>& poses) {
     if (poses.empty())
         return;
-    put(kPoses);
-    put(poses.size());
+    file_.put(kPoses);
+    file_.put(poses.size());
     for (const TimedPose& timed : poses) {
         require(timed.pose.has_value(), "a live pose must be there");
-        put(timed.time_ns);
+        file_.put(timed.time_ns);
         for (const double coordinate : timed.pose->p_world_root)
-            put(coordinate);
-        put(timed.pose->q_parent_joint.size());
+            file_.put(coordinate);
+        file_.put(timed.pose->q_parent_joint.size());
         for (const Quaterniond& q : timed.pose->q_parent_joint)
             for (const double coefficient : q.coeffs())
-                put(coefficient);
-        put(timed.sigma_rad.size());
+                file_.put(coefficient);
+        file_.put(timed.sigma_rad.size());
         for (const double sigma : timed.sigma_rad)
-            put(sigma);
+            file_.put(sigma);
     }
 }
 
 bool ResultSpool::takePoses(std::vector<TimedPose>& poses) {
     size_t count = 0;
-    if (!take(count))
+    if (!file_.take(count))
         return false;
     poses.resize(count);
     for (TimedPose& timed : poses) {
-        bool whole = take(timed.time_ns);
+        bool whole = file_.take(timed.time_ns);
         timed.pose.emplace();
         for (double& coordinate : timed.pose->p_world_root)
-            whole = whole && take(coordinate);
+            whole = whole && file_.take(coordinate);
         size_t joints = 0, sigmas = 0;
-        whole = whole && take(joints);
+        whole = whole && file_.take(joints);
         timed.pose->q_parent_joint.resize(joints);
         for (Quaterniond& q : timed.pose->q_parent_joint)
             for (double& coefficient : q.coeffs())
-                whole = whole && take(coefficient);
-        whole = whole && take(sigmas);
+                whole = whole && file_.take(coefficient);
+        whole = whole && file_.take(sigmas);
         timed.sigma_rad.resize(sigmas);
         for (double& sigma : timed.sigma_rad)
-            whole = whole && take(sigma);
+            whole = whole && file_.take(sigma);
         if (!whole)
             return false;
     }
@@ -118,13 +95,13 @@ bool ResultSpool::takePoses(std::vector<TimedPose>& poses) {
 Status ResultSpool::replay(ResultRuns& runs) {
     const Error lost{ErrorKind::kDisk, "the results of the live pipeline could not be kept on the disk",
                      "Process the take instead"};
-    if (failed_ || std::fflush(file_.get()) != 0)
+    if (!file_.good())
         return lost;
-    std::rewind(file_.get());
+    file_.seek(0);
     std::vector<InertialReading> readings;
     std::vector<RangeMeasurement> ranges;
     std::vector<TimedPose> poses;
-    for (char kind = 0; take(kind);) {
+    for (char kind = 0; file_.take(kind);) {
         const bool whole = kind == kReadings ? takeRows(readings)
                            : kind == kRanges ? takeRows(ranges)
                                              : takePoses(poses);
@@ -136,7 +113,7 @@ Status ResultSpool::replay(ResultRuns& runs) {
         if (!written)
             return written;
     }
-    return std::ferror(file_.get()) ? Status(lost) : Status(Done{});
+    return file_.good() ? Status(Done{}) : Status(lost);
 }
 
 }  // namespace noctule

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Holds what the live pipeline yields while its take is being recorded, to be written into the take as
 // derived runs afterwards. A file without a name beside the take (1 MB a second): memory does not grow with
-// the take's length, and a crash leaves nothing behind. The bytes are those of this process and go nowhere
-// else.
+// the take's length.
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <vector>
 
+#include "core/job/unnamed_file.h"
 #include "core/processing/result_runs.h"
 
 namespace noctule {
@@ -26,22 +24,14 @@ public:
     Status replay(ResultRuns& runs);
 
 private:
-    struct Closer {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    explicit ResultSpool(std::FILE* file) : file_(file) {}
-    template <class T>
-    void put(const T& value);
-    template <class T>
-    bool take(T& value);
+    explicit ResultSpool(UnnamedFile file) : file_(std::move(file)) {}
     template <class Row>
     void putRows(char kind, const std::vector<Row>& rows);
     template <class Row>
     bool takeRows(std::vector<Row>& rows);
     bool takePoses(std::vector<TimedPose>& poses);
 
-    std::unique_ptr<std::FILE, Closer> file_;
-    bool failed_ = false;
+    UnnamedFile file_;
 };
 
 }  // namespace noctule

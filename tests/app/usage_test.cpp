@@ -126,10 +126,14 @@ TEST(Usage, ValuesAreChecked) {
                   {"next door", "10.0.0.5"});
 }
 
+TEST(Usage, ThePapersEstimatorHasNoSmoother) {
+    expectRefusal({"process", "t", "--estimator", "paper", "--smooth", "full"}, 2,
+                  {"--smooth full", "paper"});
+}
+
 TEST(Usage, WhatComesLaterIsRefusedByName) {
     expectRefusal({"process", "t", "--detector", "matched"}, 2, {"--detector matched", "not available"});
-    for (const char* smoother : {"lag", "full", "batch"})
-        expectRefusal({"process", "t", "--smooth", smoother}, 2, {smoother, "not available"});
+    expectRefusal({"process", "t", "--smooth", "batch"}, 2, {"--smooth batch", "not available"});
     for (const char* option : {"--video", "--png"})
         expectRefusal({"export", "t", option, "x"}, 2, {option, "not available"});
 }

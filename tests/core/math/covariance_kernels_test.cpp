@@ -62,5 +62,33 @@ TEST(CovarianceKernels, ProductWithALowerTriangleEqualsTheFullOne) {
     }
 }
 
+TEST(CovarianceKernels, ProductWithASparseMatrixIsAdded) {
+    std::srand(7);
+    for (long length : {1, 3, 8, 45, 235})
+        for (long rows : {1, 2, 3, 7}) {
+            const Eigen::MatrixXd M = Eigen::MatrixXd::Random(length, rows + 2);
+            const std::vector<int> columns{4, 0, 9};
+            const Eigen::MatrixXd H = Eigen::MatrixXd::Random(rows, 3);
+            const Eigen::MatrixXd C = Eigen::MatrixXd::Random(length, 10);
+            Eigen::MatrixXd expected = C, sum = C;
+            for (size_t k = 0; k < columns.size(); ++k)
+                expected.col(columns[k]) += M.middleCols(1, rows) * H.col(static_cast<long>(k));
+            addTimesSparse(sum, M, 1, columns, H);
+            EXPECT_LT((sum - expected).cwiseAbs().maxCoeff(), 1e-13) << length << " " << rows;
+        }
+}
+
+TEST(CovarianceKernels, AMatrixAndItsTransposeAreAdded) {
+    std::srand(8);
+    for (long n : {1, 5, 31, 32, 33, 70, 234}) {
+        const Eigen::MatrixXd half = Eigen::MatrixXd::Random(n, n), X = Eigen::MatrixXd::Random(n, n);
+        const Eigen::MatrixXd P = half + half.transpose();
+        Eigen::MatrixXd sum = P;
+        addWithTranspose(sum, X);
+        EXPECT_LT((sum - (P + X + X.transpose())).cwiseAbs().maxCoeff(), 1e-14) << n;
+        EXPECT_EQ((sum - sum.transpose()).cwiseAbs().maxCoeff(), 0) << n;
+    }
+}
+
 }  // namespace
 }  // namespace noctule

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a filter did, step by step and linearised as it was, for a smoother that goes back over it. Widening a
+// covariance (biases that wander, a filter that begins anew) is process noise like any other and leaves no
+// trace here: the smoother needs to know how errors are carried and what was observed, not how they grow.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <variant>
+#include <vector>
+
+#include "core/estimation/covariance.h"
+#include "core/estimation/prediction.h"
+
+namespace noctule {
+
+/// The estimate at an instant at which a pose is wanted.
+struct TapedFrame {
+    std::vector<int64_t> times_ns;  ///< several while the body is still
+    MotionState motion;
+    Eigen::MatrixXd P_pose;  ///< covariance of the coordinates with all states: freedoms x n
+    double flesh_rad2 = 0;   ///< as in jointSigmas()
+};
+
+using FilterTape = std::deque<std::variant<MotionTransition, ObservedUpdate, TapedFrame>>;
+
+}  // namespace noctule

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Choosing among versions of a kernel at run time, so that one build runs everywhere. The choice is the same
+// for the whole run: results repeat to the bit.
+#pragma once
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#define NOCTULE_AVX2 __attribute__((target("avx2,fma")))
+
+namespace noctule {
+
+inline bool hasAvx2() {
+    static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    return has;
+}
+
+}  // namespace noctule
+#endif
