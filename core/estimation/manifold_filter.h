@@ -92,6 +92,7 @@ private:
     void updateRoot(double limit_s);
     void updateTriads(bool gyro);
     void updateDistances(double limit_s);
+    void useCarrier(DistanceMeasurement& measurement, ObservationBlock& block, DistanceDecision& decision);
     void updatePriors();
     bool isBlind(const Link& link) const { return !gyroscope_joints_[static_cast<size_t>(link.joint)]; }
     void correct(const Eigen::VectorXd& delta);

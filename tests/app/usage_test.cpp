@@ -127,7 +127,6 @@ TEST(Usage, ValuesAreChecked) {
 }
 
 TEST(Usage, WhatComesLaterIsRefusedByName) {
-    expectRefusal({"process", "t", "--detector", "matched"}, 2, {"--detector matched", "not available"});
     for (const char* smoother : {"lag", "full", "batch"})
         expectRefusal({"process", "t", "--smooth", smoother}, 2, {smoother, "not available"});
     for (const char* option : {"--video", "--png"})
