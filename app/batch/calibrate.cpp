@@ -107,9 +107,9 @@ Result<Outcome> run(const VerbContext& context, const Plan& plan) {
 }
 
 Option detectorOption() {
-    return choice("detector", {"inflection"}, "what finds the pulses in the sound")
-        .orElse("inflection")
-        .laterOn({"matched"});
+    return choice("detector", {"inflection", "matched"},
+                  "what finds the pulses in the sound; each detector has offsets of its own")
+        .orElse("inflection");
 }
 
 Option actorOption() {

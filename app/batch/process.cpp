@@ -160,9 +160,9 @@ Verb processVerb() {
         text("sensors", "AGD", "any of A accelerometers, G gyroscopes, D distances").orElse("AGD"),
         choice("root", {"free", "given"}, "given: by another system, from the take's external_root")
             .orElse("free"),
-        choice("detector", {"inflection"}, "what finds the pulses in the sound")
-            .orElse("inflection")
-            .laterOn({"matched"}),
+        choice("detector", {"inflection", "matched"},
+               "what finds the pulses in the sound: matched is finer, inflection the paper's")
+            .orElse("inflection"),
         choice("estimator", {"manifold", "paper"}, "paper: Vlasic 2007 to the letter").orElse("manifold"),
         number("paper-sigma", "X", 1e-6, 1e6,
                "process sigma of the paper's estimator, rad/s^2 (default 0.04)"),

@@ -53,7 +53,8 @@ InflectionDetector::InflectionDetector(const PulseTrain& train)
       low_pass_(butterworthLowPass(2, 30000, train.sample_rate_hz)),
       rows_(windowSamples()) {}
 
-void InflectionDetector::detect(std::span<const int16_t> window, std::span<PulseArrival> boards) {
+void InflectionDetector::detect(std::span<const int16_t> window, std::span<PulseArrival> boards,
+                                const Pulse& /*pulse*/) {
     require(window.size() == boards.size() * windowSamples(), "a window of another size than the detector's");
     for (size_t first = 0; first < boards.size(); first += kLanes) {
         load(window, boards.size(), first);

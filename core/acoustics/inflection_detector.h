@@ -24,7 +24,7 @@ public:
 
     int marginSamples() const override { return margin_; }
     int windowSamples() const override { return 2 * margin_ + interval_; }
-    void detect(std::span<const int16_t> window, std::span<PulseArrival> boards) override;
+    void detect(std::span<const int16_t> window, std::span<PulseArrival> boards, const Pulse& pulse) override;
 
 private:
     // Eight boards are filtered side by side, one in each lane. A recursive filter cannot be vectorised along

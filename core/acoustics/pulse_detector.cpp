@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/acoustics/inflection_detector.h"
+#include "core/acoustics/matched_detector.h"
 
 namespace noctule {
 namespace {
@@ -33,17 +34,23 @@ Status checkTrain(const PulseTrain& train) {
 
 }  // namespace
 
-const char* detectorName(Detector) {
-    return "inflection";
+const char* detectorName(Detector detector) {
+    return detector == Detector::kMatched ? "matched" : "inflection";
 }
 
 std::optional<Detector> detectorFromName(const std::string& name) {
-    return name == "inflection" ? std::optional(Detector::kInflection) : std::nullopt;
+    for (const Detector detector : {Detector::kInflection, Detector::kMatched})
+        if (name == detectorName(detector))
+            return detector;
+    return std::nullopt;
 }
 
-Result<std::unique_ptr<PulseDetector>> makeDetector(Detector, const PulseTrain& train) {
+Result<std::unique_ptr<PulseDetector>> makeDetector(Detector detector, const PulseTrain& train,
+                                                    const PulseShapes& shapes) {
     if (const Status status = checkTrain(train); !status)
         return status.error();
+    if (detector == Detector::kMatched)
+        return std::unique_ptr<PulseDetector>(std::make_unique<MatchedDetector>(train, shapes));
     return std::unique_ptr<PulseDetector>(std::make_unique<InflectionDetector>(train));
 }
 

@@ -20,11 +20,20 @@ PulseModel::PulseModel(const PulseTrain& train, double resonance_hz, double q)
 }
 
 double PulseModel::at(double u_s) const {
+    return (envelope(u_s) * std::polar(1.0, drive_rad_per_s_ * u_s)).imag();
+}
+
+std::complex<double> PulseModel::envelope(double u_s) const {
     if (u_s <= 0)
         return 0;
-    const std::complex<double> E = u_s < drive_end_s_ ? damping_per_s_ / -L_ * (1.0 - std::exp(L_ * u_s))
-                                                      : E_end_ * std::exp(L_ * (u_s - drive_end_s_));
-    return (E * std::polar(1.0, drive_rad_per_s_ * u_s)).imag();
+    return u_s < drive_end_s_ ? damping_per_s_ / -L_ * (1.0 - std::exp(L_ * u_s))
+                              : E_end_ * std::exp(L_ * (u_s - drive_end_s_));
+}
+
+std::complex<double> PulseModel::envelopeSlope(double u_s) const {
+    if (u_s <= 0)
+        return 0;
+    return u_s < drive_end_s_ ? damping_per_s_ * std::exp(L_ * u_s) : L_ * envelope(u_s);
 }
 
 }  // namespace noctule

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <complex>
+#include <optional>
+#include <vector>
 
 namespace noctule {
 
@@ -15,6 +17,12 @@ struct PulseTrain {
     int cycles = 10;
 };
 
+/// The resonator a source's pulse rings in.
+struct PulseShape {
+    double resonance_hz = 0, q = 0;
+};
+using PulseShapes = std::vector<std::optional<PulseShape>>;  ///< per source; none: not known
+
 class PulseModel {
 public:
     /// A source with resonance f and quality q, both positive.
@@ -22,6 +30,10 @@ public:
 
     /// Received pulse at distance 0, u seconds after its first motion; 0 before. The drive has amplitude 1.
     double at(double u_s) const;
+    /// The same as a slowly varying complex amplitude of the drive: at(u) = Im[envelope(u) exp(i drive u)].
+    std::complex<double> envelope(double u_s) const;
+    /// Its rate of change, 1/s.
+    std::complex<double> envelopeSlope(double u_s) const;
 
 private:
     double drive_rad_per_s_, drive_end_s_, damping_per_s_;

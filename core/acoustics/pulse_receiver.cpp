@@ -2,7 +2,6 @@
 #include "core/acoustics/pulse_receiver.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 #include "core/suit/suit.h"
@@ -18,29 +17,24 @@ constexpr double kRoundingPower = 1.0 / 12;
 
 }  // namespace
 
-void NoiseFloor::push(double window_noise_power) {
-    recent_.push_back(window_noise_power);
-    if (recent_.size() > kWindows)
-        recent_.pop_front();
-    std::array<double, kWindows> sorted;
-    const auto end = std::copy(recent_.begin(), recent_.end(), sorted.begin());
-    const auto middle = sorted.begin() + (recent_.size() - 1) / 2;
-    std::nth_element(sorted.begin(), middle, end);
-    power_ = *middle;
+Result<PulseReceiver> PulseReceiver::create(Detector detector, const PulseTrain& train, int board_count,
+                                            const PulseShapes& shapes) {
+    auto made = makeDetector(detector, train, shapes);
+    if (!made)
+        return made.error();
+    return create(std::move(made.value()), train, board_count);
 }
 
-Result<PulseReceiver> PulseReceiver::create(Detector detector, const PulseTrain& train, int board_count) {
+Result<PulseReceiver> PulseReceiver::create(std::shared_ptr<PulseDetector> detector, const PulseTrain& train,
+                                            int board_count) {
     if (board_count < 1 || board_count > int(Suit::kMaxPerSuit))
         return Error{ErrorKind::kUnusable,
                      "A suit of " + std::to_string(board_count) + " boards cannot be heard",
                      "Check the suit: 1 to 32 boards"};
-    auto made = makeDetector(detector, train);
-    if (!made)
-        return made.error();
-    return PulseReceiver(std::move(made.value()), train, board_count);
+    return PulseReceiver(std::move(detector), train, board_count);
 }
 
-PulseReceiver::PulseReceiver(std::unique_ptr<PulseDetector> detector, const PulseTrain& train,
+PulseReceiver::PulseReceiver(std::shared_ptr<PulseDetector> detector, const PulseTrain& train,
                              int board_count)
     : detector_(std::move(detector)),
       history_(board_count, std::max<int64_t>(std::llround(kHistory_s * train.sample_rate_hz),
@@ -94,7 +88,7 @@ void PulseReceiver::receive(const Pulse& pulse, std::vector<PulseDetection>& det
     const uint32_t missing =
         window.empty() ? ~uint32_t(0) : history_.missingBoards(first, detector_->windowSamples());
     if (!window.empty())
-        detector_->detect(window, arrivals_);
+        detector_->detect(window, arrivals_, pulse);
     for (int board = 0; board < int(arrivals_.size()); ++board) {
         PulseDetection detection{.pulse = pulse, .board = board, .gap = ((missing >> board) & 1) != 0};
         if (!detection.gap) {
@@ -103,6 +97,9 @@ void PulseReceiver::receive(const Pulse& pulse, std::vector<PulseDetection>& det
             detection.clipped = arrival.clipped;
             detection.arrival_sample = double(pulse.sample) + arrival.sample;
             detection.peak_power = arrival.peak_power;
+            detection.carrier = arrival.carrier;
+            if (detection.carrier)
+                detection.carrier->sample += double(pulse.sample);
             detection.noise_power = std::max(noise_[board].power(), kRoundingPower);
         }
         detections.push_back(detection);

@@ -11,24 +11,12 @@
 #include <memory>
 #include <vector>
 
+#include "core/acoustics/noise_floor.h"
 #include "core/acoustics/pulse_detector.h"
 #include "core/acoustics/range.h"
 #include "core/acoustics/sample_history.h"
 
 namespace noctule {
-
-/// Ambient noise of one board, running and causal: the median of the last 16 windows' own estimates (two
-/// rounds of eight sources), which neither an impulse nor one close source's long ringing moves.
-class NoiseFloor {
-public:
-    void push(double window_noise_power);
-    double power() const { return power_; }  ///< counts^2
-
-private:
-    static constexpr size_t kWindows = 16;
-    std::deque<double> recent_;
-    double power_ = 0;
-};
 
 struct PulseDetection {
     Pulse pulse;
@@ -38,6 +26,7 @@ struct PulseDetection {
     double arrival_sample = 0;  ///< includes the source's offset
     double peak_power = 0;      ///< counts^2
     double noise_power = 0;     ///< counts^2, ambient, in the detector's band; at least that of rounding
+    std::optional<CarrierArrival> carrier{};
 
     /// Amplitude ratio.
     double snr() const { return std::sqrt(peak_power / noise_power); }
@@ -45,8 +34,13 @@ struct PulseDetection {
 
 class PulseReceiver {
 public:
-    /// Fails (kUnusable) for a train that cannot be received, or no or too many boards.
-    static Result<PulseReceiver> create(Detector detector, const PulseTrain& train, int board_count);
+    /// Fails (kUnusable) for a train that cannot be received, or no or too many boards. `shapes`: for the
+    /// detector that needs them.
+    static Result<PulseReceiver> create(Detector detector, const PulseTrain& train, int board_count,
+                                        const PulseShapes& shapes = {});
+    /// With a detector made for `train`.
+    static Result<PulseReceiver> create(std::shared_ptr<PulseDetector> detector, const PulseTrain& train,
+                                        int board_count);
 
     /// Sample-interleaved values of all boards. A hole between blocks is a gap; samples already here are
     /// ignored.
@@ -67,11 +61,11 @@ public:
     int64_t samplesEnd() const { return history_.end(); }
 
 private:
-    PulseReceiver(std::unique_ptr<PulseDetector> detector, const PulseTrain& train, int board_count);
+    PulseReceiver(std::shared_ptr<PulseDetector> detector, const PulseTrain& train, int board_count);
     void receive(const Pulse& pulse, std::vector<PulseDetection>& detections);
     int64_t windowEnd(const Pulse& pulse) const;
 
-    std::unique_ptr<PulseDetector> detector_;
+    std::shared_ptr<PulseDetector> detector_;
     SampleHistory history_;
     std::vector<NoiseFloor> noise_;  // per board
     std::deque<Pulse> waiting_;      // by sample

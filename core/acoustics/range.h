@@ -37,6 +37,15 @@ inline RangeFate rangeFateFromName(std::string_view name) {
     return RangeFate::kNotTried;
 }
 
+/// A distance by the phase of the carrier: fine, but only up to whole cycles.
+struct CarrierRange {
+    double cycle_m = 0;     ///< 0: there is none
+    double distance_m = 0;  ///< of the cycles the one nearest to the envelope's distance
+    double sigma_m = 0;     ///< once the cycle is right
+    double envelope_m = 0, envelope_sigma_m = 0;
+    double m_per_sample = 0;  ///< of the sound's way
+};
+
 struct RangeMeasurement {
     int64_t pulse = 0;  ///< Pulse::id
     int64_t pulse_sample = 0;
@@ -48,6 +57,7 @@ struct RangeMeasurement {
     double w_t = 0;             ///< from continuity in time, 0..1
     double w_a = 1;             ///< from the angle to the source's normal, 0..1; set where the pose is known
     double sigma_m = 0;         ///< standard deviation of distance_m at full confidence
+    CarrierRange carrier{};     ///< of detectors that see it
 
     RangeFate fate = RangeFate::kNotTried;
     double innovation_m = 0;  ///< measured minus expected, where it was tried

@@ -12,24 +12,62 @@ namespace {
 /// resonance with Q 15 and up to 1.72e-4 s for Q 35, whatever the snr. The test repeats it.
 constexpr double kNoise_s = 1.55e-4;
 
-constexpr double kTypicalResonance_hz = 40000, kTypicalQ = 25;
+constexpr PulseShape kTypicalShape{40000, 25};
+/// An envelope names the cycle by itself when half a cycle is four of its sigmas.
+constexpr double kSureCycle = 8;
 
 std::optional<double> find(const std::map<std::string, double>& values, const std::string& name) {
     const auto found = values.find(name);
     return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// Of a source whose shape is not known: of a typical one. The matched detector reports the first motion.
+DetectorResponse responseTo(const std::optional<PulseShape>& shape, Detector detector,
+                            const PulseTrain& train) {
+    if (detector == Detector::kMatched)
+        return {};
+    const auto made = makeDetector(detector, train);
+    require(made.ok(), "a train that was received before");
+    const PulseShape pulse = shape.value_or(kTypicalShape);
+    return detectorResponse(**made, train, pulse.resonance_hz, pulse.q);
+}
+
+/// From the drive's start to the first motion, as another detector's offset tells it.
+std::optional<double> startOf(const SourceCalibration& known, const std::optional<PulseShape>& shape,
+                              const PulseTrain& train) {
+    if (const auto start_s = find(known.offsets_s, "start"))
+        return start_s;
+    for (const Detector other : {Detector::kMatched, Detector::kInflection})
+        if (const auto offset_s = find(known.offsets_s, detectorName(other)))
+            return *offset_s - responseTo(shape, other, train).delay_s;
+    return std::nullopt;
+}
+
 }  // namespace
+
+std::optional<PulseShape> shapeOf(const SourceCalibration& source) {
+    if (!source.resonance_hz || !source.q || !(*source.resonance_hz > 0 && *source.q > 0))
+        return std::nullopt;
+    return PulseShape{*source.resonance_hz, *source.q};
+}
+
+PulseShapes shapesOf(const Suit& suit, const Calibration& calibration) {
+    PulseShapes shapes;
+    for (const Source& source : suit.sources) {
+        const SourceCalibration* known = calibration.findSource(source.id);
+        shapes.push_back(known ? shapeOf(*known) : std::nullopt);
+    }
+    return shapes;
+}
 
 Result<RangeFinder> RangeFinder::create(const Suit& suit, const Calibration& calibration,
                                         const PulseTrain& train, Detector detector,
                                         const RangeSettings& settings) {
-    auto made = makeDetector(detector, train);
-    if (!made)
+    if (const auto made = makeDetector(detector, train); !made)
         return made.error();
     RangeFinder finder(suit, calibration, train, settings);
     for (const Source& source : suit.sources)
-        finder.timeSource(source.id, calibration, detectorName(detector), *made.value(), train);
+        finder.timeSource(source.id, calibration, detector, train);
     return finder;
 }
 
@@ -45,29 +83,27 @@ RangeFinder::RangeFinder(const Suit& suit, const Calibration& calibration, const
     }
 }
 
-void RangeFinder::timeSource(const std::string& id, const Calibration& calibration,
-                             const std::string& detector_name, PulseDetector& detector,
+void RangeFinder::timeSource(const std::string& id, const Calibration& calibration, Detector detector,
                              const PulseTrain& train) {
     const SourceCalibration* known = calibration.findSource(id);
-    const bool resonator =
-        known && known->resonance_hz && known->q && *known->resonance_hz > 0 && *known->q > 0;
-    const auto offset_s = known ? find(known->offsets_s, detector_name) : std::nullopt;
-    const auto start_s = known ? find(known->offsets_s, "start") : std::nullopt;
-    const DetectorResponse response =
-        resonator ? detectorResponse(detector, train, *known->resonance_hz, *known->q)
-                  : detectorResponse(detector, train, kTypicalResonance_hz, kTypicalQ);
-    if (offset_s)
+    const auto shape = known ? shapeOf(*known) : std::nullopt;
+    auto offset_s = known ? find(known->offsets_s, detectorName(detector)) : std::nullopt;
+    const DetectorResponse response = responseTo(shape, detector, train);
+    if (!offset_s && shape)
+        if (const auto start_s = startOf(*known, shape, train))
+            offset_s = *start_s + response.delay_s;
+    if (offset_s && (shape || detector != Detector::kMatched)) {
         sources_.push_back(SourceTiming{*offset_s, response.scatter_s});
-    else if (start_s && resonator)
-        sources_.push_back(SourceTiming{*start_s + response.delay_s, response.scatter_s});
-    else {
-        problems_.push_back(
-            {int(sources_.size()), "Source " + id + " yields no ranges: the calibration has " +
-                                       (known ? "neither its offset for detector " + detector_name +
-                                                    " nor its start, resonance_hz and q"
-                                              : "no such source")});
-        sources_.push_back(std::nullopt);
+        return;
     }
+    const std::string lacks = !known ? "no such source"
+                              : !shape && detector == Detector::kMatched
+                                  ? "not the shape of its pulse (resonance_hz and q)"
+                                  : std::string("neither its offset for detector ") + detectorName(detector) +
+                                        " nor its start, resonance_hz and q";
+    problems_.push_back(
+        {int(sources_.size()), "Source " + id + " yields no ranges: the calibration has " + lacks});
+    sources_.push_back(std::nullopt);
 }
 
 std::optional<RangeMeasurement> RangeFinder::process(const PulseDetection& detection) {
@@ -86,12 +122,30 @@ std::optional<RangeMeasurement> RangeFinder::process(const PulseDetection& detec
     range.distance_m = c * flight_s;
     if (!(range.distance_m >= settings_.min_distance_m && range.distance_m <= settings_.max_distance_m))
         return std::nullopt;
+    range.sigma_m = c * std::hypot(timing.scatter_s, kNoise_s / detection.snr());
+    if (detection.carrier)
+        addCarrier(*detection.carrier, c / sample_rate_hz_, range);
     auto& neighbour = neighbours_[size_t(pulse.source) * mic_delay_s_.size() + size_t(detection.board)];
     range.w_s = strengthConfidence(detection.peak_power, range.distance_m);
     range.w_t = continuityConfidence(neighbour, range);
-    range.sigma_m = c * std::hypot(timing.scatter_s, kNoise_s / detection.snr());
     neighbour = Neighbour{pulse.sample, range.distance_m};
     return range;
+}
+
+void RangeFinder::addCarrier(const CarrierArrival& arrival, double m_per_sample, RangeMeasurement& range) {
+    CarrierRange& carrier = range.carrier;
+    carrier.m_per_sample = m_per_sample;
+    carrier.cycle_m = m_per_sample * arrival.cycle_samples;
+    carrier.distance_m = range.distance_m + m_per_sample * (arrival.sample - range.arrival_sample);
+    carrier.sigma_m = m_per_sample * arrival.sigma_samples;
+    carrier.envelope_m = range.distance_m;
+    carrier.envelope_sigma_m = m_per_sample * arrival.envelope_sigma_samples;
+    range.sigma_m = carrier.envelope_sigma_m;
+    if (carrier.cycle_m < kSureCycle * carrier.envelope_sigma_m)
+        return;
+    range.arrival_sample = arrival.sample;
+    range.distance_m = carrier.distance_m;
+    range.sigma_m = carrier.sigma_m;
 }
 
 double RangeFinder::strengthConfidence(double peak_power, double distance_m) const {

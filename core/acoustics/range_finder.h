@@ -32,6 +32,10 @@ struct RangeSettings {
     double min_distance_m = 0.03, max_distance_m = 2.75;
 };
 
+/// What the calibration knows of the sources' pulses.
+std::optional<PulseShape> shapeOf(const SourceCalibration& source);
+PulseShapes shapesOf(const Suit& suit, const Calibration& calibration);
+
 /// A source that yields no ranges.
 struct SourceProblem {
     int source = 0;
@@ -40,9 +44,9 @@ struct SourceProblem {
 
 class RangeFinder {
 public:
-    /// A source's offset is the calibration's for this detector; without it, and with `start`, resonance and
-    /// q, the detector makes it itself from the pulse model. Fails (kUnusable) only for a train that cannot
-    /// be received.
+    /// A source's offset is the calibration's for this detector; without it, and with resonance and q, the
+    /// pulse model turns `start` or another detector's offset into it. Fails (kUnusable) only for a train
+    /// that cannot be received.
     static Result<RangeFinder> create(const Suit& suit, const Calibration& calibration,
                                       const PulseTrain& train, Detector detector,
                                       const RangeSettings& settings = {});
@@ -66,8 +70,9 @@ private:
 
     RangeFinder(const Suit& suit, const Calibration& calibration, const PulseTrain& train,
                 const RangeSettings& settings);
-    void timeSource(const std::string& id, const Calibration& calibration, const std::string& detector_name,
-                    PulseDetector& detector, const PulseTrain& train);
+    void timeSource(const std::string& id, const Calibration& calibration, Detector detector,
+                    const PulseTrain& train);
+    static void addCarrier(const CarrierArrival& arrival, double m_per_sample, RangeMeasurement& range);
     double strengthConfidence(double peak_power, double distance_m) const;
     double continuityConfidence(const std::optional<Neighbour>& previous,
                                 const RangeMeasurement& range) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/carrier_cycle.h"
 #include "core/estimation/prediction.h"
 #include "core/inertial/reading.h"
 #include "core/math/rotation.h"
@@ -237,11 +238,13 @@ void ManifoldFilter::updateDistances(const std::vector<DistanceMeasurement>& mea
         auto [block, cos_angle] = observations_.distance(
             now_.state, measurement, measurement.emission_s - now_s, measurement.arrival_s - now_s);
         decision.w_a = cos_angle >= 0 ? 1 : 0;
+        DistanceMeasurement known = measurement;
+        useCarrier(known, block, decision);
         decision.innovation_m = block.residual[0];
         if (decision.w_a == 0) {
             decision.fate = RangeFate::kBehindSource;
         } else if (measurement.confidence >= kMinimumConfidence) {
-            const double sigma = measurement.sigma_m / measurement.confidence;
+            const double sigma = known.sigma_m / measurement.confidence;
             block.variance[0] = sigma * sigma + parameters_.distance_floor_m * parameters_.distance_floor_m;
             BoardNoise& noise = now_.board_noise[static_cast<size_t>(measurement.board)];
             // Without gyroscopes innovations are those of a coarse model of motion, and no noise.
@@ -264,6 +267,22 @@ void ManifoldFilter::updateDistances(const std::vector<DistanceMeasurement>& mea
         decisions_.push_back(decision);
     }
     observe(std::move(blocks));
+}
+
+/// The carrier's distance instead of the envelope's, where the pose names its cycle.
+void ManifoldFilter::useCarrier(DistanceMeasurement& measurement, ObservationBlock& block,
+                                DistanceDecision& decision) {
+    const CarrierRange& carrier = measurement.carrier;
+    if (carrier.cycle_m == 0)
+        return;
+    const double expected_m = measurement.distance_m - block.residual[0];
+    block.variance[0] = carrier.sigma_m * carrier.sigma_m +
+                        parameters_.distance_floor_m * parameters_.distance_floor_m +
+                        now_.board_noise[static_cast<size_t>(measurement.board)].distanceVariance();
+    decision.distance_m = carrierDistance(carrier, expected_m, now_.P.innovationVariance(block)[0]);
+    measurement.distance_m = decision.distance_m.value_or(carrier.envelope_m);
+    measurement.sigma_m = decision.distance_m ? carrier.sigma_m : carrier.envelope_sigma_m;
+    block.residual[0] = measurement.distance_m - expected_m;
 }
 
 /// A filter that has diverged gates out good data for ever: widen the pose and begin anew.

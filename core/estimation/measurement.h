@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/acoustics/range.h"
@@ -52,8 +53,9 @@ struct DistanceMeasurement {
     double emission_s = 0;
     double arrival_s = 0;  ///< at the microphone
     double distance_m = 0;
-    double sigma_m = 0;     ///< at full confidence
-    double confidence = 1;  ///< w_s * w_t, 0..1; the angle's factor is the estimator's own
+    double sigma_m = 0;      ///< at full confidence
+    double confidence = 1;   ///< w_s * w_t, 0..1; the angle's factor is the estimator's own
+    CarrierRange carrier{};  ///< where there is one, the estimator says which cycle it is
 };
 
 /// The root as another system sees it.
@@ -75,8 +77,9 @@ struct DistanceDecision {
     int board = 0;
     RangeFate fate = RangeFate::kUsed;
     double w_a = 1;  ///< confidence from the angle to the source's normal, with the pose then believed
-    double innovation_m = 0;  ///< measured minus expected
-    double sigma_m = 0;       ///< of the innovation
+    double innovation_m = 0;             ///< measured minus expected
+    double sigma_m = 0;                  ///< of the innovation
+    std::optional<double> distance_m{};  ///< by the carrier, where its cycle was not in doubt
 };
 
 /// Which sensors an estimator listens to.

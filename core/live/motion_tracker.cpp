@@ -37,6 +37,13 @@ Result<std::unique_ptr<Estimator>> manifoldEstimator(const Skeleton& skeleton, S
     return estimator;
 }
 
+/// The pose has said which cycle of the carrier it is: time and distance go with it.
+void settleCycle(RangeMeasurement& range, double distance_m) {
+    range.arrival_sample += (distance_m - range.distance_m) / range.carrier.m_per_sample;
+    range.distance_m = distance_m;
+    range.sigma_m = range.carrier.sigma_m;
+}
+
 }  // namespace
 
 const char* estimatorName(EstimatorKind kind) {
@@ -142,7 +149,8 @@ void MotionTracker::add(const RangeMeasurement& range) {
                                           emission_s + range.distance_m / kUsualSpeedOfSound_m_per_s,
                                           range.distance_m,
                                           range.sigma_m > 0 ? range.sigma_m : kUnstatedSigma_m,
-                                          range.w_s * range.w_t};
+                                          range.w_s * range.w_t,
+                                          range.carrier};
     pending_[next_id_++] = range;
     if (started_)
         estimator_->add(measurement);
@@ -204,6 +212,8 @@ void MotionTracker::advanceTo(int64_t watermark_sample) {
         range.w_a = decision.w_a;
         range.fate = decision.fate;
         range.innovation_m = decision.innovation_m;
+        if (decision.distance_m)
+            settleCycle(range, *decision.distance_m);
         judged_.push_back(range);
         pending_.erase(found);
     }

@@ -13,8 +13,8 @@ Result<std::unique_ptr<SuitDecoder>> SuitDecoder::create(const Suit& suit, const
             ErrorKind::kUnusable,
             "a sample rate of " + std::to_string(rate_hz) + " Hz is outside what boards can be received at",
             "Check sample_rate_hz in the take's meta table"};
-    auto receiver =
-        PulseReceiver::create(settings.detector, settings.train, static_cast<int>(suit.boards.size()));
+    auto receiver = PulseReceiver::create(settings.detector, settings.train,
+                                          static_cast<int>(suit.boards.size()), shapesOf(suit, calibration));
     if (!receiver)
         return receiver.error();
     auto finder = RangeFinder::create(suit, calibration, settings.train, settings.detector);

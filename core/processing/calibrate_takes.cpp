@@ -34,10 +34,13 @@ struct Evidence {
 
 Result<Evidence> gather(const CalibrateRequest& request, const JobContext& job) {
     Evidence evidence;
+    CalibrateRequest with_shapes = request;
     for (const std::string& path : request.take_paths) {
-        auto observations = observe(path, request, job);
+        auto observations = observe(path, with_shapes, job);
         if (!observations)
             return observations.error();
+        if (request.detector == Detector::kMatched)  // learnt once: an offset goes with its pulse's shape
+            with_shapes.base = observations->calibration;
         evidence.takes.push_back(std::move(*observations));
     }
     require(!evidence.takes.empty(), "a calibration without takes");

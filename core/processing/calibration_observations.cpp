@@ -5,17 +5,22 @@
 #include <filesystem>
 
 #include "core/live/suit_decoder.h"
-#include "core/processing/ingredients.h"
+#include "core/processing/pulse_shapes.h"
 #include "core/processing/sound_log.h"
 
 namespace noctule {
 namespace {
 
 /// Arrivals as detected: no offset and no delay is taken off.
-Calibration bareCalibration(const Suit& suit, Detector detector) {
+Calibration bareCalibration(const Suit& suit, const Calibration& known, Detector detector) {
     Calibration bare = nominalCalibration(suit);
     for (const Source& source : suit.sources) {
+        const SourceCalibration* shaped = known.findSource(source.id);
         SourceCalibration offset;
+        if (shaped) {
+            offset.resonance_hz = shaped->resonance_hz;
+            offset.q = shaped->q;
+        }
         offset.id = source.id;
         offset.offsets_s[detectorName(detector)] = 0;
         bare.sources.push_back(offset);
@@ -62,7 +67,8 @@ private:
 
 Status decode(const Take& take, const Ingredients& in, const SoundLog& log, Collector& collector,
               const JobContext& job) {
-    auto created = SuitDecoder::create(in.suit, bareCalibration(in.suit, in.decoder.detector), in.decoder);
+    auto created = SuitDecoder::create(in.suit, bareCalibration(in.suit, in.calibration, in.decoder.detector),
+                                       in.decoder);
     if (!created)
         return created.error();
     SuitDecoder& decoder = **created;
@@ -145,7 +151,7 @@ Result<Observations> readObservations(const Take& take, Detector detector, const
     request.actor = actor;
     request.detector = detector;
     std::vector<std::string> warnings;
-    const auto in = gatherIngredients(take, request, warnings);
+    auto in = gatherIngredients(take, request, warnings);
     if (!in)
         return in.error();
     const auto markers = take.markers();
@@ -154,6 +160,9 @@ Result<Observations> readObservations(const Take& take, Detector detector, const
     const auto log = readSoundLog(take);
     if (!log)
         return log.error();
+    if (take.level() == TakeLevel::kSignal)
+        if (Status done = completeShapes(take, *log, *in, warnings, job); !done)
+            return done.error();
     const double rate_hz = in->decoder.train.sample_rate_hz;
     Observations all;
     all.take = std::filesystem::path(take.path()).filename().string();

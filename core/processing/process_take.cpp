@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/live/live_pipeline.h"
+#include "core/processing/pulse_shapes.h"
 #include "core/processing/result_runs.h"
 #include "core/processing/sound_log.h"
 
@@ -47,13 +48,17 @@ Status writeWaiting(Tracked& from, ResultRuns& results, const JobContext& job) {
 
 Status processSound(const Take& take, const Ingredients& in, const TrackerSettings& tracker,
                     ResultRuns& results, const JobContext& job) {
-    auto created = LivePipeline::create(in.suit, in.calibration, in.actor, {in.decoder, tracker, in.rest});
-    if (!created)
-        return created.error();
-    LivePipeline& pipeline = **created;
     const auto log = readSoundLog(take);
     if (!log)
         return log.error();
+    Ingredients with_shapes = in;
+    if (Status done = completeShapes(take, *log, with_shapes, results.summary.warnings, job); !done)
+        return done;
+    auto created =
+        LivePipeline::create(in.suit, with_shapes.calibration, in.actor, {in.decoder, tracker, in.rest});
+    if (!created)
+        return created.error();
+    LivePipeline& pipeline = **created;
     for (const Pulse& pulse : log->pulses)
         pipeline.pushPulse(pulse);
     for (const TemperatureStatus& status : log->statuses)

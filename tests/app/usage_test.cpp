@@ -132,7 +132,6 @@ TEST(Usage, ThePapersEstimatorHasNoSmoother) {
 }
 
 TEST(Usage, WhatComesLaterIsRefusedByName) {
-    expectRefusal({"process", "t", "--detector", "matched"}, 2, {"--detector matched", "not available"});
     expectRefusal({"process", "t", "--smooth", "batch"}, 2, {"--smooth batch", "not available"});
     for (const char* option : {"--video", "--png"})
         expectRefusal({"export", "t", option, "x"}, 2, {option, "not available"});

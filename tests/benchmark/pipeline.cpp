@@ -155,17 +155,17 @@ void inertialDecoding(benchmark::State& state) {
     state.counters["readings"] = static_cast<double>(readings);
 }
 
-void acoustics(benchmark::State& state) {
+void acoustics(benchmark::State& state, Detector detector) {
     const Recording& r = recording();
     std::vector<PulseDetection> detections;
     int ranges = 0;
     for (auto _ : state) {
-        auto receiver = std::move(
-            PulseReceiver::create(Detector::kInflection, r.decoder.train, static_cast<int>(r.boards()))
-                .value());
+        auto receiver =
+            std::move(PulseReceiver::create(detector, r.decoder.train, static_cast<int>(r.boards()),
+                                            shapesOf(r.stage.suit, r.stage.calibration))
+                          .value());
         auto finder = std::move(
-            RangeFinder::create(r.stage.suit, r.stage.calibration, r.decoder.train, Detector::kInflection)
-                .value());
+            RangeFinder::create(r.stage.suit, r.stage.calibration, r.decoder.train, detector).value());
         finder.soundSpeed().add(r.air);
         for (const Pulse& pulse : r.pulses)
             receiver.pushPulse(pulse);
@@ -180,6 +180,31 @@ void acoustics(benchmark::State& state) {
     }
     reportRealTime(state);
     state.counters["ranges"] = ranges;
+}
+
+/// All boards to baseband, of it every sixth value; direct: every value is computed and five are dropped.
+void toBaseband(benchmark::State& state, bool polyphase) {
+    const Recording& r = recording();
+    const BasebandFilter filter(r.decoder.train);
+    const int stride = polyphase ? filter.factor() : 1;
+    std::vector<int16_t> board(static_cast<size_t>(kBlockSamples));
+    std::vector<std::complex<float>> out(static_cast<size_t>(filter.outputs(kBlockSamples)));
+    for (auto _ : state)
+        for (int64_t first = 0; first + kBlockSamples <= r.samples(); first += kBlockSamples) {
+            const auto block = r.block(first, kBlockSamples);
+            for (size_t b = 0; b < r.boards(); ++b) {
+                for (size_t i = 0; i < board.size(); ++i)
+                    board[i] = block[i * r.boards() + b];
+                for (int phase = 0; phase < filter.factor(); phase += stride) {
+                    const auto from = std::span(board).subspan(static_cast<size_t>(phase));
+                    filter.run(from, -phase,
+                               std::span(out).first(
+                                   static_cast<size_t>(filter.outputs(static_cast<int>(from.size())))));
+                    benchmark::DoNotOptimize(out.data());
+                }
+            }
+        }
+    reportRealTime(state);
 }
 
 void filter(benchmark::State& state) {
@@ -207,7 +232,10 @@ void filter(benchmark::State& state) {
 
 BENCHMARK(whole)->Unit(benchmark::kMillisecond);
 BENCHMARK(inertialDecoding)->Unit(benchmark::kMillisecond);
-BENCHMARK(acoustics)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(acoustics, inflection, Detector::kInflection)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(acoustics, matched, Detector::kMatched)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(toBaseband, polyphase, 1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(toBaseband, direct, 0)->Unit(benchmark::kMillisecond);
 BENCHMARK(filter)->Unit(benchmark::kMillisecond);
 
 }  // namespace

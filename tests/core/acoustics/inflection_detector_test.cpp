@@ -165,6 +165,8 @@ TEST_F(InflectionTest, ErrorAtTypicalDistances) {
 
 TEST(Detector, NamesAndTrainsItCannotReceive) {
     EXPECT_EQ(detectorFromName("inflection"), Detector::kInflection);
+    EXPECT_EQ(detectorFromName("matched"), Detector::kMatched);
+    EXPECT_STREQ(detectorName(Detector::kMatched), "matched");
     EXPECT_FALSE(detectorFromName("start"));
     EXPECT_STREQ(detectorName(Detector::kInflection), "inflection");
     for (const PulseTrain& train : {PulseTrain{.sample_rate_hz = 44100}, PulseTrain{.sample_rate_hz = 1e9},

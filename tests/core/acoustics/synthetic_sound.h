@@ -25,14 +25,16 @@ public:
                 values_[i] += normal(random_);
     }
 
-    /// A pulse whose first motion reaches the board at this fractional sample.
-    void addPulse(int board, double sample, double amplitude, double resonance_hz = 40000, double q = 25) {
+    /// A pulse whose first motion reaches the board at this fractional sample; `stretch`: of source and board
+    /// that approach each other, their speed over that of sound.
+    void addPulse(int board, double sample, double amplitude, double resonance_hz = 40000, double q = 25,
+                  double stretch = 0) {
         const PulseModel pulse(train_, resonance_hz, q);
         const int64_t count = int64_t(values_.size()) / boards_;
         const int64_t end = std::min(count, int64_t(sample + 0.006 * train_.sample_rate_hz));
         for (int64_t i = std::max<int64_t>(0, int64_t(sample)); i < end; ++i)
             values_[size_t(i * boards_ + board)] +=
-                amplitude * pulse.at((double(i) - sample) / train_.sample_rate_hz);
+                amplitude * pulse.at((double(i) - sample) * (1 + stretch) / train_.sample_rate_hz);
     }
 
     std::vector<int16_t> counts() const {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ambient noise of one board, running and causal: the median of the last 16 windows' own estimates (two
+// rounds of eight sources), which neither an impulse nor one close source's long ringing moves.
+#pragma once
+
+#include <deque>
+
+namespace noctule {
+
+class NoiseFloor {
+public:
+    void push(double window_noise_power);
+    double power() const { return power_; }  ///< counts^2
+
+private:
+    static constexpr size_t kWindows = 16;
+    std::deque<double> recent_;
+    double power_ = 0;
+};
+
+}  // namespace noctule
