@@ -5,9 +5,9 @@
 #include <system_error>
 
 #include "core/job/atomic_file.h"
+#include "core/job/staged_progress.h"
 #include "core/processing/process_take.h"
 #include "core/session/session.h"
-#include "ui/jobs/staged_progress.h"
 
 namespace noctule::ui {
 namespace {

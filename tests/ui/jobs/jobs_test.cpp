@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "ui/jobs/staged_progress.h"
+#include "core/job/staged_progress.h"
 
 namespace noctule::ui {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/job/job.h"
 
-namespace noctule::ui {
+namespace noctule {
 
 class StagedProgress : ProgressSink {
 public:
@@ -23,4 +23,4 @@ private:
     double from_, to_;
 };
 
-}  // namespace noctule::ui
+}  // namespace noctule
