@@ -127,6 +127,7 @@ void SceneView::followStudio() {
         refresh();
     });
     studio_.whenBodyIsThere(this, [this] { refresh(); });
+    connect(&studio_.shownBody(), &ShownBody::changed, this, &SceneView::refresh);
 }
 
 void SceneView::showMessage(const QString& sentence) {
