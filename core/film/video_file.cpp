@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/film/video_file.h"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 
+#include "core/film/video_backend.h"
 #include "core/job/atomic_file.h"
+#include "core/job/own_folder.h"
 
 namespace noctule {
 namespace {
@@ -24,6 +27,18 @@ std::vector<std::string> encodersFor(const std::string& ending) {
     if (ending == ".mp4" || ending == ".mkv")
         return {"avc1", "mp4v"};
     return ending == ".avi" ? std::vector<std::string>{"MJPG"} : std::vector<std::string>{};
+}
+
+/// Loaded once, and for good.
+Result<const VideoBackend*> videoBackend() {
+    static void* const module = dlopen(besideThisProgram(kVideoModule).c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!module)
+        return Error{ErrorKind::kInternal,
+                     besideThisProgram(kVideoModule) + ", which encodes films, cannot be loaded",
+                     "Install the program again; this file belongs beside it"};
+    const auto backend = reinterpret_cast<const VideoBackend* (*)()>(dlsym(module, kVideoBackend));
+    require(backend, "the module of films has a backend");
+    return backend();
 }
 
 cv::Mat toBgr(const Picture& picture) {
@@ -46,11 +61,7 @@ bool isVideoFileName(const std::string& path) {
     return !encodersFor(endingOf(path)).empty();
 }
 
-struct VideoWriter::Encoder {
-    cv::VideoWriter writer;
-};
-
-VideoWriter::VideoWriter(std::unique_ptr<Encoder> encoder) : encoder_(std::move(encoder)) {}
+VideoWriter::VideoWriter(std::unique_ptr<VideoEncoder> encoder) : encoder_(std::move(encoder)) {}
 VideoWriter::~VideoWriter() = default;
 
 Result<std::unique_ptr<VideoWriter>> VideoWriter::create(const std::string& path, const std::string& named,
@@ -64,39 +75,34 @@ Result<std::unique_ptr<VideoWriter>> VideoWriter::create(const std::string& path
                      named + ": a film of " + std::to_string(size.width_px) + " x " +
                          std::to_string(size.height_px) + " pixels cannot be encoded",
                      "Choose an even width and an even height"};
+    const auto backend = videoBackend();
+    if (!backend)
+        return backend.error();
     if (const Status free = writeFileAtomically(path, "", true); !free)
         return Error{free.error().kind, named + ": cannot be written", free.error().remedy};
-    auto encoder = std::make_unique<Encoder>();
     for (const std::string& name : encoders)
-        if (encoder->writer.open(path, cv::CAP_FFMPEG,
-                                 cv::VideoWriter::fourcc(name[0], name[1], name[2], name[3]),
-                                 frames_per_second, cv::Size(size.width_px, size.height_px)))
+        if (auto encoder = (*backend)->open(path, name, size, frames_per_second))
             return std::unique_ptr<VideoWriter>(new VideoWriter(std::move(encoder)));
     return Error{ErrorKind::kUnusable, named + ": OpenCV finds no encoder for it",
                  "Install ffmpeg's libraries, or write an .avi file"};
 }
 
 void VideoWriter::add(const Picture& picture) {
-    encoder_->writer.write(toBgr(picture));
+    encoder_->add(picture);
 }
 
 void VideoWriter::finish() {
-    encoder_->writer.release();
+    encoder_.reset();
 }
 
 Result<VideoFacts> readVideo(const std::string& path, const std::set<size_t>& looked_at,
                              const std::function<void(size_t frame, const Picture&)>& look) {
-    cv::VideoCapture capture(path, cv::CAP_FFMPEG);
-    if (!capture.isOpened())
-        return Error{ErrorKind::kUnreadable, path + ": is no film that can be read", "Write it again"};
+    const auto backend = videoBackend();
+    if (!backend)
+        return backend.error();
     VideoFacts facts;
-    facts.frames_per_second = capture.get(cv::CAP_PROP_FPS);
-    facts.size = {static_cast<int>(capture.get(cv::CAP_PROP_FRAME_WIDTH)),
-                  static_cast<int>(capture.get(cv::CAP_PROP_FRAME_HEIGHT))};
-    cv::Mat bgr;
-    for (; capture.grab(); ++facts.frames)
-        if (looked_at.contains(facts.frames) && capture.retrieve(bgr))
-            look(facts.frames, fromBgr(bgr));
+    if (!(*backend)->read(path, facts, looked_at, look))
+        return Error{ErrorKind::kUnreadable, path + ": is no film that can be read", "Write it again"};
     return facts;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films as files, the only place that knows who encodes them (OpenCV's videoio, which stands on ffmpeg).
+// Films and pictures as files. Who encodes them (OpenCV, for films its videoio on ffmpeg) is known here only.
 // .mp4 and .mkv hold H.264, or MPEG-4 where that encoder is missing, .avi motion JPEG.
 #pragma once
 
@@ -11,6 +11,8 @@
 #include "core/render/offscreen.h"
 
 namespace noctule {
+
+class VideoEncoder;
 
 /// Whether a film can be written under this name, by its ending.
 bool isVideoFileName(const std::string& path);
@@ -28,9 +30,8 @@ public:
     void finish();
 
 private:
-    struct Encoder;
-    explicit VideoWriter(std::unique_ptr<Encoder> encoder);
-    std::unique_ptr<Encoder> encoder_;
+    explicit VideoWriter(std::unique_ptr<VideoEncoder> encoder);
+    std::unique_ptr<VideoEncoder> encoder_;
 };
 
 struct VideoFacts {

@@ -15,8 +15,8 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <filesystem>
 
+#include "core/job/own_folder.h"
 #include "core/mesh/rigged_mesh_bytes.h"
 
 namespace noctule {
@@ -131,9 +131,7 @@ void limitMyself(unsigned seconds, size_t memory_mb) {
 }  // namespace
 
 std::string meshReaderProgram() {
-    std::error_code ignored;
-    return (std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "noctule-read-mesh")
-        .string();
+    return besideThisProgram("noctule-read-mesh");
 }
 
 Result<RiggedMesh> importMeshApart(const std::string& path, const MeshImportSettings& settings,
