@@ -29,7 +29,7 @@ packages=(
     libgmock-dev         # GTest: its CMake configuration names both
     libbenchmark-dev     # benchmark
     libassimp-dev        # assimp
-    libopencv-dev        # OpenCV: markers in photographs
+    libopencv-dev        # OpenCV: markers in photographs, films
     libopencv-contrib-dev # OpenCV: ArUco
     assimp-testmodels    # real human motion for tests, demo and figures
 )

@@ -8,8 +8,6 @@
 namespace noctule::batch {
 namespace {
 
-constexpr const char* kLaterRemedy = "It comes with a later version; leave it out";
-
 std::optional<double> readNumber(const std::string& text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -97,8 +95,6 @@ Status Arguments::addOption(const std::vector<std::string>& words, size_t& index
         return unknownOption(word.substr(0, equals));
     if (values_.contains(name))
         return Error{ErrorKind::kUsage, "--" + name + " is given twice", "Give it once"};
-    if (option->kind == Option::Kind::kLater)
-        return Error{ErrorKind::kUsage, "--" + name + " is not available yet", kLaterRemedy};
     if (option->kind == Option::Kind::kFlag) {
         if (equals != std::string::npos)
             return Error{ErrorKind::kUsage, "--" + name + " takes no value", "Write --" + name};
@@ -129,8 +125,7 @@ Status Arguments::addOption(const std::vector<std::string>& words, size_t& index
 Error Arguments::unknownOption(const std::string& name) const {
     std::vector<std::string> names;
     for (const Option& option : options_)
-        if (option.kind != Option::Kind::kLater)
-            names.push_back("--" + option.name);
+        names.push_back("--" + option.name);
     return {ErrorKind::kUsage, "unknown option " + name,
             "Did you mean " + nearest(name, names) + "? --help shows all"};
 }

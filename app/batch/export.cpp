@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdio>
+
 #include "app/batch/files.h"
 #include "app/batch/takes.h"
 #include "app/batch/verb.h"
+#include "core/film/video_file.h"
 #include "core/processing/export_program.h"
 #include "core/processing/export_take.h"
 
@@ -27,10 +31,21 @@ RootMotion rootMotion(const std::string& name) {
                                : RootMotion::kMoving;
 }
 
-/// The formats by their options, and where each of them stands in a request.
-std::vector<std::pair<const char*, std::string*>> pathsIn(ExportRequest& request) {
-    return {{"bvh", &request.bvh_path}, {"fbx", &request.fbx_path}, {"glb", &request.glb_path},
-            {"csv", &request.csv_path}, {"mot", &request.mot_path}, {"sto", &request.sto_path}};
+CameraMove cameraMove(const std::string& name) {
+    return name == "follow" ? CameraMove::kFollow : name == "turn" ? CameraMove::kTurn : CameraMove::kFront;
+}
+
+/// "1280x720"; nothing when it is none.
+std::optional<PictureSize> pictureSize(const std::string& text) {
+    PictureSize size;
+    int end = 0;
+    const bool read = std::sscanf(text.c_str(), "%5dx%5d%n", &size.width_px, &size.height_px, &end) == 2 &&
+                      end == static_cast<int>(text.size());
+    return read && size.width_px > 0 && size.height_px > 0 ? std::optional(size) : std::nullopt;
+}
+
+bool namesMeshFile(const Arguments& arguments) {
+    return arguments.text("mesh") != "none" && arguments.text("mesh") != "mannequin";
 }
 
 ExportRequest requestFor(const Arguments& arguments, const std::string& take_path) {
@@ -42,21 +57,49 @@ ExportRequest requestFor(const Arguments& arguments, const std::string& take_pat
     request.from_s = arguments.number("from");
     request.to_s = arguments.number("to");
     request.root = rootMotion(arguments.text("root"));
-    for (const auto& [format, path] : pathsIn(request))
-        *path = pathFor(arguments.text(format), take_path);
+    for (const ExportFormatEntry& format : exportFormats())
+        request.*format.path = pathFor(arguments.text(format.option), take_path);
     request.metres_per_unit = preset.metres_per_unit;
     request.names = preset.names;
     request.root_name = preset.root_name;
     request.with_body = arguments.text("mesh") != "none";
+    request.film.size = pictureSize(arguments.text("size")).value_or(request.film.size);
+    request.film.camera = cameraMove(arguments.text("camera"));
+    request.film.frames_per_second = arguments.number("fps").value_or(request.film.frames_per_second);
+    request.film.blending =
+        arguments.text("blending") == "dual" ? Blending::kDualQuaternion : Blending::kLinear;
     request.angles = arguments.given("angles");
     request.overwrite = arguments.given("overwrite");
     return request;
 }
 
+Status checkPictures(const Arguments& arguments, const ExportRequest& request) {
+    if (arguments.given("size") && !pictureSize(arguments.text("size")))
+        return Error{ErrorKind::kUsage, "--size does not take " + arguments.text("size"),
+                     "Give width and height in pixels, as in 1280x720"};
+    if (!request.video_path.empty() && !isVideoFileName(request.video_path))
+        return Error{ErrorKind::kUsage, request.video_path + ": films of this kind cannot be written",
+                     "End its name with .mp4, .mkv or .avi"};
+    const auto& formats = exportFormats();
+    const bool shows_body = std::any_of(formats.begin(), formats.end(), [&](const auto& format) {
+        return showsBody(format.format) && arguments.given(format.option);
+    });
+    if (arguments.given("mesh") && !shows_body)
+        return Error{ErrorKind::kUsage, "--mesh is the body of files that have one, and none is written",
+                     "Give any of --fbx F, --glb F, --png F and --video F too"};
+    if (arguments.given("bones") && !namesMeshFile(arguments))
+        return Error{ErrorKind::kUsage, "--bones says which bone of a mesh is which, and no mesh is named",
+                     "Give --mesh FILE too"};
+    return Done{};
+}
+
 Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest>& requests) {
     if (requests.empty() || outputsOf(requests.front()).empty())
-        return Error{ErrorKind::kUsage, "export has nothing to write",
-                     "Give any of --bvh F, --fbx F, --glb F, --csv F, --mot F and --sto F"};
+        return Error{
+            ErrorKind::kUsage, "export has nothing to write",
+            "Give any of --bvh F, --fbx F, --glb F, --csv F, --mot F, --sto F, --png F and --video F"};
+    if (const Status pictures = checkPictures(arguments, requests.front()); !pictures)
+        return pictures;
     if (arguments.given("angles") && !arguments.given("csv"))
         return Error{ErrorKind::kUsage, "--angles adds columns to a CSV file, and none is written",
                      "Give --csv F too"};
@@ -76,15 +119,40 @@ Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest
     return Done{};
 }
 
+std::string describe(const ExportRequest& request, const ExportSummary& summary, const std::string& file) {
+    const ExportFormat format = formatOf(request, file);
+    if (format == ExportFormat::kPng)
+        return "a picture";
+    return std::to_string(format == ExportFormat::kVideo ? summary.film_frames : summary.frames) + " frames";
+}
+
 Outcome outcomeOf(const ExportRequest& request, const ExportSummary& summary) {
     Outcome outcome;
     outcome.json = {{"take", request.take_path},        {"run", summary.run},
                     {"frames", summary.frames},         {"fps", request.frames_per_second},
                     {"duration_s", summary.duration_s}, {"files", summary.files}};
+    if (!request.video_path.empty())
+        outcome.json["film"] = {{"frames", summary.film_frames}, {"fps", request.film.frames_per_second}};
+    if (request.worn)
+        outcome.json["bones"] = request.worn->bones.node_of_joint;
     for (const std::string& file : summary.files)
-        outcome.text +=
-            file + ": " + std::to_string(summary.frames) + " frames of run " + summary.run + ".\n";
+        outcome.text += file + ": " + describe(request, summary, file) + " of run " + summary.run + ".\n";
     return outcome;
+}
+
+/// The body that --mesh names; null for ours.
+Result<std::shared_ptr<const WearableBody>> readBody(const VerbContext& context) {
+    const Arguments& arguments = context.arguments;
+    if (!namesMeshFile(arguments))
+        return std::shared_ptr<const WearableBody>();
+    WearingChoices choices;
+    if (arguments.given("bones")) {
+        auto bones = readBoneMap(arguments.text("bones"));
+        if (!bones)
+            return bones.error();
+        choices.bones = std::move(*bones);
+    }
+    return readWearable(arguments.text("mesh"), choices, context.job());
 }
 
 Result<Outcome> runExport(const VerbContext& context) {
@@ -93,11 +161,56 @@ Result<Outcome> runExport(const VerbContext& context) {
         requests.push_back(requestFor(context.arguments, take));
     if (Status sensible = checkRequests(context.arguments, requests); !sensible)
         return sensible.error();
+    const auto body = readBody(context);
+    if (!body)
+        return body.error();
     return forEachTake(context, 1, [&](const std::string& take, const JobContext& job) -> Result<Outcome> {
-        const ExportRequest request = requestFor(context.arguments, take);
+        ExportRequest request = requestFor(context.arguments, take);
+        request.worn = *body;
         const auto summary = exportTake(request, job);
         return summary ? outcomeOf(request, *summary) : Result<Outcome>(summary.error());
     });
+}
+
+std::vector<Option> fileOptions() {
+    return {text("run", "NAME", "the run to write; the last one when not given"),
+            text("bvh", "F", "animation with its skeleton; {name} in F stands for the take's name"),
+            text("fbx", "F", "skeleton, motion and body as binary FBX 7.4"),
+            text("glb", "F", "the same as binary glTF"),
+            text("csv", "F", "world positions of all joints in metres"),
+            text("mot", "F", "joint angles for OpenSim, in degrees"),
+            text("sto", "F", "orientations of the segments for OpenSim's OpenSense"),
+            flag("angles", "adds the named degrees of freedom to the CSV, in degrees"),
+            choice("preset", {"blender", "motionbuilder", "unity", "unreal"},
+                   "who the files are for; motionbuilder is Maya too. Sets unit, names and frame rate"),
+            number("fps", "N", 1, 1000, "frames per second; 120, or what the preset's program likes"),
+            text("png", "F", "a picture of the second --from, else of the middle"),
+            text("video", "F", "a film, .mp4, .mkv or .avi; 30 frames per second unless --fps says so")};
+}
+
+std::vector<Option> partOptions() {
+    return {number("from", "S", 0, 86400, "first second of the take"),
+            number("to", "S", 0, 86400, "last second of the take"),
+            choice("root", {"moving", "in-place", "heading"},
+                   "as captured; over one spot; over one spot and always facing forward")
+                .orElse("moving")};
+}
+
+/// Of files that show a body.
+std::vector<Option> lookOptions() {
+    return {
+        text("mesh", "mannequin|none|M",
+             "the body: the default one; FBX and GLB with the skeleton alone; that of a .glb, .gltf, .fbx, "
+             ".dae, .obj or .ply file, on its own bones or on some made for it")
+            .orElse("mannequin"),
+        text("bones", "MAP.json", "which bone of M is which joint, where they are not found by themselves"),
+        text("size", "WxH", "of film and picture in pixels").orElse("1280x720"),
+        choice("camera", {"front", "follow", "turn"},
+               "stands before the performer; goes along; goes along and once around")
+            .orElse("front"),
+        choice("blending", {"linear", "dual"},
+               "how skin bends in film and picture: as other programs do, or by dual quaternions")
+            .orElse("linear")};
 }
 
 }  // namespace
@@ -105,34 +218,14 @@ Result<Outcome> runExport(const VerbContext& context) {
 Verb exportVerb() {
     Verb verb;
     verb.name = "export";
-    verb.summary = "write a run as animation files";
+    verb.summary = "write a run as animation files, pictures and films";
     verb.operands = "T.noctule...";
     verb.min_operands = 1;
     verb.max_operands = kAnyNumber;
     verb.example = "noctule --batch export hops_001.noctule --fbx hops.fbx --preset blender";
-    verb.options = {
-        text("run", "NAME", "the run to write; the last one when not given"),
-        text("bvh", "F", "animation with its skeleton; {name} in F stands for the take's name"),
-        text("fbx", "F", "skeleton, motion and body as binary FBX 7.4"),
-        text("glb", "F", "the same as binary glTF"),
-        text("csv", "F", "world positions of all joints in metres"),
-        text("mot", "F", "joint angles for OpenSim, in degrees"),
-        text("sto", "F", "orientations of the segments for OpenSim's OpenSense"),
-        flag("angles", "adds the named degrees of freedom to the CSV, in degrees"),
-        choice("preset", {"blender", "motionbuilder", "unity", "unreal"},
-               "who the files are for; motionbuilder is Maya too. Sets unit, names and frame rate"),
-        number("fps", "N", 1, 1000, "frames per second; 120, or what the preset's program likes"),
-        choice("mesh", {"mannequin", "none"}, "FBX and GLB: the default body, or the skeleton alone")
-            .orElse("mannequin"),
-        number("from", "S", 0, 86400, "first second of the take"),
-        number("to", "S", 0, 86400, "last second of the take"),
-        choice("root", {"moving", "in-place", "heading"},
-               "as captured; over one spot; over one spot and always facing forward")
-            .orElse("moving"),
-        later("video", "F", "a rendered film"),
-        later("png", "F", "a rendered picture"),
-        later("size", "WxH", "of film and picture"),
-        later("camera", "front|follow|turn", "of film and picture")};
+    verb.options = fileOptions();
+    for (std::vector<Option> more : {partOptions(), lookOptions()})
+        verb.options.insert(verb.options.end(), more.begin(), more.end());
     verb.remarks = {
         "Every file is written aside and read again before it gets its name. With several takes "
         "the paths must contain {name}."};

@@ -62,11 +62,10 @@ std::string laterVerbs() {
 
 }  // namespace
 
-std::string optionList(const std::vector<Option>& options, bool later) {
+std::string optionList(const std::vector<Option>& options) {
     std::string text;
     for (const Option& option : options)
-        if ((option.kind == Option::Kind::kLater) == later)
-            text += optionEntry(option);
+        text += optionEntry(option);
     return text;
 }
 
@@ -76,7 +75,7 @@ std::string programHelp() {
            "       noctule --batch VERB [ARGUMENTS]\n"
            "       noctule --batch VERB --help\n"
            "       noctule --help | --version\n\nverbs:\n" +
-           verbList(false) + laterVerbs() + "\nafter every verb:\n" + optionList(commonOptions(), false) +
+           verbList(false) + laterVerbs() + "\nafter every verb:\n" + optionList(commonOptions()) +
            "\nexit codes: 0 done, 1 internal error, 2 usage, 3 input unreadable or not what it should be,\n"
            "4 input readable but not usable, 5 device, 6 disk, 130 cancelled.\n\n"
            "example: " +
@@ -95,10 +94,8 @@ std::string verbHelp(const Verb& verb) {
         if (option.name == verb.alone)
             text += "       noctule --batch " + verb.name + " --" + option.name + " " + option.placeholder +
                     " [OPTIONS]\n";
-    text += "\noptions:\n" + optionList(verb.options, false);
-    if (const std::string later = optionList(verb.options, true); !later.empty())
-        text += "\nnot yet available:\n" + later;
-    text += "\nafter every verb:\n" + optionList(commonOptions(), false);
+    text += "\noptions:\n" + optionList(verb.options);
+    text += "\nafter every verb:\n" + optionList(commonOptions());
     for (const std::string& remark : verb.remarks)
         text += "\n" + wrapped(remark, 0);
     return text + "\nexample: " + verb.example + "\n";

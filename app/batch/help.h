@@ -10,7 +10,7 @@ namespace noctule::batch {
 
 std::string programHelp();
 std::string verbHelp(const Verb& verb);
-/// One entry an option, those of later versions alone or left out.
-std::string optionList(const std::vector<Option>& options, bool later);
+/// One entry an option.
+std::string optionList(const std::vector<Option>& options);
 
 }  // namespace noctule::batch

@@ -84,10 +84,6 @@ Option whole(const std::string& name, const std::string& placeholder, double min
     return option;
 }
 
-Option later(const std::string& name, const std::string& placeholder, const std::string& help) {
-    return make(Option::Kind::kLater, name, placeholder, help);
-}
-
 const std::vector<Option>& commonOptions() {
     static const std::vector<Option> options = {
         flag("json", "one JSON object on standard output, messages on standard error"),

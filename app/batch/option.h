@@ -16,7 +16,6 @@ struct Option {
         kChoice,  ///< one of `choices`, upper and lower case alike
         kNumber,  ///< min to max, finite
         kWhole,   ///< the same without a fraction
-        kLater,   ///< known and refused: a later version brings it
     };
     std::string name;  ///< without the dashes
     std::string placeholder, help;
@@ -40,7 +39,6 @@ Option number(const std::string& name, const std::string& placeholder, double mi
               const std::string& help);
 Option whole(const std::string& name, const std::string& placeholder, double min, double max,
              const std::string& help);
-Option later(const std::string& name, const std::string& placeholder, const std::string& help);
 
 /// Accepted by every verb.
 const std::vector<Option>& commonOptions();

@@ -106,7 +106,7 @@ std::string helpText() {
     return "noctule-virtual-suit: a driver box without hardware, for studios that have none at hand.\n\n"
            "usage: noctule-virtual-suit --motion M.bvh | --rig RIG | --take T.noctule [OPTIONS]\n\n"
            "options:\n" +
-           batch::optionList(table(), false) +
+           batch::optionList(table()) +
            "\nIt prints the addresses that `noctule --batch record --device` takes, then serves one studio "
            "at\n"
            "a time until Ctrl-C. The control port takes one command a line and answers ok or error:\n"

@@ -3,14 +3,11 @@
 #include <array>
 
 #include "core/formats/fbx_scene.h"
-#include "core/math/euler.h"
 
 namespace noctule {
 namespace {
 
 constexpr int32_t kLinearKeys = 4;
-/// FBX turns about x, then y, then z of the parent: Rz Ry Rx, which we write from the outside in.
-constexpr EulerOrder kFbxOrder = kEulerZYX;
 
 struct Curve {
     const char* channel;  ///< "d|X"

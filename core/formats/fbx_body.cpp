@@ -73,16 +73,11 @@ std::vector<FbxNode> fbxMaterial() {
 std::vector<FbxNode> fbxCluster(const SkinnedMesh& body, size_t bone, const FbxOptions& options) {
     std::vector<int32_t> indices;
     std::vector<double> weights;
-    for (size_t v = 0; v < body.vertices.size(); ++v) {
-        double weight = 0;
-        for (size_t i = 0; i < 4; ++i)
-            if (body.vertices[v].bones[i] == bone)
-                weight += static_cast<double>(body.vertices[v].weights[i]);
-        if (weight > 0) {
+    for (size_t v = 0; v < body.vertices.size(); ++v)
+        if (const float weight = weightOn(body.vertices[v], bone); weight > 0) {
             indices.push_back(static_cast<int32_t>(v));
-            weights.push_back(weight);
+            weights.push_back(static_cast<double>(weight));
         }
-    }
     const Eigen::Matrix4d bound = boundAt(body.bones[bone], options);
     return {FbxNode("Version", int32_t{100}),
             FbxNode("UserData", "", ""),
@@ -117,7 +112,7 @@ void addFbxBody(FbxScene& scene, const Figure& figure, const FbxOptions& options
         return;
     const SkinnedMesh& body = *figure.body;
     const int64_t geometry = scene.add("Geometry", "Body", "Geometry", "Mesh", fbxGeometry(body, options));
-    const int64_t mesh = scene.add("Model", "Body", "Model", "Mesh",
+    const int64_t mesh = scene.add("Model", nameBesideJoints(figure.clip.skeleton, "Body"), "Model", "Mesh",
                                    {FbxNode("Version", int32_t{232}), fbxProperties({}),
                                     FbxNode("Shading", true), FbxNode("Culling", "CullingOff")});
     scene.connect(mesh, FbxScene::kTop);

@@ -11,11 +11,15 @@ namespace {
 constexpr double kFbxTicksPerSecond = 46186158000.0;
 
 /// A node of the tree. Inheritance 1: a parent's scale goes along with its rotation, as everywhere else.
-std::vector<FbxNode> fbxModel(const Vector3d& p, std::vector<FbxNode> more) {
+std::vector<FbxNode> fbxModel(const Vector3d& p, const Quaterniond& q, std::vector<FbxNode> more) {
+    const Vector3d angles_rad = eulerFromRotation(kFbxOrder, q);
+    Vector3d turn_deg = Vector3d::Zero();
+    for (int i = 0; i < 3; ++i)
+        turn_deg[kFbxOrder[static_cast<size_t>(i)]] = degrees(angles_rad[i]);
     std::vector<FbxNode> entries{
         fbxProperty("InheritType", "enum", "", "", int32_t{1}),
         fbxProperty("Lcl Translation", "Lcl Translation", "", "A", p.x(), p.y(), p.z()),
-        fbxProperty("Lcl Rotation", "Lcl Rotation", "", "A", 0.0, 0.0, 0.0),
+        fbxProperty("Lcl Rotation", "Lcl Rotation", "", "A", turn_deg.x(), turn_deg.y(), turn_deg.z()),
         fbxProperty("Lcl Scaling", "Lcl Scaling", "", "A", 1.0, 1.0, 1.0)};
     entries.insert(entries.end(), more.begin(), more.end());
     return {FbxNode("Version", int32_t{232}), fbxProperties(entries), FbxNode("Shading", true),
@@ -31,11 +35,10 @@ int64_t addFbxBone(FbxScene& scene, const std::string& name, const std::vector<F
     return bone;
 }
 
-int64_t addFbxTop(FbxScene& scene, const FbxOptions& options) {
-    const auto model = fbxModel(Vector3d::Zero(), {});
-    const int64_t top = scene.add("Model", options.root_name, "Model", "Null", model);
-    scene.connect(scene.add("NodeAttribute", options.root_name, "NodeAttribute", "Null",
-                            {FbxNode("TypeFlags", "Null")}),
+int64_t addFbxTop(FbxScene& scene, const std::string& name) {
+    const auto model = fbxModel(Vector3d::Zero(), Quaterniond::Identity(), {});
+    const int64_t top = scene.add("Model", name, "Model", "Null", model);
+    scene.connect(scene.add("NodeAttribute", name, "NodeAttribute", "Null", {FbxNode("TypeFlags", "Null")}),
                   top);
     return top;
 }
@@ -96,15 +99,16 @@ int64_t fbxLastTime(const MotionClip& clip) {
 
 std::vector<int64_t> addFbxSkeleton(FbxScene& scene, const Figure& figure, const FbxOptions& options) {
     const Skeleton& skeleton = figure.clip.skeleton;
-    std::vector<int64_t> models{addFbxTop(scene, options)};
+    std::vector<int64_t> models{addFbxTop(scene, nameBesideJoints(skeleton, options.root_name))};
     scene.connect(models[0], FbxScene::kTop);
     for (int j = 0; j < skeleton.size(); ++j) {
         const Joint& joint = skeleton.joint(j);
-        const Vector3d p_m = j == 0 ? bindPose(skeleton).p_world_root : joint.offset_m;
+        const Vector3d p_m = j == 0 ? figure.rest.p_world_root : joint.offset_m;
+        const Quaterniond& q = figure.rest.q_parent_joint[static_cast<size_t>(j)];
         std::vector<FbxNode> more;
         if (!figure.confidence.empty())
             more.push_back(fbxProperty("confidence", "Number", "", "A+U", 1.0));
-        const int64_t bone = addFbxBone(scene, joint.name, fbxModel(p_m / options.metres_per_unit, more));
+        const int64_t bone = addFbxBone(scene, joint.name, fbxModel(p_m / options.metres_per_unit, q, more));
         scene.connect(bone, models[static_cast<size_t>(joint.parent + 1)]);
         models.push_back(bone);
     }

@@ -9,6 +9,7 @@
 
 #include "core/formats/fbx_node.h"
 #include "core/formats/figure.h"
+#include "core/math/euler.h"
 
 namespace noctule {
 
@@ -39,6 +40,9 @@ FbxNode fbxProperty(const std::string& name, const std::string& type, const std:
     return FbxNode("P", name, type, label, flags, values...);
 }
 FbxNode fbxProperties(const std::vector<FbxNode>& entries);
+
+/// FBX turns about x, then y, then z of the parent: Rz Ry Rx, which we write from the outside in.
+inline constexpr EulerOrder kFbxOrder = kEulerZYX;
 
 /// 46 186 158 000 to the second, an exact number at all usual frame rates.
 int64_t fbxTime(double seconds);

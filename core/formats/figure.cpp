@@ -51,13 +51,28 @@ Skeleton renamed(const Skeleton& skeleton, JointNames names) {
 Result<Figure> makeFigure(MotionClip clip, std::optional<SkinnedMesh> body, JointNames names) {
     if (Status finite = checkFinite(clip); !finite)
         return finite.error();
-    Figure figure{std::move(clip), std::nullopt, {}};
+    Figure figure{std::move(clip), std::nullopt, {}, {}};
+    figure.rest = bindPose(figure.clip.skeleton);
     if (body)
         figure.body = onJointsOf(figure.clip.skeleton, *body);
     figure.clip.skeleton = renamed(figure.clip.skeleton, names);
     for (int j = 0; figure.body && j < figure.clip.skeleton.size(); ++j)
         figure.body->bones[static_cast<size_t>(j)].joint = figure.clip.skeleton.joint(j).name;
     return figure;
+}
+
+float weightOn(const SkinnedVertex& vertex, size_t bone) {
+    float weight = 0;
+    for (size_t i = 0; i < vertex.bones.size(); ++i)
+        if (vertex.bones[i] == bone)
+            weight += vertex.weights[i];
+    return weight;
+}
+
+std::string nameBesideJoints(const Skeleton& skeleton, std::string wanted) {
+    while (skeleton.find(wanted) >= 0)
+        wanted += '_';
+    return wanted;
 }
 
 Vector3d localPosition_m(const MotionClip& clip, size_t frame, size_t joint) {

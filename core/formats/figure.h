@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A body in motion as scene files (FBX, glTF) hold it: a tree of joints, their motion and, unless only the
-// skeleton is wanted, the skin that hangs on them. Metres, Y up, facing +Z, in the bind pose of bindPose().
+// skeleton is wanted, the skin that hangs on them. Metres, Y up, facing +Z.
 #pragma once
 
 #include <optional>
@@ -15,6 +15,8 @@ namespace noctule {
 struct Figure {
     MotionClip clip;  ///< its name is the animation's; without frames the figure stands in its bind pose
     std::optional<SkinnedMesh> body;  ///< one bone per joint, of the same name
+    /// In which the skin is bound and the joints stand in the file: bindPose() unless its rig is another's.
+    Pose rest;
     /// Per frame one value per joint, 0..1: how far its rotation can be trusted. Empty: not known.
     std::vector<std::vector<float>> confidence;
 };
@@ -36,6 +38,13 @@ Status checkFinite(const MotionClip& clip);
 /// Bones that the clip's skeleton has no joint for are folded into the nearest one above them; then joints
 /// and bones get their names. kUnusable when the clip holds anything that is not finite.
 Result<Figure> makeFigure(MotionClip clip, std::optional<SkinnedMesh> body, JointNames names);
+
+/// How much a vertex hangs on a bone in all; one bone may be named twice. 0: not at all.
+float weightOn(const SkinnedVertex& vertex, size_t bone);
+
+/// A name for something beside the joints, such as the node above them: `wanted`, with underscores until no
+/// joint has it.
+std::string nameBesideJoints(const Skeleton& skeleton, std::string wanted);
 
 /// Where a joint stands in its parent's frame, of the root in the world.
 Vector3d localPosition_m(const MotionClip& clip, size_t frame, size_t joint);

@@ -27,9 +27,8 @@ aiMatrix4x4 toAssimp(const Eigen::Matrix4f& m) {
 std::unique_ptr<aiBone> boneOf(const SkinnedMesh& mesh, size_t index) {
     std::vector<aiVertexWeight> weights;
     for (size_t v = 0; v < mesh.vertices.size(); ++v)
-        for (size_t i = 0; i < 4; ++i)
-            if (mesh.vertices[v].bones[i] == index && mesh.vertices[v].weights[i] > 0)
-                weights.emplace_back(static_cast<unsigned>(v), mesh.vertices[v].weights[i]);
+        if (const float weight = weightOn(mesh.vertices[v], index); weight > 0)
+            weights.emplace_back(static_cast<unsigned>(v), weight);
     auto bone = std::make_unique<aiBone>();
     bone->mName = mesh.bones[index].joint;
     bone->mOffsetMatrix = toAssimp(mesh.bones[index].bind_inverse);
@@ -140,7 +139,7 @@ std::unique_ptr<aiAnimation> animationOf(const MotionClip& clip) {
 /// The skinned mesh hangs on the root node itself: glTF wants skinned meshes at the root.
 std::unique_ptr<aiScene> sceneOf(const SkinnedMesh* mesh, const MotionClip& clip) {
     auto scene = std::make_unique<aiScene>();
-    scene->mRootNode = new aiNode("Mannequin");
+    scene->mRootNode = new aiNode(nameBesideJoints(clip.skeleton, "Mannequin"));
     if (mesh) {
         scene->mNumMaterials = 1;
         scene->mMaterials = new aiMaterial* [1] { skinMaterial().release() };

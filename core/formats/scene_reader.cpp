@@ -30,6 +30,15 @@ Quaterniond toQuaternion(const aiQuaternion& q) {
     return Eigen::Quaternionf(q.w, q.x, q.y, q.z).normalized().cast<double>();
 }
 
+/// The first below `above` of that name: what stands at the very top is the file's or the library's own, and
+/// may be called like a joint.
+const aiNode* findBelow(const aiNode& above, const std::string& name) {
+    for (unsigned c = 0; c < above.mNumChildren; ++c)
+        if (const aiNode* found = above.mChildren[c]->FindNode(name.c_str()))
+            return found;
+    return nullptr;
+}
+
 class SceneReader {
 public:
     SceneReader(const aiScene& scene, const std::string& where) : scene_(scene), where_(where) {}
@@ -65,7 +74,7 @@ private:
         std::map<const aiNode*, int> joint_of;
         std::vector<Joint> joints;
         for (const std::string& name : names) {
-            const aiNode* node = scene_.mRootNode->FindNode(name.c_str());
+            const aiNode* node = findBelow(*scene_.mRootNode, name);
             if (!node)
                 return odd("joint " + name + " is missing");
             Joint joint;

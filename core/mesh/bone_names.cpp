@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bones by the names that programs and data sets give them.
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <set>
+#include <sstream>
 
 #include "core/mesh/bone_map.h"
 #include "core/mesh/rig_tree.h"
@@ -86,92 +88,35 @@ std::map<PlainName, int> plainNames(const RiggedMesh& mesh) {
     return nodes;
 }
 
-/// Joint without its side -> names, the best first. "^": the side is a letter before the name, as in lfemur.
-using Convention = std::map<std::string, std::vector<std::string>>;
+/// What a convention calls a joint, without its side; "*": there is one on each side. The names of a row are
+/// in this order.
+constexpr std::array kNamedJoints = {"Hips",     "Spine", "Neck",   "Head", "*Shoulder", "*Arm",
+                                     "*ForeArm", "*Hand", "*UpLeg", "*Leg", "*Foot",     "*ToeBase"};
 
-const std::vector<Convention>& conventions() {
-    static const std::vector<Convention> known = {
-        // HumanIK, Mixamo, CMU's BVH, ours
-        {{"Hips", {"hips"}},
-         {"Spine", {"lowerback", "spine"}},
-         {"Neck", {"neck"}},
-         {"Head", {"head"}},
-         {"*Shoulder", {"shoulder"}},
-         {"*Arm", {"arm"}},
-         {"*ForeArm", {"forearm"}},
-         {"*Hand", {"hand"}},
-         {"*UpLeg", {"upleg"}},
-         {"*Leg", {"leg"}},
-         {"*Foot", {"foot"}},
-         {"*ToeBase", {"toebase", "toes", "toe"}}},
-        // VRM and Unity, Xsens, VRoid
-        {{"Hips", {"hips", "pelvis"}},
-         {"Spine", {"spine", "l5"}},
-         {"Neck", {"neck"}},
-         {"Head", {"head"}},
-         {"*Shoulder", {"shoulder"}},
-         {"*Arm", {"upperarm"}},
-         {"*ForeArm", {"lowerarm", "forearm"}},
-         {"*Hand", {"hand"}},
-         {"*UpLeg", {"upperleg"}},
-         {"*Leg", {"lowerleg"}},
-         {"*Foot", {"foot"}},
-         {"*ToeBase", {"toes", "toe", "toebase"}}},
-        // Rigify; its chain of "spine" begins at the hips and ends in the head
-        {{"Hips", {"spine"}},
-         {"Spine", {"spine001"}},
-         {"Neck", {"spine004"}},
-         {"Head", {"spine006", "spine005"}},
-         {"*Shoulder", {"shoulder"}},
-         {"*Arm", {"upperarm"}},
-         {"*ForeArm", {"forearm"}},
-         {"*Hand", {"hand"}},
-         {"*UpLeg", {"thigh"}},
-         {"*Leg", {"shin"}},
-         {"*Foot", {"foot"}},
-         {"*ToeBase", {"toe"}}},
-        // MakeHuman's default rig
-        {{"Hips", {"root"}},
-         {"Spine", {"spine05"}},
-         {"Neck", {"neck01"}},
-         {"Head", {"head"}},
-         {"*Shoulder", {"clavicle"}},
-         {"*Arm", {"upperarm01"}},
-         {"*ForeArm", {"lowerarm01"}},
-         {"*Hand", {"wrist"}},
-         {"*UpLeg", {"upperleg01"}},
-         {"*Leg", {"lowerleg01"}},
-         {"*Foot", {"foot"}},
-         {"*ToeBase", {}}},
-        // Unreal, MakeHuman's game rig, 3ds Max's Biped
-        {{"Hips", {"pelvis"}},
-         {"Spine", {"spine01", "spine"}},
-         {"Neck", {"neck01", "neck"}},
-         {"Head", {"head"}},
-         {"*Shoulder", {"clavicle"}},
-         {"*Arm", {"upperarm"}},
-         {"*ForeArm", {"lowerarm", "forearm"}},
-         {"*Hand", {"hand"}},
-         {"*UpLeg", {"thigh"}},
-         {"*Leg", {"calf"}},
-         {"*Foot", {"foot"}},
-         {"*ToeBase", {"ball", "toe0"}}},
-        // CMU's ASF
-        {{"Hips", {"root"}},
-         {"Spine", {"lowerback"}},
-         {"Neck", {"lowerneck"}},
-         {"Head", {"head"}},
-         {"*Shoulder", {"^clavicle"}},
-         {"*Arm", {"^humerus"}},
-         {"*ForeArm", {"^radius"}},
-         {"*Hand", {"^hand", "^wrist"}},
-         {"*UpLeg", {"^femur"}},
-         {"*Leg", {"^tibia"}},
-         {"*Foot", {"^foot"}},
-         {"*ToeBase", {"^toes"}}},
-    };
-    return known;
-}
+/// Names of one joint with spaces between, the best first. "^": the side is a letter before the name, as in
+/// lfemur.
+using Convention = std::array<const char*, kNamedJoints.size()>;
+
+constexpr Convention kConventions[] = {
+    // HumanIK, Mixamo, CMU's BVH, ours
+    {"hips", "lowerback spine", "neck", "head", "shoulder", "arm", "forearm", "hand", "upleg", "leg", "foot",
+     "toebase toes toe"},
+    // VRM and Unity, Xsens, VRoid
+    {"hips pelvis", "spine l5", "neck", "head", "shoulder", "upperarm", "lowerarm forearm", "hand",
+     "upperleg", "lowerleg", "foot", "toes toe toebase"},
+    // Rigify; its chain of "spine" begins at the hips and ends in the head
+    {"spine", "spine001", "spine004", "spine006 spine005", "shoulder", "upperarm", "forearm", "hand", "thigh",
+     "shin", "foot", "toe"},
+    // MakeHuman's default rig
+    {"root", "spine05", "neck01", "head", "clavicle", "upperarm01", "lowerarm01", "wrist", "upperleg01",
+     "lowerleg01", "foot", ""},
+    // Unreal, MakeHuman's game rig, 3ds Max's Biped
+    {"pelvis", "spine01 spine", "neck01 neck", "head", "clavicle", "upperarm", "lowerarm forearm", "hand",
+     "thigh", "calf", "foot", "ball toe0"},
+    // CMU's ASF
+    {"root", "lowerback", "lowerneck", "head", "^clavicle", "^humerus", "^radius", "^hand ^wrist", "^femur",
+     "^tibia", "^foot", "^toes"},
+};
 
 PlainName sought(const std::string& name, char side) {
     if (!name.starts_with("^"))
@@ -180,8 +125,9 @@ PlainName sought(const std::string& name, char side) {
 }
 
 void mapJoint(const RiggedMesh& mesh, const std::map<PlainName, int>& nodes, const std::string& joint,
-              const std::vector<std::string>& names, char side, BoneMap& map) {
-    for (const std::string& name : names)
+              const char* names, char side, BoneMap& map) {
+    std::istringstream words(names);
+    for (std::string name; words >> name;)
         if (const auto found = nodes.find(sought(name, side)); found != nodes.end()) {
             map.node_of_joint[joint] = mesh.nodes[static_cast<size_t>(found->second)].name;
             return;
@@ -205,13 +151,14 @@ void mapChest(const RiggedMesh& mesh, BoneMap& map) {
 BoneMap mapByConvention(const RiggedMesh& mesh, const std::map<PlainName, int>& nodes,
                         const Convention& convention) {
     BoneMap map;
-    for (const auto& [joint, names] : convention) {
+    for (size_t j = 0; j < kNamedJoints.size(); ++j) {
+        const std::string joint = kNamedJoints[j];
         if (joint[0] != '*') {
-            mapJoint(mesh, nodes, joint, names, 0, map);
+            mapJoint(mesh, nodes, joint, convention[j], 0, map);
             continue;
         }
-        mapJoint(mesh, nodes, "Left" + joint.substr(1), names, 'L', map);
-        mapJoint(mesh, nodes, "Right" + joint.substr(1), names, 'R', map);
+        mapJoint(mesh, nodes, "Left" + joint.substr(1), convention[j], 'L', map);
+        mapJoint(mesh, nodes, "Right" + joint.substr(1), convention[j], 'R', map);
     }
     mapChest(mesh, map);
     return map;
@@ -222,7 +169,7 @@ BoneMap mapByConvention(const RiggedMesh& mesh, const std::map<PlainName, int>& 
 BoneMap mapByNames(const RiggedMesh& mesh) {
     const std::map<PlainName, int> nodes = plainNames(mesh);
     BoneMap best;
-    for (const Convention& convention : conventions()) {
+    for (const Convention& convention : kConventions) {
         BoneMap map = mapByConvention(mesh, nodes, convention);
         const size_t missing = missingMainJoints(map).size(), before = missingMainJoints(best).size();
         if (missing < before || (missing == before && map.node_of_joint.size() > best.node_of_joint.size()))

@@ -4,25 +4,26 @@
 #include "core/mesh/mesh_reader.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <filesystem>
 
+#include "core/job/own_folder.h"
 #include "core/mesh/rigged_mesh_bytes.h"
-
-extern char** environ;
 
 namespace noctule {
 namespace {
 
 constexpr int kOutOfMemory = 12;  ///< exit code of the reader
+constexpr int kLook_ms = 50;      ///< at a cancel while nothing comes
 
 class Descriptor {
 public:
@@ -46,24 +47,29 @@ private:
 int startReader(const std::string& program, std::vector<std::string> arguments, int output, pid_t& pid) {
     arguments.insert(arguments.begin(), program);
     std::vector<char*> argv;
-    for (std::string& argument : arguments)
-        argv.push_back(argument.data());
+    std::transform(arguments.begin(), arguments.end(), std::back_inserter(argv),
+                   [](std::string& argument) { return argument.data(); });
     argv.push_back(nullptr);
+    char* no_variables[] = {nullptr};
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    const int failed = posix_spawn(&pid, program.c_str(), &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
+    const int failed = posix_spawn(&pid, program.c_str(), &actions, nullptr, argv.data(), no_variables);
     posix_spawn_file_actions_destroy(&actions);
     return failed;
 }
 
-/// All that comes until the end, or until `most` bytes are exceeded.
-std::string readAll(int descriptor, size_t most) {
+/// All that comes until the end, until `most` bytes are exceeded, or until a cancel.
+std::string readAll(int descriptor, size_t most, const JobContext& job) {
     std::string bytes;
     std::vector<char> piece(1 << 18);
-    while (bytes.size() <= most) {
+    while (bytes.size() <= most && !job.cancelled()) {
+        pollfd readable{descriptor, POLLIN, 0};
+        if (poll(&readable, 1, kLook_ms) == 0)
+            continue;
         const ssize_t got = read(descriptor, piece.data(), piece.size());
         if (got < 0 && errno == EINTR)
             continue;
@@ -125,13 +131,12 @@ void limitMyself(unsigned seconds, size_t memory_mb) {
 }  // namespace
 
 std::string meshReaderProgram() {
-    std::error_code ignored;
-    return (std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "noctule-read-mesh")
-        .string();
+    return besideThisProgram("noctule-read-mesh");
 }
 
 Result<RiggedMesh> importMeshApart(const std::string& path, const MeshImportSettings& settings,
-                                   const std::string& program, const ReadingLimits& limits) {
+                                   const JobContext& job, const std::string& program,
+                                   const ReadingLimits& limits) {
     int ends[2] = {-1, -1};
     if (pipe2(ends, O_CLOEXEC) != 0)
         return Error{ErrorKind::kInternal, path + ": no pipe to a reader: " + std::strerror(errno),
@@ -146,11 +151,14 @@ Result<RiggedMesh> importMeshApart(const std::string& path, const MeshImportSett
         return Error{ErrorKind::kInternal, program + " cannot be started: " + std::strerror(failed),
                      "Install the program again; this one belongs beside it"};
     to_us.close();
-    const std::string bytes = readAll(from_reader.number(), limits.result_mb << 20);
+    const std::string bytes = readAll(from_reader.number(), limits.result_mb << 20, job);
     from_reader.close();
-    if (bytes.size() > limits.result_mb << 20)
+    const bool cancelled = job.cancelled();
+    if (cancelled || bytes.size() > limits.result_mb << 20)
         kill(pid, SIGKILL);
     const int status = waitFor(pid);
+    if (cancelled)
+        return JobContext::cancelledError();
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
         return readerEnded(status, path, limits);
     return meshFromBytes(bytes, path);

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "core/job/job.h"
 #include "core/mesh/mesh_import.h"
 
 namespace noctule {
@@ -19,9 +20,11 @@ struct ReadingLimits {
 /// The program beside the one that runs.
 std::string meshReaderProgram();
 
-/// importMesh() in the reader `program`. Besides its errors kUnreadable when the reader crashed or reached a
-/// limit, kInternal when it cannot be started.
+/// importMesh() in the reader `program`, which gets no descriptor and no variable of ours and ends with a
+/// cancel. Besides its errors kUnreadable when the reader crashed or reached a limit, kInternal when it
+/// cannot be started, kCancelled.
 Result<RiggedMesh> importMeshApart(const std::string& path, const MeshImportSettings& settings = {},
+                                   const JobContext& job = {},
                                    const std::string& program = meshReaderProgram(),
                                    const ReadingLimits& limits = {});
 

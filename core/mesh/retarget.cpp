@@ -4,23 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/body/joint_names.h"
 #include "core/math/rotation.h"
 #include "core/mesh/hand_rest.h"
 #include "core/mesh/rig_tree.h"
 
 namespace noctule {
 namespace {
-
-/// Our joint by name, or by the name that another program gives it; -1 when there is none.
-int jointOf(const Skeleton& skeleton, const std::string& name) {
-    if (const int joint = skeleton.find(name); joint >= 0)
-        return joint;
-    for (int j = 0; j < skeleton.size(); ++j)
-        for (const auto& [program, alias] : skeleton.joint(j).aliases)
-            if (alias == name)
-                return j;
-    return -1;
-}
 
 /// What aligns rest poses: joints whose bone must point the same way, and where that bone ends.
 struct LimbBone {
@@ -54,7 +44,7 @@ public:
         return target_.nodes[static_cast<size_t>(node(joint))].T_world_rest.translation();
     }
     Vector3d ours_m(const std::string& joint) const {
-        return zero_.p_world_joint[static_cast<size_t>(jointOf(source_, joint))];
+        return zero_.p_world_joint[static_cast<size_t>(findByAnyName(source_, joint))];
     }
 
     double legLength(bool of_target) const {
@@ -97,7 +87,7 @@ public:
         return aligned;
     }
 
-    /// Both soles at rest: theirs in the frame of their foot, ours in the frame of ours.
+    /// Both soles at rest: theirs where they stand, ours in the frame of our foot.
     struct Soles {
         int node, joint;
         std::array<Vector3d, 2> theirs, ours_m;
@@ -105,7 +95,7 @@ public:
     Soles soles(const std::string& side, const Matrix3d& R_ours_theirs, double ground) const {
         const std::string foot = side + "Foot", toe = side + "ToeBase";
         const GlobalPose bound = globalPose(source_, bindPose(source_));
-        const int joint = jointOf(source_, foot), toe_joint = jointOf(source_, toe);
+        const int joint = findByAnyName(source_, foot), toe_joint = findByAnyName(source_, toe);
         const Vector3d p_foot = bound.p_world_joint[static_cast<size_t>(joint)];
         const Vector3d p_toes = toe_joint >= 0 ? bound.p_world_joint[static_cast<size_t>(toe_joint)]
                                                : p_foot + kToes_m * Vector3d::UnitZ();
@@ -114,9 +104,8 @@ public:
         const Vector3d p_tip =
             has(toe) ? Vector3d(R_ours_theirs * theirs(toe)) : Vector3d(p_ankle + scale * (p_toes - p_foot));
         Soles made{node(foot), joint, solePoints(p_ankle, p_tip, ground), solePoints(p_foot, p_toes, 0)};
-        const Eigen::Affine3d& T_world_node = target_.nodes[static_cast<size_t>(made.node)].T_world_rest;
         for (Vector3d& p : made.theirs)
-            p = T_world_node.inverse() * (R_ours_theirs.transpose() * p);
+            p = R_ours_theirs.transpose() * p;
         for (Vector3d& p_m : made.ours_m)
             p_m -= p_foot;
         return made;
@@ -132,7 +121,7 @@ private:
         if (*bone.end) {
             theirs_along = theirs(side + bone.end) - theirs(side + bone.joint);
             ours_along = ours_m(side + bone.end) - ours_m(side + bone.joint);
-        } else if (const auto& tip = source_.joint(jointOf(source_, side + bone.joint)).end_m) {
+        } else if (const auto& tip = source_.joint(findByAnyName(source_, side + bone.joint)).end_m) {
             theirs_along = handOf(side).along;
             ours_along = *tip;
         }
@@ -181,7 +170,7 @@ double groundOf(const RiggedMesh& mesh, const Matrix3d& R_ours_theirs) {
 
 Status checkSource(const BoneMap& map, const Skeleton& source, const std::string& where) {
     for (const auto& [joint, node] : map.node_of_joint)
-        if (jointOf(source, joint) < 0)
+        if (findByAnyName(source, joint) < 0)
             return Error{ErrorKind::kUnusable,
                          where + ": the performer's skeleton has no " + joint + " for the bone " + node,
                          "Use a skeleton with the canonical joints, or leave that bone out"};
@@ -209,67 +198,64 @@ Result<Retargeter> Retargeter::make(const RiggedMesh& target, const BoneMap& map
     made.turned_.resize(target.nodes.size());
     for (const auto& [joint, R] : rest.alignments()) {
         const auto node = static_cast<size_t>(rest.node(joint));
-        made.turned_[node] = {jointOf(source, joint), R * made.rest_[node].linear()};
+        made.turned_[node] = {findByAnyName(source, joint), R};
     }
-    const Matrix3d R_ours_theirs = rest.facing();
-    const double ground = groundOf(target, R_ours_theirs);
+    made.upright_ = rest.facing();
+    const double ground = groundOf(target, made.upright_);
     for (size_t side = 0; side < 2; ++side) {
-        const auto soles = rest.soles(side == 0 ? "Left" : "Right", R_ours_theirs, ground);
+        const auto soles = rest.soles(side == 0 ? "Left" : "Right", made.upright_, ground);
         made.soles_[side] = {soles.node, soles.joint, soles.theirs, soles.ours_m};
     }
     return made;
 }
 
-RigPose Retargeter::turned(const GlobalPose& source, const Vector3d& p_hips) const {
-    RigPose pose = rest_;
-    for (size_t n = static_cast<size_t>(hips_); n < pose.size(); ++n) {
-        const int parent = parents_[n];
-        const auto p = static_cast<size_t>(parent);
-        if (static_cast<int>(n) == hips_)
-            pose[n].translation() = p_hips;
-        else if (parent >= hips_)
-            pose[n] = pose[p] * (rest_[p].inverse() * rest_[n]);
-        if (turned_[n].joint >= 0)
-            pose[n].linear() = source.q_world_joint[static_cast<size_t>(turned_[n].joint)] * turned_[n].rest;
-    }
-    // What does not hang on the hips goes along with them.
+std::vector<Eigen::Isometry3d> Retargeter::turned(const GlobalPose& source, const Vector3d& p_hips) const {
+    std::vector<Eigen::Isometry3d> motions(rest_.size(), Eigen::Isometry3d::Identity());
     const auto hips = static_cast<size_t>(hips_);
-    const Eigen::Affine3d moved = pose[hips] * rest_[hips].inverse();
-    std::vector<bool> below(pose.size(), false);
+    std::vector<bool> below(rest_.size(), false);
     below[hips] = true;
-    for (size_t n = 0; n < pose.size(); ++n) {
-        below[n] = below[n] || (parents_[n] >= 0 && below[static_cast<size_t>(parents_[n])]);
-        if (!below[n])
-            pose[n] = moved * rest_[n];
+    for (size_t n = hips; n < rest_.size(); ++n) {
+        const int parent = parents_[n];
+        const bool hangs = parent >= 0 && below[static_cast<size_t>(parent)];
+        below[n] = below[n] || hangs;
+        const Vector3d p_rest = rest_[n].translation();
+        const Vector3d p = hangs ? Vector3d(motions[static_cast<size_t>(parent)] * p_rest) : p_hips;
+        if (hangs)
+            motions[n] = motions[static_cast<size_t>(parent)];
+        if (turned_[n].joint >= 0)
+            motions[n].linear() =
+                source.q_world_joint[static_cast<size_t>(turned_[n].joint)] * turned_[n].align;
+        motions[n].translation() = p - motions[n].linear() * p_rest;
     }
-    return pose;
+    for (size_t n = 0; n < motions.size(); ++n)
+        if (!below[n])
+            motions[n] = motions[hips];
+    return motions;
 }
 
-RigPose Retargeter::pose(const Pose& source) const {
+std::vector<Eigen::Isometry3d> Retargeter::motions(const Pose& source) const {
     const GlobalPose global = globalPose(source_, source);
-    RigPose pose = turned(global, scale_ * source.p_world_root);
+    std::vector<Eigen::Isometry3d> motions = turned(global, scale_ * source.p_world_root);
     double ours_m = 1e9, theirs = 1e9;
     for (const Sole& sole : soles_)
-        for (size_t i = 0; i < sole.p_node.size(); ++i) {
+        for (size_t i = 0; i < sole.p_rest.size(); ++i) {
             const auto joint = static_cast<size_t>(sole.joint);
             const Vector3d p_m =
                 global.p_world_joint[joint] + global.q_world_joint[joint] * sole.p_joint_m[i];
             ours_m = std::min(ours_m, p_m.y());
-            theirs = std::min(theirs, (pose[static_cast<size_t>(sole.node)] * sole.p_node[i]).y());
+            theirs = std::min(theirs, (motions[static_cast<size_t>(sole.node)] * sole.p_rest[i]).y());
         }
-    for (Eigen::Affine3d& T : pose)
-        T.translation().y() += scale_ * ours_m - theirs;
-    return pose;
+    for (Eigen::Isometry3d& motion : motions)
+        motion.translation().y() += scale_ * ours_m - theirs;
+    return motions;
 }
 
-std::vector<Eigen::Affine3d> localTransforms(const RiggedMesh& mesh, const RigPose& pose) {
-    require(pose.size() == mesh.nodes.size(), "localTransforms() needs a transform per node");
-    std::vector<Eigen::Affine3d> local;
-    for (size_t n = 0; n < pose.size(); ++n) {
-        const int parent = mesh.nodes[n].parent;
-        local.push_back(parent < 0 ? pose[n] : pose[static_cast<size_t>(parent)].inverse() * pose[n]);
-    }
-    return local;
+RigPose Retargeter::pose(const Pose& source) const {
+    const std::vector<Eigen::Isometry3d> moved = motions(source);
+    RigPose pose = rest_;
+    for (size_t n = 0; n < pose.size(); ++n)
+        pose[n] = moved[n] * rest_[n];
+    return pose;
 }
 
 }  // namespace noctule

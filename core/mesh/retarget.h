@@ -22,24 +22,29 @@ public:
 
     /// World transforms of the target's nodes; its soles' ground is y = 0.
     RigPose pose(const Pose& source) const;
+    /// The same as what moves every node there from its rest pose: pose = motion * rest. Rigid, whatever the
+    /// nodes' own transforms hold. What does not hang on the hips goes along with them.
+    std::vector<Eigen::Isometry3d> motions(const Pose& source) const;
 
     /// Length of the target's legs over that of ours.
     double scale() const { return scale_; }
+    /// From the target's world at rest to ours: upright and facing +Z. Identity where it stands so already.
+    const Matrix3d& upright() const { return upright_; }
 
 private:
     /// A node that one of our joints turns.
     struct Turned {
         int joint = -1;
-        Matrix3d rest =
-            Matrix3d::Identity();  ///< of the node in the world while our joint is in its zero pose
+        Matrix3d align = Matrix3d::Identity();  ///< from its rest to where it is in our zero pose; world
     };
-    /// Two points of a sole, below the ankle and at the toes, in the frames of both feet.
+    /// Two points of a sole, below the ankle and at the toes: in the target's rest pose, and in the frame of
+    /// our foot.
     struct Sole {
         int node = 0, joint = 0;
-        std::array<Vector3d, 2> p_node, p_joint_m;
+        std::array<Vector3d, 2> p_rest, p_joint_m;
     };
     Retargeter() = default;
-    RigPose turned(const GlobalPose& source, const Vector3d& p_hips) const;
+    std::vector<Eigen::Isometry3d> turned(const GlobalPose& source, const Vector3d& p_hips) const;
 
     Skeleton source_;
     std::vector<int> parents_;
@@ -48,9 +53,7 @@ private:
     std::array<Sole, 2> soles_;
     int hips_ = 0;
     double scale_ = 1;
+    Matrix3d upright_ = Matrix3d::Identity();
 };
-
-/// From world transforms to those in the parents' frames.
-std::vector<Eigen::Affine3d> localTransforms(const RiggedMesh& mesh, const RigPose& pose);
 
 }  // namespace noctule

@@ -9,34 +9,30 @@ namespace {
 constexpr std::string_view kMeshMagic = "NCRM", kErrorMagic = "NCRE";
 constexpr uint32_t kBytesVersion = 1;
 
+template <class Archive, class... Values>
+void each(Archive& archive, Values&... values) {
+    (archive(values), ...);
+}
+
 /// One list of fields for both directions: `archive(value)` writes or reads it.
 template <class Archive>
 void fields(Archive& archive, RigNode& node) {
-    archive(node.name);
-    archive(node.parent);
-    archive(node.T_parent_node.matrix());
-    archive(node.T_world_rest.matrix());
+    each(archive, node.name, node.parent, node.T_parent_node.matrix(), node.T_world_rest.matrix());
 }
 
 template <class Archive>
 void fields(Archive& archive, SkinnedVertex& vertex) {
-    archive(vertex.p_m);
-    archive(vertex.normal);
-    archive(vertex.bones);
-    archive(vertex.weights);
+    each(archive, vertex.p_m, vertex.normal, vertex.bones, vertex.weights);
 }
 
 template <class Archive>
 void fields(Archive& archive, SkinBone& bone) {
-    archive(bone.joint);
-    archive(bone.bind_inverse);
+    each(archive, bone.joint, bone.bind_inverse);
 }
 
 template <class Archive>
 void fields(Archive& archive, MeshPart& part) {
-    archive(part.name);
-    archive(part.first_triangle);
-    archive(part.triangles);
+    each(archive, part.name, part.first_triangle, part.triangles);
 }
 
 template <class Archive>
@@ -46,29 +42,18 @@ void fields(Archive& archive, Quaterniond& q) {
 
 template <class Archive>
 void fields(Archive& archive, RigTrack& track) {
-    archive(track.node);
-    archive(track.t_s);
-    archive(track.p_m);
-    archive(track.q_parent_node);
-    archive(track.scale);
+    each(archive, track.node, track.t_s, track.p_m, track.q_parent_node, track.scale);
 }
 
 template <class Archive>
 void fields(Archive& archive, RigClip& clip) {
-    archive(clip.name);
-    archive(clip.duration_s);
-    archive(clip.tracks);
+    each(archive, clip.name, clip.duration_s, clip.tracks);
 }
 
 template <class Archive>
 void fields(Archive& archive, RiggedMesh& mesh) {
-    archive(mesh.nodes);
-    archive(mesh.skin.vertices);
-    archive(mesh.skin.triangles);
-    archive(mesh.skin.bones);
-    archive(mesh.node_of_bone);
-    archive(mesh.parts);
-    archive(mesh.clips);
+    each(archive, mesh.nodes, mesh.skin.vertices, mesh.skin.triangles, mesh.skin.bones, mesh.node_of_bone,
+         mesh.parts, mesh.clips);
 }
 
 template <class T, class Archive>

@@ -3,15 +3,29 @@
 
 #include <algorithm>
 
+#include "core/mesh/mesh_reader.h"
 #include "core/mesh/surface_graph.h"
 
 namespace noctule {
 namespace {
 
+Error noSkeleton(const std::string& where, const std::vector<std::string>& missing) {
+    std::string names;
+    for (const std::string& joint : missing)
+        names += (names.empty() ? "" : ", ") + joint;
+    const bool all = missing.size() == mainJoints().size();
+    return {
+        ErrorKind::kUnusable,
+        where + (all ? ": no human skeleton is found in it" : ": no bones are found for " + names),
+        "Name its bones as HumanIK, Mixamo, VRM or Rigify do, or say which bone is which in a map of bones"};
+}
+
 Result<WearableBody> withBones(RiggedMesh mesh, const std::string& where,
                                const std::optional<BoneMap>& chosen) {
-    WearableBody body{std::move(mesh), {}, {}};
+    WearableBody body{where, std::move(mesh), {}};
     body.bones = chosen ? *chosen : findBoneMap(body.mesh);
+    if (const auto missing = missingMainJoints(body.bones); !missing.empty())
+        return noSkeleton(where, missing);
     if (const Status checked = checkBoneMap(body.bones, body.mesh, where); !checked)
         return checked.error();
     return body;
@@ -53,6 +67,20 @@ Result<WearableBody> wearable(RiggedMesh mesh, const std::string& where, const W
     if (body)
         body->landmarks = *landmarks;
     return body;
+}
+
+Result<std::shared_ptr<const WearableBody>> readWearable(const std::string& path,
+                                                         const WearingChoices& choices,
+                                                         const JobContext& job) {
+    job.progress(0, "Reading " + path);
+    auto mesh = importMeshApart(path, {}, job);
+    if (!mesh)
+        return mesh.error();
+    job.progress(0.5, mesh->isRigged() ? "Finding bones" : "Fitting a skeleton");
+    auto body = wearable(std::move(*mesh), path, choices, {nullptr, job.cancel});
+    if (!body)
+        return body.error();
+    return std::make_shared<const WearableBody>(std::move(*body));
 }
 
 }  // namespace noctule

@@ -7,22 +7,14 @@
 #include <deque>
 #include <limits>
 
+#include "core/body/joint_names.h"
+
 namespace noctule {
 namespace {
 
 constexpr double kSpeedReach_s = 0.02;  ///< to either side
 constexpr double kLevelReach_s = 0.6;   ///< to either side: longer than a jump, short against the drift
 constexpr size_t kPoints = 2;           ///< ankle and tip of the toes
-
-int findJoint(const Skeleton& skeleton, const std::string& name) {
-    if (const int found = skeleton.find(name); found >= 0)
-        return found;
-    for (int j = 0; j < skeleton.size(); ++j)
-        for (const auto& [system, alias] : skeleton.joint(j).aliases)
-            if (alias == name)
-                return j;
-    return -1;
-}
 
 /// A point fixed to a joint.
 struct FixedPoint {
@@ -31,7 +23,7 @@ struct FixedPoint {
 };
 
 std::array<FixedPoint, kPoints> pointsOf(const Skeleton& skeleton, int foot, const std::string& side) {
-    const int toes = findJoint(skeleton, side + "ToeBase");
+    const int toes = findByAnyName(skeleton, side + "ToeBase");
     const int last = toes >= 0 ? toes : foot;
     return {{{foot, Vector3d::Zero()}, {last, skeleton.joint(last).end_m.value_or(Vector3d::Zero())}}};
 }
@@ -193,7 +185,7 @@ void addHeightsAndSpeeds(const TimedMotion& motion, std::vector<Foot>& feet) {
 std::vector<FootContacts> findFootContacts(const TimedMotion& motion, const ContactSettings& settings) {
     std::vector<Foot> feet;
     for (const std::string side : {"Left", "Right"})
-        if (const int joint = findJoint(motion.skeleton, side + "Foot"); joint >= 0)
+        if (const int joint = findByAnyName(motion.skeleton, side + "Foot"); joint >= 0)
             feet.push_back({side + "Foot", pointsOf(motion.skeleton, joint, side)});
     follow(motion, feet);
     addHeightsAndSpeeds(motion, feet);

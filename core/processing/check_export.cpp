@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "core/film/video_file.h"
 #include "core/math/rotation.h"
 #include "core/processing/export_comparison.h"
 #include "core/processing/pose_runs.h"
@@ -78,8 +79,12 @@ void judge(ExportCheck& check, double expected_frames_per_second) {
     fault(check.frames != check.expected_frames,
           "The file holds " + std::to_string(check.frames) + " frames, the take has " +
               std::to_string(check.expected_frames) + " in this range.");
-    fault(std::abs(check.frames_per_second / expected_frames_per_second - 1) > 1e-6,
+    fault((!check.is_picture || check.frames > 1) &&
+              std::abs(check.frames_per_second / expected_frames_per_second - 1) >
+                  (check.is_picture ? 1e-3 : 1e-6),
           "The file runs at another frame rate than asked for.");
+    if (check.is_picture)
+        return;
     fault(check.joints != check.expected_joints, "The file names " + std::to_string(check.joints) +
                                                      " of the take's " +
                                                      std::to_string(check.expected_joints) + " joints.");
@@ -95,20 +100,61 @@ void judge(ExportCheck& check, double expected_frames_per_second) {
 
 Status compareFile(const std::string& path, const ExpectedMotion& expected, const ExportRequest& request,
                    ExportCheck& check) {
-    if (path == request.csv_path)
+    const ExportFormat format = formatOf(request, path);
+    const bool is_fbx = format == ExportFormat::kFbx;
+    if (format == ExportFormat::kCsv)
         return compareCsv(path, request.angles, expected, check);
-    if (path == request.mot_path || path == request.sto_path)
-        return compareTable(path, path == request.mot_path, expected, check);
+    if (format == ExportFormat::kMot || format == ExportFormat::kSto)
+        return compareTable(path, format == ExportFormat::kMot, expected, check);
     ExpectedMotion named = expected;
     named.skeleton = renamed(expected.skeleton, request.names);
-    if (path == request.bvh_path)
+    if (format == ExportFormat::kBvh)
         return compareBvh(path, request.metres_per_unit, named, check);
     check.position_limit_m = kExportScenePosition_m;
-    return compareSceneFile(path, path == request.fbx_path ? SceneFormat::kFbx : SceneFormat::kGlb, named,
-                            check);
+    const SceneFormat scene = is_fbx ? SceneFormat::kFbx : SceneFormat::kGlb;
+    return request.with_body && request.worn
+               ? compareRiggedFile(path, scene, expected, *request.worn, request.names, check)
+               : compareSceneFile(path, scene, named, check);
 }
 
-ExportCheck checkFile(const std::string& path, const ExpectedMotion& expected, const ExportRequest& request) {
+/// Of a picture or film only what its file tells: number of frames, size and rate. `film_frames`: expected.
+Status comparePicture(const std::string& path, const ExportRequest& request, size_t film_frames,
+                      ExportCheck& check) {
+    check.is_picture = true;
+    check.expected_frames = 1;
+    if (formatOf(request, path) == ExportFormat::kPng) {
+        const auto picture = readPng(path);
+        if (!picture)
+            return picture.error();
+        check.frames = 1;
+        check.size = {picture->width_px, picture->height_px};
+    } else {
+        const auto facts = readVideo(path);
+        if (!facts)
+            return facts.error();
+        check.frames = facts->frames;
+        check.expected_frames = film_frames;
+        check.frames_per_second = facts->frames_per_second;
+        check.size = facts->size;
+    }
+    const PictureSize& wanted = request.film.size;
+    if (check.size.width_px != wanted.width_px || check.size.height_px != wanted.height_px)
+        check.faults.push_back("The pictures have another size than asked for.");
+    return Done{};
+}
+
+/// As the film samples the run.
+Result<size_t> filmFrames(const Take& take, ExportRequest request) {
+    if (request.video_path.empty())
+        return size_t{0};
+    request.frames_per_second = request.film.frames_per_second;
+    std::string run_name;
+    const auto expected = expectedMotion(take, request, run_name);
+    return expected ? expected->frames.size() : Result<size_t>(expected.error());
+}
+
+ExportCheck checkFile(const std::string& path, const ExpectedMotion& expected, size_t film_frames,
+                      const ExportRequest& request) {
     ExportCheck check;
     check.path = path;
     check.expected_frames = expected.frames.size();
@@ -116,8 +162,11 @@ ExportCheck checkFile(const std::string& path, const ExpectedMotion& expected, c
     check.position_limit_m = kExportPosition_m;
     std::error_code ignored;
     check.bytes = static_cast<int64_t>(std::filesystem::file_size(path, ignored));
-    if (const Status compared = compareFile(path, expected, request, check); compared)
-        judge(check, request.frames_per_second);
+    const Status compared = isPicture(formatOf(request, path))
+                                ? comparePicture(path, request, film_frames, check)
+                                : compareFile(path, expected, request, check);
+    if (compared)
+        judge(check, check.is_picture ? request.film.frames_per_second : request.frames_per_second);
     else
         check.faults.push_back(compared.error().text() + ".");
     return check;
@@ -134,8 +183,9 @@ Result<std::vector<ExportCheck>> checkExport(const ExportRequest& request, const
     if (!expected)
         return expected.error();
     const auto silent = silentBoards(*take, *expected);
-    if (!silent)
-        return silent.error();
+    const auto film_frames = filmFrames(*take, request);
+    if (!silent || !film_frames)
+        return !silent ? silent.error() : film_frames.error();
     std::vector<ExportCheck> checks;
     const std::vector<std::string> paths = outputsOf(request);
     for (const std::string& path : paths) {
@@ -143,7 +193,7 @@ Result<std::vector<ExportCheck>> checkExport(const ExportRequest& request, const
             return JobContext::cancelledError();
         job.progress(static_cast<double>(checks.size()) / static_cast<double>(paths.size()),
                      "Reading " + path + " again");
-        checks.push_back(checkFile(path, *expected, request));
+        checks.push_back(checkFile(path, *expected, *film_frames, request));
         checks.back().run = run_name;
         checks.back().silent = *silent;
     }

@@ -32,6 +32,8 @@ struct ExportCheck {
     /// positive turns towards +X.
     double facing_rad = 0, expected_facing_rad = 0;
     int joints = 0, expected_joints = 0;
+    bool is_picture = false;  ///< picture or film: nothing but frames, rate and size is known of it
+    PictureSize size{0, 0};   ///< of a picture or film
     bool has_angles = false;  ///< the file states angles
     double largest_angle_rad = 0, largest_position_m = 0;
     double position_limit_m = 0;  ///< what rounding in this kind of file can explain

@@ -6,6 +6,7 @@
 
 #include "core/formats/bvh.h"
 #include "core/formats/positions_csv.h"
+#include "core/formats/rigged_figure.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
@@ -273,7 +274,54 @@ Skeleton withTips(const Skeleton& skeleton, const Skeleton& with_tips) {
     return Skeleton::make(std::move(joints)).value();
 }
 
+/// Ours where a bone is one of our joints, so that left and right are known; else a number.
+MotionClip underOurNames(MotionClip clip, const std::map<std::string, int>& joint_of_ours) {
+    std::vector<Joint> joints = clip.skeleton.joints();
+    for (size_t j = 0; j < joints.size(); ++j)
+        joints[j].name = "bone " + std::to_string(j);
+    for (const auto& [name, joint] : joint_of_ours)
+        joints[static_cast<size_t>(joint)].name = name;
+    clip.skeleton = Skeleton::make(std::move(joints)).value();
+    return clip;
+}
+
+/// As the skin says that its bones were bound.
+std::vector<Quaterniond> boundTurns(const SceneMotion& file) {
+    std::vector<Quaterniond> q_world_rest;
+    for (const Eigen::Matrix4d& bind_inverse : file.bind_inverse)
+        q_world_rest.push_back(
+            Quaterniond(Matrix3d(bind_inverse.topLeftCorner<3, 3>().transpose())).normalized());
+    return q_world_rest;
+}
+
 }  // namespace
+
+Status compareRiggedFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
+                         const WearableBody& body, JointNames names, ExportCheck& check) {
+    MotionClip clip;
+    clip.skeleton = expected.skeleton;
+    clip.frame_time_s = expected.frame_time_s;
+    clip.frames = expected.frames;
+    const auto figure = riggedFigure(clip, {}, body, names);
+    if (!figure)
+        return figure.error();
+    std::vector<std::string> bones;
+    for (const Joint& joint : figure->clip.skeleton.joints())
+        bones.push_back(joint.name);
+    check.expected_joints = static_cast<int>(bones.size());
+    const auto file = readSceneMotion(path, path, format, bones);
+    if (!file)
+        return file.error();
+    const auto joint_of_ours = figureJoints(body);
+    const MotionClip wanted = underOurNames(
+        restParallel(figure->clip, globalPose(figure->clip.skeleton, figure->rest).q_world_joint),
+        joint_of_ours);
+    const ExpectedMotion rigged{wanted.skeleton, expected.root, expected.frame_time_s, expected.begin_s,
+                                wanted.frames};
+    ClipComparison(underOurNames(restParallel(file->clip, boundTurns(*file)), joint_of_ours), rigged, check)
+        .run();
+    return Done{};
+}
 
 Status compareSceneFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
                         ExportCheck& check) {

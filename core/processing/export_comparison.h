@@ -22,6 +22,9 @@ Status compareBvh(const std::string& path, double metres_per_unit, const Expecte
                   ExportCheck& check);
 Status compareSceneFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
                         ExportCheck& check);
+/// The take's motion on the body of another program; `names` as in the request.
+Status compareRiggedFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
+                         const WearableBody& body, JointNames names, ExportCheck& check);
 /// OpenSim's .mot (angles) or .sto (orientations).
 Status compareTable(const std::string& path, bool is_angles, const ExpectedMotion& expected,
                     ExportCheck& check);

@@ -6,13 +6,22 @@
 #include "core/formats/glb_writer.h"
 #include "core/formats/opensim.h"
 #include "core/formats/positions_csv.h"
+#include "core/formats/rigged_figure.h"
 #include "core/mesh/fit_mesh.h"
 #include "core/mesh/mannequin.h"
 
 namespace noctule {
 namespace {
 
+/// Two seconds the first time.
+const SkinnedMesh& defaultBody() {
+    static const SkinnedMesh body = makeMannequin(defaultActor());
+    return body;
+}
+
 Result<Figure> figureOf(const ExportRequest& request, const ExportedMotion& motion) {
+    if (request.with_body && request.worn)
+        return riggedFigure(motion.clip, motion.confidence, *request.worn, request.names);
     std::optional<SkinnedMesh> body;
     if (request.with_body)
         body = bodyFor(motion.clip.skeleton);
@@ -43,6 +52,25 @@ Status writeGlbFile(const ExportRequest& request, const ExportedMotion& motion) 
     return figure ? writeGlb(request.glb_path, *figure, request.overwrite) : Status(figure.error());
 }
 
+Result<MovingBody> movingBodyOf(const ExportRequest& request, const Skeleton& skeleton) {
+    return request.worn ? MovingBody::of(request.worn, skeleton)
+                        : MovingBody::ofOurs(defaultBody(), skeleton);
+}
+
+Status writePictureFile(const ExportRequest& request, const MotionClip& clip) {
+    const auto body = movingBodyOf(request, clip.skeleton);
+    if (!body)
+        return body.error();
+    const size_t frame = request.from_s ? 0 : clip.frames.size() / 2;
+    return writePicture(request.png_path, *body, clip, frame, request.film, request.overwrite);
+}
+
+Status writeFilmFile(const ExportRequest& request, const MotionClip& clip, const JobContext& job) {
+    const auto body = movingBodyOf(request, clip.skeleton);
+    return body ? writeFilm(request.video_path, *body, clip, request.film, request.overwrite, job)
+                : Status(body.error());
+}
+
 Status writeTableFile(const std::string& path, const Result<OpenSimTable>& table, bool overwrite) {
     return table ? writeOpenSimTable(path, *table, overwrite) : Status(table.error());
 }
@@ -50,27 +78,30 @@ Status writeTableFile(const std::string& path, const Result<OpenSimTable>& table
 }  // namespace
 
 SkinnedMesh bodyFor(const Skeleton& skeleton) {
-    static const Actor actor = defaultActor();
-    static const SkinnedMesh body = makeMannequin(actor);
-    return fitted(body, actor.skeleton, skeleton);
+    return fitted(defaultBody(), defaultActor().skeleton, skeleton);
 }
 
 std::vector<ExportWriter> exportWriters(const ExportRequest& request, const ExportedMotion& motion) {
     std::vector<ExportWriter> writers;
-    const auto add = [&](const std::string& path, std::function<Status()> write) {
+    const auto add = [&](const std::string& path, std::function<Status(const JobContext&)> write) {
         if (!path.empty())
             writers.push_back({path, std::move(write)});
     };
-    add(request.bvh_path, [&] { return writeBvhFile(request, motion); });
-    add(request.fbx_path, [&] { return writeFbxFile(request, motion); });
-    add(request.glb_path, [&] { return writeGlbFile(request, motion); });
-    add(request.csv_path,
-        [&] { return writePositionsCsv(request.csv_path, motion.clip, request.angles, request.overwrite); });
-    add(request.mot_path,
-        [&] { return writeTableFile(request.mot_path, openSimAngles(motion.clip), request.overwrite); });
-    add(request.sto_path, [&] {
+    add(request.bvh_path, [&](const JobContext&) { return writeBvhFile(request, motion); });
+    add(request.fbx_path, [&](const JobContext&) { return writeFbxFile(request, motion); });
+    add(request.glb_path, [&](const JobContext&) { return writeGlbFile(request, motion); });
+    add(request.csv_path, [&](const JobContext&) {
+        return writePositionsCsv(request.csv_path, motion.clip, request.angles, request.overwrite);
+    });
+    add(request.mot_path, [&](const JobContext&) {
+        return writeTableFile(request.mot_path, openSimAngles(motion.clip), request.overwrite);
+    });
+    add(request.sto_path, [&](const JobContext&) {
         return writeTableFile(request.sto_path, openSimOrientations(motion.clip), request.overwrite);
     });
+    add(request.png_path, [&](const JobContext&) { return writePictureFile(request, motion.filmed); });
+    add(request.video_path,
+        [&](const JobContext& job) { return writeFilmFile(request, motion.filmed, job); });
     return writers;
 }
 

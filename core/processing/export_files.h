@@ -13,11 +13,12 @@ namespace noctule {
 struct ExportedMotion {
     MotionClip clip;
     std::vector<std::vector<float>> confidence;  ///< per frame and joint; empty: not known
+    MotionClip filmed;                           ///< at the film's rate; empty without pictures
 };
 
 struct ExportWriter {
     std::string path;
-    std::function<Status()> write;
+    std::function<Status(const JobContext&)> write;
 };
 
 /// In the order of outputsOf(). Request and motion must outlive them.

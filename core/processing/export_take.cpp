@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/job/atomic_file.h"
+#include "core/job/staged_progress.h"
 #include "core/math/rotation.h"
 #include "core/processing/bone_confidence.h"
 #include "core/processing/export_files.h"
@@ -35,12 +36,13 @@ void holdRoot(MotionClip& clip, RootMotion root) {
     }
 }
 
-Result<ExportedMotion> cut(const Take& take, const TimedMotion& motion, const ExportRequest& request) {
+Result<ExportedMotion> cut(const Take& take, const TimedMotion& motion, const ExportRequest& request,
+                           double frames_per_second) {
     ExportedMotion exported;
     MotionClip& clip = exported.clip;
     clip.name = take.header().name;
     clip.skeleton = motion.skeleton;
-    clip.frame_time_s = 1 / request.frames_per_second;
+    clip.frame_time_s = 1 / frames_per_second;
     if (!motion.frames.empty()) {
         PoseSampler sampler(motion, std::numeric_limits<int64_t>::max());
         const auto toNs = [](double s) { return static_cast<int64_t>(std::llround(s * 1e9)); };
@@ -48,7 +50,7 @@ Result<ExportedMotion> cut(const Take& take, const TimedMotion& motion, const Ex
         const int64_t end = request.to_s ? std::min(toNs(*request.to_s), motion.frames.back().time_ns)
                                          : motion.frames.back().time_ns;
         for (int64_t i = 0;; ++i) {
-            const int64_t time_ns = begin + toNs(static_cast<double>(i) / request.frames_per_second);
+            const int64_t time_ns = begin + toNs(static_cast<double>(i) / frames_per_second);
             if (time_ns > end)
                 break;
             if (auto pose = sampler.at(time_ns)) {
@@ -67,14 +69,61 @@ Result<ExportedMotion> cut(const Take& take, const TimedMotion& motion, const Ex
     return exported;
 }
 
+Result<ExportedMotion> exportedMotion(const Take& take, const TimedMotion& motion,
+                                      const ExportRequest& request) {
+    auto exported = cut(take, motion, request, request.frames_per_second);
+    if (!exported || (request.png_path.empty() && request.video_path.empty()))
+        return exported;
+    auto filmed = cut(take, motion, request, request.film.frames_per_second);
+    if (!filmed)
+        return filmed.error();
+    exported->filmed = std::move(filmed->clip);
+    return exported;
+}
+
 }  // namespace
+
+const std::vector<ExportFormatEntry>& exportFormats() {
+    static const std::vector<ExportFormatEntry> formats{
+        {ExportFormat::kBvh, "bvh", "bvh", &ExportRequest::bvh_path},
+        {ExportFormat::kFbx, "fbx", "fbx", &ExportRequest::fbx_path},
+        {ExportFormat::kGlb, "glb", "glb", &ExportRequest::glb_path},
+        {ExportFormat::kCsv, "csv", "csv", &ExportRequest::csv_path},
+        {ExportFormat::kMot, "mot", "mot", &ExportRequest::mot_path},
+        {ExportFormat::kSto, "sto", "sto", &ExportRequest::sto_path},
+        {ExportFormat::kPng, "png", "png", &ExportRequest::png_path},
+        {ExportFormat::kVideo, "video", "mp4", &ExportRequest::video_path}};
+    return formats;
+}
+
+const ExportFormatEntry& entryOf(ExportFormat format) {
+    const auto& formats = exportFormats();
+    return *std::find_if(formats.begin(), formats.end(),
+                         [&](const ExportFormatEntry& entry) { return entry.format == format; });
+}
+
+bool isPicture(ExportFormat format) {
+    return format == ExportFormat::kPng || format == ExportFormat::kVideo;
+}
+
+bool showsBody(ExportFormat format) {
+    return format == ExportFormat::kFbx || format == ExportFormat::kGlb || isPicture(format);
+}
+
+ExportFormat formatOf(const ExportRequest& request, const std::string& path) {
+    const auto& formats = exportFormats();
+    const auto found = std::find_if(formats.begin(), formats.end(), [&](const ExportFormatEntry& entry) {
+        return request.*entry.path == path;
+    });
+    require(found != formats.end(), "formatOf() needs one of the request's outputs");
+    return found->format;
+}
 
 std::vector<std::string> outputsOf(const ExportRequest& request) {
     std::vector<std::string> paths;
-    for (const std::string* path : {&request.bvh_path, &request.fbx_path, &request.glb_path,
-                                    &request.csv_path, &request.mot_path, &request.sto_path})
-        if (!path->empty())
-            paths.push_back(*path);
+    for (const ExportFormatEntry& entry : exportFormats())
+        if (!(request.*entry.path).empty())
+            paths.push_back(request.*entry.path);
     return paths;
 }
 
@@ -92,19 +141,23 @@ Result<ExportSummary> exportTake(const ExportRequest& request, const JobContext&
     const auto motion = opened->poses(run->run);
     if (!motion)
         return motion.error();
-    const auto exported = cut(*opened, *motion, request);
+    const auto exported = exportedMotion(*opened, *motion, request);
     if (!exported)
         return exported.error();
     const MotionClip& clip = exported->clip;
-    ExportSummary summary{run->name, clip.frames.size(), clip.duration_s(), {}};
+    ExportSummary summary{
+        run->name, clip.frames.size(), exported->filmed.frames.size(), clip.duration_s(), {}};
     const auto writers = exportWriters(request, *exported);
-    for (size_t i = 0; i < writers.size(); ++i) {
+    const double step = 0.7 / static_cast<double>(writers.size());
+    for (const ExportWriter& writer : writers) {
         if (job.cancelled())
             return JobContext::cancelledError();
-        job.progress(0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(writers.size()), "Writing");
-        if (Status done = writers[i].write(); !done)
-            return done.error();
-        summary.files.push_back(writers[i].path);
+        const double done = 0.3 + step * static_cast<double>(summary.files.size());
+        StagedProgress part(job, done, done + step);
+        part.job().progress(0, "Writing");
+        if (Status written = writer.write(part.job()); !written)
+            return written.error();
+        summary.files.push_back(writer.path);
     }
     job.progress(1, "Done");
     return summary;

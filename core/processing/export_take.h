@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A processed take as animation files.
+// A processed take as animation files, pictures and films.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/film/film.h"
 #include "core/formats/figure.h"
 #include "core/job/job.h"
+#include "core/mesh/wearable.h"
 #include "core/motion/clip.h"
 
 namespace noctule {
@@ -19,27 +22,51 @@ enum class RootMotion {
     kHeading,  ///< in place, and turning about the vertical is taken out too: always faces forward (+Z)
 };
 
+/// Settings store them by number.
+enum class ExportFormat { kBvh, kCsv, kFbx, kGlb, kMot, kSto, kPng, kVideo };
+
 struct ExportRequest {
     std::string take_path;
     std::string run;  ///< empty: the last pose run
     double frames_per_second = 120;
     std::optional<double> from_s, to_s;  ///< of the take's clock; the first frame stands at from_s
     RootMotion root = RootMotion::kMoving;
-    std::string bvh_path, fbx_path, glb_path, csv_path, mot_path, sto_path;  ///< empty: none
-    double metres_per_unit = 0.01;                                           ///< of BVH and FBX files
-    JointNames names = JointNames::kOwn;                                     ///< in BVH, FBX and GLB files
-    std::string root_name = "Reference";                                     ///< FBX: the node above the hips
-    bool with_body = true;  ///< FBX and GLB: the default body in the performer's measures
-    bool angles = false;    ///< named degrees of freedom in the CSV file too
+    std::string bvh_path, fbx_path, glb_path, csv_path, mot_path, sto_path, png_path,
+        video_path;                       ///< empty: none
+    double metres_per_unit = 0.01;        ///< of BVH and FBX files
+    JointNames names = JointNames::kOwn;  ///< in BVH, FBX and GLB files
+    std::string root_name = "Reference";  ///< FBX: the node above the hips
+    bool with_body = true;                ///< FBX and GLB: with skin, not the skeleton alone
+    /// The body of FBX, GLB, picture and film; null: the default body in the performer's measures.
+    std::shared_ptr<const WearableBody> worn;
+    FilmSettings film;    ///< of picture and film; a picture shows from_s, without it the middle
+    bool angles = false;  ///< named degrees of freedom in the CSV file too
     bool overwrite = false;
 };
 
 struct ExportSummary {
     std::string run;
-    size_t frames = 0;
+    size_t frames = 0;       ///< of files of motion
+    size_t film_frames = 0;  ///< of a film
     double duration_s = 0;
     std::vector<std::string> files;
 };
+
+/// One format: its name on the command line, the ending of its files, and where its path stands.
+struct ExportFormatEntry {
+    ExportFormat format;
+    const char *option, *extension;
+    std::string ExportRequest::*path;
+};
+/// In the order in which files are written.
+const std::vector<ExportFormatEntry>& exportFormats();
+const ExportFormatEntry& entryOf(ExportFormat format);
+/// Pictures: made from the motion, but no motion can be read from them.
+bool isPicture(ExportFormat format);
+/// FBX, GLB and pictures.
+bool showsBody(ExportFormat format);
+/// Of a request's output; it must be one.
+ExportFormat formatOf(const ExportRequest& request, const std::string& path);
 
 /// The files that a request asks for.
 std::vector<std::string> outputsOf(const ExportRequest& request);

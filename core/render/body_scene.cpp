@@ -34,6 +34,18 @@ Eigen::AlignedBox3d BodyPlaces::box() const {
     return box;
 }
 
+SceneDisc softShadow(const Eigen::AlignedBox3d& box, const Rgba& color) {
+    const Eigen::Vector3f centre = box.center().cast<float>(), size = box.sizes().cast<float>();
+    const float height = std::max(0.0F, static_cast<float>(box.min().y()));
+    SceneDisc shadow;
+    shadow.centre_m = {centre.x(), 0, centre.z()};
+    shadow.radius_x_m = 0.25F + 0.45F * size.x() + height;
+    shadow.radius_z_m = 0.25F + 0.45F * size.z() + height;
+    shadow.color = color.faded(1 / (1 + 4 * height));
+    shadow.softness = 1;
+    return shadow;
+}
+
 Eigen::Isometry3d segmentFrame(const Skeleton& skeleton, const GlobalPose& joints,
                                const std::string& segment) {
     Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();

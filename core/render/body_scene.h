@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where everything of a dressed body is in one pose: bones, boards, sources, and which pairs heard each other
-// near a time. Pure geometry, without colours.
+// near a time. Pure geometry.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/body/skeleton.h"
+#include "core/render/scene.h"
 #include "core/suit/calibration.h"
 #include "core/suit/suit.h"
 
@@ -37,6 +38,9 @@ struct BodyPlaces {
 /// corrected mountings replace the suit's.
 BodyPlaces placeBody(const Skeleton& skeleton, const Pose& pose, const Suit& suit,
                      const Calibration* calibration);
+
+/// The shadow below a body in this box, not empty: paler and wider the higher it is.
+SceneDisc softShadow(const Eigen::AlignedBox3d& box, const Rgba& color);
 
 /// The segment's frame of a board or source: where its placement is measured from. Identity for the world.
 Eigen::Isometry3d segmentFrame(const Skeleton& skeleton, const GlobalPose& joints,

@@ -15,6 +15,7 @@
 #include "core/body/actor.h"
 #include "core/job/job.h"
 #include "core/job/result.h"
+#include "core/session/session_body.h"
 #include "core/suit/suit.h"
 
 namespace noctule {
@@ -67,6 +68,7 @@ struct Session {
     std::vector<Shot> shots;         ///< in the order in which they are recorded
     std::string current_performer;
     std::string calibration;  ///< file in calibration/ that new takes are made with; empty: none
+    SessionBody body;
     std::string notes;
     UnknownMembers unknown = UnknownMembers::object();
 

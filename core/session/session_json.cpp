@@ -92,6 +92,17 @@ Status checkFormat(const nlohmann::json& json, const std::string& where) {
     return version >= 1 ? Status(Done{}) : Status(not_session);
 }
 
+Status readPerformers(JsonObject& object, const std::string& where, Session& session) {
+    for (const nlohmann::json& entry : object.array("performers", false)) {
+        auto performer =
+            performerFromJson(entry, where + ": performer " + std::to_string(session.performers.size() + 1));
+        if (!performer)
+            return performer.error();
+        session.performers.push_back(std::move(*performer));
+    }
+    return Done{};
+}
+
 }  // namespace
 
 nlohmann::json toJson(const Session& session) {
@@ -112,6 +123,7 @@ nlohmann::json toJson(const Session& session) {
     json["current_performer"] = session.current_performer;
     json["calibration"] = session.calibration;
     json["notes"] = session.notes;
+    json["body"] = toJson(session.body);
     json["performers"] = std::move(performers);
     json["takes"] = std::move(takes);
     json["shots"] = std::move(shots);
@@ -131,13 +143,12 @@ Result<Session> sessionFromJson(const nlohmann::json& json, const std::string& w
     if (session.calibration != std::filesystem::path(session.calibration).filename())
         object.fail(ErrorKind::kUnreadable, "calibration", "must be the name of a file in calibration/");
     session.notes = object.textOr("notes", "");
-    for (const nlohmann::json& entry : object.array("performers", false)) {
-        auto performer =
-            performerFromJson(entry, where + ": performer " + std::to_string(session.performers.size() + 1));
-        if (!performer)
-            return performer.error();
-        session.performers.push_back(std::move(*performer));
-    }
+    auto body = sessionBodyFromJson(json.value("body", nlohmann::json()), where + ": body");
+    if (!body)
+        return body.error();
+    session.body = std::move(*body);
+    if (const Status people = readPerformers(object, where, session); !people)
+        return people.error();
     std::set<std::string> files;
     for (const nlohmann::json& entry : object.array("takes", false)) {
         auto take = takeFromJson(entry, where + ": take " + std::to_string(session.takes.size() + 1));
@@ -156,7 +167,7 @@ Result<Session> sessionFromJson(const nlohmann::json& json, const std::string& w
         return *error;
     // `version` stays with the unknown members: a newer minor version is written back as it was.
     session.unknown = unknownMembers(json, {"format", "name", "created_utc", "current_performer",
-                                            "calibration", "notes", "performers", "takes", "shots"});
+                                            "calibration", "notes", "body", "performers", "takes", "shots"});
     return session;
 }
 

@@ -411,8 +411,8 @@
         <translation>Schrift</translation>
     </message>
     <message>
-        <source>markers in photographs</source>
-        <translation>Marken in Fotografien</translation>
+        <source>markers in photographs, films</source>
+        <translation>Marken in Fotografien, Filme</translation>
     </message>
 </context>
 <context>
@@ -1557,10 +1557,6 @@
         <translation>Bewegungserfassung mit Schall und Trägheit. Nach Vlasic u. a., Practical motion capture in everyday surroundings, 2007.</translation>
     </message>
     <message>
-        <source>Noctule itself is free under the Apache License 2.0. It is linked with Qt and Qwt under the LGPL; whoever passes the program on passes on their terms too: both libraries may be replaced by other versions of them. No library under the GPL is linked.</source>
-        <translation>Noctule selbst ist frei unter der Apache-Lizenz 2.0. Es ist mit Qt und Qwt unter der LGPL gelinkt; wer das Programm weitergibt, gibt auch deren Bedingungen weiter: beide Bibliotheken dürfen durch andere Fassungen ersetzt werden. Keine Bibliothek unter der GPL ist gelinkt.</translation>
-    </message>
-    <message>
         <source>What it is made of</source>
         <translation>Woraus es besteht</translation>
     </message>
@@ -1571,6 +1567,10 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Noctule itself is free under the Apache License 2.0. It is linked with Qt and Qwt under the LGPL; whoever passes the program on passes on their terms too: both libraries may be replaced by other versions of them. Noctule links no library under the GPL itself; OpenCV writes films with ffmpeg, which Debian builds with parts under the GPL: passed on together, the whole is under the terms of the GPL.</source>
+        <translation>Noctule selbst ist frei unter der Apache-Lizenz 2.0. Es ist mit Qt und Qwt unter der LGPL gelinkt; wer das Programm weitergibt, gibt auch deren Bedingungen weiter: beide Bibliotheken dürfen durch andere Fassungen ersetzt werden. Noctule selbst bindet keine Bibliothek unter der GPL ein; OpenCV schreibt Filme mit ffmpeg, das Debian mit Teilen unter der GPL baut: zusammen weitergegeben steht das Ganze unter den Bedingungen der GPL.</translation>
     </message>
 </context>
 <context>
@@ -1796,6 +1796,101 @@
     <message>
         <source>askew</source>
         <translation>schief</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::BodyDialog</name>
+    <message>
+        <source>%1, tip</source>
+        <translation>%1, Spitze</translation>
+    </message>
+    <message>
+        <source>Body of the view</source>
+        <translation>Körper der Ansicht</translation>
+    </message>
+    <message>
+        <source>Views, pictures and films of this session show this body. Its bones follow ours.</source>
+        <translation>Ansichten, Bilder und Filme dieser Sitzung zeigen diesen Körper. Seine Knochen folgen unseren.</translation>
+    </message>
+    <message>
+        <source>Use it</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Choose a mesh</source>
+        <translation>Netz wählen</translation>
+    </message>
+    <message>
+        <source>Noctule&apos;s own</source>
+        <translation>Noctules eigener</translation>
+    </message>
+    <message>
+        <source>Find by itself</source>
+        <translation>Selbst finden</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Linear, as other programs do</source>
+        <translation>Linear, wie in anderen Programmen</translation>
+    </message>
+    <message>
+        <source>Dual quaternions, which keep the volume</source>
+        <translation>Duale Quaternionen, die das Volumen erhalten</translation>
+    </message>
+    <message>
+        <source>Skin bends</source>
+        <translation>Haut biegt sich</translation>
+    </message>
+    <message>
+        <source>Meshes (*.glb *.gltf *.fbx *.dae *.obj *.ply)</source>
+        <translation>Netze (*.glb *.gltf *.fbx *.dae *.obj *.ply)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>Bone of %1</source>
+        <translation>Knochen von %1</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>Noctule&apos;s own, in the performer&apos;s measures</source>
+        <translation>Noctules eigener, in den Maßen der Person</translation>
+    </message>
+    <message>
+        <source>Our joints and its bones</source>
+        <translation>Unsere Gelenke und seine Knochen</translation>
+    </message>
+    <message>
+        <source>Where its joints are</source>
+        <translation>Wo seine Gelenke sind</translation>
+    </message>
+    <message>
+        <source>Needed: without it the body cannot move</source>
+        <translation>Nötig: ohne ihn kann sich der Körper nicht bewegen</translation>
+    </message>
+    <message>
+        <source>Keeps its place on the bone above</source>
+        <translation>Behält seinen Platz am Knochen darüber</translation>
+    </message>
+    <message>
+        <source>The mesh is being read.</source>
+        <translation>Das Netz wird gelesen.</translation>
+    </message>
+    <message>
+        <source>This mesh cannot be worn as it is.</source>
+        <translation>So kann dieses Netz nicht getragen werden.</translation>
+    </message>
+    <message>
+        <source>The mesh was not read.</source>
+        <translation>Das Netz wurde nicht gelesen.</translation>
     </message>
 </context>
 <context>
@@ -2351,6 +2446,34 @@
         <source>%1: has no place for a body.</source>
         <translation>%1: hat keinen Platz für einen Körper.</translation>
     </message>
+    <message>
+        <source>The session&apos;s body</source>
+        <translation>Der Körper der Sitzung</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Stands in front</source>
+        <translation>Steht davor</translation>
+    </message>
+    <message>
+        <source>Goes along</source>
+        <translation>Geht mit</translation>
+    </message>
+    <message>
+        <source>Goes once around</source>
+        <translation>Geht einmal herum</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportPage</name>
@@ -2549,6 +2672,10 @@
         <source>Largest difference</source>
         <translation>Größter Unterschied</translation>
     </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportRun</name>
@@ -2625,6 +2752,10 @@
     <message>
         <source>under %1</source>
         <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
     </message>
 </context>
 <context>
@@ -2720,6 +2851,50 @@
     <message>
         <source>%1, centimetres, %2 frames</source>
         <translation>%1, Zentimeter, %2 Bilder</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>MP4, the session&apos;s body</source>
+        <translation>MP4, der Körper der Sitzung</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>PNG, the session&apos;s body</source>
+        <translation>PNG, der Körper der Sitzung</translation>
+    </message>
+    <message>
+        <source>Picture (PNG)</source>
+        <translation>Bild (PNG)</translation>
+    </message>
+    <message>
+        <source>Film (MP4)</source>
+        <translation>Film (MP4)</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3 frames</source>
+        <translation>%1, %2, %3 Bilder</translation>
+    </message>
+    <message>
+        <source>The session&apos;s body is not there yet</source>
+        <translation>Der Körper der Sitzung ist noch nicht da</translation>
+    </message>
+    <message>
+        <source>Wait until it is read, or choose another body</source>
+        <translation>Warten Sie, bis er gelesen ist, oder wählen Sie einen anderen</translation>
     </message>
 </context>
 <context>
@@ -6179,6 +6354,10 @@ keine Lücken</translation>
         <source>Change the shot list</source>
         <translation>Aufnahmeliste ändern</translation>
     </message>
+    <message>
+        <source>Change the body of the view</source>
+        <translation>Körper der Ansicht ändern</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::SessionNotices</name>
@@ -6396,6 +6575,25 @@ Drehen, beide Richtungen x3</translation>
             <numerusform>%n Aufnahme</numerusform>
             <numerusform>%n Aufnahmen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ShownBody</name>
+    <message>
+        <source>Reading the file</source>
+        <translation>Datei wird gelesen</translation>
+    </message>
+    <message>
+        <source>Finding bones</source>
+        <translation>Knochen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Fitting a skeleton</source>
+        <translation>Skelett wird eingepasst</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -7318,6 +7516,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>About Noctule</source>
         <translation>Über Noctule</translation>
+    </message>
+    <message>
+        <source>Body of the view</source>
+        <translation>Körper der Ansicht</translation>
     </message>
 </context>
 <context>

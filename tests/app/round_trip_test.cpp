@@ -2,6 +2,7 @@
 // simulate, process, evaluate, export, attach, inspect: one after the other, and the numbers that come out.
 #include <cmath>
 
+#include "core/film/video_file.h"
 #include "core/formats/bvh.h"
 #include "core/formats/opensim.h"
 #include "core/formats/positions_csv.h"
@@ -87,6 +88,38 @@ TEST_F(RoundTrip, EvaluateForPeopleAndAsAReport) {
 
 TEST_F(RoundTrip, AWrongRunIsNamedWithTheOnesThereAre) {
     expectRefusal({"evaluate", take(), "--run", "nothing"}, 4, {"nothing", "free", "given"});
+}
+
+TEST_F(RoundTrip, ABodyOfAnotherProgramMovesInFilesPicturesAndFilms) {
+    jsonOf({"export", take(), "--glb", file("figure.glb"), "--from", "1", "--to", "1.1"});
+    const auto json = jsonOf({"export",     take(),
+                              "--mesh",     file("figure.glb"),
+                              "--fbx",      file("worn.fbx"),
+                              "--png",      file("worn.png"),
+                              "--video",    file("worn.mkv"),
+                              "--from",     "1",
+                              "--to",       "2",
+                              "--fps",      "10",
+                              "--size",     "320x180",
+                              "--camera",   "turn",
+                              "--blending", "dual"});
+    EXPECT_EQ(json["bones"]["LeftForeArm"], "LeftForeArm");
+    EXPECT_EQ(json["film"]["frames"], 11);
+    EXPECT_EQ(json["files"].size(), 3U);
+    const auto film = readVideo(file("worn.mkv"));
+    ASSERT_TRUE(film) << film.error().text();
+    EXPECT_EQ(film->frames, 11U);
+    EXPECT_EQ(film->size.width_px, 320);
+    const auto picture = readPng(file("worn.png"));
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(picture->height_px, 180);
+    writeBytes(file("bones.json"),
+               R"({"format": "noctule-bone-map", "version": 1, "bones": {"Hips": "Hips"}})");
+    expectRefusal({"export", take(), "--mesh", file("figure.glb"), "--bones", file("bones.json"), "--glb",
+                   file("no.glb")},
+                  4, {"figure.glb", "LeftArm", "map of bones"});
+    writeBytes(file("box.obj"), "v 0 0 0\nv 1 0 0\nv 0 1.7 0\nf 1 2 3\n");
+    expectRefusal({"export", take(), "--mesh", file("box.obj"), "--glb", file("no.glb")}, 4, {"box.obj"});
 }
 
 TEST_F(RoundTrip, ExportedFilesSayTheSame) {

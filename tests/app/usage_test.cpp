@@ -116,6 +116,11 @@ TEST(Usage, ValuesAreChecked) {
     expectRefusal({"export", "t", "--bvh", "x", "--angles"}, 2, {"--angles"});
     expectRefusal({"export", "t", "--bvh", "x", "--from", "3", "--to", "2"}, 2, {"--from"});
     expectRefusal({"export", "t", "u", "--bvh", "x"}, 2, {"{name}"});
+    expectRefusal({"export", "t", "--bvh", "x", "--mesh", "none"}, 2, {"--mesh", "--glb"});
+    expectRefusal({"export", "t", "--glb", "x", "--bones", "b"}, 2, {"--bones", "--mesh FILE"});
+    expectRefusal({"export", "t", "--png", "x", "--size", "640"}, 2, {"640", "1280x720"});
+    expectRefusal({"export", "t", "--video", "x.gif"}, 2, {"x.gif", ".mp4"});
+    expectRefusal({"export", "t", "--glb", "x", "--mesh", "nowhere.glb"}, 3, {"nowhere.glb"});
     const std::vector<std::string> record = {"record", "--device", "replay:" + kTinyTake, "--out-dir", "d"};
     const auto recordWith = [&](std::vector<std::string> words) {
         words.insert(words.begin(), record.begin(), record.end());
@@ -133,8 +138,6 @@ TEST(Usage, ThePapersEstimatorHasNoSmoother) {
 
 TEST(Usage, WhatComesLaterIsRefusedByName) {
     expectRefusal({"process", "t", "--smooth", "batch"}, 2, {"--smooth batch", "not available"});
-    for (const char* option : {"--video", "--png"})
-        expectRefusal({"export", "t", option, "x"}, 2, {option, "not available"});
 }
 
 TEST(Usage, ErrorsAreJsonTooWhenAskedFor) {

@@ -46,4 +46,26 @@ inline RiggedMesh namedRig(
     return rig;
 }
 
+/// Gives every node but the first a triangle at its place, half of whose corners hang on the parent's bone
+/// too.
+inline void giveSkin(RiggedMesh& rig) {
+    for (size_t n = 1; n < rig.nodes.size(); ++n) {
+        const RigNode& node = rig.nodes[n];
+        rig.skin.bones.push_back({node.name, node.T_world_rest.inverse().matrix().cast<float>()});
+        rig.node_of_bone.push_back(static_cast<int>(n));
+        const auto first = static_cast<uint32_t>(rig.skin.vertices.size());
+        const auto own = static_cast<uint16_t>(n - 1);
+        const auto above = static_cast<uint16_t>(std::max(0, node.parent - 1));
+        for (const Eigen::Vector3f& off : {Eigen::Vector3f(0, 0, 0.05F), {0.04F, 0, 0}, {0, 0.03F, 0}}) {
+            SkinnedVertex vertex;
+            vertex.p_m = node.T_world_rest.translation().cast<float>() + off;
+            vertex.bones = {own, above, 0, 0};
+            vertex.weights = {off.x() > 0 ? 0.5F : 1, off.x() > 0 ? 0.5F : 0, 0, 0};
+            rig.skin.vertices.push_back(vertex);
+        }
+        rig.skin.triangles.push_back({first, first + 1, first + 2});
+    }
+    rig.parts.push_back({"skin", 0, static_cast<uint32_t>(rig.skin.triangles.size())});
+}
+
 }  // namespace noctule::test

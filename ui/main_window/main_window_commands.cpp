@@ -17,6 +17,7 @@
 #include "ui/main_window/tour.h"
 #include "ui/main_window/window_menus.h"
 #include "ui/style/theme.h"
+#include "ui/views/body_dialog.h"
 #include "ui/views/connect_page.h"
 #include "ui/views/session_commands.h"
 #include "ui/views/start_page.h"
@@ -45,6 +46,7 @@ void MainWindow::connectActions() {
     on(Command::kRecord, [this] { recordOrStop(); });
     on(Command::kPerformer, [this] { goTo(Step::kPerformer); });
     on(Command::kPutSuitOn, [this] { PutOnDialog(studio_, this).exec(); });
+    on(Command::kBody, [this] { BodyDialog(studio_, this).exec(); });
     on(Command::kJobs, [this] { jobs_panel_->toggle(); });
     on(Command::kNextPanel, [this] { focusNextPanel(true); });
     on(Command::kPreviousPanel, [this] { focusNextPanel(false); });

@@ -64,7 +64,7 @@ void MainWindow::connectStudio() {
     connect(&studio_.check(), &SuitCheck::changed, this, &MainWindow::showSuit);
     connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &MainWindow::showSuit);
     showSuit();
-    for (const Command command : {Command::kShowFolder, Command::kCloseSession})
+    for (const Command command : {Command::kBody, Command::kShowFolder, Command::kCloseSession})
         (*actions_)[command]->setEnabled(studio_.session().isOpen());
 }
 
@@ -138,7 +138,7 @@ void MainWindow::recoverWanted(SessionMarker::Finding finding) {
 void MainWindow::onSessionOpened() {
     SessionModel& session = studio_.session();
     const bool open = session.isOpen();
-    for (const Command command : {Command::kShowFolder, Command::kCloseSession})
+    for (const Command command : {Command::kBody, Command::kShowFolder, Command::kCloseSession})
         (*actions_)[command]->setEnabled(open);
     if (!open) {
         marker_.release();

@@ -41,6 +41,7 @@ void WindowActions::addStepActions() {
 }
 
 void WindowActions::addViewActions() {
+    add(Command::kBody, tr("Body of the view"), {}, "mesh");
     add(Command::kJobs, tr("Jobs"), {QKeySequence("Ctrl+J")}, "");
     add(Command::kNextPanel, tr("Next panel"), {QKeySequence("F6")}, "");
     add(Command::kPreviousPanel, tr("Previous panel"), {QKeySequence("Shift+F6")}, "");

@@ -33,6 +33,7 @@ enum class Command {
     kFullScreen,
     kResetLayout,
     kRecord,
+    kBody,
     kPerformer,
     kPutSuitOn,
     kShortcuts,

@@ -61,6 +61,7 @@ void WindowMenus::buildView() {
     }
     steps->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
     view_->addSeparator();
+    view_->addAction(actions_[Command::kBody]);
     before_panels_ = view_->addSeparator();
     view_->addActions(
         {actions_[Command::kResetLayout], actions_[Command::kJobs], actions_[Command::kNextPanel]});

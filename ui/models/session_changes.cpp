@@ -144,6 +144,12 @@ void SessionModel::setCalibration(const QString& file, const QString& what) {
              setOf(&Session::calibration, session_->calibration));
 }
 
+void SessionModel::setBody(const SessionBody& body) {
+    if (session_ && !(body == session_->body))
+        push(tr("Change the body of the view"), setOf(&Session::body, body),
+             setOf(&Session::body, session_->body));
+}
+
 void SessionModel::addPerformer(const Performer& performer) {
     if (!session_)
         return;

@@ -49,6 +49,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
     : QObject(parent),
       parts_(std::move(parts)),
       session_(jobs_),
+      shown_body_(jobs_, session_),
       take_(jobs_, time_),
       markers_(jobs_, session_, take_),
       finder_(settings_),
@@ -69,6 +70,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
         if (take_.path() == before)
             take_.followMove(now);
     });
+    connect(&shown_body_, &ShownBody::failed, this, &Studio::failed);
     connect(&markers_, &MarkerEditor::failed, this, &Studio::failed);
     connect(&suit_, &LiveSuit::failed, this, &Studio::failed);
     connect(&suit_, &LiveSuit::warned, this, &Studio::warned);

@@ -20,6 +20,7 @@
 #include "ui/models/remote_start.h"
 #include "ui/models/selection.h"
 #include "ui/models/session_model.h"
+#include "ui/models/shown_body.h"
 #include "ui/models/suit_check.h"
 #include "ui/models/suit_finder.h"
 #include "ui/models/take_document.h"
@@ -50,6 +51,7 @@ public:
     TimeCursor& time() { return time_; }
     Selection& selection() { return selection_; }
     SessionModel& session() { return session_; }
+    ShownBody& shownBody() { return shown_body_; }
     TakeDocument& take() { return take_; }
     MarkerEditor& markers() { return markers_; }
     SuitFinder& finder() { return finder_; }
@@ -62,6 +64,8 @@ public:
     /// The body that ships with the studio; null until a job of the start has loaded it, or when it cannot be
     /// read.
     std::shared_ptr<const SkinnedMesh> body() const { return body_; }
+    /// What views of motions draw: that of the session, or the studio's own.
+    BodyLook look() const { return {body_, shown_body_.worn(), shown_body_.blending()}; }
     /// Runs `act` as soon as loading the body has ended, at once when it has; not when `context` is gone.
     void whenBodyIsThere(QObject* context, std::function<void()> act);
 
@@ -102,6 +106,7 @@ private:
     TimeCursor time_;
     Selection selection_;
     SessionModel session_;
+    ShownBody shown_body_;
     TakeDocument take_;
     MarkerEditor markers_;
     SuitFinder finder_;

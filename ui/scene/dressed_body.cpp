@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include "core/body/actor.h"
-#include "core/mesh/fit_mesh.h"
-
 namespace noctule::ui {
 
 namespace {
@@ -25,15 +22,16 @@ bool isPicked(const HeardPair& pair, int source, int board) {
 
 }  // namespace
 
-std::shared_ptr<const SkinnedMesh> FittedBody::fit(const std::shared_ptr<const SkinnedMesh>& body,
-                                                   const Skeleton& skeleton) {
-    if (body && (body != body_ || !sameMeasures(skeleton, skeleton_))) {
-        // The studio's body is made in the measures of the default actor.
-        fitted_ = std::make_shared<const SkinnedMesh>(fitted(*body, defaultActor().skeleton, skeleton));
-        skeleton_ = skeleton;
-    }
-    body_ = body;
-    return body ? fitted_ : nullptr;
+const MovingBody& FittedBody::fit(const BodyLook& look, const Skeleton& skeleton) {
+    const bool same = look.ours == look_.ours && look.worn == look_.worn && sameMeasures(skeleton, skeleton_);
+    look_ = look;
+    if (same)
+        return fitted_;
+    skeleton_ = skeleton;
+    if (look.worn)
+        if (auto worn = MovingBody::of(look.worn, skeleton))
+            return fitted_ = std::move(*worn);
+    return fitted_ = look.ours ? MovingBody::ofOurs(*look.ours, skeleton) : MovingBody();
 }
 
 void addRoom(Scene& scene, const SceneColors& colors, const SceneLayers& layers, const Vector3d& centre_m) {
@@ -49,40 +47,31 @@ void addRoom(Scene& scene, const SceneColors& colors, const SceneLayers& layers,
 }
 
 void addShadow(Scene& scene, const SceneColors& colors, const BodyPlaces& places) {
-    const Eigen::AlignedBox3d box = places.box();
-    if (box.isEmpty())
-        return;
-    const Eigen::Vector3f centre = box.center().cast<float>(), size = box.sizes().cast<float>();
-    // Paler and wider the higher the body is.
-    const float height = std::max(0.0F, static_cast<float>(box.min().y()));
-    SceneDisc shadow;
-    shadow.centre_m = {centre.x(), 0, centre.z()};
-    shadow.radius_x_m = 0.25F + 0.45F * size.x() + height;
-    shadow.radius_z_m = 0.25F + 0.45F * size.z() + height;
-    shadow.color = colors.shadow.faded(1 / (1 + 4 * height));
-    shadow.softness = 1;
-    scene.discs.push_back(shadow);
+    if (const Eigen::AlignedBox3d box = places.box(); !box.isEmpty())
+        scene.discs.push_back(softShadow(box, colors.shadow));
 }
 
-void addSurface(Scene& scene, const SceneColors& colors, const std::shared_ptr<const SkinnedMesh>& mesh,
-                const Skeleton& skeleton, const GlobalPose& pose) {
-    if (!mesh)
+void addSurface(Scene& scene, const SceneColors& colors, const MovingBody& body, const Pose& pose,
+                Blending blending) {
+    if (!body.mesh())
         return;
-    SceneBody body;
-    body.mesh = mesh;
-    body.skin = skinMatrices(*mesh, skeleton, pose);
-    body.color = colors.body;
-    body.opacity = colors.body_opacity;
-    scene.bodies.push_back(std::move(body));
+    SceneBody drawn;
+    drawn.mesh = body.mesh();
+    drawn.skin = body.skinMatrices(pose);
+    drawn.blending = blending;
+    drawn.color = colors.body;
+    drawn.opacity = colors.body_opacity;
+    scene.bodies.push_back(std::move(drawn));
 }
 
-void addGhost(Scene& scene, const SceneColors& colors, const std::shared_ptr<const SkinnedMesh>& mesh,
-              const Skeleton& skeleton, const GlobalPose& pose) {
-    if (!mesh)
+void addGhost(Scene& scene, const SceneColors& colors, const MovingBody& body, const Pose& pose,
+              Blending blending) {
+    if (!body.mesh())
         return;
     SceneBody ghost;
-    ghost.mesh = mesh;
-    ghost.skin = skinMatrices(*mesh, skeleton, pose);
+    ghost.mesh = body.mesh();
+    ghost.skin = body.skinMatrices(pose);
+    ghost.blending = blending;
     ghost.color = colors.ghost;
     ghost.style = BodyStyle::kOutline;
     ghost.outline_px = 1.4F;

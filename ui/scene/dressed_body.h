@@ -6,24 +6,25 @@
 #include <memory>
 #include <vector>
 
-#include "core/mesh/skinned_mesh.h"
+#include "core/mesh/moving_body.h"
 #include "core/render/body_scene.h"
 #include "core/render/scene.h"
+#include "ui/models/shown_body.h"
 #include "ui/scene/scene_colors.h"
 #include "ui/scene/scene_layers.h"
 
 namespace noctule::ui {
 
-/// The studio's body in the measures of a skeleton; made once for each.
+/// The body of a view in the measures of a skeleton; made once for each.
 class FittedBody {
 public:
-    /// Null without a body.
-    std::shared_ptr<const SkinnedMesh> fit(const std::shared_ptr<const SkinnedMesh>& body,
-                                           const Skeleton& skeleton);
+    /// An empty one without a body. A mesh that cannot be worn by this skeleton gives way to ours.
+    const MovingBody& fit(const BodyLook& look, const Skeleton& skeleton);
 
 private:
-    std::shared_ptr<const SkinnedMesh> body_, fitted_;
+    BodyLook look_;
     Skeleton skeleton_;
+    MovingBody fitted_;
 };
 
 /// What one pair heard lately.
@@ -39,10 +40,10 @@ inline constexpr float kLeastConfidence = 0.2F;
 void addRoom(Scene& scene, const SceneColors& colors, const SceneLayers& layers, const Vector3d& centre_m);
 /// The soft shadow below a body.
 void addShadow(Scene& scene, const SceneColors& colors, const BodyPlaces& places);
-void addSurface(Scene& scene, const SceneColors& colors, const std::shared_ptr<const SkinnedMesh>& mesh,
-                const Skeleton& skeleton, const GlobalPose& pose);
-void addGhost(Scene& scene, const SceneColors& colors, const std::shared_ptr<const SkinnedMesh>& mesh,
-              const Skeleton& skeleton, const GlobalPose& pose);
+void addSurface(Scene& scene, const SceneColors& colors, const MovingBody& body, const Pose& pose,
+                Blending blending);
+void addGhost(Scene& scene, const SceneColors& colors, const MovingBody& body, const Pose& pose,
+              Blending blending);
 void addSkeleton(Scene& scene, const SceneColors& colors, const BodyPlaces& places, bool alone);
 void addSuit(Scene& scene, const SceneColors& colors, const BodyPlaces& places);
 /// `chosen_source`, `chosen_board` (-1: none): rays of the chosen pair, or of the chosen board, stand out.

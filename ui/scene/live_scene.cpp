@@ -30,9 +30,10 @@ ComposedScene LiveScene::compose(Studio& studio, const SceneLayers& layers) {
     const Skeleton& skeleton = wearer_.actor.skeleton;
     composed.places = placeBody(skeleton, *frame_->pose->pose, wearer_.suit, &*wearer_.calibration);
     addShadow(scene, colors, composed.places);
-    const bool has_mesh = layers.has(SceneLayer::kMesh) && studio.body();
+    const BodyLook look = studio.look();
+    const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);
     if (has_mesh)
-        addSurface(scene, colors, body_.fit(studio.body(), skeleton), skeleton, composed.places.joints);
+        addSurface(scene, colors, body_.fit(look, skeleton), *frame_->pose->pose, look.blending);
     if (layers.has(SceneLayer::kSkeleton))
         addSkeleton(scene, colors, composed.places, !has_mesh);
     addPairs(composed);

@@ -127,6 +127,11 @@ void SceneView::followStudio() {
         refresh();
     });
     studio_.whenBodyIsThere(this, [this] { refresh(); });
+    connect(&studio_.shownBody(), &ShownBody::changed, this, [this] {
+        if (parts_->untouched)
+            parts_->framed.clear();
+        refresh();
+    });
 }
 
 void SceneView::showMessage(const QString& sentence) {
@@ -200,8 +205,12 @@ Eigen::AlignedBox3d SceneView::bodyBox() const {
     constexpr double kMostCovered = 0.3;
     constexpr double kReach = 0.22;  // of the height with raised arms
     const double covered = parts_->tools->geometry().bottom() / std::max(1.0, 1.0 * height());
-    return roomy(parts_->composed.places.box(),
-                 std::clamp(covered, parts_->live ? kReach : 0.0, kMostCovered));
+    Eigen::AlignedBox3d box = parts_->composed.places.box();
+    if (studio_.look().worn)  // whose head may be far larger than its bones say
+        for (const SceneBody& body : parts_->composed.scene.bodies)
+            for (const Eigen::Vector3f& p_m : skinned(*body.mesh, body.skin, body.blending).points_m)
+                box.extend(p_m.cast<double>());
+    return roomy(box, std::clamp(covered, parts_->live ? kReach : 0.0, kMostCovered));
 }
 
 void SceneView::keepFollowing() {

@@ -113,9 +113,9 @@ void TakeScene::addCompared(ComposedScene& composed, const SceneColors& colors, 
     const auto pose = compared_.at(t_s);
     if (!pose)
         return;
-    const Skeleton& skeleton = compared_.motion->skeleton;
-    addGhost(composed.scene, colors, compared_.body.fit(studio_.body(), skeleton), skeleton,
-             globalPose(skeleton, *pose));
+    const BodyLook look = studio_.look();
+    addGhost(composed.scene, colors, compared_.body.fit(look, compared_.motion->skeleton), *pose,
+             look.blending);
     composed.has_ghost = true;
 }
 
@@ -129,7 +129,8 @@ ComposedScene TakeScene::compose(const SceneLayers& layers) {
     const bool is_shown = subject_ == SceneSubject::kShown;
     shown_.follow(!overview ? nullptr : is_shown ? take.shownMotion() : take.comparedMotion());
     const auto pose = shown_.at(t_s);
-    const bool has_mesh = layers.has(SceneLayer::kMesh) && studio_.body();
+    const BodyLook look = studio_.look();
+    const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);
     Scene& scene = composed.scene;
     if (pose)
         composed.places = placeBody(shown_.motion->skeleton, *pose, overview->suit, &overview->calibration);
@@ -142,8 +143,7 @@ ComposedScene TakeScene::compose(const SceneLayers& layers) {
     if (is_shown && layers.has(SceneLayer::kContacts))
         addContacts(composed, colors, t_s);
     if (has_mesh)
-        addSurface(scene, colors, shown_.body.fit(studio_.body(), shown_.motion->skeleton),
-                   shown_.motion->skeleton, composed.places.joints);
+        addSurface(scene, colors, shown_.body.fit(look, shown_.motion->skeleton), *pose, look.blending);
     if (layers.has(SceneLayer::kSkeleton))
         addSkeleton(scene, colors, composed.places, !has_mesh);
     if (layers.has(SceneLayer::kTrails))

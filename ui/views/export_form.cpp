@@ -24,6 +24,7 @@ namespace noctule::ui {
 namespace {
 
 constexpr int kLabels = 76;
+constexpr QSize kPictureSizes[] = {{1280, 720}, {1920, 1080}, {3840, 2160}, {1080, 1920}, {1080, 1080}};
 constexpr double kRates[] = {24, 25, 30, 48, 50, 60, 90, 100, 120, 144, 200, 240};
 
 QDoubleSpinBox* makeSeconds(const QString& name) {
@@ -54,6 +55,8 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
       unit(new QComboBox),
       names(new QComboBox),
       body(new QComboBox),
+      size(new QComboBox),
+      camera(new QComboBox),
       run(new QComboBox),
       angles(new QCheckBox(tr("Joint angles too, in degrees"))),
       name_pattern(new QLineEdit),
@@ -66,7 +69,7 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
     column->addWidget(new Divider);
     column->addWidget(makeWhere());
     column->addStretch(1);
-    for (QComboBox* box : {range, format, frames, root, unit, names, body})
+    for (QComboBox* box : {range, format, frames, root, unit, names, body, size, camera})
         connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
     connect(run, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
     connect(angles, &QCheckBox::toggled, this, &ExportForm::read);
@@ -111,8 +114,9 @@ QWidget* ExportForm::makeWhat() {
     own->addWidget(new Label(tr("to"), TextRole::kSecondary, Ink::kLabel));
     own->addWidget(own_to_, 1);
     rows->addControl(own_range_);
-    for (const ExportFormat each : {ExportFormat::kFbx, ExportFormat::kGlb, ExportFormat::kBvh,
-                                    ExportFormat::kMot, ExportFormat::kSto, ExportFormat::kCsv})
+    for (const ExportFormat each :
+         {ExportFormat::kFbx, ExportFormat::kGlb, ExportFormat::kBvh, ExportFormat::kMot, ExportFormat::kSto,
+          ExportFormat::kCsv, ExportFormat::kVideo, ExportFormat::kPng})
         format->addItem(formatName(each), static_cast<int>(each));
     rows->addRow(tr("Format"), format);
     for (const double rate : kRates)
@@ -128,12 +132,30 @@ QWidget* ExportForm::makeWhat() {
     names->addItem(tr("Noctule's own"), static_cast<int>(JointNames::kOwn));
     names->addItem(tr("HumanIK"), static_cast<int>(JointNames::kHumanIk));
     rows->addRow(tr("Names"), names);
-    body->addItem(tr("Skinned, in the performer's measures"), true);
-    body->addItem(tr("Skeleton alone"), false);
+    offerBodies();
     rows->addRow(tr("Body"), body);
     rows->addControl(angles);
     column->addWidget(rows);
+    column->addWidget(pictures_ = makePictures());
     return part;
+}
+
+void ExportForm::offerBodies() {
+    body->addItem(tr("Skinned, in the performer's measures"), static_cast<int>(ExportBody::kOurs));
+    body->addItem(tr("Skeleton alone"), static_cast<int>(ExportBody::kSkeleton));
+    body->addItem(tr("The session's body"), static_cast<int>(ExportBody::kSessions));
+}
+
+QWidget* ExportForm::makePictures() {
+    auto* rows = new FormRows(kLabels);
+    for (const QSize& each : kPictureSizes)
+        size->addItem(tr("%1 × %2").arg(each.width()).arg(each.height()), each);
+    rows->addRow(tr("Size"), size);
+    camera->addItem(tr("Stands in front"), static_cast<int>(CameraMove::kFront));
+    camera->addItem(tr("Goes along"), static_cast<int>(CameraMove::kFollow));
+    camera->addItem(tr("Goes once around"), static_cast<int>(CameraMove::kTurn));
+    rows->addRow(tr("Camera"), camera);
+    return rows;
 }
 
 QWidget* ExportForm::makeWhere() {
@@ -161,7 +183,9 @@ void ExportForm::setSettings(const ExportSettings& settings) {
     chooseData(format, static_cast<int>(settings.format));
     chooseData(unit, settings.metres_per_unit);
     chooseData(names, static_cast<int>(settings.names));
-    chooseData(body, settings.with_body);
+    chooseData(body, static_cast<int>(settings.body));
+    chooseData(size, QSize(settings.width_px, settings.height_px));
+    chooseData(camera, static_cast<int>(settings.camera));
     angles->setChecked(settings.angles);
     name_pattern->setText(settings.name_pattern);
     own_from_->setValue(settings.own_from_s);
@@ -179,7 +203,10 @@ void ExportForm::read() {
     if (unit->isEnabled())  // else it shows the only one there is
         settings_.metres_per_unit = unit->currentData().toDouble();
     settings_.names = static_cast<JointNames>(names->currentData().toInt());
-    settings_.with_body = body->currentData().toBool();
+    settings_.body = static_cast<ExportBody>(body->currentData().toInt());
+    settings_.width_px = size->currentData().toSize().width();
+    settings_.height_px = size->currentData().toSize().height();
+    settings_.camera = static_cast<CameraMove>(camera->currentData().toInt());
     settings_.angles = angles->isChecked();
     settings_.name_pattern = name_pattern->text();
     settings_.own_from_s = own_from_->value();
@@ -197,24 +224,29 @@ void ExportForm::refresh() {
     };
     offer(unit, hasUnit(settings_.format), tr("%1: always in metres.").arg(name));
     offer(names, hasNames(settings_.format), tr("%1: names of its own.").arg(name));
-    offer(body, hasBody(settings_.format), tr("%1: has no place for a body.").arg(name));
+    offer(body, showsBody(settings_.format), tr("%1: has no place for a body.").arg(name));
     {
         const QScopedValueRollback<bool> quiet(setting_, true);
         chooseData(unit, hasUnit(settings_.format) ? settings_.metres_per_unit : 1.0);
     }
     angles->setVisible(settings_.format == ExportFormat::kCsv);
+    pictures_->setVisible(isPicture(settings_.format));
     takes_->setResultsShown(run->currentData().toInt() == static_cast<int>(ResultChoice::kEach));
+    refreshWhere();
+    const auto overview = studio_.take().overview();
+    const int shown = studio_.take().shownRun();
+    run->setItemText(1, overview && shown >= 0
+                            ? tr("Shown: %1").arg(runTitle(overview->runs[static_cast<size_t>(shown)]))
+                            : tr("As shown in Review"));
+}
+
+void ExportForm::refreshWhere() {
     const bool is_open = studio_.session().isOpen();
     const QString folder = is_open ? exportFolder(studio_.session().session(), settings_) : settings_.folder;
     const QFileInfo place(folder);
     folder_->setText(folder.isEmpty() ? tr("exports of the session")
                                       : tr("%1/%2").arg(place.dir().dirName(), place.fileName()));
     folder_->setToolTip(QDir::toNativeSeparators(folder));
-    const auto overview = studio_.take().overview();
-    const int shown = studio_.take().shownRun();
-    run->setItemText(1, overview && shown >= 0
-                            ? tr("Shown: %1").arg(runTitle(overview->runs[static_cast<size_t>(shown)]))
-                            : tr("As shown in Review"));
 }
 
 QString ExportForm::resultOf(const QString& take) const {

@@ -36,7 +36,7 @@ public:
     void setPreview(const QString& words, bool is_problem);
 
     // For those who fill it in, the operator and tests.
-    QComboBox *range, *format, *frames, *root, *unit, *names, *body, *run;
+    QComboBox *range, *format, *frames, *root, *unit, *names, *body, *size, *camera, *run;
     QCheckBox* angles;
     QLineEdit* name_pattern;
     Button* try_one_frame;
@@ -49,14 +49,17 @@ private:
     QWidget* makeWhat();
     QWidget* makeTakes();
     QWidget* makeWhere();
+    void offerBodies();
+    QWidget* makePictures();
     void read();
     void refresh();
+    void refreshWhere();
     void chooseFolder();
 
     Studio& studio_;
     ExportSettings settings_;
     bool setting_ = false;
-    QWidget *own_range_ = nullptr, *unit_row_ = nullptr;
+    QWidget *own_range_ = nullptr, *pictures_ = nullptr;
     QDoubleSpinBox *own_from_ = nullptr, *own_to_ = nullptr;
     ExportTakeList* takes_ = nullptr;
     Button* folder_ = nullptr;

@@ -71,6 +71,7 @@ ExportPage::ExportPage(Studio& studio, QWidget* parent)
     connect(form_, &ExportForm::tryWanted, this, &ExportPage::tryOneFrame);
     connect(results_panel_, &ExportResultsPanel::saveWanted, this, &ExportPage::saveCheck);
     connect(&studio.take(), &TakeDocument::runsChanged, this, &ExportPage::refresh);
+    connect(&studio.shownBody(), &ShownBody::changed, this, &ExportPage::refresh);
     preset_list_->choose(presets_.lastChosen());
     form_->setSettings(presets_.all()[static_cast<size_t>(presets_.indexOf(presets_.lastChosen()))].settings);
     refresh();
@@ -121,14 +122,15 @@ Result<std::vector<ExportJob>> ExportPage::plan() const {
         return Error{ErrorKind::kUsage, tr("The range ends before it begins").toStdString(),
                      tr("Give a last second after the first").toStdString()};
     const Session& session = studio_.session().session();
-    const QString date = QDate::currentDate().toString(Qt::ISODate);
+    const ExportSurroundings surroundings{session, studio_.look(),
+                                          QDate::currentDate().toString(Qt::ISODate)};
     std::set<std::string> taken;
     std::vector<ExportJob> jobs;
     for (const SessionTake& take : session.takes) {
         if (!chosen.contains(QString::fromStdString(take.name)))
             continue;
-        auto job = exportJob(session, take, form_->resultOf(QString::fromStdString(take.name)), settings,
-                             date, taken);
+        auto job = exportJob(surroundings, take, form_->resultOf(QString::fromStdString(take.name)), settings,
+                             taken);
         if (!job)
             return job.error();
         jobs.push_back(std::move(*job));

@@ -23,6 +23,22 @@ Tone outcomeTone(const ExportOutcome& outcome) {
     return outcome.check.silent.empty() ? Tone::kOk : Tone::kWarn;
 }
 
+/// All is told of the first file and of those with faults, of others what may differ.
+void addFacts(FormRows& rows, const ExportCheck& check, bool in_full) {
+    if (check.is_picture) {
+        rows.addValue(ExportResultsPanel::tr("Size"), pictureInWords(check));
+        return;
+    }
+    if (in_full || !check.ok()) {
+        rows.addValue(ExportResultsPanel::tr("Height"), heightInWords(check));
+        rows.addValue(ExportResultsPanel::tr("Facing"), facingInWords(check));
+        rows.addValue(ExportResultsPanel::tr("Joints"),
+                      ExportResultsPanel::tr("%1 of %2").arg(check.joints).arg(check.expected_joints));
+        rows.addValue(ExportResultsPanel::tr("Result"), QString::fromStdString(check.run));
+    }
+    rows.addValue(ExportResultsPanel::tr("Largest difference"), differenceInWords(check));
+}
+
 }  // namespace
 
 ExportResultsPanel::ExportResultsPanel(QWidget* parent)
@@ -110,14 +126,7 @@ QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full
         tr("%1 frames, %2").arg(countText(static_cast<qint64>(check.frames)), bytesText(check.bytes)),
         TextRole::kSecondary, Ink::kLabel));
     auto* rows = new FormRows(124);
-    // All is told of the first file and of those with faults, of others what may differ.
-    if (in_full || !check.ok()) {
-        rows->addValue(tr("Height"), heightInWords(check));
-        rows->addValue(tr("Facing"), facingInWords(check));
-        rows->addValue(tr("Joints"), tr("%1 of %2").arg(check.joints).arg(check.expected_joints));
-        rows->addValue(tr("Result"), QString::fromStdString(check.run));
-    }
-    rows->addValue(tr("Largest difference"), differenceInWords(check));
+    addFacts(*rows, check, in_full);
     auto* indented = addRow(column, 0, {24, 0, 0, 0});
     indented->addWidget(rows);
     const auto addLine = [&](const QString& text, Ink ink) {

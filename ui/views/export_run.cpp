@@ -22,13 +22,31 @@ struct RunWords {
     Q_DECLARE_TR_FUNCTIONS(noctule::ui::ExportRun)
 };
 
+/// A take's share of the progress, always under the same words; writing takes most of it.
+class TakeProgress : public ProgressSink {
+public:
+    TakeProgress(const JobContext& whole, double from, double to, std::string words)
+        : whole_(whole), from_(from), to_(to), words_(std::move(words)) {
+        progress(0, {});
+    }
+    JobContext job() { return {this, whole_.cancel}; }
+    void progress(double fraction, const std::string&) override {
+        whole_.progress(from_ + (to_ - from_) * fraction, words_);
+    }
+
+private:
+    JobContext whole_;
+    double from_, to_;
+    std::string words_;
+};
+
 ExportOutcome writeAndCheck(const ExportJob& job, const JobContext& context) {
     ExportOutcome outcome{job.take, job.path(), {}, {}};
     if (const auto written = exportTake(job.request, context); !written) {
         outcome.error = written.error();
         return outcome;
     }
-    auto checks = checkExport(job.request, context);
+    auto checks = checkExport(job.request, {nullptr, context.cancel});
     if (checks)
         outcome.check = std::move(checks->front());
     else
@@ -64,9 +82,10 @@ Result<ExportResults> runExport(const std::vector<ExportJob>& jobs, const JobCon
         if (error)
             return Error{ErrorKind::kDisk, folder.string() + ": the folder cannot be made",
                          "Choose another folder, or look at its rights"};
-        job.progress(static_cast<double>(i) / static_cast<double>(jobs.size()),
-                     RunWords::tr("Writing and checking %1").arg(jobs[i].take).toStdString());
-        results.outcomes.push_back(writeAndCheck(jobs[i], {nullptr, job.cancel}));
+        const double step = 1.0 / static_cast<double>(jobs.size()), begin = step * static_cast<double>(i);
+        TakeProgress part(job, begin, begin + step,
+                          RunWords::tr("Writing and checking %1").arg(jobs[i].take).toStdString());
+        results.outcomes.push_back(writeAndCheck(jobs[i], part.job()));
         if (job.cancelled())
             return JobContext::cancelledError();
     }
@@ -79,7 +98,7 @@ Result<ExportResults> tryOneFrame(ExportJob job, double time_s, const JobContext
     if (!folder.isValid())
         return Error{ErrorKind::kDisk, "There is no room for a temporary file",
                      "Free some space on the disk"};
-    std::string& path = pathIn(job.request, job.format);
+    std::string& path = job.request.*entryOf(job.format).path;
     path = folder.filePath(QFileInfo(QString::fromStdString(path)).fileName()).toStdString();
     job.request.from_s = job.request.to_s = time_s;
     return runExport({job}, context);
@@ -128,6 +147,21 @@ QString silenceInWords(const SilentBoard& silent) {
         .arg(segmentName(silent.segment, NameCase::kInside), from, to);
 }
 
+QString pictureInWords(const ExportCheck& check) {
+    return RunWords::tr("%1 × %2 pixels").arg(check.size.width_px).arg(check.size.height_px);
+}
+
+namespace {
+
+QStringList motionLines(const ExportCheck& check) {
+    return {RunWords::tr("Height: %1").arg(heightInWords(check)),
+            RunWords::tr("Facing: %1").arg(facingInWords(check)),
+            RunWords::tr("Joints: %1 of %2").arg(check.joints).arg(check.expected_joints),
+            RunWords::tr("Largest difference to the take: %1").arg(differenceInWords(check))};
+}
+
+}  // namespace
+
 QString checkAsText(const ExportResults& results) {
     QStringList lines;
     for (const ExportOutcome& outcome : results.outcomes) {
@@ -143,10 +177,8 @@ QString checkAsText(const ExportResults& results) {
                             .arg(countText(static_cast<qint64>(check.frames)),
                                  countText(static_cast<qint64>(check.expected_frames)),
                                  numberText(check.frames_per_second, 2), bytesText(check.bytes));
-        lines += "  " + RunWords::tr("Height: %1").arg(heightInWords(check));
-        lines += "  " + RunWords::tr("Facing: %1").arg(facingInWords(check));
-        lines += "  " + RunWords::tr("Joints: %1 of %2").arg(check.joints).arg(check.expected_joints);
-        lines += "  " + RunWords::tr("Largest difference to the take: %1").arg(differenceInWords(check));
+        for (const QString& line : check.is_picture ? QStringList(pictureInWords(check)) : motionLines(check))
+            lines += "  " + line;
         for (const SilentBoard& silent : check.silent)
             lines += "  " + silenceInWords(silent);
         for (const std::string& fault : check.faults)

@@ -37,6 +37,8 @@ QString checkAsText(const ExportResults& results);
 QString heightInWords(const ExportCheck& check);
 QString facingInWords(const ExportCheck& check);
 QString differenceInWords(const ExportCheck& check);
+/// Of a picture or film: "1280 × 720 pixels".
+QString pictureInWords(const ExportCheck& check);
 /// "Board 7 (left forearm) was silent from 0:11.2 to 0:11.6. It follows its neighbours in those 25 frames."
 QString silenceInWords(const SilentBoard& silent);
 

@@ -33,6 +33,10 @@ ExportSettings asFormat(ExportFormat format, bool angles = false) {
     settings.angles = angles;
     if (format == ExportFormat::kGlb)
         settings.frames_per_second = 60;
+    if (isPicture(format)) {
+        settings.frames_per_second = 30;
+        settings.body = ExportBody::kSessions;
+    }
     return settings;
 }
 
@@ -59,7 +63,11 @@ std::vector<ExportPreset> shipped() {
                           SettingsWords::tr("CSV of joint positions, metres"), asFormat(ExportFormat::kCsv)),
             shippedPreset("angles", SettingsWords::tr("Numbers with angles"),
                           SettingsWords::tr("CSV of positions and joint angles"),
-                          asFormat(ExportFormat::kCsv, true))};
+                          asFormat(ExportFormat::kCsv, true)),
+            shippedPreset("film", SettingsWords::tr("Film"), SettingsWords::tr("MP4, the session's body"),
+                          asFormat(ExportFormat::kVideo)),
+            shippedPreset("picture", SettingsWords::tr("Picture"),
+                          SettingsWords::tr("PNG, the session's body"), asFormat(ExportFormat::kPng))};
 }
 
 QString groupOf(const QString& key) {
@@ -70,7 +78,7 @@ ExportSettings loaded(QSettings& store, const QString& key, const ExportSettings
     store.beginGroup(groupOf(key));
     ExportSettings s = otherwise;
     s.format = static_cast<ExportFormat>(
-        std::clamp(store.value("format", static_cast<int>(s.format)).toInt(), 0, 5));
+        std::clamp(store.value("format", static_cast<int>(s.format)).toInt(), 0, 7));
     s.range =
         static_cast<ExportRange>(std::clamp(store.value("range", static_cast<int>(s.range)).toInt(), 0, 2));
     s.own_from_s = store.value("own_from_s", s.own_from_s).toDouble();
@@ -81,7 +89,13 @@ ExportSettings loaded(QSettings& store, const QString& key, const ExportSettings
     s.metres_per_unit = store.value("metres_per_unit", s.metres_per_unit).toDouble() == 1 ? 1 : 0.01;
     s.names =
         static_cast<JointNames>(std::clamp(store.value("names", static_cast<int>(s.names)).toInt(), 0, 1));
-    s.with_body = store.value("with_body", s.with_body).toBool();
+    const bool skeleton_before = !store.value("with_body", true).toBool();  // as older versions kept it
+    const ExportBody body = skeleton_before ? ExportBody::kSkeleton : s.body;
+    s.body = static_cast<ExportBody>(std::clamp(store.value("body", static_cast<int>(body)).toInt(), 0, 2));
+    s.width_px = std::clamp(store.value("width_px", s.width_px).toInt(), 2, 8192);
+    s.height_px = std::clamp(store.value("height_px", s.height_px).toInt(), 2, 8192);
+    s.camera =
+        static_cast<CameraMove>(std::clamp(store.value("camera", static_cast<int>(s.camera)).toInt(), 0, 2));
     s.root_name = store.value("root_name", s.root_name).toString();
     s.angles = store.value("angles", s.angles).toBool();
     s.folder = store.value("folder", s.folder).toString();
@@ -100,7 +114,10 @@ void save(QSettings& store, const QString& key, const ExportSettings& s) {
     store.setValue("root", static_cast<int>(s.root));
     store.setValue("metres_per_unit", s.metres_per_unit);
     store.setValue("names", static_cast<int>(s.names));
-    store.setValue("with_body", s.with_body);
+    store.setValue("body", static_cast<int>(s.body));
+    store.setValue("width_px", s.width_px);
+    store.setValue("height_px", s.height_px);
+    store.setValue("camera", static_cast<int>(s.camera));
     store.setValue("root_name", s.root_name);
     store.setValue("angles", s.angles);
     store.setValue("folder", s.folder);
@@ -181,6 +198,10 @@ QString formatName(ExportFormat format) {
             return SettingsWords::tr("OpenSim angles");
         case ExportFormat::kSto:
             return SettingsWords::tr("OpenSim orientations");
+        case ExportFormat::kPng:
+            return SettingsWords::tr("Picture (PNG)");
+        case ExportFormat::kVideo:
+            return SettingsWords::tr("Film (MP4)");
     }
     return {};
 }
@@ -193,12 +214,13 @@ bool hasNames(ExportFormat format) {
     return hasUnit(format) || format == ExportFormat::kGlb;
 }
 
-bool hasBody(ExportFormat format) {
-    return format == ExportFormat::kFbx || format == ExportFormat::kGlb;
-}
-
 QString settingsInWords(const ExportSettings& settings) {
     const QString frames = numberText(settings.frames_per_second, 0), format = formatName(settings.format);
+    const QString size = SettingsWords::tr("%1 × %2").arg(settings.width_px).arg(settings.height_px);
+    if (settings.format == ExportFormat::kPng)
+        return SettingsWords::tr("%1, %2").arg(format, size);
+    if (settings.format == ExportFormat::kVideo)
+        return SettingsWords::tr("%1, %2, %3 frames").arg(format, size, frames);
     if (settings.format == ExportFormat::kMot || settings.format == ExportFormat::kSto)
         return SettingsWords::tr("%1, %2 frames").arg(format, frames);
     if (settings.format == ExportFormat::kCsv && settings.angles)
@@ -208,33 +230,14 @@ QString settingsInWords(const ExportSettings& settings) {
                   : SettingsWords::tr("%1, centimetres, %2 frames").arg(format, frames);
 }
 
-QString extensionOf(ExportFormat format) {
-    constexpr const char* kExtensions[] = {"bvh", "csv", "fbx", "glb", "mot", "sto"};
-    return kExtensions[static_cast<size_t>(format)];
-}
-
-std::string& pathIn(ExportRequest& request, ExportFormat format) {
-    std::string* const paths[] = {&request.bvh_path, &request.csv_path, &request.fbx_path,
-                                  &request.glb_path, &request.mot_path, &request.sto_path};
-    return *paths[static_cast<size_t>(format)];
-}
-
 QString exportFolder(const Session& session, const ExportSettings& settings) {
     return settings.folder.isEmpty() ? QString::fromStdString(session.exportsFolder().string())
                                      : settings.folder;
 }
 
-Result<ExportJob> exportJob(const Session& session, const SessionTake& take, const QString& run,
-                            const ExportSettings& settings, const QString& date,
-                            std::set<std::string>& taken) {
-    ExportJob job;
-    job.format = settings.format;
-    job.take = QString::fromStdString(take.name);
-    ExportRequest& request = job.request;
-    request.take_path = session.pathOf(take).string();
-    request.run = run.toStdString();
-    request.frames_per_second = settings.frames_per_second;
-    request.root = settings.root;
+namespace {
+
+void setRange(ExportRequest& request, const SessionTake& take, const ExportSettings& settings) {
     if (settings.range == ExportRange::kInToOut && take.in_s > 0)
         request.from_s = take.in_s;
     if (settings.range == ExportRange::kInToOut && take.out_s > 0)
@@ -243,17 +246,53 @@ Result<ExportJob> exportJob(const Session& session, const SessionTake& take, con
         request.from_s = settings.own_from_s;
         request.to_s = settings.own_to_s;
     }
-    const auto name = exportFileName(
-        settings.name_pattern.toStdString(),
-        {take.name, take.performer, run.toStdString(), date.toStdString(), settings.frames_per_second});
+}
+
+/// Body and camera.
+Status setLook(ExportRequest& request, const ExportSurroundings& surroundings,
+               const ExportSettings& settings) {
+    request.with_body = settings.body != ExportBody::kSkeleton;
+    request.film = {{settings.width_px, settings.height_px},
+                    settings.camera,
+                    settings.frames_per_second,
+                    surroundings.look.blending};
+    if (settings.body != ExportBody::kSessions || !showsBody(settings.format))
+        return Done{};
+    request.worn = surroundings.look.worn;
+    if (surroundings.session.body.isOurs() || request.worn)
+        return Done{};
+    return Error{ErrorKind::kUnusable, SettingsWords::tr("The session's body is not there yet").toStdString(),
+                 SettingsWords::tr("Wait until it is read, or choose another body").toStdString()};
+}
+
+}  // namespace
+
+Result<ExportJob> exportJob(const ExportSurroundings& surroundings, const SessionTake& take,
+                            const QString& run, const ExportSettings& settings,
+                            std::set<std::string>& taken) {
+    const Session& session = surroundings.session;
+    ExportJob job;
+    job.format = settings.format;
+    job.take = QString::fromStdString(take.name);
+    ExportRequest& request = job.request;
+    request.take_path = session.pathOf(take).string();
+    request.run = run.toStdString();
+    request.frames_per_second = settings.frames_per_second;
+    request.root = settings.root;
+    setRange(request, take, settings);
+    if (const Status look = setLook(request, surroundings, settings); !look)
+        return look.error();
+    const auto name = exportFileName(settings.name_pattern.toStdString(),
+                                     {take.name, take.performer, run.toStdString(),
+                                      surroundings.date.toStdString(), settings.frames_per_second});
     if (!name)
         return name.error();
-    pathIn(request, settings.format) = freeFilePath(exportFolder(session, settings).toStdString(), *name,
-                                                    extensionOf(settings.format).toStdString(), taken);
+    const ExportFormatEntry& entry = entryOf(settings.format);
+    request.*entry.path =
+        freeFilePath(exportFolder(session, settings).toStdString(), *name, entry.extension, taken);
     request.metres_per_unit = settings.metres_per_unit;
     request.names = settings.names;
     request.root_name = settings.root_name.toStdString();
-    request.with_body = settings.with_body;
     request.angles = settings.format == ExportFormat::kCsv && settings.angles;
     return job;
 }

@@ -12,12 +12,13 @@
 #include "core/processing/export_program.h"
 #include "core/processing/export_take.h"
 #include "core/session/session.h"
+#include "ui/models/shown_body.h"
 
 namespace noctule::ui {
 
 /// Stored by number.
-enum class ExportFormat { kBvh, kCsv, kFbx, kGlb, kMot, kSto };
 enum class ExportRange { kInToOut, kWholeTake, kOwn };
+enum class ExportBody { kOurs, kSkeleton, kSessions };
 
 struct ExportSettings {
     ExportFormat format = ExportFormat::kBvh;
@@ -25,12 +26,14 @@ struct ExportSettings {
     double own_from_s = 0, own_to_s = 0;
     double frames_per_second = 120;
     RootMotion root = RootMotion::kMoving;
-    double metres_per_unit = 0.01;        ///< BVH and FBX; the others are in metres
-    JointNames names = JointNames::kOwn;  ///< BVH, FBX and GLB
-    bool with_body = true;                ///< FBX and GLB
-    QString root_name = "Reference";      ///< FBX
-    bool angles = false;                  ///< CSV
-    QString folder;                       ///< empty: exports/ of the session
+    double metres_per_unit = 0.01;         ///< BVH and FBX; the others are in metres
+    JointNames names = JointNames::kOwn;   ///< BVH, FBX and GLB
+    ExportBody body = ExportBody::kOurs;   ///< FBX, GLB; pictures show no skeleton alone
+    int width_px = 1280, height_px = 720;  ///< pictures and films
+    CameraMove camera = CameraMove::kFront;
+    QString root_name = "Reference";  ///< FBX
+    bool angles = false;              ///< CSV
+    QString folder;                   ///< empty: exports/ of the session
     QString name_pattern = "{take}_{fps}";
 
     bool operator==(const ExportSettings&) const = default;
@@ -68,10 +71,8 @@ private:
 QString formatName(ExportFormat format);
 bool hasUnit(ExportFormat format);   ///< of its own choice
 bool hasNames(ExportFormat format);  ///< of joints
-bool hasBody(ExportFormat format);
 /// "BVH, centimetres, 120 frames"
 QString settingsInWords(const ExportSettings& settings);
-QString extensionOf(ExportFormat format);
 
 /// One take of an export.
 struct ExportJob {
@@ -80,12 +81,16 @@ struct ExportJob {
     ExportRequest request;
     std::string path() const { return outputsOf(request).front(); }
 };
-/// Where the path of a format stands in a request.
-std::string& pathIn(ExportRequest& request, ExportFormat format);
-/// `run` empty: the last one. `taken`: names of this export so far. `date`: "2026-11-21".
-Result<ExportJob> exportJob(const Session& session, const SessionTake& take, const QString& run,
-                            const ExportSettings& settings, const QString& date,
-                            std::set<std::string>& taken);
+/// What all takes of an export share.
+struct ExportSurroundings {
+    const Session& session;
+    BodyLook look;
+    QString date;  ///< "2026-11-21"
+};
+/// `run` empty: the last one. `taken`: names of this export so far. kUnusable while the session's body is
+/// wanted and not there.
+Result<ExportJob> exportJob(const ExportSurroundings& surroundings, const SessionTake& take,
+                            const QString& run, const ExportSettings& settings, std::set<std::string>& taken);
 QString exportFolder(const Session& session, const ExportSettings& settings);
 
 }  // namespace noctule::ui

@@ -3,7 +3,9 @@
 // that it meets harms us.
 #include "core/mesh/mesh_reader.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "core/body/actor.h"
 #include "core/formats/glb_writer.h"
@@ -41,7 +43,7 @@ TEST(MeshReader, PassesErrorsOn) {
 
 TEST(MeshReader, AReaderThatIsNotThereIsSaid) {
     const test::Folder folder;
-    const auto mesh = importMeshApart(triangleFile(folder), {}, folder.file("no-reader"));
+    const auto mesh = importMeshApart(triangleFile(folder), {}, {}, folder.file("no-reader"));
     ASSERT_FALSE(mesh);
     EXPECT_EQ(mesh.error().kind, ErrorKind::kInternal);
     EXPECT_NE(mesh.error().message.find("no-reader"), std::string::npos);
@@ -67,12 +69,32 @@ TEST(MeshReader, CrashesFloodsAndLiesCostAnErrorOnly) {
         {"yes NCRM", ""},
     };
     for (const auto& [commands, words] : readers) {
-        const auto mesh = importMeshApart(path, {}, script(folder, commands), {.result_mb = 8});
+        const auto mesh = importMeshApart(path, {}, {}, script(folder, commands), {.result_mb = 8});
         ASSERT_FALSE(mesh) << commands;
         EXPECT_EQ(mesh.error().kind, ErrorKind::kUnreadable) << commands;
         EXPECT_NE(mesh.error().message.find(path), std::string::npos);
         EXPECT_NE(mesh.error().message.find(words), std::string::npos) << mesh.error().text();
     }
+}
+
+TEST(MeshReader, GetsNothingOfOursAndEndsWithACancel) {
+    const test::Folder folder;
+    const std::string path = triangleFile(folder), seen = folder.file("seen");
+    const int open_here = open(path.c_str(), O_RDONLY);
+    setenv("NOCTULE_SECRET", "secret", 1);
+    EXPECT_FALSE(importMeshApart(
+        path, {}, {}, script(folder, "env > " + seen + "; ls -l /proc/self/fd >> " + seen + "; exit 0")));
+    close(open_here);
+    unsetenv("NOCTULE_SECRET");
+    const std::string words = test::readBytes(seen);
+    EXPECT_NE(words.find("/dev/null"), std::string::npos) << words;
+    EXPECT_EQ(words.find("NOCTULE_SECRET"), std::string::npos) << words;
+    EXPECT_EQ(words.find("triangle.obj"), std::string::npos) << words;
+    CancelFlag flag;
+    flag.cancel();
+    const auto mesh = importMeshApart(path, {}, {nullptr, &flag}, script(folder, "sleep 100"));
+    ASSERT_FALSE(mesh);
+    EXPECT_EQ(mesh.error().kind, ErrorKind::kCancelled);
 }
 
 TEST(MeshReader, HasLimitsOfMemory) {
@@ -85,7 +107,8 @@ TEST(MeshReader, HasLimitsOfMemory) {
         text += "v " + std::to_string(i) + " 0 0\nv 0 " + std::to_string(i) + " 1\nf -1 -2 1\n";
     test::writeBytes(folder.file("large.obj"), text);
     EXPECT_TRUE(importMeshApart(folder.file("large.obj")));
-    const auto mesh = importMeshApart(folder.file("large.obj"), {}, meshReaderProgram(), {.memory_mb = 120});
+    const auto mesh =
+        importMeshApart(folder.file("large.obj"), {}, {}, meshReaderProgram(), {.memory_mb = 120});
     ASSERT_FALSE(mesh);
     EXPECT_EQ(mesh.error().kind, ErrorKind::kUnreadable) << mesh.error().text();
 }
@@ -127,7 +150,8 @@ TEST(FuzzMesh, DamagedFilesGiveAMeshOrAnError) {
             good[test::Mutator(static_cast<uint64_t>(number), bytes).below(good.size())].first;
         const std::string path = folder.file("damaged" + suffix);
         test::writeBytes(path, damaged);
-        const auto mesh = importMeshApart(path, {}, meshReaderProgram(), {.seconds = 5, .memory_mb = 1024});
+        const auto mesh =
+            importMeshApart(path, {}, {}, meshReaderProgram(), {.seconds = 5, .memory_mb = 1024});
         if (mesh) {
             ++read;
             EXPECT_TRUE(checkRiggedMesh(*mesh, path));

@@ -225,15 +225,28 @@ TEST(Retarget, FeetHardlyWander) {
     EXPECT_LT(worstWander_m(test::MakeHuman().mesh(), "MakeHuman"), 0.06);
 }
 
-TEST(Retarget, LocalTransformsGiveThePoseBack) {
-    const RiggedMesh rig =
+/// Programs hide what they do not show by a scale of zero.
+TEST(Retarget, NodesWithoutSizeHurtNothing) {
+    RiggedMesh rig =
         namedRig([](const std::string& joint) { return joint; }, aPose, 1, expQuaternion({1, 2, 0}));
+    const auto whole = Retargeter::make(rig, findBoneMap(rig), walk().skeleton, "rig");
+    RigNode hidden{"hidden", rig.find("LeftHand")};
+    hidden.T_world_rest.linear().setZero();
+    hidden.T_world_rest.translation() = Vector3d(0.8, 1.4, 0);
+    RigNode held{"held", static_cast<int>(rig.nodes.size())};
+    held.T_world_rest = hidden.T_world_rest;
+    rig.nodes.insert(rig.nodes.end(), {hidden, held});
     const auto retargeter = Retargeter::make(rig, findBoneMap(rig), walk().skeleton, "rig");
-    ASSERT_TRUE(retargeter);
-    const RigPose pose = retargeter->pose(walk().frames[200]);
-    const RigPose again = posed(rig, localTransforms(rig, pose));
+    ASSERT_TRUE(whole && retargeter);
+    const RigPose pose = retargeter->pose(walk().frames[200]), expected = whole->pose(walk().frames[200]);
     for (size_t n = 0; n < pose.size(); ++n)
-        EXPECT_LT((pose[n].matrix() - again[n].matrix()).norm(), 1e-9);
+        EXPECT_TRUE(pose[n].matrix().allFinite()) << rig.nodes[n].name;
+    for (size_t n = 0; n < expected.size(); ++n)
+        EXPECT_LT((pose[n].matrix() - expected[n].matrix()).norm(), 1e-12);
+    const auto hand = static_cast<size_t>(rig.find("LeftHand"));
+    EXPECT_NEAR((pose.back().translation() - pose[hand].translation()).norm(),
+                (held.T_world_rest.translation() - rig.nodes[hand].T_world_rest.translation()).norm(), 1e-9)
+        << "goes along with the hand";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "tests/support/shared_meshes.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/about_dialog.h"
 #include "ui/main_window/jobs_panel.h"
@@ -13,6 +14,7 @@
 #include "ui/main_window/put_on_dialog.h"
 #include "ui/main_window/shortcuts_dialog.h"
 #include "ui/style/theme.h"
+#include "ui/views/body_dialog.h"
 #include "ui/views/new_session_dialog.h"
 
 namespace noctule::ui {
@@ -79,6 +81,39 @@ TEST_F(Screenshots, OfEveryPageInBothThemesAndSizes) {
             picturesOfAllSteps(
                 QStringLiteral("%1-%2").arg(scheme == Scheme::kDark ? "dark" : "light").arg(size.width()));
         }
+}
+
+/// Meshes of others, walking in the view.
+TEST_F(Screenshots, OfOtherBodies) {
+    openTakeToShow();
+    window_->goTo(Step::kReview);
+    const std::pair<const char*, std::string> meshes[] = {
+        {"cesiumman", noctule::test::kCesiumMan},
+        {"kenney", noctule::test::kKenney},
+        {"makehuman", noctule::test::kMakeHuman + "base.obj"}};
+    for (const auto& [name, mesh] : meshes) {
+        if (!noctule::test::isShared(mesh))
+            continue;
+        const auto before = studio_->shownBody().worn();
+        SessionBody body;
+        body.mesh = std::filesystem::absolute(noctule::test::sharedPath(mesh)).string();
+        studio_->session().setBody(body);
+        const auto is_there = [this, before] {
+            return studio_->shownBody().worn() && studio_->shownBody().worn() != before &&
+                   studio_->jobs().idle();
+        };
+        ASSERT_TRUE(waitFor(is_there) || waitFor(is_there)) << mesh;
+        for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)})
+            for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
+                Theme::get().setScheme(scheme);
+                window_->resize(size);
+                save(*window_, QStringLiteral("body-%1-%2-%3")
+                                   .arg(name, scheme == Scheme::kDark ? "dark" : "light")
+                                   .arg(size.width()));
+            }
+        Theme::get().setScheme(Scheme::kDark);
+        dialog<BodyDialog>(QStringLiteral("dialog-body-%1").arg(name), *studio_);
+    }
 }
 
 TEST_F(Screenshots, AtLargeType) {

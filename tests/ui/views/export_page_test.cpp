@@ -66,6 +66,50 @@ TEST_F(ExportPageTest, WritesTheFileThatTheBatchProgramWrites) {
     EXPECT_EQ(page_->resultsPanel().cardCount(), 1);
 }
 
+TEST_F(ExportPageTest, PicturesAndFilmsAreWrittenAndChecked) {
+    studio_->session().setTakeRange(0, 1, 1.4);
+    for (const char* preset : {"film", "picture"}) {
+        page_->choosePreset(preset);
+        page_->form().size->setCurrentIndex(0);
+        page_->form().camera->setCurrentIndex(1);
+        EXPECT_TRUE(page_->form().size->isVisible());
+        write();
+        const ExportOutcome& outcome = page_->results()->outcomes.front();
+        ASSERT_FALSE(outcome.error) << outcome.error->text();
+        EXPECT_TRUE(outcome.check.ok()) << outcome.check.faults.front();
+        EXPECT_TRUE(outcome.check.is_picture);
+        EXPECT_EQ(outcome.check.size.width_px, 1280);
+        EXPECT_EQ(outcome.check.frames, outcome.path.ends_with(".mp4") ? 13U : 1U);
+        EXPECT_TRUE(checkAsText(*page_->results()).contains("1280"));
+    }
+    page_->choosePreset("bvh");
+    EXPECT_FALSE(page_->form().size->isVisible());
+}
+
+TEST_F(ExportPageTest, TheSessionsBodyGoesOut) {
+    ExportRequest figure;
+    figure.take_path = takePath("swing_001").toStdString();
+    figure.from_s = figure.to_s = 0.5;
+    figure.names = JointNames::kHumanIk;
+    figure.glb_path = outsideFile("figure.glb").toStdString();
+    ASSERT_TRUE(exportTake(figure, {}));
+    SessionBody body;
+    body.mesh = figure.glb_path;
+    studio_->session().setBody(body);
+    page_->choosePreset("web");
+    page_->form().body->setCurrentIndex(2);
+    ASSERT_TRUE(waitFor([this] { return studio_->shownBody().worn() && jobsAreDone(); }));
+    ASSERT_TRUE(page_->plan());
+    EXPECT_EQ(page_->plan()->front().request.worn, studio_->shownBody().worn());
+    write();
+    ASSERT_FALSE(page_->results()->outcomes[0].error) << page_->results()->outcomes[0].error->text();
+    EXPECT_TRUE(page_->results()->outcomes[0].check.ok());
+    body.mesh = outsideFile("gone.glb").toStdString();
+    studio_->session().setBody(body);
+    ASSERT_TRUE(waitFor([this] { return studio_->shownBody().problem() && jobsAreDone(); }));
+    EXPECT_FALSE(page_->plan()) << "it is not there";
+}
+
 TEST_F(ExportPageTest, NothingIsOverwritten) {
     write();
     page_->write();
@@ -155,7 +199,7 @@ TEST_F(ExportPageTest, TheFormOffersWhatTheFormatHas) {
     };
     choose(ExportFormat::kFbx);
     EXPECT_TRUE(form.unit->isEnabled() && form.names->isEnabled() && form.body->isEnabled());
-    form.body->setCurrentIndex(form.body->findData(false));
+    form.body->setCurrentIndex(form.body->findData(static_cast<int>(ExportBody::kSkeleton)));
     form.names->setCurrentIndex(1);
     EXPECT_FALSE(page_->plan()->front().request.with_body);
     EXPECT_EQ(page_->plan()->front().request.names, JointNames::kHumanIk);

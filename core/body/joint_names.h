@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Joints of skeletons that other programs named.
+#pragma once
+
+#include <string>
+
+#include "core/body/skeleton.h"
+
+namespace noctule {
+
+/// The joint of that name, else the one to which another program gives it (Joint::aliases); -1 without.
+int findByAnyName(const Skeleton& skeleton, const std::string& name);
+
+}  // namespace noctule

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/film/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "core/film/video_file.h"
+#include "core/job/atomic_file.h"
+#include "core/render/body_scene.h"
+
+namespace noctule {
+namespace {
+
+// The studio's dark view.
+constexpr SceneBackground kBackground{{0.063F, 0.078F, 0.102F, 1}, {0.08F, 0.1F, 0.129F, 1}};
+constexpr Rgba kBodyColor{0.54F, 0.58F, 0.63F, 1}, kGridColor{0.17F, 0.2F, 0.25F, 0.9F},
+    kXColor{0.95F, 0.51F, 0.42F, 0.45F}, kZColor{0.5F, 0.66F, 1, 0.45F}, kShadowColor{0, 0, 0, 0.55F};
+
+constexpr double kFollowed_s = 0.5;  ///< to either side: steps do not shake the camera
+constexpr double kFrontElevation_rad = 0.1, kSideAzimuth_rad = 0.45, kSideElevation_rad = 0.12;
+constexpr double kLeastReach_m = 0.05;  ///< of flesh around the joints
+constexpr size_t kSkinnedFrames = 12;   ///< in which the flesh is measured
+constexpr double kRateOff = 1e-3;       ///< containers round times
+constexpr double kColorOff = 16;        ///< of 255, mean over a picture; encoders blur
+
+Eigen::AlignedBox3d jointBox(const MotionClip& clip, size_t frame) {
+    return placeBody(clip.skeleton, clip.frames[frame], {}, nullptr).box();
+}
+
+/// Per frame the box around the body: around its joints, wider by what the skin needs in some frames.
+std::vector<Eigen::AlignedBox3d> bodyBoxes(const MovingBody& body, const MotionClip& clip) {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    Vector3d below = Vector3d::Constant(kLeastReach_m), above = below;
+    const size_t step = std::max<size_t>(1, clip.frames.size() / kSkinnedFrames);
+    for (size_t f = 0; f < clip.frames.size(); ++f) {
+        boxes.push_back(jointBox(clip, f));
+        if (f % step != 0 || !body.mesh())
+            continue;
+        Eigen::AlignedBox3d skin;
+        for (const Eigen::Vector3f& p_m : skinned(*body.mesh(), body.skinMatrices(clip.frames[f])).points_m)
+            skin.extend(p_m.cast<double>());
+        below = below.cwiseMax(boxes[f].min() - skin.min());
+        above = above.cwiseMax(skin.max() - boxes[f].max());
+    }
+    for (Eigen::AlignedBox3d& box : boxes)
+        box = Eigen::AlignedBox3d(Vector3d(box.min() - below), Vector3d(box.max() + above));
+    return boxes;
+}
+
+/// The root, averaged over a second, at the height of a standing body's middle.
+std::vector<Vector3d> followedPoints(const MotionClip& clip, double height_m) {
+    const auto reach = static_cast<size_t>(std::lround(kFollowed_s / clip.frame_time_s));
+    std::vector<Vector3d> sums{Vector3d::Zero()}, points;
+    for (const Pose& pose : clip.frames)
+        sums.push_back(sums.back() + pose.p_world_root);
+    for (size_t f = 0; f < clip.frames.size(); ++f) {
+        const size_t wide = std::min({reach, f, clip.frames.size() - 1 - f});
+        Vector3d mean = (sums[f + wide + 1] - sums[f - wide]) / static_cast<double>(2 * wide + 1);
+        mean.y() = height_m;
+        points.push_back(mean);
+    }
+    return points;
+}
+
+class FilmScene {
+public:
+    FilmScene(const MovingBody& body, const MotionClip& clip, const FilmSettings& settings)
+        : body_(body), clip_(clip), settings_(settings), cameras_(cameraPath(body, clip, settings)) {}
+
+    Result<Picture> draw(Offscreen& offscreen, size_t frame) const {
+        return offscreen.render(scene(frame), cameras_[frame], settings_.size);
+    }
+
+private:
+    Scene scene(size_t frame) const {
+        const Pose& pose = clip_.frames[frame];
+        Scene scene;
+        scene.background = kBackground;
+        scene.grid.emplace();
+        scene.grid->centre_m = pose.p_world_root.cast<float>();
+        scene.grid->line = kGridColor;
+        scene.grid->axis_x = kXColor;
+        scene.grid->axis_z = kZColor;
+        scene.discs.push_back(softShadow(placeBody(clip_.skeleton, pose, {}, nullptr).box(), kShadowColor));
+        SceneBody drawn;
+        drawn.mesh = body_.mesh();
+        drawn.skin = body_.skinMatrices(pose);
+        drawn.blending = settings_.blending;
+        drawn.color = kBodyColor;
+        scene.bodies.push_back(std::move(drawn));
+        return scene;
+    }
+
+    const MovingBody& body_;
+    const MotionClip& clip_;
+    const FilmSettings& settings_;
+    std::vector<Camera> cameras_;
+};
+
+Error notTheSame(const std::string& where, const std::string& what) {
+    return {ErrorKind::kDisk, where + ": what was written does not read back the same (" + what + ")",
+            "Check the disk and try again"};
+}
+
+/// Mean over all numbers; pictures of another size differ by all.
+double difference(const Picture& a, const Picture& b) {
+    if (a.rgba.size() != b.rgba.size())
+        return 255;
+    double sum = 0;
+    for (size_t i = 0; i < a.rgba.size(); ++i)
+        sum += i % 4 == 3 ? 0 : std::abs(a.rgba[i] - b.rgba[i]);
+    return sum / (0.75 * static_cast<double>(a.rgba.size()));
+}
+
+/// Size, rate and number of frames, and the pictures that `drawn` knows.
+Status checkPictures(const std::string& path, const std::string& where, size_t frames,
+                     const FilmSettings& settings, const std::map<size_t, Picture>& drawn) {
+    std::set<size_t> looked_at;
+    for (const auto& [frame, picture] : drawn)
+        looked_at.insert(frame);
+    double largest = 0;
+    const auto facts = readVideo(path, looked_at, [&](size_t frame, const Picture& picture) {
+        largest = std::max(largest, difference(drawn.at(frame), picture));
+    });
+    if (!facts)
+        return notTheSame(where, "it is no film");
+    if (facts->frames != frames)
+        return notTheSame(where,
+                          std::to_string(facts->frames) + " frames instead of " + std::to_string(frames));
+    if (facts->size.width_px != settings.size.width_px || facts->size.height_px != settings.size.height_px)
+        return notTheSame(where, "another size");
+    if (frames > 1 && std::abs(facts->frames_per_second / settings.frames_per_second - 1) > kRateOff)
+        return notTheSame(where, "another frame rate");
+    return largest <= kColorOff ? Status(Done{}) : notTheSame(where, "other pictures");
+}
+
+/// Removes what a film that came to nothing left.
+struct AsideFilm {
+    std::string path;
+    ~AsideFilm() {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+    }
+};
+
+}  // namespace
+
+std::vector<Camera> cameraPath(const MovingBody& body, const MotionClip& clip, const FilmSettings& settings) {
+    const size_t count = clip.frames.size();
+    Eigen::AlignedBox3d way;
+    double height_m = 0;
+    for (const Eigen::AlignedBox3d& box : bodyBoxes(body, clip)) {
+        way.extend(box);
+        height_m = std::max(height_m, box.sizes().y());
+    }
+    Camera camera;
+    if (settings.camera == CameraMove::kFront) {
+        camera.azimuth_rad = 0;
+        camera.elevation_rad = kFrontElevation_rad;
+        camera.frame(way, settings.size);
+        return std::vector<Camera>(count, camera);
+    }
+    camera.azimuth_rad = kSideAzimuth_rad;
+    camera.elevation_rad = kSideElevation_rad;
+    const Vector3d half(0.5 * height_m, 0.5 * height_m, 0.5 * height_m);
+    camera.frame({Vector3d(-half), half}, settings.size, 0.02);
+    std::vector<Camera> cameras;
+    for (const Vector3d& point : followedPoints(clip, way.min().y() + 0.5 * way.sizes().y())) {
+        camera.target_m = point;
+        if (settings.camera == CameraMove::kTurn)
+            camera.azimuth_rad = kSideAzimuth_rad +
+                                 2 * M_PI * static_cast<double>(cameras.size()) / static_cast<double>(count);
+        cameras.push_back(camera);
+    }
+    return cameras;
+}
+
+Status writePicture(const std::string& path, const MovingBody& body, const MotionClip& clip, size_t frame,
+                    const FilmSettings& settings, bool overwrite) {
+    if (const Status free = checkOutputPath(path, overwrite); !free)
+        return free;
+    auto offscreen = Offscreen::create();
+    if (!offscreen)
+        return offscreen.error();
+    const auto picture = FilmScene(body, clip, settings).draw(**offscreen, frame);
+    if (!picture)
+        return picture.error();
+    return writeFileAtomically(path, pngBytes(*picture), overwrite, [&](const std::string& aside) -> Status {
+        const auto read = readPng(aside);
+        if (!read || difference(*read, *picture) > 0)
+            return notTheSame(path, "other colours");
+        return Done{};
+    });
+}
+
+Status writeFilm(const std::string& path, const MovingBody& body, const MotionClip& clip,
+                 const FilmSettings& settings, bool overwrite, const JobContext& job) {
+    if (const Status free = checkOutputPath(path, overwrite); !free)
+        return free;
+    auto offscreen = Offscreen::create();
+    if (!offscreen)
+        return offscreen.error();
+    const AsideFilm aside{asidePath(path) + std::filesystem::path(path).extension().string()};
+    auto writer = VideoWriter::create(aside.path, path, settings.size, 1 / clip.frame_time_s);
+    if (!writer)
+        return writer.error();
+    const FilmScene scene(body, clip, settings);
+    const size_t count = clip.frames.size();
+    std::map<size_t, Picture> compared;
+    for (size_t f = 0; f < count; ++f) {
+        if (job.cancelled())
+            return JobContext::cancelledError();
+        job.progress(0.95 * static_cast<double>(f) / static_cast<double>(count), "Drawing " + path);
+        auto picture = scene.draw(**offscreen, f);
+        if (!picture)
+            return picture.error();
+        (*writer)->add(*picture);
+        if (f == 0 || f == count / 2 || f + 1 == count)
+            compared[f] = std::move(*picture);
+    }
+    (*writer)->finish();
+    job.progress(0.95, "Reading " + path + " again");
+    FilmSettings expected = settings;
+    expected.frames_per_second = 1 / clip.frame_time_s;
+    if (const Status same = checkPictures(aside.path, path, count, expected, compared); !same)
+        return same;
+    return publishFile(aside.path, path, overwrite);
+}
+
+}  // namespace noctule

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// A moving body as a picture or a film, drawn without a window: the same renderer as the studio's view, a
+// body, its shadow and the ground. Written aside, read again and compared before the file gets its name.
+#pragma once
+
+#include <string>
+
+#include "core/mesh/moving_body.h"
+#include "core/motion/clip.h"
+#include "core/render/offscreen.h"
+
+namespace noctule {
+
+enum class CameraMove {
+    kFront,   ///< stands before the performer and sees the whole way
+    kFollow,  ///< goes along, from a little to the performer's left
+    kTurn,    ///< goes along and once around the performer
+};
+
+struct FilmSettings {
+    PictureSize size{1280, 720};
+    CameraMove camera = CameraMove::kFront;
+    double frames_per_second = 30;  ///< of a film
+    Blending blending = Blending::kLinear;
+
+    bool operator==(const FilmSettings&) const = default;
+};
+
+/// Where the camera is in every frame; at least one frame. Deterministic.
+std::vector<Camera> cameraPath(const MovingBody& body, const MotionClip& clip, const FilmSettings& settings);
+
+/// One frame of the clip as PNG. kUnusable without OpenGL; kUsage and kDisk as writeFileAtomically().
+Status writePicture(const std::string& path, const MovingBody& body, const MotionClip& clip, size_t frame,
+                    const FilmSettings& settings, bool overwrite);
+
+/// The whole clip; its frames are those of the film, whatever the settings' rate. Besides, as VideoWriter.
+Status writeFilm(const std::string& path, const MovingBody& body, const MotionClip& clip,
+                 const FilmSettings& settings, bool overwrite, const JobContext& job);
+
+}  // namespace noctule

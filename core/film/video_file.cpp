@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/film/video_file.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/film/video_backend.h"
+#include "core/job/atomic_file.h"
+#include "core/job/own_folder.h"
+
+namespace noctule {
+namespace {
+
+std::string endingOf(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+/// Encoders by four letters, the best first.
+std::vector<std::string> encodersFor(const std::string& ending) {
+    if (ending == ".mp4" || ending == ".mkv")
+        return {"avc1", "mp4v"};
+    return ending == ".avi" ? std::vector<std::string>{"MJPG"} : std::vector<std::string>{};
+}
+
+/// Loaded once, and for good.
+Result<const VideoBackend*> videoBackend() {
+    static void* const module = dlopen(besideThisProgram(kVideoModule).c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!module)
+        return Error{ErrorKind::kInternal,
+                     besideThisProgram(kVideoModule) + ", which encodes films, cannot be loaded",
+                     "Install the program again; this file belongs beside it"};
+    const auto backend = reinterpret_cast<const VideoBackend* (*)()>(dlsym(module, kVideoBackend));
+    require(backend, "the module of films has a backend");
+    return backend();
+}
+
+cv::Mat toBgr(const Picture& picture) {
+    const cv::Mat rgba(picture.height_px, picture.width_px, CV_8UC4,
+                       const_cast<uint8_t*>(picture.rgba.data()));  // cv::Mat only reads here
+    cv::Mat bgr;
+    cv::cvtColor(rgba, bgr, cv::COLOR_RGBA2BGR);
+    return bgr;
+}
+
+Picture fromBgr(const cv::Mat& bgr) {
+    cv::Mat rgba;
+    cv::cvtColor(bgr, rgba, cv::COLOR_BGR2RGBA);
+    return {rgba.cols, rgba.rows, {rgba.datastart, rgba.dataend}};
+}
+
+}  // namespace
+
+bool isVideoFileName(const std::string& path) {
+    return !encodersFor(endingOf(path)).empty();
+}
+
+VideoWriter::VideoWriter(std::unique_ptr<VideoEncoder> encoder) : encoder_(std::move(encoder)) {}
+VideoWriter::~VideoWriter() = default;
+
+Result<std::unique_ptr<VideoWriter>> VideoWriter::create(const std::string& path, const std::string& named,
+                                                         const PictureSize& size, double frames_per_second) {
+    const std::vector<std::string> encoders = encodersFor(endingOf(named));
+    if (encoders.empty())
+        return Error{ErrorKind::kUsage, named + ": films of this kind cannot be written",
+                     "End its name with .mp4, .mkv or .avi"};
+    if (size.width_px % 2 != 0 || size.height_px % 2 != 0)
+        return Error{ErrorKind::kUsage,
+                     named + ": a film of " + std::to_string(size.width_px) + " x " +
+                         std::to_string(size.height_px) + " pixels cannot be encoded",
+                     "Choose an even width and an even height"};
+    const auto backend = videoBackend();
+    if (!backend)
+        return backend.error();
+    if (const Status free = writeFileAtomically(path, "", true); !free)
+        return Error{free.error().kind, named + ": cannot be written", free.error().remedy};
+    for (const std::string& name : encoders)
+        if (auto encoder = (*backend)->open(path, name, size, frames_per_second))
+            return std::unique_ptr<VideoWriter>(new VideoWriter(std::move(encoder)));
+    return Error{ErrorKind::kUnusable, named + ": OpenCV finds no encoder for it",
+                 "Install ffmpeg's libraries, or write an .avi file"};
+}
+
+void VideoWriter::add(const Picture& picture) {
+    encoder_->add(picture);
+}
+
+void VideoWriter::finish() {
+    encoder_.reset();
+}
+
+Result<VideoFacts> readVideo(const std::string& path, const std::set<size_t>& looked_at,
+                             const std::function<void(size_t frame, const Picture&)>& look) {
+    const auto backend = videoBackend();
+    if (!backend)
+        return backend.error();
+    VideoFacts facts;
+    if (!(*backend)->read(path, facts, looked_at, look))
+        return Error{ErrorKind::kUnreadable, path + ": is no film that can be read", "Write it again"};
+    return facts;
+}
+
+std::string pngBytes(const Picture& picture) {
+    std::vector<uint8_t> bytes;
+    require(cv::imencode(".png", toBgr(picture), bytes), "a picture in memory can be encoded as PNG");
+    return {bytes.begin(), bytes.end()};
+}
+
+Result<Picture> readPng(const std::string& path) {
+    const auto bytes = readWholeFile(path);
+    if (!bytes)
+        return bytes.error();
+    const cv::Mat bgr =
+        bytes->empty() ? cv::Mat()
+                       : cv::imdecode(std::vector<uint8_t>(bytes->begin(), bytes->end()), cv::IMREAD_COLOR);
+    if (bgr.empty())
+        return Error{ErrorKind::kUnreadable, path + ": is no picture that can be read", "Write it again"};
+    return fromBgr(bgr);
+}
+
+}  // namespace noctule

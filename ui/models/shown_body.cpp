@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/shown_body.h"
+
+#include <QFileInfo>
+
+#include "core/mesh/mesh_reader.h"
+
+namespace noctule::ui {
+namespace {
+
+Result<ReadBody> readBodyFrom(const std::string& path, const WearingChoices& choices,
+                              std::shared_ptr<const RiggedMesh> known, const JobContext& job) {
+    ReadBody read{path, std::move(known), nullptr, std::nullopt};
+    if (!read.mesh) {
+        job.progress(0, ShownBody::tr("Reading the file").toStdString());
+        auto mesh = importMeshApart(path, {}, job);
+        if (!mesh && mesh.error().kind == ErrorKind::kCancelled)
+            return mesh.error();
+        if (!mesh) {
+            read.problem = mesh.error();
+            return read;
+        }
+        read.mesh = std::make_shared<const RiggedMesh>(std::move(*mesh));
+    }
+    job.progress(0.5, read.mesh->isRigged() ? ShownBody::tr("Finding bones").toStdString()
+                                            : ShownBody::tr("Fitting a skeleton").toStdString());
+    auto body = wearable(*read.mesh, path, choices, {nullptr, job.cancel});
+    if (body)
+        read.body = std::make_shared<const WearableBody>(std::move(*body));
+    else if (body.error().kind == ErrorKind::kCancelled)
+        return body.error();
+    else
+        read.problem = body.error();
+    return read;
+}
+
+}  // namespace
+
+ShownBody::ShownBody(Jobs& jobs, SessionModel& session, QObject* parent)
+    : QObject(parent), jobs_(jobs), session_(session) {
+    connect(&session, &SessionModel::opened, this, &ShownBody::follow);
+    connect(&session, &SessionModel::changed, this, &ShownBody::follow);
+}
+
+Blending ShownBody::blending() const {
+    return shown_.blending;
+}
+
+Job* ShownBody::read(const SessionBody& body, QObject* context, std::function<void(const ReadBody&)> done) {
+    const std::string path = body.pathIn(session_.session().folder).string();
+    const QString name = QFileInfo(QString::fromStdString(path)).fileName();
+    return jobs_.start<ReadBody>(
+        tr("Reading %1").arg(name),
+        [path, choices = body.choices, known = known_path_ == path ? known_ : nullptr](
+            const JobContext& job) { return readBodyFrom(path, choices, known, job); },
+        [this, context = QPointer(context), done = std::move(done)](Result<ReadBody> result) -> QString {
+            if (!result)
+                return {};
+            if (result->mesh) {
+                known_path_ = result->path;
+                known_ = result->mesh;
+            }
+            if (context)
+                done(*result);
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+void ShownBody::follow() {
+    const SessionBody wanted = session_.isOpen() ? session_.session().body : SessionBody{};
+    if (wanted == shown_)
+        return;
+    const bool same_body = wanted.mesh == shown_.mesh && wanted.choices == shown_.choices;
+    shown_ = wanted;
+    if (same_body) {
+        emit changed();
+        return;
+    }
+    if (reading_)
+        reading_->cancel();
+    if (wanted.isOurs())
+        keep(wanted, {});
+    else
+        reading_ = read(wanted, this, [this, wanted](const ReadBody& read) { keep(wanted, read); });
+}
+
+void ShownBody::keep(const SessionBody& body, ReadBody read) {
+    if (!(body.mesh == shown_.mesh && body.choices == shown_.choices))
+        return;  // another was chosen meanwhile
+    read_ = std::move(read);
+    if (read_.problem)
+        emit failed(QString::fromStdString(read_.problem->message),
+                    QString::fromStdString(read_.problem->remedy));
+    emit changed();
+}
+
+}  // namespace noctule::ui
