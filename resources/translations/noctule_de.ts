@@ -5580,6 +5580,62 @@ keine Lücken</translation>
         <source>Choose at least one kind of sensor.</source>
         <translation>Mindestens eine Art von Sensor wählen.</translation>
     </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>As in a live recording.</source>
+        <translation>Wie bei einer Live-Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Half a second</source>
+        <translation>Eine halbe Sekunde</translation>
+    </message>
+    <message>
+        <source>Each pose knows what follows within half a second.</source>
+        <translation>Jede Pose weiß, was innerhalb einer halben Sekunde folgt.</translation>
+    </message>
+    <message>
+        <source>Whole take</source>
+        <translation>Ganze Aufnahme</translation>
+    </message>
+    <message>
+        <source>Each pose knows all that came before and after: the most accurate.</source>
+        <translation>Jede Pose kennt alles Frühere und Spätere: am genauesten.</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>By the rise of the pulse</source>
+        <translation>Am Anstieg des Pulses</translation>
+    </message>
+    <message>
+        <source>As in the paper.</source>
+        <translation>Wie in der Arbeit.</translation>
+    </message>
+    <message>
+        <source>By the whole pulse</source>
+        <translation>Am ganzen Puls</translation>
+    </message>
+    <message>
+        <source>Fits each source’s own pulse: finer where nothing stands in between.</source>
+        <translation>Passt den eigenen Puls jeder Quelle an: feiner, wo nichts dazwischensteht.</translation>
+    </message>
+    <message>
+        <source>Distances are measured</source>
+        <translation>Abstände werden gemessen</translation>
+    </message>
+    <message>
+        <source>Needs the recorded sound, which this take does not hold.</source>
+        <translation>Braucht den aufgezeichneten Ton, den diese Aufnahme nicht enthält.</translation>
+    </message>
+    <message>
+        <source>The filter of the paper has no smoother.</source>
+        <translation>Das Filter der Arbeit hat keine Glättung.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ResultSide</name>

@@ -31,12 +31,12 @@ QBoxLayout* addGroup(QBoxLayout& into, const QString& title, const std::vector<Q
     return column;
 }
 
-/// One of the two is always chosen.
-void keepOneChosen(QObject* owner, ChoiceRow* first, ChoiceRow* second) {
+/// One of them is always chosen, at first the first.
+void keepOneChosen(QObject* owner, const std::vector<ChoiceRow*>& rows) {
     auto* group = new QButtonGroup(owner);
-    group->addButton(first->button());
-    group->addButton(second->button());
-    first->setChecked(true);
+    for (ChoiceRow* row : rows)
+        group->addButton(row->button());
+    rows.front()->setChecked(true);
 }
 
 QString calibrationInWords(const Calibration& calibration) {
@@ -66,9 +66,11 @@ ReprocessDialog::ReprocessDialog(Studio& studio, const TakeOverview& overview, Q
         row->addWidget(half);
     }
     addSensors(*halves[0]);
+    addRoot(*halves[0]);
     addName(*halves[0]);
-    addRoot(*halves[1]);
     addFilter(*halves[1]);
+    addSmoothing(*halves[1]);
+    addDetector(*halves[0]);
     addCalibration(*halves[1]);
     for (QBoxLayout* half : halves)
         half->addStretch();
@@ -97,7 +99,7 @@ void ReprocessDialog::addRoot(QBoxLayout& into) {
     root_free = new ChoiceRow(kRadio, tr("Free"), tr("Found by the filter, as in a live recording."));
     root_given = new ChoiceRow(kRadio, tr("Given"), tr("Hips from the other system that is attached."));
     addGroup(into, tr("Root"), {root_free, root_given});
-    keepOneChosen(this, root_free, root_given);
+    keepOneChosen(this, {root_free, root_given});
     if (!overview_.has_external_root)
         root_given->setDisabledBecause(tr("Needs an external root: attach one under Reference first."));
     connect(root_given->button(), &QAbstractButton::toggled, this, &ReprocessDialog::refresh);
@@ -122,8 +124,30 @@ void ReprocessDialog::addFilter(QBoxLayout& into) {
     row->addWidget(label);
     row->addWidget(process_sigma_, 1);
     column->addWidget(process_row_);
-    keepOneChosen(this, ours, paper);
+    keepOneChosen(this, {ours, paper});
     connect(paper->button(), &QAbstractButton::toggled, this, &ReprocessDialog::refresh);
+}
+
+void ReprocessDialog::addSmoothing(QBoxLayout& into) {
+    using enum ChoiceRow::Kind;
+    not_smoothed = new ChoiceRow(kRadio, tr("None"), tr("As in a live recording."));
+    smoothed_half_second =
+        new ChoiceRow(kRadio, tr("Half a second"), tr("Each pose knows what follows within half a second."));
+    smoothed_whole = new ChoiceRow(kRadio, tr("Whole take"),
+                                   tr("Each pose knows all that came before and after: the most accurate."));
+    addGroup(into, tr("Smoothing"), {not_smoothed, smoothed_half_second, smoothed_whole});
+    keepOneChosen(this, {not_smoothed, smoothed_half_second, smoothed_whole});
+}
+
+void ReprocessDialog::addDetector(QBoxLayout& into) {
+    using enum ChoiceRow::Kind;
+    inflection = new ChoiceRow(kRadio, tr("By the rise of the pulse"), tr("As in the paper."));
+    matched = new ChoiceRow(kRadio, tr("By the whole pulse"),
+                            tr("Fits each source’s own pulse: finer where nothing stands in between."));
+    addGroup(into, tr("Distances are measured"), {inflection, matched});
+    keepOneChosen(this, {inflection, matched});
+    if (overview_.level != TakeLevel::kSignal)
+        matched->setDisabledBecause(tr("Needs the recorded sound, which this take does not hold."));
 }
 
 void ReprocessDialog::addCalibration(QBoxLayout& into) {
@@ -132,7 +156,7 @@ void ReprocessDialog::addCalibration(QBoxLayout& into) {
         new ChoiceRow(kRadio, tr("In force in the take"), calibrationInWords(overview_.calibration));
     calibration_from_file = new ChoiceRow(kRadio, tr("From a file"), tr("Becomes the one in force."));
     addGroup(into, tr("Calibration"), {calibration_in_force, calibration_from_file});
-    keepOneChosen(this, calibration_in_force, calibration_from_file);
+    keepOneChosen(this, {calibration_in_force, calibration_from_file});
     connect(calibration_from_file->button(), &QAbstractButton::clicked, this, [this] {
         const QString path =
             QFileDialog::getOpenFileName(this, tr("Choose a calibration"), {}, tr("Calibrations (*.json)"));
@@ -174,12 +198,23 @@ void ReprocessDialog::startFrom(const RunSettings& settings) {
         paper->setChecked(true);
     if (settings.process_sigma_rad_per_s2)
         process_sigma_->setValue(*settings.process_sigma_rad_per_s2);
+    if (settings.smoother == smootherName(Smoother::kLag))
+        smoothed_half_second->setChecked(true);
+    if (settings.smoother == smootherName(Smoother::kFull))
+        smoothed_whole->setChecked(true);
+    if (settings.detector == detectorName(Detector::kMatched) && overview_.level == TakeLevel::kSignal)
+        matched->setChecked(true);
 }
 
 void ReprocessDialog::refresh() {
     const bool any = accelerometers->isChecked() || gyroscopes->isChecked() || distances->isChecked();
     actionButton()->setDisabledBecause(any ? QString() : tr("Choose at least one kind of sensor."));
     process_row_->setVisible(paper->isChecked());
+    const QString only_ours = paper->isChecked() ? tr("The filter of the paper has no smoother.") : QString();
+    if (paper->isChecked())
+        not_smoothed->setChecked(true);
+    smoothed_half_second->setDisabledBecause(only_ours);
+    smoothed_whole->setDisabledBecause(only_ours);
     name->setPlaceholderText(QString::fromStdString(defaultRunName(request().tracker)));
 }
 
@@ -190,6 +225,10 @@ ProcessRequest ReprocessDialog::request() const {
     request.tracker.root_given = root_given->isChecked();
     request.tracker.estimator = paper->isChecked() ? EstimatorKind::kPaper : EstimatorKind::kManifold;
     request.tracker.paper_process_sigma_rad_per_s2 = process_sigma_->value();
+    request.tracker.smoother = smoothed_whole->isChecked()         ? Smoother::kFull
+                               : smoothed_half_second->isChecked() ? Smoother::kLag
+                                                                   : Smoother::kNone;
+    request.detector = matched->isChecked() ? Detector::kMatched : Detector::kInflection;
     if (calibration_from_file->isChecked())
         request.calibration = calibration_;
     request.run_name = name->text().trimmed().toStdString();

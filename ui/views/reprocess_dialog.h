@@ -26,6 +26,8 @@ public:
     ChoiceRow *accelerometers, *gyroscopes, *distances;
     ChoiceRow *root_free, *root_given;
     ChoiceRow *ours, *paper;
+    ChoiceRow *not_smoothed, *smoothed_half_second, *smoothed_whole;
+    ChoiceRow *matched, *inflection;
     ChoiceRow *calibration_in_force, *calibration_from_file;
     QLineEdit* name;
 
@@ -35,6 +37,8 @@ private:
     void addSensors(QBoxLayout& into);
     void addRoot(QBoxLayout& into);
     void addFilter(QBoxLayout& into);
+    void addSmoothing(QBoxLayout& into);
+    void addDetector(QBoxLayout& into);
     void addCalibration(QBoxLayout& into);
     void addName(QBoxLayout& into);
     void chooseCalibration();

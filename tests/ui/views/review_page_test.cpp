@@ -109,6 +109,21 @@ TEST_F(ReviewPageTest, AProcessingNeedsSensors) {
     EXPECT_EQ(dialog.request().tracker.estimator, EstimatorKind::kPaper);
 }
 
+TEST_F(ReviewPageTest, SmoothingIsAskedForAndThePapersFilterHasNone) {
+    ReprocessDialog dialog(*studio_, *studio_->take().overview());
+    EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kNone);
+    dialog.smoothed_whole->setChecked(true);
+    EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kFull);
+    dialog.smoothed_half_second->setChecked(true);
+    EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kLag);
+    dialog.paper->setChecked(true);
+    EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kNone);
+    EXPECT_FALSE(dialog.smoothed_whole->button()->isEnabled());
+    EXPECT_EQ(dialog.request().detector, Detector::kInflection);
+    const bool has_sound = studio_->take().overview()->level == TakeLevel::kSignal;
+    EXPECT_EQ(dialog.matched->button()->isEnabled(), has_sound);
+}
+
 TEST_F(ReviewPageTest, ChoosingAJointChoosesItEverywhere) {
     JointTable& table = page_->reportPanel().joints();
     table.selectRow(2);
