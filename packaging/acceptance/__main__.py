@@ -9,6 +9,7 @@ import sys
 import time
 
 import accessibility
+import accuracy
 import benchmarks
 import blender
 import calibration
@@ -26,6 +27,7 @@ import table1
 
 FIGURES = {
     "table1": ("Table 1: combinations of sensors, both estimators", table1.figure),
+    "accuracy": ("Accuracy on six motions, filtered and smoothed", accuracy.figure),
     "drift": ("Drift over five minutes", drift.figure),
     "benchmarks": ("Benchmarks", benchmarks.figure),
     "speed": ("Speed on one core", speed.figure),
