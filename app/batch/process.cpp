@@ -170,7 +170,7 @@ Verb processVerb() {
                "poses that know what came later: half a second of it (lag) or all (full)")
             .orElse("none")
             .laterOn({"batch"}),
-        text("run-name", "NAME", "name of the new run; from sensors and estimator when not given"),
+        text("run-name", "NAME", "name of the new run; from sensors, estimator and smoother when not given"),
         text("out-dir", "D", "copy the take there and write into the copy")};
     verb.remarks = {"Nothing is replaced: every call adds a run, and the raw data stay as they are."};
     verb.run = runProcess;
