@@ -69,16 +69,16 @@ Baseband BurstFinder::around(double onset, double noise_power) const {
 
 void BurstFinder::sumBursts() {
     float re = 0, im = 0;
-    for (size_t m = 0; m < burst_ - 1; ++m) {
+    for (size_t m = 0; m < burst_; ++m) {
         re += baseband_[m].real();
         im += baseband_[m].imag();
     }
-    for (size_t begin = 0; begin < power_.size(); ++begin) {
-        re += baseband_[begin + burst_ - 1].real();
-        im += baseband_[begin + burst_ - 1].imag();
+    power_[0] = re * re + im * im;
+    for (size_t begin = 1; begin < power_.size(); ++begin) {
+        const std::complex<float>&in = baseband_[begin + burst_ - 1], &out = baseband_[begin - 1];
+        re += in.real() - out.real();  // one addition waits for the last, not two
+        im += in.imag() - out.imag();
         power_[begin] = re * re + im * im;
-        re -= baseband_[begin].real();
-        im -= baseband_[begin].imag();
     }
 }
 
