@@ -13,9 +13,9 @@ namespace noctule {
 namespace {
 
 constexpr int kMaxIterations = 8, kBriefly = 4;
-constexpr double kSettled = 1e-3;                                             // samples: 2 um
-constexpr double kLongestStep = 12;                                           // samples per iteration
-constexpr double kFastest = 0.03;                                             // stretch: 10 m/s
+constexpr double kSettled = 5e-3;    // samples: 11 um, of an envelope good to 80 um at best
+constexpr double kLongestStep = 12;  // samples per iteration
+constexpr double kFastest = 0.03;    // stretch: 10 m/s
 constexpr double kSearchedBefore = 30, kSearchedAfter = 20, kSearchStep = 5;  // samples
 constexpr double kEchoMisfit = 2, kEchoGain = 0.7, kLostMisfit = 30;
 /// Where the search for two paths begins: the first against where one alone fits best, the second behind it.
