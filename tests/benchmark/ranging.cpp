@@ -3,7 +3,7 @@
 // them and as the estimator used them (A+G+D, root given). Scenario nominal, sampled sound, the sources'
 // offsets true so that only ranging is judged (the scenario's calibration is 1.5 us off, 0.5 mm).
 //
-//     bench_ranging [MOTION.bvh [SECONDS]]
+//     measure_ranging [MOTION.bvh [SECONDS]]
 //
 // False direct path: an error of more than 15 mm. Of the rest, errors are of pairs that nothing obstructs and
 // that move at 5 m/s at most, with one common scale taken off (as a wrong temperature makes it); a wrong
