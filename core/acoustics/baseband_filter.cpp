@@ -2,6 +2,7 @@
 #include "core/acoustics/baseband_filter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,6 +14,7 @@ namespace {
 constexpr double kOutputRate_hz = 25e3, kPass_hz = 3500;
 constexpr double kStop_db = 60, kKaiserBeta = 5.65;  // Kaiser's formulae for 60 dB
 constexpr int kLanes = 8;                            // taps come in whole vectors of int16
+constexpr int kUsualTaps = 32;                       // at 150 kHz
 
 double kaiserWindow(double x) {
     return std::cyl_bessel_i(0.0, kKaiserBeta * std::sqrt(std::max(0.0, 1 - x * x)));
@@ -25,11 +27,16 @@ int tapsFor(double rate_hz, int factor) {
     return kLanes * static_cast<int>(std::ceil(taps / kLanes));
 }
 
-int32_t dot(const int16_t* a, const int16_t* b, int count) {
-    int32_t sum = 0;
-    for (int i = 0; i < count; ++i)
-        sum += static_cast<int32_t>(a[i]) * b[i];
-    return sum;
+/// Sums of products with two sets of weights; kCount known beforehand spares the loop.
+template <int kCount>
+std::array<int32_t, 2> dots(const int16_t* x, const int16_t* a, const int16_t* b, int count = kCount) {
+    int32_t first = 0, second = 0;
+    const int known = kCount > 0 ? kCount : count;
+    for (int i = 0; i < known; ++i) {
+        first += static_cast<int32_t>(x[i]) * a[i];
+        second += static_cast<int32_t>(x[i]) * b[i];
+    }
+    return {first, second};
 }
 
 }  // namespace
@@ -70,10 +77,12 @@ void BasebandFilter::run(std::span<const int16_t> samples, double origin,
     const std::complex<double> step = std::polar(1.0, -rad_per_sample_ * factor_);
     const int16_t* from = samples.data();
     for (std::complex<float>& value : out) {
-        const double re = dot(from, real_.data(), taps_), im = dot(from, imaginary_.data(), taps_);
+        const auto [re, im] = taps_ == kUsualTaps ? dots<kUsualTaps>(from, real_.data(), imaginary_.data())
+                                                  : dots<0>(from, real_.data(), imaginary_.data(), taps_);
         value = {static_cast<float>(re * turn.real() - im * turn.imag()),
                  static_cast<float>(re * turn.imag() + im * turn.real())};
-        turn *= step;
+        turn = {turn.real() * step.real() - turn.imag() * step.imag(),
+                turn.real() * step.imag() + turn.imag() * step.real()};
         from += factor_;
     }
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/acoustics/burst_finder.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "core/job/contract.h"
 
 namespace noctule {
 namespace {
@@ -23,21 +26,32 @@ BurstFinder::BurstFinder(const PulseTrain& train)
       burst_(std::max<size_t>(1, static_cast<size_t>(std::lround(train.cycles / train.drive_hz *
                                                                  train.sample_rate_hz / filter_.factor())))),
       first_instant_(filter_.delay() - margin_),
-      sound_(static_cast<size_t>(window_)),
       baseband_(static_cast<size_t>(filter_.outputs(window_))),
       power_(baseband_.size() - burst_ + 1) {}
 
-void BurstFinder::hear(std::span<const int16_t> window, size_t boards, size_t board) {
-    const int16_t* value = window.data() + board;
+/// Board after board, a little of each at a time so that what is read stays near.
+void BurstFinder::load(std::span<const int16_t> window, size_t boards) {
+    constexpr size_t kTile = 32;
+    require(window.size() == boards * static_cast<size_t>(window_),
+            "a window of another size than the detector's");
+    const auto samples = static_cast<size_t>(window_);
+    planes_.resize(window.size());
+    for (size_t tile = 0; tile < samples; tile += kTile)
+        for (size_t board = 0; board < boards; ++board)
+            for (size_t i = tile; i < std::min(tile + kTile, samples); ++i)
+                planes_[board * samples + i] = window[i * boards + board];
+}
+
+void BurstFinder::hear(size_t board) {
+    const auto samples = static_cast<size_t>(window_);
+    const std::span<const int16_t> sound = std::span(planes_).subspan(board * samples, samples);
     int16_t highest = 0, lowest = 0;
-    for (int16_t& sample : sound_) {
-        sample = *value;
+    for (const int16_t sample : sound) {
         highest = std::max(highest, sample);
         lowest = std::min(lowest, sample);
-        value += boards;
     }
     clipped_ = highest >= kFullScale_counts || lowest <= -kFullScale_counts;
-    filter_.run(sound_, margin_, baseband_);
+    filter_.run(sound, margin_, baseband_);
     sumBursts();
 }
 
@@ -55,16 +69,16 @@ Baseband BurstFinder::around(double onset, double noise_power) const {
 
 void BurstFinder::sumBursts() {
     float re = 0, im = 0;
-    for (size_t m = 0; m < burst_ - 1; ++m) {
+    for (size_t m = 0; m < burst_; ++m) {
         re += baseband_[m].real();
         im += baseband_[m].imag();
     }
-    for (size_t begin = 0; begin < power_.size(); ++begin) {
-        re += baseband_[begin + burst_ - 1].real();
-        im += baseband_[begin + burst_ - 1].imag();
+    power_[0] = re * re + im * im;
+    for (size_t begin = 1; begin < power_.size(); ++begin) {
+        const std::complex<float>&in = baseband_[begin + burst_ - 1], &out = baseband_[begin - 1];
+        re += in.real() - out.real();  // one addition waits for the last, not two
+        im += in.imag() - out.imag();
         power_[begin] = re * re + im * im;
-        re -= baseband_[begin].real();
-        im -= baseband_[begin].imag();
     }
 }
 
@@ -110,8 +124,10 @@ std::optional<BurstFinder::Rise> BurstFinder::firstRise(double noise_power) cons
 }
 
 double BurstFinder::riseOf(const PulseTemplate& pulse) {
-    for (size_t m = 0; m < baseband_.size(); ++m)
-        baseband_[m] = pulse.at(instant(static_cast<double>(m))).value;
+    pulse.sample(first_instant_, filter_.factor(), static_cast<int>(baseband_.size()),
+                 [&](int m, float re, float im, float, float) {
+                     baseband_[static_cast<size_t>(m)] = {re, im};
+                 });
     sumBursts();
     return riseBefore(static_cast<size_t>(std::max_element(power_.begin(), power_.end()) - power_.begin()))
         .instant;

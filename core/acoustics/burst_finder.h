@@ -23,8 +23,10 @@ public:
     int windowSamples() const { return window_; }
     const BasebandFilter& filter() const { return filter_; }
 
-    /// Board `board` of a window of `boards`. What it says is of this sound until the next.
-    void hear(std::span<const int16_t> window, size_t boards, size_t board);
+    /// A window, sample-interleaved.
+    void load(std::span<const int16_t> window, size_t boards);
+    /// What follows is of this board until the next.
+    void hear(size_t board);
     bool clipped() const { return clipped_; }
     std::span<const std::complex<float>> baseband() const { return baseband_; }
     /// When an output of the filter is, in samples since the pulse's emission.
@@ -57,7 +59,7 @@ private:
     size_t burst_;
     double first_instant_;
     bool clipped_ = false;
-    std::vector<int16_t> sound_;
+    std::vector<int16_t> planes_;  // the window, board after board
     std::vector<std::complex<float>> baseband_;
     std::vector<float> power_, quiet_;  // of bursts, by their first output
 };

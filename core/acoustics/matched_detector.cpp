@@ -45,12 +45,12 @@ MatchedDetector::MatchedDetector(const PulseTrain& train, const PulseShapes& sha
 
 void MatchedDetector::detect(std::span<const int16_t> window, std::span<PulseArrival> boards,
                              const Pulse& pulse) {
-    require(window.size() == boards.size() * windowSamples(), "a window of another size than the detector's");
+    finder_.load(window, boards.size());
     const bool known = pulse.source >= 0 && pulse.source < std::ssize(sources_) &&
                        sources_[static_cast<size_t>(pulse.source)];
     for (size_t board = 0; board < boards.size(); ++board) {
         if (known) {
-            finder_.hear(window, boards.size(), board);
+            finder_.hear(board);
             boards[board] =
                 find(*sources_[static_cast<size_t>(pulse.source)], static_cast<int>(board), pulse);
         } else {
@@ -71,6 +71,8 @@ PulseArrival MatchedDetector::find(const Known& known, int board, const Pulse& p
     const PathFitter fitter(known.pulse, drive_);
     const PathFit fit = fitter.fit(finder_.around(near_onset, ambient.power()), near_onset,
                                    stretchAt(pulse, board, near_onset));
+    if (!std::isfinite(fit.misfit))  // nothing there that a pulse would explain
+        return arrival;
     heard_[pairIndex(pulse, board)] = Heard{pulse.sample, fit.onset[0]};
     const double amplitude = std::abs(fit.gain[0]) * known.pulse.peak();
     arrival.sample = fit.onset[0];

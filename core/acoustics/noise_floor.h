@@ -3,7 +3,8 @@
 // rounds of eight sources), which neither an impulse nor one close source's long ringing moves.
 #pragma once
 
-#include <deque>
+#include <array>
+#include <cstddef>
 
 namespace noctule {
 
@@ -14,7 +15,8 @@ public:
 
 private:
     static constexpr size_t kWindows = 16;
-    std::deque<double> recent_;
+    std::array<double, kWindows> recent_{};  // a ring
+    size_t count_ = 0, next_ = 0;
     double power_ = 0;
 };
 

@@ -39,16 +39,15 @@ public:
     PathFitter(const PulseTemplate& pulse, double drive_rad_per_sample)
         : pulse_(pulse), drive_(drive_rad_per_sample) {}
 
-    /// The first arrival, begun within 30 samples of `near_onset`; a second path where it explains much.
+    /// The first arrival, about at `near_onset`; with a second path where that explains much. Of 32 values of
+    /// sound at most.
     PathFit fit(const Baseband& sound, double near_onset, const StretchPrior& prior) const;
-    /// One path only.
+    /// One path only, looked for within 30 samples.
     PathFit fitAlone(const Baseband& sound, double near_onset, const StretchPrior& prior) const;
 
 private:
-    /// From the onsets (and the stretch) of `start`, which need not be near to more than 10 samples.
-    PathFit refine(const Baseband& sound, const PathFit& start, const StretchPrior& prior) const;
-    /// Power that one path with this onset leaves unexplained, over the noise's.
-    double misfitOf(const Baseband& sound, double onset, double stretch) const;
+    PathFit refine(const Baseband& sound, const PathFit& start, const StretchPrior& prior,
+                   int iterations) const;
 
     const PulseTemplate& pulse_;
     double drive_;

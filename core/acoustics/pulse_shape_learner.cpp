@@ -31,8 +31,9 @@ void PulseShapeLearner::detect(std::span<const int16_t> window, std::span<PulseA
     std::fill(boards.begin(), boards.end(), PulseArrival{});
     if (pulse.source < 0 || pulse.source >= std::ssize(sources_))
         return;
+    finder_.load(window, boards.size());
     for (size_t board = 0; board < boards.size(); ++board) {
-        finder_.hear(window, boards.size(), board);
+        finder_.hear(board);
         const double noise = finder_.noisePower();
         const auto rise = finder_.firstRise(noise);
         if (finder_.clipped() || !rise || rise->power < kClearPower * noise)

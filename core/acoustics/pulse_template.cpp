@@ -30,22 +30,10 @@ PulseTemplate::PulseTemplate(const BasebandFilter& filter, const PulseTrain& tra
             value += weights[k] * sound[i + kPerSample * k];
             change += weights[k] * slope[i + kPerSample * k];
         }
-        table_[i] = {std::complex<float>(value), std::complex<float>(change)};
+        table_[i] = {static_cast<float>(value.real()), static_cast<float>(value.imag()),
+                     static_cast<float>(change.real()), static_cast<float>(change.imag())};
         peak_ = std::max(peak_, std::abs(value));
     }
-}
-
-PulseTemplate::Value PulseTemplate::at(double u) const {
-    const double place = (u - first_) * kPerSample;
-    if (!(place >= 0 && place < static_cast<double>(table_.size() - 1)))
-        return {};
-    const auto i = static_cast<size_t>(place);
-    const auto part = static_cast<float>(place - static_cast<double>(i));
-    constexpr float kStep = 1.0F / kPerSample;
-    const Value& a = table_[i];
-    const std::complex<float> bend = table_[i + 1].slope - a.slope;
-    // The slope is linear in between, the value its integral.
-    return {a.value + (part * kStep) * (a.slope + (0.5F * part) * bend), a.slope + part * bend};
 }
 
 }  // namespace noctule

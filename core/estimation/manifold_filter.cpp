@@ -78,6 +78,7 @@ int64_t nanoseconds(double time_s) {
 constexpr double kMinimumConfidence = 0.05;
 constexpr double kDivergedShare = 0.7;  // of distances gated out, running over about kGatingMemory of them
 constexpr double kGatingMemory = 60;
+constexpr double kCoarsePose_m = 0.05;
 
 }  // namespace
 
@@ -279,7 +280,10 @@ void ManifoldFilter::useCarrier(DistanceMeasurement& measurement, ObservationBlo
     block.variance[0] = carrier.sigma_m * carrier.sigma_m +
                         parameters_.distance_floor_m * parameters_.distance_floor_m +
                         now_.board_noise[static_cast<size_t>(measurement.board)].distanceVariance();
-    decision.distance_m = carrierDistance(carrier, expected_m, now_.P.innovationVariance(block)[0]);
+    // Without gyroscopes the pose is a coarse model's, surer of itself than it is true: the envelope decides.
+    const double expected_variance_m2 = now_.P.innovationVariance(block)[0] +
+                                        (parameters_.sensors.gyroscopes ? 0 : kCoarsePose_m * kCoarsePose_m);
+    decision.distance_m = carrierDistance(carrier, expected_m, expected_variance_m2);
     measurement.distance_m = decision.distance_m.value_or(carrier.envelope_m);
     measurement.sigma_m = decision.distance_m ? carrier.sigma_m : carrier.envelope_sigma_m;
     block.residual[0] = measurement.distance_m - expected_m;

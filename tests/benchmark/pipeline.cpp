@@ -4,6 +4,7 @@
 // with the root given, as the simulated body's own with the noise of an optical system.
 #include <benchmark/benchmark.h>
 
+#include "core/acoustics/baseband_filter.h"
 #include "core/formats/bvh.h"
 #include "core/live/live_pipeline.h"
 #include "core/math/rotation.h"
@@ -185,21 +186,21 @@ void acoustics(benchmark::State& state, Detector detector) {
 /// All boards to baseband, of it every sixth value; direct: every value is computed and five are dropped.
 void toBaseband(benchmark::State& state, bool polyphase) {
     const Recording& r = recording();
-    const BasebandFilter filter(r.decoder.train);
-    const int stride = polyphase ? filter.factor() : 1;
+    const BasebandFilter baseband(r.decoder.train);
+    const int stride = polyphase ? baseband.factor() : 1;
     std::vector<int16_t> board(static_cast<size_t>(kBlockSamples));
-    std::vector<std::complex<float>> out(static_cast<size_t>(filter.outputs(kBlockSamples)));
+    std::vector<std::complex<float>> out(static_cast<size_t>(baseband.outputs(kBlockSamples)));
     for (auto _ : state)
         for (int64_t first = 0; first + kBlockSamples <= r.samples(); first += kBlockSamples) {
             const auto block = r.block(first, kBlockSamples);
             for (size_t b = 0; b < r.boards(); ++b) {
                 for (size_t i = 0; i < board.size(); ++i)
                     board[i] = block[i * r.boards() + b];
-                for (int phase = 0; phase < filter.factor(); phase += stride) {
+                for (int phase = 0; phase < baseband.factor(); phase += stride) {
                     const auto from = std::span(board).subspan(static_cast<size_t>(phase));
-                    filter.run(from, -phase,
-                               std::span(out).first(
-                                   static_cast<size_t>(filter.outputs(static_cast<int>(from.size())))));
+                    baseband.run(from, -phase,
+                                 std::span(out).first(
+                                     static_cast<size_t>(baseband.outputs(static_cast<int>(from.size())))));
                     benchmark::DoNotOptimize(out.data());
                 }
             }

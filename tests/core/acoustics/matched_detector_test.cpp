@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include <functional>
 
 #include "core/acoustics/pulse_detector.h"
 #include "core/acoustics/pulse_shape_learner.h"
@@ -123,7 +123,7 @@ TEST(Matched, EnvelopeIsNearItsCramerRaoBound) {
             EXPECT_EQ(errors.missed, 0);
             EXPECT_LT(errors.envelope_mm, 1.2 * bound_mm);
             EXPECT_GT(errors.envelope_mm, 0.9 * bound_mm);
-            EXPECT_NEAR(errors.envelope_sigmas, 1, 0.15);
+            EXPECT_NEAR(errors.envelope_sigmas, 1, 0.2);
         }
 }
 
@@ -150,6 +150,96 @@ TEST(Matched, DopplerOfAMovingLimb) {
         EXPECT_LT(errors.envelope_mm, 1);
         EXPECT_EQ(errors.wrong_cycles, 0);
     }
+}
+
+TEST(Matched, AnEchoCloseBehindPullsLittle) {
+    // 0.35 of the amplitude, 0.13 to 0.5 ms late: within the pulse. One path alone is pulled by millimetres.
+    for (const double late : {20.0, 40.0, 75.0}) {
+        Scene scene{.amplitude = 4000};
+        scene.more = [late](SyntheticSound& sound, int board, double sample) {
+            sound.addPulse(board, sample + late + 0.117 * board, 1400);
+        };
+        const Errors errors = errorsOf(scene);
+        print("echo", errors);
+        EXPECT_LT(errors.envelope_mm, 1.5);
+        EXPECT_LT(errors.carrier_mm, 0.25);
+        EXPECT_LE(errors.wrong_cycles, errors.count / 100);
+    }
+}
+
+TEST(Matched, ALouderEchoIsNotTheDirectPulse) {
+    Scene scene{.amplitude = 800};
+    scene.more = [](SyntheticSound& sound, int board, double sample) {
+        sound.addPulse(board, sample + 150, 4000);
+    };
+    const Errors errors = errorsOf(scene);
+    print("louder echo", errors);
+    EXPECT_LT(errors.envelope_mm, 1.5);
+    EXPECT_LE(errors.wrong_cycles, errors.count / 100);
+}
+
+TEST(Matched, SilenceNoiseAndClipping) {
+    const PulseTrain train;
+    auto detector = std::move(makeDetector(Detector::kMatched, train, {PulseShape{40000, 25}}).value());
+    SyntheticSound sound(train, 32, detector->windowSamples(), 3);
+    sound.addPulse(0, detector->marginSamples() + 300, 90000);
+    for (int board = 2; board < 32; ++board)
+        sound.addNoise(kNoise_counts, board);
+    std::vector<PulseArrival> arrivals(32);
+    detector->detect(sound.counts(), arrivals);
+    EXPECT_TRUE(arrivals[0].clipped);
+    EXPECT_FALSE(arrivals[1].carrier);
+    double noise = 0;
+    for (size_t board = 2; board < 32; ++board) {
+        EXPECT_FALSE(arrivals[board].clipped);
+        EXPECT_FALSE(arrivals[board].carrier) << board;
+        noise += arrivals[board].noise_power / 30;
+    }
+    EXPECT_NEAR(noise, kNoise_counts * kNoise_counts, 10);
+    detector->detect(sound.counts(), arrivals, {1, 1200, 7});  // a source of which nothing is known
+    EXPECT_FALSE(arrivals[0].carrier);
+    EXPECT_EQ(arrivals[0].peak_power, 0);
+}
+
+TEST(Matched, ShapesAreLearntFromSoundWithEchoes) {
+    constexpr int kBoards = 18;
+    const PulseTrain train;
+    const std::vector<PulseShape> truth{{39650, 17}, {40000, 25}, {40450, 33}};
+    PulseShapeLearner learner(train, 4);
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> any(0, 1);
+    for (int window = 0; window < 18; ++window) {
+        SyntheticSound sound(train, kBoards, learner.windowSamples(), 900 + window);
+        sound.addNoise(kNoise_counts);
+        const size_t source = static_cast<size_t>(window) % truth.size();
+        for (int board = 0; board < kBoards; ++board) {
+            const double at = learner.marginSamples() + 100 + 700 * any(random);
+            const auto add = [&](double sample, double amplitude) {
+                sound.addPulse(board, sample, amplitude, truth[source].resonance_hz, truth[source].q);
+            };
+            const double amplitude = 1000 + 3000 * any(random);
+            add(at, amplitude);
+            add(at + 30 + 300 * any(random), 0.3 * amplitude * any(random));
+        }
+        std::vector<PulseArrival> unused(kBoards);
+        learner.detect(sound.counts(), unused, {window, window * 1200, static_cast<int>(source)});
+    }
+    const PulseShapes learnt = learner.learn();
+    ASSERT_EQ(learnt.size(), 4u);
+    for (size_t s = 0; s < truth.size(); ++s) {
+        ASSERT_TRUE(learnt[s]);
+        std::printf("learnt %.0f Hz, Q %.2f for %.0f Hz, Q %.0f\n", learnt[s]->resonance_hz, learnt[s]->q,
+                    truth[s].resonance_hz, truth[s].q);
+        // Echoes bend it a little; what counts is what distances make of it.
+        EXPECT_NEAR(learnt[s]->resonance_hz, truth[s].resonance_hz, 50);
+        EXPECT_NEAR(learnt[s]->q / truth[s].q, 1, 0.08);
+        const Errors errors = errorsOf({truth[s], 3000}, *learnt[s]);
+        print("with the learnt pulse", errors);
+        EXPECT_LT(errors.envelope_mm, 0.8);
+        EXPECT_LT(errors.carrier_mm, 0.05);
+        EXPECT_EQ(errors.wrong_cycles, 0);
+    }
+    EXPECT_FALSE(learnt[3]) << "it was never heard";
 }
 
 }  // namespace

@@ -170,6 +170,45 @@ TEST_F(RangeFinderTest, MakesAnOffsetFromTheModelOrNamesTheSource) {
     EXPECT_EQ(make().problems().size(), 2u);
 }
 
+TEST_F(RangeFinderTest, TheMatchedDetectorTakesTheStartFromWhateverIsKnown) {
+    const auto inflection = std::move(makeDetector(Detector::kInflection, train).value());
+    const double delay_s = detectorResponse(*inflection, train, 39800, 22).delay_s;
+    const auto distanceWith = [&](const SourceCalibration& chest) -> std::optional<double> {
+        calibration.sources = {calibrated("hat", {}), chest};
+        auto finder = std::move(RangeFinder::create(suit, calibration, train, Detector::kMatched).value());
+        PulseDetection detection = heard(0.8);
+        const auto range = finder.process(detection);
+        return range ? std::optional(range->distance_m) : std::nullopt;
+    };
+    const double expected_m = 0.8 + (kOffset_s - 1.5e-5) * kSound_m_per_s;
+    for (const auto& [detector, offset_s] : std::map<std::string, double>{
+             {"matched", 1.5e-5}, {"start", 1.5e-5}, {"inflection", 1.5e-5 + delay_s}}) {
+        const auto distance_m = distanceWith(calibrated("chest", {{detector, offset_s}}, 39800, 22));
+        ASSERT_TRUE(distance_m) << detector;
+        EXPECT_NEAR(*distance_m, expected_m, 1e-9) << detector;
+    }
+    EXPECT_FALSE(distanceWith(calibrated("chest", {{"matched", 1.5e-5}}))) << "its pulse is not known";
+    const auto finder = std::move(RangeFinder::create(suit, calibration, train, Detector::kMatched).value());
+    ASSERT_EQ(finder.problems().size(), 2u);
+    EXPECT_NE(finder.problems()[1].reason.find("shape"), std::string::npos);
+}
+
+TEST_F(RangeFinderTest, ACarrierCountsWhereTheEnvelopeNamesItsCycle) {
+    RangeFinder finder = make();
+    PulseDetection detection = heard(0.8);
+    detection.carrier = CarrierArrival{detection.arrival_sample - 0.5, 0.02, 3.75, 0.3};
+    const auto sure = finder.process(detection);
+    const double m_per_sample = kSound_m_per_s / train.sample_rate_hz;
+    EXPECT_NEAR(sure->distance_m, 0.8 - 0.5 * m_per_sample, 1e-9);
+    EXPECT_NEAR(sure->sigma_m, 0.02 * m_per_sample, 1e-9);
+    EXPECT_NEAR(sure->carrier.cycle_m, 3.75 * m_per_sample, 1e-9);
+    detection.carrier->envelope_sigma_samples = 1;
+    const auto unsure = finder.process(detection);
+    EXPECT_NEAR(unsure->distance_m, 0.8, 1e-9);
+    EXPECT_NEAR(unsure->sigma_m, m_per_sample, 1e-9);
+    EXPECT_NEAR(unsure->carrier.distance_m, sure->distance_m, 1e-9);
+}
+
 TEST_F(RangeFinderTest, OccludedPulsesCountLittleAndNoiseAlonePassesNever) {
     // Board 0 hears source 0 directly, board 1 only around the body: 30 dB down and 60 mm late. Source 1 is
     // mute.

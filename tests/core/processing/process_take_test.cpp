@@ -366,7 +366,31 @@ TEST(ProcessSimulation, SoundGivesTheTruth) {
     const Folder folder;
     const std::string path = folder.file("signal.noctule");
     simulate(path, simulation::Level::kSignal, 6);
-    EXPECT_LT(meanError_deg(path, {true, true, true}), 1.0);
+    const double paper_deg = meanError_deg(path, {true, true, true});
+    EXPECT_LT(paper_deg, 1.0);
+
+    // The matched detector; then with nothing but the other's offsets to go by.
+    ProcessRequest matched = requestFor(path);
+    matched.detector = Detector::kMatched;
+    const auto known = processTake(matched, {});
+    ASSERT_TRUE(known) << known.error().text();
+    EXPECT_TRUE(known->warnings.empty());
+    matched.calibration = Take::open(path)->calibrationInForce()->value;
+    for (SourceCalibration& source : matched.calibration->sources) {
+        source.offsets_s.erase("start");
+        source.resonance_hz = source.q = std::nullopt;
+    }
+    const auto learnt = processTake(matched, {});
+    ASSERT_TRUE(learnt) << learnt.error().text();
+    ASSERT_EQ(learnt->warnings.size(), 2u);
+    EXPECT_NE(learnt->warnings[0].find("learnt"), std::string::npos);
+    EXPECT_NE(learnt->warnings[1].find("derived"), std::string::npos);
+    for (const auto& summary : {*known, *learnt}) {
+        const double mean_deg = compareRun(path, summary.pose_run).mean_deg;
+        std::printf("%s, matched: %.3f degrees, %lld ranges used\n", summary.run_name.c_str(), mean_deg,
+                    static_cast<long long>(summary.ranges_used));
+        EXPECT_LT(mean_deg, paper_deg);
+    }
 }
 
 }  // namespace
