@@ -83,6 +83,16 @@ TEST_F(Screenshots, OfEveryPageInBothThemesAndSizes) {
         }
 }
 
+TEST_F(Screenshots, OfAFilmToBe) {
+    studio_->settings().setValue("export/last", "film");
+    openTakeToShow();
+    window_->goTo(Step::kExport);
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+        window_->resize(size);
+        save(*window_, QStringLiteral("export-film-%1").arg(size.width()));
+    }
+}
+
 /// Meshes of others, walking in the view.
 TEST_F(Screenshots, OfOtherBodies) {
     openTakeToShow();
