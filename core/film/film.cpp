@@ -184,7 +184,8 @@ Status writePicture(const std::string& path, const MovingBody& body, const Motio
     auto offscreen = Offscreen::create();
     if (!offscreen)
         return offscreen.error();
-    const auto picture = FilmScene(body, clip, settings).draw(**offscreen, frame);
+    const MotionClip still{clip.name, clip.skeleton, clip.frame_time_s, {clip.frames[frame]}, {}};
+    const auto picture = FilmScene(body, still, settings).draw(**offscreen, 0);
     if (!picture)
         return picture.error();
     return writeFileAtomically(path, pngBytes(*picture), overwrite, [&](const std::string& aside) -> Status {

@@ -29,7 +29,8 @@ struct FilmSettings {
 /// Where the camera is in every frame; at least one frame. Deterministic.
 std::vector<Camera> cameraPath(const MovingBody& body, const MotionClip& clip, const FilmSettings& settings);
 
-/// One frame of the clip as PNG. kUnusable without OpenGL; kUsage and kDisk as writeFileAtomically().
+/// One frame of the clip as PNG; the camera stands as for that pose alone. kUnusable without OpenGL; kUsage
+/// and kDisk as writeFileAtomically().
 Status writePicture(const std::string& path, const MovingBody& body, const MotionClip& clip, size_t frame,
                     const FilmSettings& settings, bool overwrite);
 

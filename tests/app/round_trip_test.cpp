@@ -92,20 +92,15 @@ TEST_F(RoundTrip, AWrongRunIsNamedWithTheOnesThereAre) {
 
 TEST_F(RoundTrip, ABodyOfAnotherProgramMovesInFilesPicturesAndFilms) {
     jsonOf({"export", take(), "--glb", file("figure.glb"), "--from", "1", "--to", "1.1"});
-    const auto json = jsonOf({"export",     take(),
-                              "--mesh",     file("figure.glb"),
-                              "--fbx",      file("worn.fbx"),
-                              "--png",      file("worn.png"),
-                              "--video",    file("worn.mkv"),
-                              "--from",     "1",
-                              "--to",       "2",
-                              "--fps",      "10",
-                              "--size",     "320x180",
-                              "--camera",   "turn",
-                              "--blending", "dual"});
-    EXPECT_EQ(json["bones"]["LeftForeArm"], "LeftForeArm");
-    EXPECT_EQ(json["film"]["frames"], 11);
-    EXPECT_EQ(json["files"].size(), 3U);
+    std::vector<std::string> words{"export", take(), "--mesh", file("figure.glb"), "--fbx", file("worn.fbx")};
+    words.insert(words.end(), {"--png", file("worn.png"), "--video", file("worn.mkv")});
+    for (const char* word : {"--from", "1", "--to", "2", "--fps", "10", "--size", "320x180", "--camera",
+                             "turn", "--blending", "dual"})
+        words.push_back(word);
+    const nlohmann::json json = jsonOf(words).at("takes").at(0);
+    EXPECT_EQ(json.at("bones").at("LeftForeArm"), "LeftForeArm");
+    EXPECT_EQ(json.at("film").at("frames"), 11);
+    EXPECT_EQ(json.at("files").size(), 3U);
     const auto film = readVideo(file("worn.mkv"));
     ASSERT_TRUE(film) << film.error().text();
     EXPECT_EQ(film->frames, 11U);

@@ -182,6 +182,7 @@ void BodyDialog::makeLandmarkRows(const Landmarks& landmarks) {
             auto* place = new QDoubleSpinBox;
             place->setRange(-500, 500);
             place->setDecimals(1);
+            place->setPrefix(QString("%1 ").arg(QChar('X' + axis)));
             place->setSuffix(tr(" cm"));
             place->setValue(100 * at->second[axis]);
             place->setAccessibleName(QString("%1 %2").arg(landmarkName(landmark), QChar('x' + axis)));

@@ -83,10 +83,21 @@ TEST_F(Screenshots, OfEveryPageInBothThemesAndSizes) {
         }
 }
 
+TEST_F(Screenshots, OfAFilmToBe) {
+    studio_->settings().setValue("export/last", "film");
+    openTakeToShow();
+    window_->goTo(Step::kExport);
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+        window_->resize(size);
+        save(*window_, QStringLiteral("export-film-%1").arg(size.width()));
+    }
+}
+
 /// Meshes of others, walking in the view.
 TEST_F(Screenshots, OfOtherBodies) {
     openTakeToShow();
     window_->goTo(Step::kReview);
+    studio_->time().setTime(studio_->time().duration() * 0.8);  // on its way
     const std::pair<const char*, std::string> meshes[] = {
         {"cesiumman", noctule::test::kCesiumMan},
         {"kenney", noctule::test::kKenney},
@@ -103,6 +114,7 @@ TEST_F(Screenshots, OfOtherBodies) {
                    studio_->jobs().idle();
         };
         ASSERT_TRUE(waitFor(is_there) || waitFor(is_there)) << mesh;
+        QTest::qWait(1000);  // the view has drawn it
         for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)})
             for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
                 Theme::get().setScheme(scheme);
@@ -112,7 +124,10 @@ TEST_F(Screenshots, OfOtherBodies) {
                                    .arg(size.width()));
             }
         Theme::get().setScheme(Scheme::kDark);
-        dialog<BodyDialog>(QStringLiteral("dialog-body-%1").arg(name), *studio_);
+        BodyDialog shown(*studio_, window_.get());
+        shown.show();
+        EXPECT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+        save(shown, QStringLiteral("dialog-body-%1").arg(name));
     }
 }
 
