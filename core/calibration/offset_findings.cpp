@@ -26,6 +26,8 @@ struct OffsetBounds {
 /// differ.
 constexpr OffsetBounds kLikelyInflection{100e-6, 200e-6}, kPossibleInflection{50e-6, 300e-6};
 constexpr OffsetBounds kPossibleOfAny{0, 1e-3};
+/// Matched: the start of the sound, some microseconds; as much less as a learnt pulse may err.
+constexpr OffsetBounds kPossibleMatched{-2e-5, 2e-4};
 
 std::string inMillimetres(double length_m) {
     return text::number(1e3 * length_m, std::abs(length_m) < 9.95e-3 ? 1 : 0) + " mm";
@@ -70,7 +72,10 @@ private:
     void judgeOffset(const SourceOffset& source, int index) {
         const bool is_inflection = report_.detector == "inflection";
         const std::string offset = text::number(1e6 * source.offset_s, 0) + " \u00b5s";
-        if (!isWithin(source.offset_s, is_inflection ? kPossibleInflection : kPossibleOfAny))
+        const OffsetBounds& possible = is_inflection                   ? kPossibleInflection
+                                       : report_.detector == "matched" ? kPossibleMatched
+                                                                       : kPossibleOfAny;
+        if (!isWithin(source.offset_s, possible))
             find(Grade::kNotUsable, source.id,
                  jigSource(jig_.suit, index) + " has an offset of " + offset + ", which no source can have",
                  "See that the distances reach from the source's face to the microphone's opening");
