@@ -87,6 +87,9 @@ Status checkPictures(const Arguments& arguments, const ExportRequest& request) {
     if (arguments.given("mesh") && !shows_body)
         return Error{ErrorKind::kUsage, "--mesh is the body of files that have one, and none is written",
                      "Give any of --fbx F, --glb F, --png F and --video F too"};
+    if (arguments.text("mesh") == "none" && (arguments.given("png") || arguments.given("video")))
+        return Error{ErrorKind::kUsage, "a picture or film needs a body, and --mesh none leaves it out",
+                     "Leave --mesh out for ours, or name a mesh"};
     if (arguments.given("bones") && !namesMeshFile(arguments))
         return Error{ErrorKind::kUsage, "--bones says which bone of a mesh is which, and no mesh is named",
                      "Give --mesh FILE too"};

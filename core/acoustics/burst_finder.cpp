@@ -108,7 +108,7 @@ BurstFinder::Rise BurstFinder::riseBefore(size_t peak) const {
 }
 
 std::optional<BurstFinder::Rise> BurstFinder::firstRise(double noise_power) const {
-    const size_t begin = outputAt(0) - burst_, last = power_.size() - 1;
+    const size_t begin = std::max(outputAt(0), burst_) - burst_, last = power_.size() - 1;
     const float highest =
         *std::max_element(power_.begin() + static_cast<std::ptrdiff_t>(begin), power_.end());
     const double least =

@@ -49,27 +49,32 @@ void MatchedDetector::detect(std::span<const int16_t> window, std::span<PulseArr
     const bool known = pulse.source >= 0 && pulse.source < std::ssize(sources_) &&
                        sources_[static_cast<size_t>(pulse.source)];
     for (size_t board = 0; board < boards.size(); ++board) {
-        if (known) {
-            finder_.hear(board);
+        finder_.hear(board);
+        const double ambient = ambientPower(static_cast<int>(board));
+        if (known)
             boards[board] =
-                find(*sources_[static_cast<size_t>(pulse.source)], static_cast<int>(board), pulse);
-        } else {
-            boards[board] = {};
-        }
+                find(*sources_[static_cast<size_t>(pulse.source)], static_cast<int>(board), ambient, pulse);
+        else
+            boards[board] = {.noise_power = finder_.inBand(ambient), .clipped = finder_.clipped()};
     }
 }
 
-PulseArrival MatchedDetector::find(const Known& known, int board, const Pulse& pulse) {
-    PulseArrival arrival{.clipped = finder_.clipped()};
+/// With what the window that is heard adds to it.
+double MatchedDetector::ambientPower(int board) {
     NoiseFloor& ambient = noise_[static_cast<size_t>(board)];
     ambient.push(finder_.noisePower());
-    arrival.noise_power = finder_.inBand(ambient.power());
-    const auto rise = finder_.firstRise(ambient.power());
+    return ambient.power();
+}
+
+PulseArrival MatchedDetector::find(const Known& known, int board, double ambient_power, const Pulse& pulse) {
+    PulseArrival arrival{.clipped = finder_.clipped()};
+    arrival.noise_power = finder_.inBand(ambient_power);
+    const auto rise = finder_.firstRise(ambient_power);
     if (!rise)
         return arrival;
     const double near_onset = rise->instant - known.rise;
     const PathFitter fitter(known.pulse, drive_);
-    const PathFit fit = fitter.fit(finder_.around(near_onset, ambient.power()), near_onset,
+    const PathFit fit = fitter.fit(finder_.around(near_onset, ambient_power), near_onset,
                                    stretchAt(pulse, board, near_onset));
     if (!std::isfinite(fit.misfit))  // nothing there that a pulse would explain
         return arrival;

@@ -39,7 +39,8 @@ private:
         double onset;
     };
 
-    PulseArrival find(const Known& known, int board, const Pulse& pulse);
+    double ambientPower(int board);
+    PulseArrival find(const Known& known, int board, double ambient_power, const Pulse& pulse);
     StretchPrior stretchAt(const Pulse& pulse, int board, double onset) const;
 
     double sample_rate_hz_, drive_;  // drive: rad per sample

@@ -14,7 +14,12 @@ namespace {
 constexpr double kMinSampleRate_hz = 100e3, kMaxSampleRate_hz = 1e6;
 constexpr double kMinInterval_s = 1e-3, kMaxInterval_s = 1;
 
-Status checkTrain(const PulseTrain& train) {
+constexpr double kLongestMatched_s =
+    0.45e-3;  // of a burst: the matched detector looks so far before an onset
+
+}  // namespace
+
+Status checkTrain(const PulseTrain& train, Detector detector) {
     const double fs = train.sample_rate_hz, interval_s = train.interval_samples / fs;
     if (!(fs >= kMinSampleRate_hz && fs <= kMaxSampleRate_hz))
         return Error{ErrorKind::kUnusable,
@@ -29,10 +34,13 @@ Status checkTrain(const PulseTrain& train) {
     if (!(train.drive_hz > 0 && train.cycles > 0))
         return Error{ErrorKind::kUnusable, "The pulses have no drive frequency or no cycles",
                      "Check drive_hz and pulse_cycles; 40000 and 10 are usual"};
+    if (detector == Detector::kMatched && train.cycles / train.drive_hz > kLongestMatched_s)
+        return Error{ErrorKind::kUnusable,
+                     "Pulses of " + std::to_string(train.cycles) +
+                         " cycles are too long for the matched detector (0.45 ms at most)",
+                     "Use the inflection detector, or shorter pulses; 10 cycles of 40 kHz are usual"};
     return Done{};
 }
-
-}  // namespace
 
 const char* detectorName(Detector detector) {
     return detector == Detector::kMatched ? "matched" : "inflection";
@@ -47,7 +55,7 @@ std::optional<Detector> detectorFromName(const std::string& name) {
 
 Result<std::unique_ptr<PulseDetector>> makeDetector(Detector detector, const PulseTrain& train,
                                                     const PulseShapes& shapes) {
-    if (const Status status = checkTrain(train); !status)
+    if (const Status status = checkTrain(train, detector); !status)
         return status.error();
     if (detector == Detector::kMatched)
         return std::unique_ptr<PulseDetector>(std::make_unique<MatchedDetector>(train, shapes));

@@ -42,6 +42,9 @@ struct PulseArrival {
     std::optional<CarrierArrival> carrier{};  ///< of detectors that see it
 };
 
+/// kUnusable when the detector cannot be made for such pulses.
+Status checkTrain(const PulseTrain& train, Detector detector);
+
 class PulseDetector {
 public:
     virtual ~PulseDetector() = default;

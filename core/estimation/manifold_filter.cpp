@@ -240,11 +240,13 @@ void ManifoldFilter::updateDistances(const std::vector<DistanceMeasurement>& mea
             now_.state, measurement, measurement.emission_s - now_s, measurement.arrival_s - now_s);
         decision.w_a = cos_angle >= 0 ? 1 : 0;
         DistanceMeasurement known = measurement;
-        useCarrier(known, block, decision);
+        useCarrier(known, block);
         decision.innovation_m = block.residual[0];
         if (decision.w_a == 0) {
             decision.fate = RangeFate::kBehindSource;
         } else if (measurement.confidence >= kMinimumConfidence) {
+            if (known.carrier.cycle_m != 0)
+                decision.settled = {known.distance_m, known.sigma_m};
             const double sigma = known.sigma_m / measurement.confidence;
             block.variance[0] = sigma * sigma + parameters_.distance_floor_m * parameters_.distance_floor_m;
             BoardNoise& noise = now_.board_noise[static_cast<size_t>(measurement.board)];
@@ -271,8 +273,7 @@ void ManifoldFilter::updateDistances(const std::vector<DistanceMeasurement>& mea
 }
 
 /// The carrier's distance instead of the envelope's, where the pose names its cycle.
-void ManifoldFilter::useCarrier(DistanceMeasurement& measurement, ObservationBlock& block,
-                                DistanceDecision& decision) {
+void ManifoldFilter::useCarrier(DistanceMeasurement& measurement, ObservationBlock& block) const {
     const CarrierRange& carrier = measurement.carrier;
     if (carrier.cycle_m == 0)
         return;
@@ -283,9 +284,9 @@ void ManifoldFilter::useCarrier(DistanceMeasurement& measurement, ObservationBlo
     // Without gyroscopes the pose is a coarse model's, surer of itself than it is true: the envelope decides.
     const double expected_variance_m2 = now_.P.innovationVariance(block)[0] +
                                         (parameters_.sensors.gyroscopes ? 0 : kCoarsePose_m * kCoarsePose_m);
-    decision.distance_m = carrierDistance(carrier, expected_m, expected_variance_m2);
-    measurement.distance_m = decision.distance_m.value_or(carrier.envelope_m);
-    measurement.sigma_m = decision.distance_m ? carrier.sigma_m : carrier.envelope_sigma_m;
+    const auto by_carrier_m = carrierDistance(carrier, expected_m, expected_variance_m2);
+    measurement.distance_m = by_carrier_m.value_or(carrier.envelope_m);
+    measurement.sigma_m = by_carrier_m ? carrier.sigma_m : carrier.envelope_sigma_m;
     block.residual[0] = measurement.distance_m - expected_m;
 }
 

@@ -129,7 +129,7 @@ private:
     void updateRoot(const std::vector<RootMeasurement>& measurements);
     void updateTriads(const std::vector<InertialMeasurement>& measurements, bool gyro);
     void updateDistances(const std::vector<DistanceMeasurement>& measurements);
-    void useCarrier(DistanceMeasurement& measurement, ObservationBlock& block, DistanceDecision& decision);
+    void useCarrier(DistanceMeasurement& measurement, ObservationBlock& block) const;
     void updatePriors();
     void observe(std::vector<ObservationBlock> blocks);
     bool isBlind(const Link& link) const { return !gyroscope_joints_[static_cast<size_t>(link.joint)]; }

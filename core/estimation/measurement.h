@@ -77,9 +77,14 @@ struct DistanceDecision {
     int board = 0;
     RangeFate fate = RangeFate::kUsed;
     double w_a = 1;  ///< confidence from the angle to the source's normal, with the pose then believed
-    double innovation_m = 0;             ///< measured minus expected
-    double sigma_m = 0;                  ///< of the innovation
-    std::optional<double> distance_m{};  ///< by the carrier, where its cycle was not in doubt
+    double innovation_m = 0;  ///< measured minus expected
+    double sigma_m = 0;       ///< of the innovation
+    /// What was used instead of the measured distance: by the carrier where its cycle was not in doubt, else
+    /// by the envelope. Absent without a carrier, or when nothing was used.
+    struct Settled {
+        double distance_m = 0, sigma_m = 0;
+    };
+    std::optional<Settled> settled{};
 };
 
 /// Which sensors an estimator listens to.

@@ -92,6 +92,8 @@ Status FixedIntervalSmoother::finishPortion(const JobContext& job) {
         filter_.step(input);
     }
     filter_.setTape(nullptr);
+    if (const Status read = spool_.status(); !read)
+        return read;
     filter_.takeDecisions();  // those came out the first time
     if (!goBack(backward_, kAll, job))
         return JobContext::cancelledError();

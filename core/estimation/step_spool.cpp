@@ -83,6 +83,11 @@ bool takeAll(UnnamedFile& file, std::vector<Measurement>& measurements) {
     return whole;
 }
 
+Error unreadable() {
+    return {ErrorKind::kDisk, "what the smoother had put aside could not be read back",
+            "Check that the disk has room, or process without smoothing"};
+}
+
 }  // namespace
 
 void StepSpool::add(const ManifoldFilter::StepInput& input) {
@@ -109,8 +114,7 @@ Result<ManifoldFilter::Memory> StepSpool::goTo(int stretch) {
     memory.P = Covariance(Eigen::VectorXd::Zero(size_));
     Eigen::MatrixXd& P = memory.P.dense();
     if (!kept || !file_.takeBytes(P.data(), sizeof(double) * static_cast<size_t>(P.size())))
-        return Error{ErrorKind::kDisk, "what the smoother had put aside could not be read back",
-                     "Check that the disk has room, or process without smoothing"};
+        return unreadable();
     return memory;
 }
 
@@ -118,9 +122,13 @@ bool StepSpool::next(ManifoldFilter::StepInput& input) {
     if (left_ == 0)
         return false;
     --left_;
-    require(takeAll(file_, input.roots) && takeAll(file_, input.inertial) && takeAll(file_, input.distances),
-            "the spool of steps is damaged");
-    return true;
+    is_whole_ =
+        takeAll(file_, input.roots) && takeAll(file_, input.inertial) && takeAll(file_, input.distances);
+    return is_whole_;
+}
+
+Status StepSpool::status() const {
+    return is_whole_ ? Status(Done{}) : unreadable();
 }
 
 }  // namespace noctule

@@ -22,8 +22,9 @@ public:
     /// The filter as it was at a mark; next() then gives that stretch's inputs. kDisk when the file cannot be
     /// read back.
     Result<ManifoldFilter::Memory> goTo(int stretch);
-    /// False at the end of the stretch.
+    /// False at the end of the stretch, or when it cannot be read back: then status() is kDisk.
     bool next(ManifoldFilter::StepInput& input);
+    Status status() const;
 
 private:
     struct Mark {
@@ -34,6 +35,7 @@ private:
     UnnamedFile file_;
     std::vector<Mark> marks_;
     int64_t left_ = 0;
+    bool is_whole_ = true;
     Eigen::Index size_ = 0;  ///< of P
 };
 

@@ -37,11 +37,12 @@ Result<std::unique_ptr<Estimator>> manifoldEstimator(const Skeleton& skeleton, S
     return estimator;
 }
 
-/// The pose has said which cycle of the carrier it is: time and distance go with it.
-void settleCycle(RangeMeasurement& range, double distance_m) {
-    range.arrival_sample += (distance_m - range.distance_m) / range.carrier.m_per_sample;
-    range.distance_m = distance_m;
-    range.sigma_m = range.carrier.sigma_m;
+/// The pose has said which cycle of the carrier it is, or that none can be told: time and distance go with
+/// it.
+void settle(RangeMeasurement& range, const DistanceDecision::Settled& settled) {
+    range.arrival_sample += (settled.distance_m - range.distance_m) / range.carrier.m_per_sample;
+    range.distance_m = settled.distance_m;
+    range.sigma_m = settled.sigma_m;
 }
 
 }  // namespace
@@ -212,8 +213,8 @@ void MotionTracker::advanceTo(int64_t watermark_sample) {
         range.w_a = decision.w_a;
         range.fate = decision.fate;
         range.innovation_m = decision.innovation_m;
-        if (decision.distance_m)
-            settleCycle(range, *decision.distance_m);
+        if (decision.settled)
+            settle(range, *decision.settled);
         judged_.push_back(range);
         pending_.erase(found);
     }

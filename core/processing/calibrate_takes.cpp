@@ -45,6 +45,12 @@ Result<Evidence> gather(const CalibrateRequest& request, const JobContext& job) 
     }
     require(!evidence.takes.empty(), "a calibration without takes");
     evidence.base = completed(evidence.takes[0].calibration, evidence.takes[0].suit);
+    const Calibration& last = evidence.takes.back().calibration;
+    for (SourceCalibration& source : evidence.base.sources)
+        if (const SourceCalibration* learnt = last.findSource(source.id)) {
+            source.resonance_hz = learnt->resonance_hz;
+            source.q = learnt->q;
+        }
     return evidence;
 }
 

@@ -27,17 +27,22 @@ Status writeTracked(Tracked& from, ResultRuns& results) {
     return results.write(from.takePoses());
 }
 
-/// Progress of the pass over the take's data, of all work: smoothing goes back over it.
+/// Of the pass over the take's data in all work: smoothing the whole take goes back over it.
+double forwardShare(const TrackerSettings& settings) {
+    return settings.smoother == Smoother::kFull ? 0.4 : 1;
+}
+
 double shareDone(int64_t sample, const Ingredients& in, const TrackerSettings& settings) {
-    const double share = settings.smoother == Smoother::kFull ? 0.4 : 1;
-    return share * static_cast<double>(sample) / static_cast<double>(std::max<int64_t>(1, in.sample_count));
+    return forwardShare(settings) * static_cast<double>(sample) /
+           static_cast<double>(std::max<int64_t>(1, in.sample_count));
 }
 
 template <class Tracked>
-Status writeWaiting(Tracked& from, ResultRuns& results, const JobContext& job) {
+Status writeWaiting(Tracked& from, const TrackerSettings& settings, ResultRuns& results,
+                    const JobContext& job) {
     const int all = from.portionsLeft();
     while (from.portionsLeft() > 0) {
-        job.progress(1 - 0.6 * from.portionsLeft() / all, "Smoothing");
+        job.progress(1 - (1 - forwardShare(settings)) * from.portionsLeft() / all, "Smoothing");
         if (Status done = from.finishPortion(job); !done)
             return done;
         if (Status done = writeTracked(from, results); !done)
@@ -94,7 +99,7 @@ Status processSound(const Take& take, const Ingredients& in, const TrackerSettin
         return done;
     if (Status done = writeTracked(pipeline, results); !done)
         return done;
-    return writeWaiting(pipeline, results, job);
+    return writeWaiting(pipeline, tracker, results, job);
 }
 
 /// Primary readings and ranges, merged by time.
@@ -151,7 +156,7 @@ Status processReadings(const Take& take, const Ingredients& in, const TrackerSet
     for (size_t b = 0; b < in.suit.boards.size(); ++b)
         results.summary.clipped_readings += tracker.clippedReadings(static_cast<int>(b));
     results.summary.resets = tracker.resets();
-    return writeWaiting(tracker, results, job);
+    return writeWaiting(tracker, settings, results, job);
 }
 
 }  // namespace

@@ -14,6 +14,8 @@ constexpr double kLearntFrom_s = 20;
 Result<PulseShapes> learnShapes(const Take& take, const SoundLog& log, const Ingredients& in,
                                 const JobContext& job) {
     const PulseTrain& train = in.decoder.train;
+    if (const Status fits = checkTrain(train, Detector::kMatched); !fits)
+        return fits.error();
     const auto learner = std::make_shared<PulseShapeLearner>(train, static_cast<int>(in.suit.sources.size()));
     auto receiver = PulseReceiver::create(learner, train, static_cast<int>(in.suit.boards.size()));
     if (!receiver)

@@ -56,22 +56,43 @@ std::vector<std::string> rowOf(const SourceCalibration& one, const SourceCalibra
 
 bool differs(const std::vector<std::string>& row) {
     return std::any_of(row.begin() + 1, row.end(), [](const std::string& cell) {
-        return cell != kUnknown && cell.find_first_of("123456789") != std::string::npos;
+        return cell.find_first_of("123456789") != std::string::npos;
     });
 }
 
-template <class Part, class Find>
-void addRows(const std::vector<Part>& parts, Find find, CalibrationTable table,
+/// What only one of two says of a part.
+bool isOneSided(const BoardCalibration& one, const BoardCalibration& other) {
+    return one.q_segment_board.has_value() != other.q_segment_board.has_value() ||
+           one.p_segment_board_m.has_value() != other.p_segment_board_m.has_value();
+}
+bool isOneSided(const SourceCalibration& one, const SourceCalibration& other) {
+    const auto detectors = [](const SourceCalibration& source) {
+        std::vector<std::string> names;
+        for (const auto& [detector, offset_s] : source.offsets_s)
+            names.push_back(detector);
+        return names;
+    };
+    return detectors(one) != detectors(other) ||
+           one.p_segment_source_m.has_value() != other.p_segment_source_m.has_value();
+}
+
+template <class Part>
+void addRows(const std::vector<Part>& ones, const std::vector<Part>& others, CalibrationTable table,
              std::vector<CalibrationTable>& tables) {
-    for (const Part& part : parts) {
-        const Part* same = find(part.id);
-        if (!same) {
-            table.rows.push_back({part.id});
-            table.rows.back().resize(table.columns.size(), kUnknown);
-        } else if (auto row = rowOf(part, *same); differs(row)) {
+    const auto addUnknown = [&table](const std::string& id) {
+        table.rows.push_back({id});
+        table.rows.back().resize(table.columns.size(), kUnknown);
+    };
+    for (const Part& one : ones) {
+        const auto other = std::ranges::find(others, one.id, &Part::id);
+        if (other == others.end())
+            addUnknown(one.id);
+        else if (auto row = rowOf(one, *other); differs(row) || isOneSided(one, *other))
             table.rows.push_back(std::move(row));
-        }
     }
+    for (const Part& other : others)
+        if (std::ranges::find(ones, other.id, &Part::id) == ones.end())
+            addUnknown(other.id);
     if (!table.rows.empty())
         tables.push_back(std::move(table));
 }
@@ -80,21 +101,19 @@ void addRows(const std::vector<Part>& parts, Find find, CalibrationTable table,
 
 std::vector<CalibrationTable> compareCalibrations(const Calibration& one, const Calibration& other) {
     std::vector<CalibrationTable> tables;
-    addRows(
-        one.boards, [&](const std::string& id) { return other.findBoard(id); },
-        {"Boards",
-         "How far the values are apart.",
-         {"board", "mounting, °", "place, mm", "gyroscope's zero, °/s", "its slopes, %",
-          "accelerometer's zero, mg", "its slopes, %"},
-         {}},
-        tables);
-    addRows(
-        one.sources, [&](const std::string& id) { return other.findSource(id); },
-        {"Sources",
-         "How much later the other one takes each for; 1 µs is a third of a millimetre.",
-         {"source", "offset, µs", "place, mm"},
-         {}},
-        tables);
+    addRows(one.boards, other.boards,
+            {"Boards",
+             "How far the values are apart.",
+             {"board", "mounting, °", "place, mm", "gyroscope's zero, °/s", "its slopes, %",
+              "accelerometer's zero, mg", "its slopes, %"},
+             {}},
+            tables);
+    addRows(one.sources, other.sources,
+            {"Sources",
+             "How much later the other one takes each for; 1 µs is a third of a millimetre.",
+             {"source", "offset, µs", "place, mm"},
+             {}},
+            tables);
     return tables;
 }
 

@@ -5593,10 +5593,6 @@ keine Lücken</translation>
         <translation>Eine halbe Sekunde</translation>
     </message>
     <message>
-        <source>Each pose knows what follows within half a second.</source>
-        <translation>Jede Pose weiß, was innerhalb einer halben Sekunde folgt.</translation>
-    </message>
-    <message>
         <source>Whole take</source>
         <translation>Ganze Aufnahme</translation>
     </message>
@@ -5635,6 +5631,10 @@ keine Lücken</translation>
     <message>
         <source>The filter of the paper has no smoother.</source>
         <translation>Das Filter der Arbeit hat keine Glättung.</translation>
+    </message>
+    <message>
+        <source>Each pose knows the 0.3 to 0.5 s that follow.</source>
+        <translation>Jede Pose kennt die folgenden 0,3 bis 0,5 s.</translation>
     </message>
 </context>
 <context>

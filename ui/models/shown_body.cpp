@@ -49,15 +49,20 @@ Blending ShownBody::blending() const {
 Job* ShownBody::read(const SessionBody& body, QObject* context, std::function<void(const ReadBody&)> done) {
     const std::string path = body.pathIn(session_.session().folder).string();
     const QString name = QFileInfo(QString::fromStdString(path)).fileName();
+    const QDateTime written = QFileInfo(QString::fromStdString(path)).lastModified();
     return jobs_.start<ReadBody>(
         tr("Reading %1").arg(name),
-        [path, choices = body.choices, known = known_path_ == path ? known_ : nullptr](
-            const JobContext& job) { return readBodyFrom(path, choices, known, job); },
-        [this, context = QPointer(context), done = std::move(done)](Result<ReadBody> result) -> QString {
+        [path, choices = body.choices,
+         known = known_path_ == path && known_written_ == written ? known_ : nullptr](const JobContext& job) {
+            return readBodyFrom(path, choices, known, job);
+        },
+        [this, written, context = QPointer(context),
+         done = std::move(done)](Result<ReadBody> result) -> QString {
             if (!result)
                 return {};
             if (result->mesh) {
                 known_path_ = result->path;
+                known_written_ = written;
                 known_ = result->mesh;
             }
             if (context)
@@ -69,16 +74,21 @@ Job* ShownBody::read(const SessionBody& body, QObject* context, std::function<vo
 
 void ShownBody::follow() {
     const SessionBody wanted = session_.isOpen() ? session_.session().body : SessionBody{};
-    if (wanted == shown_)
+    const std::string path =
+        wanted.isOurs() ? std::string() : wanted.pathIn(session_.session().folder).string();
+    if (wanted == shown_ && path == shown_path_)
         return;
-    const bool same_body = wanted.mesh == shown_.mesh && wanted.choices == shown_.choices;
+    const bool same_body = path == shown_path_ && wanted.choices == shown_.choices;
     shown_ = wanted;
-    if (same_body) {
-        emit changed();
-        return;
+    shown_path_ = path;
+    if (!same_body) {
+        read_ = {};
+        if (reading_)
+            reading_->cancel();
     }
-    if (reading_)
-        reading_->cancel();
+    emit changed();
+    if (same_body)
+        return;
     if (wanted.isOurs())
         keep(wanted, {});
     else

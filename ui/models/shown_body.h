@@ -3,6 +3,7 @@
 // by a job. Reading it anew for other bones takes the mesh that is there already.
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QPointer>
 #include <functional>
@@ -53,8 +54,10 @@ private:
     Jobs& jobs_;
     SessionModel& session_;
     SessionBody shown_;
+    std::string shown_path_;  ///< absolute: another session's may be called the same
     ReadBody read_;
     std::string known_path_;
+    QDateTime known_written_;
     std::shared_ptr<const RiggedMesh> known_;  ///< the last mesh that was read
     QPointer<Job> reading_;
 };

@@ -209,4 +209,13 @@ Job* Studio::process(ProcessRequest request) {
         });
 }
 
+void Studio::processInTurn(std::vector<ProcessRequest> requests) {
+    if (requests.empty())
+        return;
+    ProcessRequest first = std::move(requests.front());
+    requests.erase(requests.begin());
+    connect(process(std::move(first)), &Job::ended, this,
+            [this, rest = std::move(requests)] { processInTurn(rest); });
+}
+
 }  // namespace noctule::ui

@@ -84,6 +84,8 @@ public:
     void stopVirtualSuit();
     /// Processes a take of the session as a job; shows the new run when the take is open.
     Job* process(ProcessRequest request);
+    /// One after the other, so that all that waits holds no other work up.
+    void processInTurn(std::vector<ProcessRequest> requests);
 
 public slots:
     void say(const QString& sentence) { emit said(sentence); }

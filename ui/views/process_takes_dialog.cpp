@@ -63,6 +63,7 @@ void ProcessTakesDialog::refresh() {
 
 void ProcessTakesDialog::process() {
     const QStringList names = ticked();
+    std::vector<ProcessRequest> requests;
     for (const SessionTake& take : studio_.session().session().takes) {
         if (!names.contains(QString::fromStdString(take.name)))
             continue;
@@ -71,8 +72,9 @@ void ProcessTakesDialog::process() {
         request.calibration = studio_.calibrations().inForce();
         if (isOfPerformer(take))
             request.actor = actor_;
-        studio_.process(request);
+        requests.push_back(std::move(request));
     }
+    studio_.processInTurn(std::move(requests));
 }
 
 }  // namespace noctule::ui

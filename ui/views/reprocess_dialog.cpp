@@ -132,7 +132,7 @@ void ReprocessDialog::addSmoothing(QBoxLayout& into) {
     using enum ChoiceRow::Kind;
     not_smoothed = new ChoiceRow(kRadio, tr("None"), tr("As in a live recording."));
     smoothed_half_second =
-        new ChoiceRow(kRadio, tr("Half a second"), tr("Each pose knows what follows within half a second."));
+        new ChoiceRow(kRadio, tr("Half a second"), tr("Each pose knows the 0.3 to 0.5 s that follow."));
     smoothed_whole = new ChoiceRow(kRadio, tr("Whole take"),
                                    tr("Each pose knows all that came before and after: the most accurate."));
     addGroup(into, tr("Smoothing"), {not_smoothed, smoothed_half_second, smoothed_whole});

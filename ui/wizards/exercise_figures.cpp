@@ -3,12 +3,15 @@
 
 #include <cmath>
 
+#include "core/guide/movement_guide.h"
+
 namespace noctule::ui {
 namespace {
 
 constexpr int kFrames = 8;
 constexpr double kFrames_per_s = 2;
-constexpr double kLasts_s = 7.5, kFirst_s = 1.2, kStep_s = 0.7;  // of the exercise, in its middle
+constexpr double kLasts_s = MovementGuide::kMove_s, kFirst_s = 1.2,
+                 kStep_s = 0.7;  // of the exercise, in its middle
 
 }  // namespace
 

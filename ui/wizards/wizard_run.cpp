@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <set>
 
+#include "core/guide/movement_guide.h"
 #include "core/suit/calibration_entries.h"
+#include "devices/live/live_session.h"
 
 namespace noctule::ui {
 namespace {
@@ -12,6 +14,8 @@ namespace {
 constexpr double kLookEvery_s = 0.1;
 /// The take is a little longer than the step was right: solvers leave out its edges.
 constexpr double kMargin_s = 0.5;
+static_assert(MovementGuide::kStand_s + MovementGuide::kMove_s + kMargin_s <= LiveSession::kLongestPreRoll_s,
+              "else an exercise would lose its rest pose");
 constexpr const char* kTones = "calibrate/tones";
 
 /// Without the confidence that comes from a pose: on a rig nobody wears the suit.

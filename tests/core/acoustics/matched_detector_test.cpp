@@ -112,6 +112,19 @@ void print(const char* what, const Errors& e) {
         e.wrong_cycles);
 }
 
+TEST(MatchedDetector, RefusesBurstsThatItCannotSeeWhole) {
+    PulseTrain train;
+    train.cycles = 18;
+    EXPECT_TRUE(makeDetector(Detector::kMatched, train, {}));
+    for (const int cycles : {19, 24, 400, 1'000'000}) {
+        train.cycles = cycles;
+        const auto refused = makeDetector(Detector::kMatched, train, {});
+        ASSERT_FALSE(refused) << cycles;
+        EXPECT_EQ(refused.error().kind, ErrorKind::kUnusable);
+        EXPECT_TRUE(makeDetector(Detector::kInflection, train, {})) << cycles;
+    }
+}
+
 TEST(Matched, EnvelopeIsNearItsCramerRaoBound) {
     for (const PulseShape& shape : {PulseShape{39600, 15}, PulseShape{40000, 25}, PulseShape{40600, 35}})
         for (const double amplitude : {6000.0, 1500.0, 500.0}) {

@@ -62,6 +62,12 @@ TEST(CalibrationComparison, WhatOnlyOneKnowsIsShownAsUnknown) {
     EXPECT_EQ(tables[0].rows[0][1], "–");
     EXPECT_EQ(tables[0].rows[0][2], "1.0");
     EXPECT_EQ(tables[0].rows[1], (std::vector<std::string>{"head", "–", "–", "–", "–", "–", "–"}));
+    EXPECT_EQ(compareCalibrations(other, one)[0].rows.size(), 2) << "whichever of the two knows it";
+    Calibration mounted = one;
+    mounted.boards[1].q_segment_board.reset();
+    ASSERT_EQ(compareCalibrations(one, mounted).size(), 1);
+    EXPECT_EQ(compareCalibrations(one, mounted)[0].rows[0][1], "–");
+    EXPECT_EQ(compareCalibrations({}, one).size(), 2) << "nothing was in use";
 }
 
 }  // namespace
