@@ -19,5 +19,5 @@ build/release/bin/noctule --batch simulate --quiet --motion resources/motions/sa
 NOCTULE_SCREENSHOTS=$out NOCTULE_SCREENSHOT_SUIT=$runtime/suit.noctule \
     NOCTULE_SCREENSHOT_TAKE=${1:+$(realpath "$1")} XDG_RUNTIME_DIR=$runtime LC_ALL=C.UTF-8 \
     xvfb-run -a -s "-screen 0 1920x1080x24 +extension GLX" \
-    build/release/bin/test_ui_main_window --gtest_filter='Screenshots.*:ConnectPictures.*:RecordPictures.*'
+    build/release/bin/test_ui_main_window --gtest_filter='Screenshots.*:ConnectPictures.*:RecordPictures.*:WizardPictures.*'
 ls "$out"

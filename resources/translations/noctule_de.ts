@@ -1461,10 +1461,6 @@
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>How each board sits, to half a degree; lengths of bones and places of sources too.</source>
-        <translation>Wie jede Platine sitzt, auf ein halbes Grad; dazu Längen der Knochen und Orte der Quellen.</translation>
-    </message>
-    <message>
         <source>Six exercises, about 2 minutes; after the rest pose, each time the suit is put on</source>
         <translation>Sechs Übungen, etwa 2 Minuten; nach der Ruhehaltung, bei jedem Anlegen des Anzugs</translation>
     </message>
@@ -1535,6 +1531,10 @@
     <message>
         <source>from the rest pose</source>
         <translation>aus der Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>How each board sits on the moving body; lengths of bones and places of sources too.</source>
+        <translation>Wie jede Platine am bewegten Körper sitzt; dazu Längen der Knochen und Orte der Quellen.</translation>
     </message>
 </context>
 <context>
@@ -7762,6 +7762,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>%1, hardly moved</source>
         <translation>%1, kaum bewegt</translation>
+    </message>
+    <message>
+        <source>Stand still. Then: %1</source>
+        <translation>Still stehen. Danach: %1</translation>
     </message>
 </context>
 <context>

@@ -150,7 +150,9 @@ void WizardLive::refresh() {
     const int step = run_->step(), steps = run_->stepCount();
     step_->setText(steps > 1 ? tr("Step %1 of %2").arg(step + 1).arg(steps) : wordsOf(run_->task()).title);
     so_far_->setText(tr("%1 so far").arg(timeText(run_->secondsSoFar(), 0)));
-    instruction_->setText(run_->stepWords(step).instruction);
+    const bool stands_first = run_->task() == WizardTask::kMovement && !exerciseFrame();
+    const QString instruction = run_->stepWords(step).instruction;
+    instruction_->setText(stands_first ? tr("Stand still. Then: %1").arg(instruction) : instruction);
     const LiveSentence now = sentenceOf(*run_);
     card_->setTone(now.tone);
     sentence_->setText(now.sentence);

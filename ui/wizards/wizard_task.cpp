@@ -96,7 +96,7 @@ WizardWords movement() {
     return {
         TaskText::tr("Movement"),
         "check",
-        TaskText::tr("How each board sits, to half a degree; lengths of bones and places of sources too."),
+        TaskText::tr("How each board sits on the moving body; lengths of bones and places of sources too."),
         TaskText::tr("Six exercises, about 2 minutes; after the rest pose, each time the suit is put on"),
         {TaskText::tr("The performer with the suit on, all straps tight, the rest pose calibrated"),
          TaskText::tr("Two metres of free floor in all directions")},

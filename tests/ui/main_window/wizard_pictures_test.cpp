@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of the calibration's pages in the window, with the virtual suit on the level plate and on the
 // turntable; see live_pictures.h.
+#include <QTemporaryDir>
+
+#include "core/formats/bvh.h"
+#include "core/guide/movement_guide.h"
+#include "tests/support/guided_motion.h"
 #include "tests/ui/main_window/live_pictures.h"
 #include "tests/ui/wizards/rig_program.h"
 #include "ui/widgets/button.h"
@@ -73,6 +78,26 @@ TEST_F(WizardPictures, OtherTasks) {
     saveAs("calibrate-rest-pose-hold");
     ASSERT_TRUE(reach([&] { return run().phase() == WizardRun::Phase::kResult; }));
     save("calibrate-rest-pose-result", {{1440, 900}});
+}
+
+TEST_F(WizardPictures, Movement) {
+    QTemporaryDir folder;
+    const QString motion = folder.filePath("guided.bvh");
+    ASSERT_TRUE(
+        writeBvh(motion.toStdString(), noctule::test::GuidedMotion::clip({8.5, 3.5, 0.035}), {}, true));
+    put({"--motion", motion, "--loop"});
+    page().open(WizardTask::kMovement);
+    page().wizard().intro().beginButton()->click();
+    const auto guide = [this]() -> const MovementGuide& {
+        return static_cast<const MovementGuide&>(*run().guide());
+    };
+    ASSERT_TRUE(reach([&] { return run().guide()->guidance().hindrance == Hindrance::kStand; }));
+    save("calibrate-motion-stand", {{1440, 900}});
+    for (const int step : {0, 1}) {
+        ASSERT_TRUE(
+            reach([&] { return guide().isMoving() && run().step() == step && run().heldShare() > 0.2; }));
+        saveAs(QString("calibrate-motion-%1").arg(step + 1));
+    }
 }
 
 }  // namespace
