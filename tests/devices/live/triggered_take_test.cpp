@@ -20,9 +20,15 @@ constexpr int kBoardsOfBox = 2;
 class OtherProgram {
 public:
     OtherProgram() {
-        QUdpSocket probe;
-        EXPECT_TRUE(probe.bind(QHostAddress::AnyIPv4));
-        port_ = probe.localPort();
+        // Beside other tests the system at times offers a port that has just been taken.
+        for (int attempt = 0; attempt < 100 && port_ == 0; ++attempt) {
+            QUdpSocket probe;
+            if (probe.bind(QHostAddress::AnyIPv4))
+                port_ = probe.localPort();
+            else
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        EXPECT_NE(port_, 0);
     }
     uint16_t port() const { return port_; }
     void send(const std::string& text) {
