@@ -11,7 +11,7 @@ SMOOTHERS = ("none", "full")
 MOTIONS = {"walk": studio.MORE_MOTIONS / "02_01.bvh", "boxer": studio.REAL_MOTIONS / "Boxing_Toes.bvh",
            "hops and turn": studio.REAL_MOTIONS / "01_01.bvh", "01_03": studio.REAL_MOTIONS / "01_03.bvh",
            "dance": studio.MORE_MOTIONS / "05_06.bvh",
-           "salsa for two": studio.MORE_MOTIONS / "pair_salsa" / "60_05_scaled.bvh"}
+           "walk and stop": studio.MORE_MOTIONS / "131_01.bvh"}
 
 
 def evaluations(take, sensors, *options):
