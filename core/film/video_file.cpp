@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 
+#include "core/film/picture_mat.h"
 #include "core/film/video_backend.h"
 #include "core/job/atomic_file.h"
 #include "core/job/own_folder.h"
@@ -39,20 +39,6 @@ Result<const VideoBackend*> videoBackend() {
     const auto backend = reinterpret_cast<const VideoBackend* (*)()>(dlsym(module, kVideoBackend));
     require(backend, "the module of films has a backend");
     return backend();
-}
-
-cv::Mat toBgr(const Picture& picture) {
-    const cv::Mat rgba(picture.height_px, picture.width_px, CV_8UC4,
-                       const_cast<uint8_t*>(picture.rgba.data()));  // cv::Mat only reads here
-    cv::Mat bgr;
-    cv::cvtColor(rgba, bgr, cv::COLOR_RGBA2BGR);
-    return bgr;
-}
-
-Picture fromBgr(const cv::Mat& bgr) {
-    cv::Mat rgba;
-    cv::cvtColor(bgr, rgba, cv::COLOR_BGR2RGBA);
-    return {rgba.cols, rgba.rows, {rgba.datastart, rgba.dataend}};
 }
 
 }  // namespace

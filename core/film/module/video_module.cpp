@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The module noctule-video: OpenCV's videoio.
-#include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "core/film/picture_mat.h"
 #include "core/film/video_backend.h"
 
 namespace noctule {
@@ -10,16 +10,8 @@ namespace {
 
 class OpenCvEncoder : public VideoEncoder {
 public:
-    void add(const Picture& picture) override {
-        const cv::Mat rgba(picture.height_px, picture.width_px, CV_8UC4,
-                           const_cast<uint8_t*>(picture.rgba.data()));  // cv::Mat only reads here
-        cv::cvtColor(rgba, bgr_, cv::COLOR_RGBA2BGR);
-        writer.write(bgr_);
-    }
+    void add(const Picture& picture) override { writer.write(toBgr(picture)); }
     cv::VideoWriter writer;
-
-private:
-    cv::Mat bgr_;
 };
 
 std::unique_ptr<VideoEncoder> openEncoder(const std::string& path, const std::string& encoder,
@@ -39,12 +31,10 @@ bool readFilm(const std::string& path, VideoFacts& facts, const std::set<size_t>
     facts.frames_per_second = capture.get(cv::CAP_PROP_FPS);
     facts.size = {static_cast<int>(capture.get(cv::CAP_PROP_FRAME_WIDTH)),
                   static_cast<int>(capture.get(cv::CAP_PROP_FRAME_HEIGHT))};
-    cv::Mat bgr, rgba;
+    cv::Mat bgr;
     for (; capture.grab(); ++facts.frames)
-        if (looked_at.contains(facts.frames) && capture.retrieve(bgr)) {
-            cv::cvtColor(bgr, rgba, cv::COLOR_BGR2RGBA);
-            look(facts.frames, {rgba.cols, rgba.rows, {rgba.datastart, rgba.dataend}});
-        }
+        if (looked_at.contains(facts.frames) && capture.retrieve(bgr))
+            look(facts.frames, fromBgr(bgr));
     return true;
 }
 

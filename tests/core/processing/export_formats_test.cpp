@@ -8,22 +8,13 @@
 #include "core/processing/check_export.h"
 #include "core/processing/export_files.h"
 #include "core/processing/export_program.h"
-#include "tests/core/processing/made_take.h"
+#include "tests/core/processing/made_export.h"
 
 namespace noctule {
 namespace {
 
-class ExportFormats : public test::MadeTake {
+class ExportFormats : public test::MadeExport {
 protected:
-    void SetUp() override {
-        MadeTake::SetUp();
-        addRuns("AGD manifold");
-        request_.take_path = path();
-        request_.frames_per_second = 45;
-        request_.from_s = 0.4;
-        request_.to_s = 1.6;
-    }
-
     /// The known motion itself, walked through without the take.
     Figure expected(JointNames names, bool with_body) const {
         MotionClip clip;
@@ -37,8 +28,6 @@ protected:
             body = bodyFor(actor_.skeleton);
         return makeFigure(clip, body, names).value();
     }
-
-    ExportRequest request_;
 };
 
 /// Between two frames of the take, 7 ms apart, the arm's swing is not quite an arc: a few micrometres.

@@ -4,7 +4,7 @@
 #include "core/film/video_file.h"
 #include "core/job/atomic_file.h"
 #include "core/processing/check_export.h"
-#include "tests/core/processing/made_take.h"
+#include "tests/core/processing/made_export.h"
 #include "tests/support/named_rig.h"
 
 namespace noctule {
@@ -43,20 +43,14 @@ std::shared_ptr<const WearableBody> sidewaysBody() {
     return std::make_shared<const WearableBody>(wearable(std::move(rig), "sideways").value());
 }
 
-class WornExport : public test::MadeTake {
+class WornExport : public test::MadeExport {
 protected:
     void SetUp() override {
-        MadeTake::SetUp();
-        addRuns("AGD manifold");
-        request_.take_path = path();
-        request_.frames_per_second = 45;
-        request_.from_s = 0.4;
-        request_.to_s = 1.6;
+        MadeExport::SetUp();
         request_.worn = sidewaysBody();
         request_.film.size = {160, 96};
         request_.film.frames_per_second = 25;
     }
-    ExportRequest request_;
 };
 
 TEST_F(WornExport, EveryFileIsHeldAgainstItsTake) {
