@@ -67,11 +67,11 @@ ReprocessDialog::ReprocessDialog(Studio& studio, const TakeOverview& overview, Q
     }
     addSensors(*halves[0]);
     addRoot(*halves[0]);
-    addName(*halves[0]);
+    addDetector(*halves[0]);
     addFilter(*halves[1]);
     addSmoothing(*halves[1]);
-    addDetector(*halves[0]);
     addCalibration(*halves[1]);
+    addName(*halves[1]);
     for (QBoxLayout* half : halves)
         half->addStretch();
     if (!overview.runs.empty())
@@ -171,7 +171,7 @@ void ReprocessDialog::addName(QBoxLayout& into) {
     auto* rows = new FormRows;
     name = new QLineEdit;
     rows->addRow(tr("Name"), name);
-    rows->addHint(tr("Under this name batch commands and exports find the result."));
+    name->setToolTip(tr("Under this name batch commands and exports find the result."));
     into.addWidget(rows);
 }
 

@@ -16,6 +16,7 @@
 #include "ui/style/theme.h"
 #include "ui/views/body_dialog.h"
 #include "ui/views/new_session_dialog.h"
+#include "ui/views/reprocess_dialog.h"
 
 namespace noctule::ui {
 namespace {
@@ -142,6 +143,14 @@ TEST_F(Screenshots, OfTheFirstStart) {
     save(*window_, "first-start");
     window_->showTour();
     save(*window_, "tour");
+}
+
+TEST_F(Screenshots, OfProcessingATakeAgain) {
+    openTakeToShow();
+    dialog<ReprocessDialog>("dialog-reprocess", *studio_, *studio_->take().overview());
+    Theme::get().setScheme(Scheme::kLight);
+    dialog<ReprocessDialog>("dialog-reprocess-light", *studio_, *studio_->take().overview());
+    Theme::get().setScheme(Scheme::kDark);
 }
 
 TEST_F(Screenshots, OfDialogs) {
