@@ -128,6 +128,21 @@ MotionState KinematicTree::stateFromPose(const Pose& pose) const {
     return state;
 }
 
+KinematicTree::JointTurn KinematicTree::jointTurn(const MotionState& state, int joint) const {
+    JointTurn turn;
+    for (int i = linkOfJoint(joint); i >= 0 && link(i).joint == joint; i = link(i).parent) {
+        const Link& l = link(i);
+        if (l.type == LinkType::kHinge)
+            turn.omega_rad_per_s += turn.R_parent_joint.transpose() * (l.axis * state.rate[l.first]);
+        else if (l.count >= 3)
+            turn.omega_rad_per_s +=
+                turn.R_parent_joint.transpose() * state.rate.segment<3>(l.first + l.count - 3);
+        turn.R_parent_joint =
+            state.q_parent_link[static_cast<size_t>(i)].toRotationMatrix() * turn.R_parent_joint;
+    }
+    return turn;
+}
+
 Pose KinematicTree::poseFromState(const MotionState& state) const {
     Pose pose = skeleton_.zeroPose();
     pose.p_world_root = state.p_world_root;

@@ -54,6 +54,12 @@ public:
     int freedoms() const { return freedoms_; }
     /// The link whose frame is that of the joint (its last one).
     int linkOfJoint(int joint) const { return link_of_joint_[static_cast<size_t>(joint)]; }
+    /// A joint's turn from its zero pose, and its angular velocity in its own frame.
+    struct JointTurn {
+        Matrix3d R_parent_joint = Matrix3d::Identity();
+        Vector3d omega_rad_per_s = Vector3d::Zero();
+    };
+    JointTurn jointTurn(const MotionState& state, int joint) const;
     /// Links from the root to `link`, both included.
     const std::vector<int>& chain(int link) const { return chains_[static_cast<size_t>(link)]; }
 

@@ -131,6 +131,11 @@ bool MovementFitter::prepare(MotionReport& report) {
 void MovementFitter::fillTissue(const MotionFitResult& found, int index, BoardInMotion& board) const {
     const auto b = static_cast<size_t>(index);
     const int segment = model_.boardSegment(index);
+    const BodySegment& at = body_.segment(segment);
+    board.flesh = BoardFlesh{
+        {at.parent < 0 ? "" : at.name, at.first_child < 0 ? "" : body_.segment(at.first_child).name},
+        found.unknowns.boards[b].tilt_rad,
+        found.unknowns.boards[b].shift_m};
     std::vector<Vector3d> tilts;
     Vector3d mean = Vector3d::Zero();
     for (size_t k = 0; k < found.unknowns.nodes.size(); ++k) {
@@ -166,7 +171,8 @@ void MovementFitter::fillBoard(const MotionFitResult& found, int index, BoardInM
     board.sigma_place_m = sigma(found, layout_.place(index));
     board.gyro_zero_rad_per_s = constants.gyro_zero_rad_per_s;
     board.accel_zero_m_per_s2 = constants.accel_zero_m_per_s2;
-    fillTissue(found, index, board);
+    if (settings_.flesh)
+        fillTissue(found, index, board);
     const auto leftOver = [&](const MotionResidualSizes& sizes) {
         return LeftOver{sizes.gyro_rad[b], sizes.accel_m_per_s2[b], sizes.distance_m[b]};
     };
@@ -234,6 +240,7 @@ Calibration MotionReport::applied(const Calibration& base, const Suit& suit) con
         BoardCalibration& known = entryOf(calibration, suit.boards[b]);
         known.q_segment_board = board.q_segment_board;
         known.p_segment_board_m = board.p_segment_board_m;
+        known.flesh = board.flesh;
         known.gyro.zero_counts =
             board.gyro_zero_counts + known.gyro.matrix.partialPivLu().solve(board.gyro_zero_rad_per_s);
         known.accel.zero_counts += known.accel.matrix.partialPivLu().solve(board.accel_zero_m_per_s2);

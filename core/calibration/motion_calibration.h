@@ -38,7 +38,8 @@ struct BoardInMotion {
     Vector3d gyro_zero_rad_per_s = Vector3d::Zero();    ///< beyond gyro_zero_counts
     Vector3d accel_zero_m_per_s2 = Vector3d::Zero();    ///< beyond the base's
     Vector3d gyro_zero_counts = Vector3d::Zero();       ///< of the rest pose
-    double tissue_mean_rad = 0, tissue_spread_rad = 0;  ///< tilt with the pose over the movement, as fitted
+    std::optional<BoardFlesh> flesh{};                  ///< empty: not solved for
+    double tissue_mean_rad = 0, tissue_spread_rad = 0;  ///< its tilt over the movement
     LeftOver before{}, after{};
 };
 

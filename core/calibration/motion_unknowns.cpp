@@ -6,10 +6,6 @@
 namespace noctule {
 namespace {
 
-Vector3d halfSines(const Matrix3d& R) {
-    return Vector3d(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)) / 4;
-}
-
 void moveBoard(BoardConstants& board, const MotionLayout& layout, int index, const Eigen::VectorXd& step) {
     const auto at = [&](int first) { return Vector3d(step.segment<3>(first)); };
     board.q_segment_board = (board.q_segment_board * expQuaternion(at(layout.mounting(index)))).normalized();

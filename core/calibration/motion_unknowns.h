@@ -8,19 +8,16 @@
 
 #include "core/calibration/arrowhead_system.h"
 #include "core/calibration/motion_body.h"
+#include "core/suit/board_flesh.h"
 
 namespace noctule {
-
-using Matrix36 = Eigen::Matrix<double, 3, 6>;
-using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 struct MotionNode {
     Vector3d p_world_root_m = Vector3d::Zero();
     std::vector<Matrix3d> R_world_segment{};
 };
 
-/// A board on its flesh: tilt and shift, in the segment's frame, grow with the turns of the joints at both
-/// ends of the segment (BoardFlesh::features), from zero in the rest pose.
+/// A board on its flesh (BoardFlesh).
 struct BoardConstants {
     Quaterniond q_segment_board = Quaterniond::Identity();
     Vector3d p_segment_board_m = Vector3d::Zero();

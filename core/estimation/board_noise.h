@@ -13,11 +13,12 @@ struct BoardNoiseParameters {
     ExcessNoiseParameters accel{280}, distance{80}, gyro{280};
     double huber_sigma = 2.5;  ///< beyond it an innovation pulls no further
 
-    /// On flesh an accelerometer reads its own wobble as well, as large as the motion that drives it (a
-    /// damped oscillator of some 12 Hz), and sits a few degrees off.
-    double flesh_per_motion = 1, flesh_accel_m_per_s2 = 3, wobble_time_s = 0.1;
+    /// On flesh an accelerometer reads its own wobble as well, more than the motion that drives it (a damped
+    /// oscillator of some 12 Hz, and what it makes gyroscopes say of the limb), and sits a few degrees off.
+    double flesh_per_motion = 3, flesh_accel_m_per_s2 = 3, wobble_time_s = 0.3;
 
-    /// A calm board that reads gravity from elsewhere, beyond what mountings and flesh explain, is lost.
+    /// A board that has been calm for a while and reads gravity from elsewhere, beyond what mountings and
+    /// flesh explain, is lost.
     double lost_m_per_s2 = 3, calm_m_per_s2 = 2, lost_time_s = 0.3;
 };
 
@@ -46,6 +47,7 @@ private:
     Eigen::VectorXd accel_before_, gyro_before_;
     std::vector<Eigen::VectorXd> distance_before_;  ///< per source
     double shaken_m_per_s2_ = 0;
+    double calm_s_ = 0;                                         ///< since when
     Eigen::Vector3d level_m_per_s2_ = Eigen::Vector3d::Zero();  ///< mean innovation while calm
 };
 

@@ -13,9 +13,6 @@ constexpr double kOutlier = 2;
 constexpr double kLeastUsual_rad2 = 1e-5;
 /// The variance learnt is that of what comes and goes; deviations that stay are believed as large.
 constexpr double kWithConstant = 2;
-/// Deviations last for some tenths of a second: their white equivalent has more than their variance.
-constexpr double kWhitened = 2;
-
 bool lacksFreedoms(const Joint& joint) {
     return joint.type == JointType::kUniversal || joint.type == JointType::kHinge;
 }
@@ -104,7 +101,9 @@ std::vector<ObservationBlock> JointGive::observe(const MotionState& motion, cons
         learn(constraint, -block.residual[0], P.innovationVariance(block)[0], interval_s);
         const double given =
             std::max(square(parameters_.least_rad), relevance(constraint) * constraint.variance_rad2);
-        block.variance[0] = kWhitened * given;
+        const double whitened =
+            2 * (parameters_.trembles_s + relevance(constraint) * parameters_.lasts_s) / interval_s;
+        block.variance[0] = whitened * given;
         share += relevance(constraint);
         variance += given;
         blocks.push_back(std::move(block));

@@ -18,6 +18,11 @@ struct GiveParameters {
     double relevant_rad = 0.02;        ///< below it a joint soon counts as rigid
     double first_s = 1, memory_s = 3;  ///< of learning
     double constant_s = 1;  ///< what stays longer is an error of the estimate, not a joint that gives
+    /// Observations of one deviation are alike for a while and count as their white equivalent. In joints
+    /// that give, feet turn out and elbows carry for whole stretches of a motion: taken for a few tenths of a
+    /// second they turned every joint back to its axis against the gyroscopes, a degree a second.
+    double trembles_s = 0.1;
+    double lasts_s = 10;
 };
 
 /// The actor's skeleton with ball joints where `gives` (per joint) and the joint is universal or a hinge.

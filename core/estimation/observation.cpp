@@ -51,11 +51,14 @@ ObservationBlock ObservationModel::triad(const BodyState& state, const InertialM
     if (triad.count == 0 || board.link < 0)
         return block;
     chain_.evaluate(tree_, state.motion, board.link, offset_s);
-    const auto point = chain_.point(board.p_link_board);
+    const PlacedBoard placed = placeBoard(board, tree_, state.motion, offset_s);
+    const auto point = chain_.point(placed.p_m);
     const Vector3d& omega = chain_.end().omega_rad_per_s;
     const Vector3d sensed = is_gyro ? omega : Vector3d(point.a_m_per_s2 + g_m_per_s2_ * Vector3d::UnitY());
 
-    const Matrix3d R_world_board = chain_.end().R_world_link * board.R_link_board;
+    const Matrix3d R_world_board = chain_.end().R_world_link * placed.R;
+    const Vector3d own_turn_board =
+        is_gyro ? Vector3d(placed.R.transpose() * placed.omega_rad_per_s) : Vector3d(Vector3d::Zero());
     Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3> axes_board(triad.count, 3), axes_world(triad.count, 3);
     block.residual.resize(triad.count);
     block.variance.resize(triad.count);
@@ -63,7 +66,8 @@ ObservationBlock ObservationModel::triad(const BodyState& state, const InertialM
         const AxisReading& axis = triad.axes[static_cast<size_t>(i)];
         axes_board.row(i) = axis.sensitive_axis_board.transpose();
         axes_world.row(i) = (R_world_board * axis.sensitive_axis_board).transpose();
-        block.residual[i] = axis.value - axes_world.row(i).dot(sensed) - axes_board.row(i).dot(bias);
+        block.residual[i] =
+            axis.value - axes_world.row(i).dot(sensed) - axes_board.row(i).dot(bias + own_turn_board);
         block.variance[i] = axis.sigma * axis.sigma;
         if (axis.beyond * block.residual[i] < 0) {  // expected beyond the end as well: nothing new
             block.residual[i] = 0;
@@ -109,7 +113,8 @@ ObservationModel::Acceleration ObservationModel::accel(const BodyState& state,
         return result;
     const MountedBoard& board = suit_.boards[static_cast<size_t>(measurement.board)];
     const Vector3d up_board =
-        (chain_.end().R_world_link * board.R_link_board).transpose() * Vector3d::UnitY();
+        (chain_.end().R_world_link * placeBoard(board, tree_, state.motion, offset_s).R).transpose() *
+        Vector3d::UnitY();
     for (int i = 0; i < measurement.accel.count; ++i) {
         const AxisReading& axis = measurement.accel.axes[static_cast<size_t>(i)];
         result.motion_m_per_s2 = std::hypot(
@@ -163,7 +168,8 @@ ObservationModel::Distance ObservationModel::distance(const BodyState& state,
     const MountedSource& source = suit_.sources[static_cast<size_t>(measurement.source)];
     const Vector3d p_source =
         pointAt(state, source.link, source.p_link_source, emission_offset_s, other_chain_);
-    const Vector3d p_mic = pointAt(state, board.link, board.p_link_mic, arrival_offset_s, chain_);
+    const Vector3d p_link_mic = placeBoard(board, tree_, state.motion, arrival_offset_s).p_mic_m;
+    const Vector3d p_mic = pointAt(state, board.link, p_link_mic, arrival_offset_s, chain_);
     const Vector3d between = p_mic - p_source;
     const double geometric = std::max(between.norm(), 1e-6);
     const Vector3d direction = between / geometric;
@@ -178,7 +184,7 @@ ObservationModel::Distance ObservationModel::distance(const BodyState& state,
     block.variance = Eigen::VectorXd::Constant(1, measurement.sigma_m * measurement.sigma_m);
     block.H.resize(1, 0);
     if (board.link >= 0)
-        addDirectional(block, chain_, board.p_link_mic, stretch * direction);
+        addDirectional(block, chain_, p_link_mic, stretch * direction);
     if (source.link >= 0)
         addDirectional(block, other_chain_, source.p_link_source, -stretch * direction);
     if (layout_.source_offset >= 0)

@@ -22,6 +22,9 @@ PaperFilter::PaperFilter(const Skeleton& skeleton, SuitModel suit, SuitModel sta
       suit_(std::move(suit)),
       start_suit_(std::move(start_suit)),
       observations_(tree_, suit_, layout_, parameters.g_m_per_s2) {
+    for (SuitModel* worn : {&suit_, &start_suit_})  // the paper's boards are rigid on their segments
+        for (MountedBoard& board : worn->boards)
+            board.flesh.reset();
     layout_.freedoms = tree_.freedoms();
     layout_.size = 3 * tree_.freedoms();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/suit_model.h"
 
+#include "core/math/rotation.h"
 #include "core/suit/placed_suit.h"
 
 namespace noctule {
@@ -11,7 +12,50 @@ int linkOf(const std::string& segment, const Actor& actor, const KinematicTree& 
     return segment.empty() ? -1 : tree.linkOfJoint(actor.skeleton.find(segment));
 }
 
+int jointOf(const std::string& name, const Skeleton& skeleton) {
+    return name.empty() ? -1 : skeleton.find(name);
+}
+
+Result<MountedFlesh> mountFlesh(const BoardFlesh& flesh, const std::string& board, const Actor& actor) {
+    MountedFlesh mounted{{}, Vector6::Zero(), flesh.tilt_rad, flesh.shift_m};
+    for (size_t end = 0; end < 2; ++end) {
+        const int joint = jointOf(flesh.joints[end], actor.skeleton);
+        if (joint < 0 && !flesh.joints[end].empty())
+            return Error{ErrorKind::kUnusable,
+                         "calibration of board " + board + ": its flesh moves with joint '" +
+                             flesh.joints[end] + "', which the performer does not have",
+                         "Calibrate from movement with this performer"};
+        mounted.joints[end] = joint;
+        if (joint >= 0)
+            mounted.at_rest.segment<3>(3 * static_cast<Eigen::Index>(end)) =
+                halfSines(actor.rest_q_parent_joint[static_cast<size_t>(joint)].toRotationMatrix());
+    }
+    return mounted;
+}
+
 }  // namespace
+
+PlacedBoard placeBoard(const MountedBoard& board, const KinematicTree& tree, const MotionState& state,
+                       double offset_s) {
+    if (!board.flesh)
+        return {board.p_link_board, board.p_link_mic, board.R_link_board, Vector3d::Zero()};
+    const MountedFlesh& flesh = *board.flesh;
+    Vector6 features = -flesh.at_rest, rates = Vector6::Zero();
+    for (size_t end = 0; end < 2; ++end) {
+        if (flesh.joints[end] < 0)
+            continue;
+        const KinematicTree::JointTurn turn = tree.jointTurn(state, flesh.joints[end]);
+        const auto at = 3 * static_cast<Eigen::Index>(end);
+        rates.segment<3>(at) = halfSines(turn.R_parent_joint * skew(turn.omega_rad_per_s));
+        features.segment<3>(at) += halfSines(turn.R_parent_joint);
+    }
+    features += offset_s * rates;
+    const Vector3d tilt = flesh.tilt_rad * features;
+    const Matrix3d E = expQuaternion(tilt).toRotationMatrix();
+    const Vector3d p = board.p_link_board + flesh.shift_m * features;
+    return {p, p + E * (board.p_link_mic - board.p_link_board), E * board.R_link_board,
+            E * rightJacobian(tilt) * (flesh.tilt_rad * rates)};
+}
 
 Result<SuitModel> mountSuit(const Suit& suit, const Calibration& calibration, const Actor& actor,
                             const KinematicTree& tree) {
@@ -28,6 +72,13 @@ Result<SuitModel> mountSuit(const Suit& suit, const Calibration& calibration, co
         const Quaterniond q = board.q_segment_board;
         model.boards.push_back(
             {linkOf(board.segment, actor, tree), p, q.toRotationMatrix(), p + q * board.p_board_mic_m});
+        const BoardCalibration* known = calibration.findBoard(board.id);
+        if (!known || !known->flesh || model.boards.back().link < 0)
+            continue;
+        auto flesh = mountFlesh(*known->flesh, board.id, actor);
+        if (!flesh)
+            return flesh.error();
+        model.boards.back().flesh = std::move(*flesh);
     }
     for (const Source& source : placed.sources)
         model.sources.push_back(

@@ -3,6 +3,8 @@
 // mounting of the calibration in force where it has one.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "core/body/actor.h"
@@ -12,12 +14,31 @@
 namespace noctule {
 
 /// Link -1: fixed in the world.
+/// BoardFlesh on this body.
+struct MountedFlesh {
+    std::array<int, 2> joints{-1, -1};  ///< of the skeleton; -1: none
+    Vector6 at_rest = Vector6::Zero();  ///< features in the rest pose
+    Matrix36 tilt_rad, shift_m;
+};
+
 struct MountedBoard {
     int link = -1;
     Vector3d p_link_board = Vector3d::Zero();
     Matrix3d R_link_board = Matrix3d::Identity();
     Vector3d p_link_mic = Vector3d::Zero();
+    std::optional<MountedFlesh> flesh = {};
 };
+
+/// A board where the flesh has taken it; in the link's frame.
+struct PlacedBoard {
+    Vector3d p_m, p_mic_m;
+    Matrix3d R;
+    Vector3d omega_rad_per_s;  ///< of the board against the link
+};
+
+/// `offset_s` later than the state.
+PlacedBoard placeBoard(const MountedBoard& board, const KinematicTree& tree, const MotionState& state,
+                       double offset_s);
 
 struct MountedSource {
     int link = -1;
@@ -30,7 +51,8 @@ struct SuitModel {
     std::vector<MountedSource> sources;
 };
 
-/// Fails (kUnusable) and names board or source when a segment is not in the actor's skeleton.
+/// Fails (kUnusable) and names board or source when a joint of its flesh or a segment is not in the actor's
+/// skeleton.
 Result<SuitModel> mountSuit(const Suit& suit, const Calibration& calibration, const Actor& actor,
                             const KinematicTree& tree);
 

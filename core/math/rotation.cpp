@@ -50,6 +50,10 @@ Matrix3d rightJacobian(const Vector3d& rotation_vector) {
     return Matrix3d::Identity() - a * cross + b * cross * cross;
 }
 
+Vector3d halfSines(const Matrix3d& R) {
+    return Vector3d(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)) / 4;
+}
+
 double angleBetween(const Quaterniond& a, const Quaterniond& b) {
     const Quaterniond difference = a.conjugate() * b;
     return 2 * std::atan2(difference.vec().norm(), std::abs(difference.w()));

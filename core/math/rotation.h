@@ -19,6 +19,10 @@ Vector3d logQuaternion(const Quaterniond& q);
 /// Right Jacobian: exp(v + d) = exp(v) exp(Jr(v) d) to first order.
 Matrix3d rightJacobian(const Vector3d& rotation_vector);
 
+/// Half the sines of a rotation's turns about x, y, z: (R - R^T) / 4 as a vector. Smooth for every turn, and
+/// linear in R.
+Vector3d halfSines(const Matrix3d& R);
+
 /// Geodesic angle between two rotations, 0..pi.
 double angleBetween(const Quaterniond& a, const Quaterniond& b);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/job/result.h"
+#include "core/suit/board_flesh.h"
 #include "core/suit/suit.h"
 
 namespace noctule {
@@ -41,6 +42,7 @@ struct BoardCalibration {
     double mic_delay_s = 0;
     std::optional<Vector3d> p_segment_board_m;  ///< corrected mounting, replaces the suit's
     std::optional<Quaterniond> q_segment_board;
+    std::optional<BoardFlesh> flesh = {};
     std::string serial;  ///< whose values these are; empty: not stated
     CalibrationHistory made;
 };

@@ -149,6 +149,63 @@ TEST_P(Observation, RootJacobian) {
     check([&](const BodyState& s) { return model.root(s, m, offset_s); }, "root");
 }
 
+/// Where a board on flesh is, worked out from the pose alone.
+struct OnFlesh {
+    Matrix3d R_world_board;
+    Vector3d p_world_mic;
+};
+
+OnFlesh boardOnFlesh(const KinematicTree& tree, const MountedBoard& board, const MotionState& motion) {
+    const Pose pose = tree.poseFromState(motion);
+    Vector6 features = -board.flesh->at_rest;
+    for (Eigen::Index end = 0; end < 2; ++end) {
+        const Eigen::AngleAxisd turn(
+            pose.q_parent_joint[static_cast<size_t>(board.flesh->joints[static_cast<size_t>(end)])]);
+        features.segment<3>(3 * end) += 0.5 * std::sin(turn.angle()) * turn.axis();
+    }
+    const Vector3d tilt = board.flesh->tilt_rad * features;
+    const Matrix3d E = Eigen::AngleAxisd(tilt.norm(), tilt.normalized()).toRotationMatrix();
+    ChainMotion chain;
+    chain.evaluate(tree, motion, board.link, 0);
+    const Vector3d p_link_mic =
+        board.p_link_board + board.flesh->shift_m * features + E * (board.p_link_mic - board.p_link_board);
+    return {chain.end().R_world_link * E * board.R_link_board, chain.point(p_link_mic).p_m};
+}
+
+TEST_P(Observation, ABoardOnFleshTurnsAndShiftsWithTheJointsAtItsEnds) {
+    const Matrix36 tilt = Matrix36::NullaryExpr([&] { return random(0.1); });
+    const Matrix36 shift = Matrix36::NullaryExpr([&] { return random(0.02); });
+    MountedBoard& board = suit.boards[2];
+    board.flesh = MountedFlesh{{2, 3}, Vector6::Constant(0.05), tilt, shift};
+    ObservationModel model(tree, suit, layout);
+
+    const double h = 1e-5;
+    const auto later = [&](double dt) {
+        MotionState moved = state.motion;
+        tree.retract(moved, dt * state.motion.rate);
+        return boardOnFlesh(tree, board, moved);
+    };
+    const Eigen::AngleAxisd turn(Matrix3d(later(-h).R_world_board.transpose() * later(h).R_world_board));
+    const Vector3d omega_board = turn.angle() / (2 * h) * turn.axis();
+    const InertialMeasurement m = reading(2);
+    const Eigen::VectorXd residual = model.gyro(state, m, 0).residual;
+    for (int i = 0; i < 3; ++i) {
+        const AxisReading& axis = m.gyro.axes[static_cast<size_t>(i)];
+        EXPECT_NEAR(axis.value - residual[i], axis.sensitive_axis_board.dot(omega_board + state.gyro_bias[2]),
+                    2e-6);
+    }
+
+    DistanceMeasurement distance;
+    distance.board = 2;
+    distance.distance_m = 0.4;
+    const Vector3d p_world_mic = later(0).p_world_mic;
+    ChainMotion chain;
+    chain.evaluate(tree, state.motion, suit.sources[0].link, 0);
+    const double expected_m = (p_world_mic - chain.point(suit.sources[0].p_link_source).p_m).norm();
+    EXPECT_NEAR(model.distance(state, distance, 0, 0).block.residual[0],
+                distance.distance_m - expected_m * (1 + state.sound_scale) - state.source_offset_m[0], 1e-9);
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, Observation, ::testing::Values(0.0, 1e-6, 0.4, 1.2));
 
 TEST(ObservationModelTest, StillBoardReadsGravityUpward) {
