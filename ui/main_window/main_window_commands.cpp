@@ -21,6 +21,7 @@
 #include "ui/views/connect_page.h"
 #include "ui/views/session_commands.h"
 #include "ui/views/start_page.h"
+#include "ui/wizards/calibrate_page.h"
 
 namespace noctule::ui {
 void MainWindow::connectActions() {
@@ -70,6 +71,10 @@ void MainWindow::connectSteps() {
     to(Command::kStepReview, Step::kReview);
     to(Command::kStepExport, Step::kExport);
     connect(&studio_, &Studio::stepRequested, this, &MainWindow::goTo);
+    connect(&studio_, &Studio::checkRequested, this, [this] {
+        goTo(Step::kCalibrate);
+        qobject_cast<CalibratePage*>(&page(Step::kCalibrate))->checkBeforeTake();
+    });
     connect(top_bar_, &TopBar::stepRequested, this, &MainWindow::goTo);
     connect(top_bar_, &TopBar::recordRequested, this, [this] { goTo(Step::kRecord); });
     connect(top_bar_, &TopBar::preferencesRequested, this, &MainWindow::showPreferences);

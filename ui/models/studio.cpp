@@ -76,6 +76,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
     connect(&suit_, &LiveSuit::warned, this, &Studio::warned);
     connect(&calibrations_, &CalibrationShelf::warned, this, &Studio::warned);
     connect(&suit_, &LiveSuit::phaseChanged, this, &Studio::followSuit);
+    connect(&calibrations_, &CalibrationShelf::changed, this, [this] { setChecked({}); });
     connect(&virtual_suit_, &VirtualSuit::failed, this, &Studio::failed);
     connect(&virtual_suit_, &VirtualSuit::started, this,
             [this] { suit_.connectTo(virtual_suit_.address(), virtual_suit_.known()); });
@@ -141,7 +142,14 @@ void Studio::stopVirtualSuit() {
     followSuit();
 }
 
+void Studio::setChecked(const std::optional<CheckedSuit>& checked) {
+    checked_ = checked;
+    emit checkedChanged();
+}
+
 void Studio::followSuit() {
+    if (suit_.phase() == LiveSuit::Phase::kNone)
+        setChecked({});
     const bool off = virtual_suit_.state() == VirtualSuit::State::kOff;
     const bool connected = !suit_.address().isEmpty() && suit_.address() == virtual_suit_.address();
     if (off && connected)

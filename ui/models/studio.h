@@ -3,12 +3,14 @@
 // set of preferences. Pages get a Studio& and talk to each other through it only.
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QPointer>
 #include <QSettings>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "core/mesh/skinned_mesh.h"
@@ -82,6 +84,13 @@ public:
     void startVirtualSuit();
     /// A take of it that is being recorded ends intact first.
     void stopVirtualSuit();
+    /// The last check of the suit that is connected, with the calibration in force; empty: none was made.
+    struct CheckedSuit {
+        QDateTime when;
+        bool is_good = false;
+    };
+    const std::optional<CheckedSuit>& checked() const { return checked_; }
+    void setChecked(const std::optional<CheckedSuit>& checked);
     /// Processes a take of the session as a job; shows the new run when the take is open.
     Job* process(ProcessRequest request);
     /// One after the other, so that all that waits holds no other work up.
@@ -90,9 +99,13 @@ public:
 public slots:
     void say(const QString& sentence) { emit said(sentence); }
     void goTo(noctule::ui::Step step) { emit stepRequested(step); }
+    /// Three seconds of standing still, then back to Record.
+    void checkSuit() { emit checkRequested(); }
 
 signals:
     void stepRequested(noctule::ui::Step step);
+    void checkRequested();
+    void checkedChanged();
     void bodyLoaded();  ///< or not; once
     /// A sentence for the status bar.
     void said(const QString& text);
@@ -125,6 +138,7 @@ private:
     bool body_ended_ = false;  ///< loading it
     QPointer<Job> trying_;     ///< the virtual suit
     bool virtual_suit_ends_ = false;
+    std::optional<CheckedSuit> checked_;
     std::shared_ptr<std::timed_mutex> processing_;  ///< a take takes one writer, the machine one filter
 };
 

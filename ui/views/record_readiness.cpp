@@ -9,6 +9,7 @@
 #include "ui/views/readiness_words.h"
 #include "ui/views/record_problems.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/label.h"
@@ -63,6 +64,7 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     connect(&studio.check(), &SuitCheck::changed, this, &RecordReadiness::refresh);
     connect(&studio.suit(), &LiveSuit::phaseChanged, this, &RecordReadiness::refresh);
     connect(&studio.suit(), &LiveSuit::wearingChanged, this, &RecordReadiness::refresh);
+    connect(&studio, &Studio::checkedChanged, this, &RecordReadiness::refresh);
     refresh();
 }
 
@@ -95,7 +97,14 @@ QWidget* RecordReadiness::makeCalibration() {
     made_ = rows->addValue(tr("Made"), {});
     offsets_ = rows->addValue(tr("Source offsets"), {});
     boards_ = rows->addValue(tr("Boards"), {});
+    checked_ = rows->addValue(tr("Checked"), {});
     column->addWidget(rows);
+    check_ = makeButton(ButtonKind::kOutlined, tr("Check the suit"), "rest_pose");
+    check_->setToolTip(tr("Stand still for three seconds: says whether a strap has moved"));
+    connect(check_, &QPushButton::clicked, &studio_, &Studio::checkSuit);
+    auto* row = addRow(column, 8, {0, 8, 0, 0});
+    row->addWidget(check_);
+    row->addStretch();
     return part;
 }
 
@@ -201,8 +210,22 @@ void RecordReadiness::showAir() {
             tr("speed of sound %1\u00A0m/s").arg(numberText(c_m_per_s, 1)));
 }
 
+QString RecordReadiness::checkedWords() const {
+    const auto& checked = studio_.checked();
+    if (!checked)
+        return tr("not yet", "a suit was checked");
+    const QString when = dateText(checked->when);
+    return checked->is_good ? tr("good, %1", "a check, its time").arg(when)
+                            : tr("look at it, %1", "a check, its time").arg(when);
+}
+
 void RecordReadiness::showCalibration() {
     const LiveSuit& suit = studio_.suit();
+    checked_->setText(suit.calibration() ? checkedWords() : kNotKnown);
+    check_->setDisabledBecause(!suit.calibration() ? tr("There is no calibration to check.")
+                               : suit.phase() == LiveSuit::Phase::kRecording
+                                   ? tr("A take is being recorded; check before the next one.")
+                                   : QString());
     const auto& calibration = suit.calibration();
     if (!calibration) {
         made_->setText(suit.status()->hello ? tr("none") : kNotKnown);

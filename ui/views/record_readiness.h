@@ -11,6 +11,7 @@
 
 namespace noctule::ui {
 
+class Button;
 class Label;
 class NumberRows;
 class RecordProblems;
@@ -28,6 +29,8 @@ public:
     void setScreenDelay(double seconds);
     QString verdict() const { return verdict_text_; }
     RecordProblems& problems() { return *problems_; }
+    QString checkedWords() const;
+    Button* checkButton() { return check_; }
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -51,7 +54,8 @@ private:
     RecordProblems* problems_;
     QWidget* of_suit_;
     NumberRows* numbers_;  ///< a row per Fact
-    Label *made_, *offsets_, *boards_;
+    Label *made_, *offsets_, *boards_, *checked_;
+    Button* check_;
     QElapsedTimer since_rate_;
     int64_t rate_from_sample_ = 0;
     double megabytes_per_s_ = 0, screen_delay_s_ = 0;

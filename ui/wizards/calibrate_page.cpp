@@ -144,8 +144,18 @@ void CalibratePage::followSession() {
     session_ = sessionNow();
 }
 
+void CalibratePage::checkBeforeTake() {
+    open(WizardTask::kCheck);
+    back_to_record_ = true;
+    wizard_->setWayBack(tr("Back to Record"));
+    if (wizard_->run()->whyNotBegin().isEmpty())
+        wizard_->run()->begin();
+}
+
 void CalibratePage::open(WizardTask task) {
     session_ = sessionNow();
+    back_to_record_ = false;
+    wizard_->setWayBack(tr("Back to Calibrate"));
     wizard_->open(task);
     centre_->setCurrentWidget(wizard_);
     right_->setCurrentWidget(wizard_->side());
@@ -161,6 +171,8 @@ void CalibratePage::closeWizard() {
     left_->setCurrentIndex(0);
     setDockTitles(tr("Calibrations"), tr("Calibration"));
     refresh();
+    if (std::exchange(back_to_record_, false))
+        studio_.goTo(Step::kRecord);
 }
 
 void CalibratePage::refresh() {

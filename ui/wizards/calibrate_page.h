@@ -33,7 +33,9 @@ public:
     void leave() override;
 
     void open(WizardTask task);
-    /// Back to the overview.
+    /// The check at once, and back to step Record when it is left.
+    void checkBeforeTake();
+    /// Back to the overview, or to where it was opened from.
     void closeWizard();
     WizardPage& wizard() { return *wizard_; }
     bool showsWizard() const;
@@ -65,6 +67,7 @@ private:
     VerdictHeader* verdict_ = nullptr;
     Button* way_on_ = nullptr;
     std::optional<WizardTask> next_;
+    bool back_to_record_ = false;
     QVBoxLayout* history_ = nullptr;
     std::vector<Button*> use_;
 };

@@ -21,7 +21,7 @@ ResultSide::ResultSide(Studio& studio, QWidget* parent)
       save_(makeButton(ButtonKind::kPrimary, tr("Save and use"))),
       process_(makeButton(ButtonKind::kOutlined, tr("Process takes again"), "redo")),
       repeat_(makeButton(ButtonKind::kOutlined, tr("Repeat steps"), "loop")),
-      leave_(makeButton(ButtonKind::kText, tr("Back to Calibrate"))) {
+      leave_(makeButton(ButtonKind::kText, {})) {
     auto* column = makeColumn(this);
     auto* content = new QWidget;
     findings_ = makeColumn(content, {12, 16, 12, 12}, 8);

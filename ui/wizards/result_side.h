@@ -20,6 +20,7 @@ public:
     explicit ResultSide(Studio& studio, QWidget* parent = nullptr);
 
     void setRun(WizardRun* run);
+    void setWayBack(const QString& words) { leave_->setText(words); }
     Button* saveButton() { return save_; }
     Button* repeatButton() { return repeat_; }
 

@@ -58,6 +58,11 @@ QWidget* WizardPage::rail() {
     return rail_;
 }
 
+void WizardPage::setWayBack(const QString& words) {
+    rail_->setWayBack(words);
+    result_side_->setWayBack(words);
+}
+
 void WizardPage::open(WizardTask task) {
     close();
     run_ = std::make_unique<WizardRun>(studio_, task);

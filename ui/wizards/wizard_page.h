@@ -26,6 +26,8 @@ public:
     ~WizardPage() override;
 
     void open(WizardTask task);
+    /// On the buttons that leave it: "Back to Record".
+    void setWayBack(const QString& words);
     /// What has been taken stays.
     void close();
     /// Null: none is open.

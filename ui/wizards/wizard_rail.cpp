@@ -166,7 +166,7 @@ void WizardRail::refresh() {
         rows_[i]->setVisible(i < at);
     tones_->setChecked(run_->tones());
     leave_->setText(!run_->isUnfinished() || run_->task() == WizardTask::kCheck || phase == Phase::kIntro
-                        ? tr("Back to Calibrate")
+                        ? way_back_
                         : tr("Leave and resume later"));
 }
 

@@ -42,6 +42,7 @@ public:
 
     /// Null: nothing runs.
     void setRun(WizardRun* run);
+    void setWayBack(const QString& words) { way_back_ = words; }
     /// A step that is done and has been chosen; -1: none.
     int chosenStep() const { return chosen_; }
     Button* leaveButton() { return leave_; }
@@ -55,6 +56,7 @@ private:
     RailStep* row(size_t index);
 
     WizardRun* run_ = nullptr;
+    QString way_back_;
     Label *title_, *hint_;
     QVBoxLayout* rows_column_;
     std::vector<RailStep*> rows_;

@@ -322,6 +322,9 @@ void WizardRun::solved(Result<CalibrationResult> result) {
     if (result) {
         result_ = std::move(*result);
         keepValuesOfSkipped(*result_);
+        if (task_ == WizardTask::kCheck)
+            studio_.setChecked(
+                Studio::CheckedSuit{QDateTime::currentDateTime(), result_->grade() == Grade::kGood});
         return setPhase(Phase::kResult);
     }
     if (result.error().kind != ErrorKind::kCancelled)

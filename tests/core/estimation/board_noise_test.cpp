@@ -101,6 +101,14 @@ TEST_F(BoardNoiseTest, ACalmBoardThatReadsGravityFromElsewhereIsLost) {
     EXPECT_TRUE(isLostWithin(1, {0, 9.8, 0}, {0, 5, 0}));
 }
 
+TEST_F(BoardNoiseTest, ASwungBoardThatPassesThroughGravityIsNotLost) {
+    // A tenth of a second in which its force happens to be as large as gravity, then none for as long.
+    for (int swing = 0; swing < 30; ++swing) {
+        EXPECT_FALSE(isLostWithin(0.1, {0, 9.8, 0}, {0, 12, 0}));
+        EXPECT_FALSE(isLostWithin(0.1, {0, 25, 0}, {0, 15, 0}));
+    }
+}
+
 TEST_F(BoardNoiseTest, NeitherMountingsNorMotionMakeABoardLost) {
     EXPECT_FALSE(isLostWithin(5, {0, 9.8, 0}, {0, 1.5, 0}));
     EXPECT_FALSE(isLostWithin(5, {0, 25, 0}, {0, 15, 0}));

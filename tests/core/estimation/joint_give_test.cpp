@@ -93,6 +93,13 @@ TEST_F(JointGiveTest, JointsThatGiveAreBelievedTo) {
     EXPECT_LT(std::sqrt(give.meanVariance_rad2()), 2 * rms_rad);
 }
 
+TEST_F(JointGiveTest, ADeviationThatStaysIsPulledBackSlowlyWhereJointsGive) {
+    const auto blocks = observed(0.08);
+    // Ten seconds of observations, were they all of another error, would pull to a fifth of what is given.
+    for (const ObservationBlock& block : blocks)
+        EXPECT_GT(std::sqrt(block.variance[0] / 100), 0.5 * std::sqrt(give.meanVariance_rad2()));
+}
+
 TEST_F(JointGiveTest, OneFarDeviationAfterAnOutageTeachesLittle) {
     observed(0);
     give.observe(at(10.1, 0.6), P, 0.1);

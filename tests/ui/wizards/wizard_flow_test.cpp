@@ -60,6 +60,18 @@ TEST_F(WizardFlow, RestPose) {
     ASSERT_TRUE(reach(Phase::kResult)) << heard();
     EXPECT_FALSE(page_->wizard().resultSide().saveButton()->isVisible()) << "a check changes nothing";
     EXPECT_EQ(clicks_, 2);
+    ASSERT_TRUE(studio_->checked()) << "step Record says when";
+
+    // From Record it begins by itself, and leads back there.
+    page_->closeWizard();
+    QSignalSpy steps(studio_.get(), &Studio::stepRequested);
+    page_->checkBeforeTake();
+    EXPECT_EQ(run().phase(), Phase::kGuiding);
+    ASSERT_TRUE(reach(Phase::kResult)) << heard();
+    EXPECT_EQ(static_cast<WizardRail*>(page_->wizard().rail())->leaveButton()->text(), "Back to Record");
+    page_->closeWizard();
+    ASSERT_EQ(steps.size(), 1);
+    EXPECT_EQ(steps.at(0).at(0).value<Step>(), Step::kRecord);
 }
 
 TEST_F(WizardFlow, Movement) {
