@@ -5,22 +5,39 @@
 #include <numeric>
 #include <utility>
 
-#include "core/math/covariance_kernels.h"
-
 namespace noctule {
+namespace {
+
+Eigen::Index rowsOf(const std::vector<ObservationBlock>& blocks) {
+    Eigen::Index rows = 0;
+    for (const ObservationBlock& block : blocks)
+        rows += block.rows();
+    return rows;
+}
+
+Eigen::VectorXd residualOf(const std::vector<ObservationBlock>& blocks, Eigen::Index rows) {
+    Eigen::VectorXd residual(rows);
+    Eigen::Index row = 0;
+    for (const ObservationBlock& block : blocks) {
+        residual.segment(row, block.rows()) = block.residual;
+        row += block.rows();
+    }
+    return residual;
+}
+
+}  // namespace
 
 Eigen::MatrixXd& Covariance::dense() {
-    if (pending_.rows() > 0) {
-        subtractOuterProduct(P_, pending_);
-        pending_.resize(0, P_.cols());
-    }
+    if (hasPending())
+        subtractOuterProduct(P_, pending());
+    pending_rows_ = 0;
     return P_;
 }
 
-Eigen::MatrixXd Covariance::timesPending(const ObservationBlock& block) const {
-    Eigen::MatrixXd product(pending_.rows(), block.rows());
-    multiplySparse(pending_, block.columns, block.H, product, 0);
-    return product.transpose();
+void Covariance::timesPending(const ObservationBlock& block, MatrixOut seen, Eigen::Index first) const {
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic> product(pending_rows_, block.rows());
+    multiplySparse(pending(), block.columns, block.H, product, 0);
+    seen.middleRows(first, block.rows()) = product.transpose();
 }
 
 Eigen::VectorXd Covariance::innovationVariance(const ObservationBlock& block) const {
@@ -36,57 +53,67 @@ Eigen::VectorXd Covariance::innovationVariance(const ObservationBlock& block) co
     Eigen::MatrixXd P_H(count, block.rows());
     multiplySparse(P_seen, all, block.H, P_H, 0);
     Eigen::VectorXd variance = block.variance + P_H.transpose().cwiseProduct(block.H).rowwise().sum();
-    if (pending_.rows() > 0)
-        variance -= timesPending(block).rowwise().squaredNorm();
+    if (hasPending()) {
+        auto seen = seen_.shaped(block.rows(), pending_rows_);
+        timesPending(block, seen, 0);
+        variance -= seen.rowwise().squaredNorm();
+    }
     return variance;
 }
 
-Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks, ObservedUpdate* observed) {
-    const Eigen::Index n = P_.rows();
-    Eigen::Index m = 0;
-    for (const ObservationBlock& block : blocks)
-        m += block.rows();
-    if (m == 0)
-        return Eigen::VectorXd::Zero(n);
-
-    Eigen::MatrixXd gain(n, m);  // P H^T
-    Eigen::MatrixXd seen(m, pending_.rows());
-    Eigen::VectorXd residual(m);
+Eigen::MatrixXd Covariance::innovationCovariance(const Blocks& blocks, MatrixOut gain) const {
+    const Eigen::Index m = gain.rows();
+    auto columns = gain_columns_.shaped(P_.rows(), m);  // P H^T
+    auto seen = seen_.shaped(m, pending_rows_);
     Eigen::Index row = 0;
     for (const ObservationBlock& block : blocks) {
-        multiplySparse(P_, block.columns, block.H, gain, row);
-        if (pending_.rows() > 0)
-            seen.middleRows(row, block.rows()) = timesPending(block);
-        residual.segment(row, block.rows()) = block.residual;
+        multiplySparse(P_, block.columns, block.H, columns, row);
+        if (hasPending())
+            timesPending(block, seen, row);
         row += block.rows();
     }
-    Eigen::MatrixXd gain_by_row = gain.transpose();
-    if (pending_.rows() > 0)
-        addProduct(gain_by_row, -1, seen, pending_);
+    gain = columns.transpose();
+    if (hasPending())
+        addProduct(gain, -1, seen, pending());
 
-    Eigen::MatrixXd S(m, m);  // H P H^T + R, built as its transpose: it is symmetric
+    Eigen::MatrixXd S(m, m);  // built as its transpose: it is symmetric
     row = 0;
     for (const ObservationBlock& block : blocks) {
-        multiplySparse(gain_by_row, block.columns, block.H, S, row);
+        multiplySparse(gain, block.columns, block.H, S, row);
         S.diagonal().segment(row, block.rows()) += block.variance;
         row += block.rows();
     }
-    const Eigen::LLT<Eigen::MatrixXd> factor(S);
+    return S;
+}
+
+void Covariance::reservePending(Eigen::Index m) {
+    constexpr Eigen::Index kMore = 64;
+    if (pending_.cols() != P_.cols()) {
+        pending_.resize(m + kMore, P_.cols());
+    } else if (pending_.rows() < pending_rows_ + m) {
+        pending_.conservativeResize(pending_rows_ + m + kMore, Eigen::NoChange);
+    }
+}
+
+Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks, ObservedUpdate* observed) {
+    const Eigen::Index m = rowsOf(blocks), n = P_.rows();
+    if (m == 0)
+        return Eigen::VectorXd::Zero(n);
+    auto gain = gain_.shaped(m, n);
+    const Eigen::LLT<Eigen::MatrixXd> factor(innovationCovariance(blocks, gain));
     if (factor.info() != Eigen::Success)
         return Eigen::VectorXd::Zero(n);
     Eigen::MatrixXd inverse_L = factor.matrixL().solve(Eigen::MatrixXd::Identity(m, m));
-    const Eigen::VectorXd whitened = inverse_L * residual;
-    Eigen::MatrixXd x = Eigen::MatrixXd::Zero(m, n);  // X^T = L^-1 H P
-    addProduct(x, 1, inverse_L, gain_by_row, Shape::kLowerTriangular);
+    const Eigen::VectorXd whitened = inverse_L * residualOf(blocks, m);
 
-    Eigen::MatrixXd all(pending_.rows() + m, n);
-    if (pending_.rows() > 0)
-        all.topRows(pending_.rows()) = pending_;
-    all.bottomRows(m) = x;
-    pending_ = std::move(all);
+    reservePending(m);
+    auto x = pending_.middleRows(pending_rows_, m);  // X^T = L^-1 H P
+    x.setZero();
+    addProduct(x, 1, inverse_L, gain, Shape::kLowerTriangular);
+    pending_rows_ += m;
     const Eigen::VectorXd correction = x.transpose() * whitened;
     if (observed)
-        *observed = {blocks, inverse_L, std::move(x), whitened};
+        *observed = {blocks, std::move(inverse_L), x, whitened};
     return correction;
 }
 

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "core/estimation/observation.h"
+#include "core/math/covariance_kernels.h"
+#include "core/math/matrix_buffer.h"
 
 namespace noctule {
 
@@ -43,11 +45,22 @@ public:
     Eigen::VectorXd update(const std::vector<ObservationBlock>& blocks, ObservedUpdate* observed);
 
 private:
-    /// H times the pending X, rows x pending.
-    Eigen::MatrixXd timesPending(const ObservationBlock& block) const;
+    using Blocks = std::vector<ObservationBlock>;
+
+    bool hasPending() const { return pending_rows_ > 0; }
+    /// X^T of what is pending, m x n.
+    auto pending() const { return pending_.topRows(pending_rows_); }
+    /// H times the pending X, rows x pending, into rows `first`.. of `seen`.
+    void timesPending(const ObservationBlock& block, MatrixOut seen, Eigen::Index first) const;
+    /// H P H^T + R of all blocks and, as `gain`, H P (m x n), with what is pending.
+    Eigen::MatrixXd innovationCovariance(const Blocks& blocks, MatrixOut gain) const;
+    /// Makes room for m more rows of X^T below those pending.
+    void reservePending(Eigen::Index m);
 
     Eigen::MatrixXd P_;
-    Eigen::MatrixXd pending_;  ///< X^T, m x n: true covariance = P_ - X X^T
+    Eigen::MatrixXd pending_;  ///< X^T in its first rows: true covariance = P_ - X X^T
+    Eigen::Index pending_rows_ = 0;
+    mutable MatrixBuffer gain_columns_, gain_, seen_;  ///< room for the next update's work
 };
 
 }  // namespace noctule

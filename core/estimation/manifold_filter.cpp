@@ -242,34 +242,37 @@ void ManifoldFilter::updateDistances(const std::vector<DistanceMeasurement>& mea
         DistanceMeasurement known = measurement;
         useCarrier(known, block);
         decision.innovation_m = block.residual[0];
-        if (decision.w_a == 0) {
+        if (decision.w_a == 0)
             decision.fate = RangeFate::kBehindSource;
-        } else if (measurement.confidence >= kMinimumConfidence) {
-            if (known.carrier.cycle_m != 0)
-                decision.settled = {known.distance_m, known.sigma_m};
-            const double sigma = known.sigma_m / measurement.confidence;
-            block.variance[0] = sigma * sigma + parameters_.distance_floor_m * parameters_.distance_floor_m;
-            BoardNoise& noise = now_.board_noise[static_cast<size_t>(measurement.board)];
-            // Without gyroscopes innovations are those of a coarse model of motion, and no noise.
-            decision.sigma_m = std::sqrt(parameters_.sensors.gyroscopes
-                                             ? noise.learnDistance(block, measurement.source, now_.P)
-                                             : now_.P.innovationVariance(block)[0]);
-            const double ratio = std::abs(decision.innovation_m) / decision.sigma_m;
-            const bool gated = ratio > parameters_.distance_gate_sigma;
-            noteGating(gated);
-            decision.fate = gated                                      ? RangeFate::kGated
-                            : ratio > parameters_.distance_huber_sigma ? RangeFate::kWeighted
-                                                                       : RangeFate::kUsed;
-            if (!gated) {
-                // Huber: beyond the threshold the pull grows no further.
-                const double excess = std::max(0.0, ratio / parameters_.distance_huber_sigma - 1);
-                block.variance[0] += noise.distanceVariance() + excess * decision.sigma_m * decision.sigma_m;
-                blocks.push_back(std::move(block));
-            }
-        }
+        else if (measurement.confidence >= kMinimumConfidence && judgeDistance(known, block, decision))
+            blocks.push_back(std::move(block));
         decisions_.push_back(decision);
     }
     observe(std::move(blocks));
+}
+
+/// Gate and Huber's weight, into the block's variance; false when the distance is not to be believed.
+bool ManifoldFilter::judgeDistance(const DistanceMeasurement& known, ObservationBlock& block,
+                                   DistanceDecision& decision) {
+    if (known.carrier.cycle_m != 0)
+        decision.settled = {known.distance_m, known.sigma_m};
+    const double sigma = known.sigma_m / known.confidence;
+    block.variance[0] = sigma * sigma + parameters_.distance_floor_m * parameters_.distance_floor_m;
+    BoardNoise& noise = now_.board_noise[static_cast<size_t>(known.board)];
+    // Without gyroscopes innovations are those of a coarse model of motion, and no noise.
+    decision.sigma_m =
+        std::sqrt(parameters_.sensors.gyroscopes ? noise.learnDistance(block, known.source, now_.P)
+                                                 : now_.P.innovationVariance(block)[0]);
+    const double ratio = std::abs(decision.innovation_m) / decision.sigma_m;
+    const bool gated = ratio > parameters_.distance_gate_sigma;
+    noteGating(gated);
+    decision.fate = gated                                      ? RangeFate::kGated
+                    : ratio > parameters_.distance_huber_sigma ? RangeFate::kWeighted
+                                                               : RangeFate::kUsed;
+    // Huber: beyond the threshold the pull grows no further.
+    const double excess = std::max(0.0, ratio / parameters_.distance_huber_sigma - 1);
+    block.variance[0] += noise.distanceVariance() + excess * decision.sigma_m * decision.sigma_m;
+    return !gated;
 }
 
 /// The carrier's distance instead of the envelope's, where the pose names its cycle.

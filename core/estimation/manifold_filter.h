@@ -129,6 +129,7 @@ private:
     void updateRoot(const std::vector<RootMeasurement>& measurements);
     void updateTriads(const std::vector<InertialMeasurement>& measurements, bool gyro);
     void updateDistances(const std::vector<DistanceMeasurement>& measurements);
+    bool judgeDistance(const DistanceMeasurement& known, ObservationBlock& block, DistanceDecision& decision);
     void useCarrier(DistanceMeasurement& measurement, ObservationBlock& block) const;
     void updatePriors();
     void observe(std::vector<ObservationBlock> blocks);

@@ -12,35 +12,42 @@ namespace {
 constexpr long kColumns = 4;  // of a tile
 
 /// sum[c][r] = sum_k panel[k][r] * factors[c][k] for c < 4, r < kRows: a tile of X X^T. `panel` holds kRows
-/// rows of X, measurement after measurement; `factors` holds four rows of X, each m long.
+/// rows of X, measurement after measurement; `factors` holds four rows of X, each m long, `stride` apart.
 template <int kRows>
-void tileSum(const double* panel, const double* factors, long m, double* sum) {
+void tileSum(const double* panel, const double* factors, long stride, long m, double* sum) {
     std::fill(sum, sum + kColumns * kRows, 0.0);
     for (long k = 0; k < m; ++k)
         for (long c = 0; c < kColumns; ++c)
             for (long r = 0; r < kRows; ++r)
-                sum[c * kRows + r] += panel[k * kRows + r] * factors[c * m + k];
+                sum[c * kRows + r] += panel[k * kRows + r] * factors[c * stride + k];
 }
 
+/// P H^T for some rows of H: P's columns have n rows and stand p_stride apart, those of the product
+/// product_stride.
+struct SparseFactors {
+    const double* p;
+    long n, p_stride;
+    const int* columns;
+    long count, h_rows, product_stride;
+};
+
 /// Rows of three measurements at once: every column of P is read once for all.
-void multiplyThree(const double* p, long n, const int* columns, long count, const double* h, long h_rows,
-                   long from, double* product) {
-    for (long i = from; i < n; ++i) {
+void multiplyThree(const SparseFactors& s, const double* h, long from, double* product) {
+    for (long i = from; i < s.n; ++i) {
         double sum[3] = {};
-        for (long k = 0; k < count; ++k)
+        for (long k = 0; k < s.count; ++k)
             for (long r = 0; r < 3; ++r)
-                sum[r] += p[columns[k] * n + i] * h[k * h_rows + r];
+                sum[r] += s.p[s.columns[k] * s.p_stride + i] * h[k * s.h_rows + r];
         for (long r = 0; r < 3; ++r)
-            product[r * n + i] = sum[r];
+            product[r * s.product_stride + i] = sum[r];
     }
 }
 
-void multiplyOne(const double* p, long n, const int* columns, long count, const double* h, long h_rows,
-                 double* product) {
-    std::fill(product, product + n, 0.0);
-    for (long k = 0; k < count; ++k)
-        for (long i = 0; i < n; ++i)
-            product[i] += h[k * h_rows] * p[columns[k] * n + i];
+[[gnu::always_inline]] inline void multiplyOne(const SparseFactors& s, const double* h, double* product) {
+    std::fill(product, product + s.n, 0.0);
+    for (long k = 0; k < s.count; ++k)
+        for (long i = 0; i < s.n; ++i)
+            product[i] += h[k * s.h_rows] * s.p[s.columns[k] * s.p_stride + i];
 }
 
 /// target += sum over kCount columns of m (each `length` long) times factors.
@@ -78,7 +85,7 @@ NOCTULE_AVX2 void addBlockColumnsAvx2(double* c, const double* m, long length, c
 }
 
 template <int kRows>
-NOCTULE_AVX2 void tileSumAvx2(const double* panel, const double* factors, long m, double* sum) {
+NOCTULE_AVX2 void tileSumAvx2(const double* panel, const double* factors, long stride, long m, double* sum) {
     constexpr int kFours = kRows / 4;
     __m256d total[kColumns][kFours] = {};
     for (long k = 0; k < m; ++k) {
@@ -86,7 +93,7 @@ NOCTULE_AVX2 void tileSumAvx2(const double* panel, const double* factors, long m
         for (int f = 0; f < kFours; ++f)
             rows[f] = _mm256_loadu_pd(panel + k * kRows + 4 * f);
         for (long c = 0; c < kColumns; ++c) {
-            const __m256d factor = _mm256_broadcast_sd(factors + c * m + k);
+            const __m256d factor = _mm256_broadcast_sd(factors + c * stride + k);
             for (int f = 0; f < kFours; ++f)
                 total[c][f] = _mm256_fmadd_pd(rows[f], factor, total[c][f]);
         }
@@ -98,34 +105,29 @@ NOCTULE_AVX2 void tileSumAvx2(const double* panel, const double* factors, long m
 
 /// Rows `from` .. as far as whole packs of 4 * kFours go; returns the first row not done.
 template <int kFours>
-NOCTULE_AVX2 long multiplyThreeAvx2(const double* p, long n, const int* columns, long count, const double* h,
-                                    long h_rows, long from, double* product) {
+NOCTULE_AVX2 long multiplyThreeAvx2(const SparseFactors& s, const double* h, long from, double* product) {
     long i = from;
-    for (; i + 4 * kFours <= n; i += 4 * kFours) {
+    for (; i + 4 * kFours <= s.n; i += 4 * kFours) {
         __m256d sum[3][kFours] = {};
-        for (long k = 0; k < count; ++k) {
+        for (long k = 0; k < s.count; ++k) {
             __m256d rows[kFours];
             for (int f = 0; f < kFours; ++f)
-                rows[f] = _mm256_loadu_pd(p + columns[k] * n + i + 4 * f);
+                rows[f] = _mm256_loadu_pd(s.p + s.columns[k] * s.p_stride + i + 4 * f);
             for (long r = 0; r < 3; ++r) {
-                const __m256d factor = _mm256_broadcast_sd(h + k * h_rows + r);
+                const __m256d factor = _mm256_broadcast_sd(h + k * s.h_rows + r);
                 for (int f = 0; f < kFours; ++f)
                     sum[r][f] = _mm256_fmadd_pd(rows[f], factor, sum[r][f]);
             }
         }
         for (long r = 0; r < 3; ++r)
             for (int f = 0; f < kFours; ++f)
-                _mm256_storeu_pd(product + r * n + i + 4 * f, sum[r][f]);
+                _mm256_storeu_pd(product + r * s.product_stride + i + 4 * f, sum[r][f]);
     }
     return i;
 }
 
-NOCTULE_AVX2 void multiplyOneAvx2(const double* p, long n, const int* columns, long count, const double* h,
-                                  long h_rows, double* product) {
-    std::fill(product, product + n, 0.0);
-    for (long k = 0; k < count; ++k)
-        for (long i = 0; i < n; ++i)
-            product[i] += h[k * h_rows] * p[columns[k] * n + i];
+NOCTULE_AVX2 void multiplyOneAvx2(const SparseFactors& s, const double* h, double* product) {
+    multiplyOne(s, h, product);
 }
 
 /// 4 * kFours rows of kCount columns: C += A * B; `c_rows`, `a_rows` and `p` are the lengths of their
@@ -155,39 +157,42 @@ NOCTULE_AVX2 void addBlockAvx2(double* c, long c_rows, const double* a, long a_r
 /// kCount columns: C (m rows) += A * B; A's columns are padded with zeros to whole packs of four (a_rows). Of
 /// a lower triangular A the upper part is not read.
 template <int kCount>
-NOCTULE_AVX2 void addColumnsAvx2(double* c, long m, const double* a, long a_rows, const double* b, long p,
+NOCTULE_AVX2 void addColumnsAvx2(MatrixOut& C, long column, const Eigen::MatrixXd& A, const MatrixIn& B,
                                  bool lower) {
+    const long m = C.rows(), c_rows = C.outerStride(), a_rows = A.rows(), p = A.cols();
+    double* c = C.col(column).data();
+    const double *a = A.data(), *b = B.col(column).data();
     const auto used = [&](long row_end) { return lower ? std::min(p, row_end) : p; };
     long r = 0;
     for (; r + 8 <= m; r += 8)
-        addBlockAvx2<2, kCount>(c + r, m, a + r, a_rows, b, p, used(r + 8));
+        addBlockAvx2<2, kCount>(c + r, c_rows, a + r, a_rows, b, B.outerStride(), used(r + 8));
     for (; r + 4 <= m; r += 4)
-        addBlockAvx2<1, kCount>(c + r, m, a + r, a_rows, b, p, used(r + 4));
+        addBlockAvx2<1, kCount>(c + r, c_rows, a + r, a_rows, b, B.outerStride(), used(r + 4));
     if (r == m)
         return;
     double last[4 * kCount] = {};
     for (long i = 0; i < kCount; ++i)
-        std::copy(c + i * m + r, c + i * m + m, last + 4 * i);
-    addBlockAvx2<1, kCount>(last, 4, a + r, a_rows, b, p, used(m));
+        std::copy(c + i * c_rows + r, c + i * c_rows + m, last + 4 * i);
+    addBlockAvx2<1, kCount>(last, 4, a + r, a_rows, b, B.outerStride(), used(m));
     for (long i = 0; i < kCount; ++i)
-        std::copy(last + 4 * i, last + 4 * i + m - r, c + i * m + r);
+        std::copy(last + 4 * i, last + 4 * i + m - r, c + i * c_rows + r);
 }
 
 #endif
 
 template <int kRows>
-void bestTileSum(const double* panel, const double* factors, long m, double* sum) {
+void bestTileSum(const double* panel, const double* factors, long stride, long m, double* sum) {
 #ifdef NOCTULE_AVX2
     if (hasAvx2())
-        return tileSumAvx2<kRows>(panel, factors, m, sum);
+        return tileSumAvx2<kRows>(panel, factors, stride, m, sum);
 #endif
-    tileSum<kRows>(panel, factors, m, sum);
+    tileSum<kRows>(panel, factors, stride, m, sum);
 }
 
 /// Rows i .. i + kRows of P up to the diagonal, mirrored. Tiles that the diagonal crosses are computed whole
 /// and used below it.
 template <int kRows>
-void subtractRows(double* p, const Eigen::MatrixXd& rows_of_x, long n, long i, std::vector<double>& panel) {
+void subtractRows(double* p, const MatrixIn& rows_of_x, long n, long i, std::vector<double>& panel) {
     const long m = rows_of_x.rows();
     panel.resize(static_cast<size_t>(kRows * m));
     for (long r = 0; r < kRows; ++r)
@@ -195,7 +200,7 @@ void subtractRows(double* p, const Eigen::MatrixXd& rows_of_x, long n, long i, s
             panel[static_cast<size_t>(k * kRows + r)] = rows_of_x(k, i + r);
     for (long j = 0; j < i + kRows; j += kColumns) {
         alignas(32) double sum[kColumns * kRows];
-        bestTileSum<kRows>(panel.data(), rows_of_x.col(j).data(), m, sum);
+        bestTileSum<kRows>(panel.data(), rows_of_x.col(j).data(), rows_of_x.outerStride(), m, sum);
         for (long c = 0; c < kColumns; ++c)
             for (long r = std::max(0L, j + c - i); r < kRows; ++r)
                 p[(j + c) * n + i + r] -= sum[c * kRows + r];
@@ -206,7 +211,7 @@ void subtractRows(double* p, const Eigen::MatrixXd& rows_of_x, long n, long i, s
 }
 
 /// Rows i .. n, one by one.
-void subtractLastRows(double* p, const Eigen::MatrixXd& rows_of_x, long n, long i) {
+void subtractLastRows(double* p, const MatrixIn& rows_of_x, long n, long i) {
     for (long r = i; r < n; ++r)
         for (long c = 0; c <= r; ++c) {
             p[c * n + r] -= rows_of_x.col(r).dot(rows_of_x.col(c));
@@ -216,8 +221,8 @@ void subtractLastRows(double* p, const Eigen::MatrixXd& rows_of_x, long n, long 
 
 }  // namespace
 
-void subtractOuterProduct(Eigen::MatrixXd& P, const Eigen::MatrixXd& X_transposed) {
-    require(P.cols() == P.rows() && X_transposed.cols() == P.rows(),
+void subtractOuterProduct(MatrixOut P, const MatrixIn& X_transposed) {
+    require(P.cols() == P.rows() && P.outerStride() == P.rows() && X_transposed.cols() == P.rows(),
             "subtractOuterProduct: shapes do not fit");
     constexpr int kRows = 12;
     static_assert(kRows % kColumns == 0, "the last tile of a row panel ends on the diagonal");
@@ -231,10 +236,17 @@ void subtractOuterProduct(Eigen::MatrixXd& P, const Eigen::MatrixXd& X_transpose
     subtractLastRows(P.data(), X_transposed, n, i);
 }
 
-void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, const Eigen::MatrixXd& H,
-                    Eigen::MatrixXd& product, Eigen::Index first) {
-    const long n = P.rows(), count = static_cast<long>(columns.size()), rows = H.rows();
-    require(H.cols() == count && product.rows() == n && first + rows <= product.cols(),
+void multiplySparse(const MatrixIn& P, const std::vector<int>& columns, const Eigen::MatrixXd& H,
+                    MatrixOut product, Eigen::Index first) {
+    const long rows = H.rows();
+    const SparseFactors factors{P.data(),
+                                P.rows(),
+                                P.outerStride(),
+                                columns.data(),
+                                static_cast<long>(columns.size()),
+                                rows,
+                                product.outerStride()};
+    require(H.cols() == factors.count && product.rows() == P.rows() && first + rows <= product.cols(),
             "multiplySparse: shapes do not fit");
     long row = 0;
     for (; row + 3 <= rows; row += 3) {
@@ -243,19 +255,19 @@ void multiplySparse(const Eigen::MatrixXd& P, const std::vector<int>& columns, c
 #ifdef NOCTULE_AVX2
         if (hasAvx2())
             for (auto* multiply : {multiplyThreeAvx2<3>, multiplyThreeAvx2<1>})
-                done = multiply(P.data(), n, columns.data(), count, H.data() + row, rows, done, target);
+                done = multiply(factors, H.data() + row, done, target);
 #endif
-        multiplyThree(P.data(), n, columns.data(), count, H.data() + row, rows, done, target);
+        multiplyThree(factors, H.data() + row, done, target);
     }
     for (; row < rows; ++row) {
         double* target = product.col(first + row).data();
 #ifdef NOCTULE_AVX2
         if (hasAvx2()) {
-            multiplyOneAvx2(P.data(), n, columns.data(), count, H.data() + row, rows, target);
+            multiplyOneAvx2(factors, H.data() + row, target);
             continue;
         }
 #endif
-        multiplyOne(P.data(), n, columns.data(), count, H.data() + row, rows, target);
+        multiplyOne(factors, H.data() + row, target);
     }
 }
 
@@ -289,22 +301,21 @@ void addWithTranspose(Eigen::MatrixXd& P, const Eigen::MatrixXd& X) {
         }
 }
 
-void addProduct(Eigen::MatrixXd& C, double factor, const Eigen::MatrixXd& A, const Eigen::MatrixXd& B,
-                Shape shape) {
+void addProduct(MatrixOut C, double factor, const MatrixIn& A, const MatrixIn& B, Shape shape) {
     require(C.rows() == A.rows() && A.cols() == B.rows() && C.cols() == B.cols(),
             "addProduct: shapes do not fit");
     const bool lower = shape == Shape::kLowerTriangular;
 #ifdef NOCTULE_AVX2
     if (hasAvx2()) {
-        const long m = C.rows(), p = A.cols(), n = C.cols(), padded = (m + 3) / 4 * 4;
-        Eigen::MatrixXd scaled(padded, p);
+        const long m = C.rows(), n = C.cols(), padded = (m + 3) / 4 * 4;
+        Eigen::MatrixXd scaled(padded, A.cols());
         scaled.topRows(m) = factor * A;
         scaled.bottomRows(padded - m).setZero();
         long j = 0;
         for (; j + 4 <= n; j += 4)
-            addColumnsAvx2<4>(C.col(j).data(), m, scaled.data(), padded, B.col(j).data(), p, lower);
+            addColumnsAvx2<4>(C, j, scaled, B, lower);
         for (; j < n; ++j)
-            addColumnsAvx2<1>(C.col(j).data(), m, scaled.data(), padded, B.col(j).data(), p, lower);
+            addColumnsAvx2<1>(C, j, scaled, B, lower);
         return;
     }
 #endif
