@@ -44,6 +44,7 @@ Result<ProcessRequest> requestOf(const Arguments& arguments) {
                      "--smooth " + arguments.text("smooth") +
                          " does not go with the paper's estimator, which has no smoother",
                      "Leave out --smooth, or --estimator paper"};
+    request.tracker.ground = *groundFromName(arguments.text("ground"));
     request.detector = *detectorFromName(arguments.text("detector"));
     if (const auto sigma = arguments.number("paper-sigma")) {
         if (request.tracker.estimator != EstimatorKind::kPaper)
@@ -92,6 +93,7 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
                     {"duration_s", s.duration_s},
                     {"ranges", {{"heard", s.ranges}, {"used", s.ranges_used}, {"gated", s.ranges_gated}}},
                     {"frames", {{"seen", s.frames_seen}, {"lost", s.frames_lost}}},
+                    {"contacts", {{"found", s.contacts}, {"edited", s.contacts_edited}}},
                     {"clipped_readings", s.clipped_readings},
                     {"resets", s.resets},
                     {"warnings", s.warnings}};
@@ -102,6 +104,8 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
                   static_cast<long long>(s.ranges), static_cast<long long>(s.ranges_gated),
                   static_cast<long long>(s.frames_lost), static_cast<long long>(s.frames_seen));
     outcome.text = path + ": run " + s.run_name + ", " + text;
+    if (s.contacts_edited)
+        outcome.text += path + ": contacts of the feet as they were edited, none were looked for.\n";
     return outcome;
 }
 
@@ -160,6 +164,11 @@ Verb processVerb() {
         text("sensors", "AGD", "any of A accelerometers, G gyroscopes, D distances").orElse("AGD"),
         choice("root", {"free", "given"}, "given: by another system, from the take's external_root")
             .orElse("free"),
+        choice(
+            "ground", {"level", "uneven", "treadmill", "none"},
+            "what holds feet that stand while the root is free: level holds their height, too; a treadmill "
+            "nothing, though contacts are found; none: no contacts")
+            .orElse("level"),
         choice("detector", {"inflection", "matched"},
                "what finds the pulses in the sound: matched is finer, inflection the paper's")
             .orElse("inflection"),

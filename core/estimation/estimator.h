@@ -10,6 +10,7 @@
 
 #include "core/estimation/measurement.h"
 #include "core/job/job.h"
+#include "core/motion/foot_contacts.h"
 #include "core/motion/timed_poses.h"
 
 namespace noctule {
@@ -30,6 +31,8 @@ public:
     /// Poses (140 a second) and decisions on distances since the last call.
     virtual std::vector<TimedPose> takePoses() = 0;
     virtual std::vector<DistanceDecision> takeDecisions() = 0;
+    /// When each foot stood, to the time reached; what stands there may still grow.
+    virtual std::vector<FootContacts> contacts() const { return {}; }
     /// How often the estimator noticed that it had diverged and began anew from a wide covariance.
     virtual int resets() const = 0;
 

@@ -151,6 +151,7 @@ void ManifoldFilter::step(const StepInput& input) {
     if (parameters_.sensors.gyroscopes)
         updateTriads(input.inertial, true);
     updateDistances(input.distances);
+    updateGround(input.inertial);
     const auto prior_steps = std::max<int64_t>(1, std::llround(parameters_.prior_interval_s / step_s_));
     if (now_.step_index % prior_steps == 0)
         updatePriors();
@@ -309,6 +310,11 @@ void ManifoldFilter::beginAnew(const Link& link) {
     ++now_.resets;
     now_.P.dense().diagonal().segment(link.first, link.count).tail(std::min(link.count, 3)).array() +=
         0.5 * 0.5;
+}
+
+void ManifoldFilter::updateGround(const std::vector<InertialMeasurement>& measurements) {
+    now_.ground.listen(measurements, now_.state);
+    observe(now_.ground.observe(tree_, layout_, now_.state, now_.P, nowSeconds(), contacts_));
 }
 
 void ManifoldFilter::updatePriors() {

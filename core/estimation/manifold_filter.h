@@ -13,6 +13,7 @@
 #include "core/estimation/covariance.h"
 #include "core/estimation/estimator.h"
 #include "core/estimation/filter_tape.h"
+#include "core/estimation/ground_contacts.h"
 #include "core/estimation/joint_give.h"
 
 namespace noctule {
@@ -57,6 +58,8 @@ struct ManifoldParameters {
     bool joints_give = true;  ///< of people; a robot's are exactly the skeleton's
     GiveParameters give;
 
+    GroundParameters ground;  ///< where the root is free; needs gyroscopes
+
     /// Where no gyroscope rides on a segment, or none is listened to, nothing holds its joint and a
     /// linearised filter soon believes its own errors: slower motion and a pull towards the rest pose and
     /// towards rest (per prior_interval_s). Without any gyroscope accelerometers are coarse levels only.
@@ -83,6 +86,7 @@ public:
         Eigen::VectorXd acceleration_variance;  ///< stationary, per velocity index
         int64_t step_index = 0;
         std::vector<BoardNoise> board_noise;
+        GroundContacts ground;
         double gated_share = 0;  ///< running, over about 60 distances
         int resets = 0;
     };
@@ -96,6 +100,7 @@ public:
     void advanceTo(double time_s) override;
     std::vector<TimedPose> takePoses() override { return std::exchange(poses_, {}); }
     std::vector<DistanceDecision> takeDecisions() override { return std::exchange(decisions_, {}); }
+    std::vector<FootContacts> contacts() const override { return contacts_.feet(); }
     int resets() const override { return now_.resets; }
 
     /// For smoothers, which drive the filter by steps: advanceTo() is `while (isDue(t)) step(nextInput())`.
@@ -123,6 +128,7 @@ public:
 
 private:
     void initialise(const Pose& rest_pose);
+    GroundParameters groundParameters() const;
     void settle(const RestReadings& rest, const RootMeasurement* root);
     void predict(double dt_s);
     void allowForClipping(const std::vector<InertialMeasurement>& measurements);
@@ -131,6 +137,7 @@ private:
     void updateDistances(const std::vector<DistanceMeasurement>& measurements);
     bool judgeDistance(const DistanceMeasurement& known, ObservationBlock& block, DistanceDecision& decision);
     void useCarrier(DistanceMeasurement& measurement, ObservationBlock& block) const;
+    void updateGround(const std::vector<InertialMeasurement>& measurements);
     void updatePriors();
     void observe(std::vector<ObservationBlock> blocks);
     bool isBlind(const Link& link) const { return !gyroscope_joints_[static_cast<size_t>(link.joint)]; }
@@ -158,6 +165,7 @@ private:
     FilterTape* tape_ = nullptr;
     std::vector<TimedPose> poses_;
     std::vector<DistanceDecision> decisions_;
+    ContactLog contacts_;
 };
 
 }  // namespace noctule

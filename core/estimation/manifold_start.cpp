@@ -45,10 +45,21 @@ void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, cons
     correct(now_.P.update(now_.give.initial(now_.state.motion)));
     now_.step_index = static_cast<int64_t>(std::ceil(rest.end_s / step_s_ - 1e-9));
     settle(rest, root);
+    now_.ground = GroundContacts(skeleton_, tree_, suit_, now_.state.motion, groundParameters());
     const int n = layout_.freedoms;
     now_.P.dense().diagonal().segment(n, n).array() += std::pow(parameters_.initial_rate_rad_per_s, 2);
     now_.P.dense().diagonal().segment(2 * n, n).array() += std::pow(parameters_.initial_accel_rad_per_s2, 2);
     emitRestPoses(rest);
+}
+
+GroundParameters ManifoldFilter::groundParameters() const {
+    GroundParameters ground = parameters_.ground;
+    ground.holds_feet = ground.holds_feet && !parameters_.root_given;
+    ground.stance.uses_accelerometers = parameters_.sensors.accelerometers;
+    ground.stance.g_m_per_s2 = parameters_.g_m_per_s2;
+    if (!parameters_.sensors.gyroscopes || tree_.link(0).type != LinkType::kFree)
+        ground.ground = Ground::kNone;
+    return ground;
 }
 
 /// Mean readings of a still body as one iterated update: mean accelerations point up (section 5.4), mean

@@ -75,6 +75,7 @@ void FixedIntervalSmoother::advanceTo(double time_s) {
         filter_.step(input);
         filter_.takePoses();
     }
+    contacts_ = filter_.contacts();  // as of the first time over the data
 }
 
 Status FixedIntervalSmoother::finishPortion(const JobContext& job) {

@@ -55,6 +55,7 @@ public:
     void start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) override;
     void advanceTo(double time_s) override;
     std::vector<DistanceDecision> takeDecisions() override { return filter_.takeDecisions(); }
+    std::vector<FootContacts> contacts() const override { return contacts_; }
     int resets() const override { return resets_; }
     int portionsLeft() const override { return left_; }
     Status finishPortion(const JobContext& job) override;
@@ -65,6 +66,7 @@ private:
     BackwardPass backward_;
     int left_ = 0;
     int resets_ = 0;
+    std::vector<FootContacts> contacts_;
 };
 
 /// Fixed lag: every `stride_s` the last `lag_s` of the tape are gone over. A pose knows of at least lag_s -
@@ -77,6 +79,7 @@ public:
     void start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) override;
     void advanceTo(double time_s) override;
     std::vector<DistanceDecision> takeDecisions() override { return filter_.takeDecisions(); }
+    std::vector<FootContacts> contacts() const override { return filter_.contacts(); }
     int resets() const override { return filter_.resets(); }
     int portionsLeft() const override { return tape_.empty() ? 0 : 1; }
     Status finishPortion(const JobContext& job) override;

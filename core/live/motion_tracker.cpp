@@ -21,6 +21,8 @@ Result<std::unique_ptr<Estimator>> manifoldEstimator(const Skeleton& skeleton, S
     parameters.sensors = settings.sensors;
     parameters.root_given = settings.root_given;
     parameters.g_m_per_s2 = settings.g_m_per_s2;
+    parameters.ground.ground = settings.ground;
+    parameters.ground.given = settings.contacts;
     std::unique_ptr<Estimator> estimator;
     if (settings.smoother == Smoother::kFull) {
         auto spool = UnnamedFile::make(settings.spool_folder, "what smoothing puts aside",

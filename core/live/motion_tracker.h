@@ -11,6 +11,7 @@
 #include "core/acoustics/range.h"
 #include "core/body/actor.h"
 #include "core/estimation/estimator.h"
+#include "core/estimation/ground_contacts.h"
 #include "core/estimation/paper_filter.h"
 #include "core/live/inertial_calibrator.h"
 
@@ -36,7 +37,10 @@ struct TrackerSettings {
     double g_m_per_s2 = kStandardGravity_m_per_s2;
     double paper_process_sigma_rad_per_s2 = 0.04;
     Smoother smoother = Smoother::kNone;  ///< of kManifold only
-    std::string spool_folder = ".";       ///< kFull puts aside there what memory should not hold
+    Ground ground = Ground::kLevel;       ///< of kManifold only
+    /// When each foot stands, instead of what the readings show.
+    std::optional<std::vector<FootContacts>> contacts{};
+    std::string spool_folder = ".";  ///< kFull puts aside there what memory should not hold
 };
 
 class MotionTracker {
@@ -63,6 +67,7 @@ public:
     int portionsLeft() const { return estimator_->portionsLeft(); }
     Status finishPortion(const JobContext& job) { return estimator_->finishPortion(job); }
 
+    std::vector<FootContacts> contacts() const { return estimator_->contacts(); }
     int resets() const { return estimator_->resets(); }
     int64_t clippedReadings(int board) const { return calibrator_.clippedReadings(board); }
 

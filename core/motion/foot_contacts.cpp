@@ -86,6 +86,17 @@ public:
         return contacts;
     }
 
+    /// Of a contact that somebody else has found.
+    double slideWithin(const FootContact& contact) const {
+        const auto frameAt = [&](double t_s) {
+            const auto found =
+                std::ranges::lower_bound(motion_.frames, std::llround(t_s * 1e9), {}, &TimedPose::time_ns);
+            return static_cast<size_t>(found - motion_.frames.begin());
+        };
+        const size_t first = frameAt(contact.from_s), end = frameAt(contact.to_s);
+        return first < end ? slide(first, end - 1) : 0;
+    }
+
 private:
     using Span = std::pair<size_t, size_t>;  // frames, both included
 
@@ -140,7 +151,7 @@ private:
     }
 
     const TimedMotion& motion_;
-    const ContactSettings& settings_;
+    const ContactSettings settings_;
     std::array<Track, kPoints> tracks_;
 };
 
@@ -180,19 +191,35 @@ void addHeightsAndSpeeds(const TimedMotion& motion, std::vector<Foot>& feet) {
     }
 }
 
-}  // namespace
-
-std::vector<FootContacts> findFootContacts(const TimedMotion& motion, const ContactSettings& settings) {
+/// Those that the skeleton has, followed through the motion.
+std::vector<Foot> followedFeet(const TimedMotion& motion) {
     std::vector<Foot> feet;
     for (const std::string side : {"Left", "Right"})
         if (const int joint = findByAnyName(motion.skeleton, side + "Foot"); joint >= 0)
             feet.push_back({side + "Foot", pointsOf(motion.skeleton, joint, side)});
     follow(motion, feet);
     addHeightsAndSpeeds(motion, feet);
+    return feet;
+}
+
+}  // namespace
+
+std::vector<FootContacts> findFootContacts(const TimedMotion& motion, const ContactSettings& settings) {
+    std::vector<Foot> feet = followedFeet(motion);
     std::vector<FootContacts> found;
     for (Foot& foot : feet)
         found.push_back({foot.name, FootWatcher(motion, settings, std::move(foot.tracks)).contacts()});
     return found;
+}
+
+void measureSlides(const TimedMotion& motion, std::vector<FootContacts>& feet) {
+    for (Foot& followed : followedFeet(motion)) {
+        const FootWatcher watcher(motion, {}, std::move(followed.tracks));
+        for (FootContacts& foot : feet)
+            if (foot.foot == followed.name)
+                for (FootContact& contact : foot.contacts)
+                    contact.slide_m = watcher.slideWithin(contact);
+    }
 }
 
 double meanSlide_m(const std::vector<FootContacts>& feet) {

@@ -37,6 +37,9 @@ struct FootContacts {
 /// a contact.
 std::vector<FootContacts> findFootContacts(const TimedMotion& motion, const ContactSettings& settings = {});
 
+/// Of contacts that were found otherwise: sets slide_m from the motion.
+void measureSlides(const TimedMotion& motion, std::vector<FootContacts>& feet);
+
 /// Mean over all contacts; 0 without any.
 double meanSlide_m(const std::vector<FootContacts>& feet);
 

@@ -146,6 +146,10 @@ Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& re
                 take, "the root is to be given, but the take has no external_root rows",
                 "Use --root free, or attach the other system's motion with --as external-root");
     }
+    auto contacts = take.editedContacts();
+    if (!contacts)
+        return contacts.error();
+    in.contacts = std::move(*contacts);
     const auto count = take.sampleCount();
     if (!count)
         return count.error();

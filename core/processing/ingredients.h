@@ -20,6 +20,7 @@ struct Ingredients {
     DecoderSettings decoder;
     std::optional<std::pair<int64_t, int64_t>> rest;
     std::vector<ExternalRootRow> roots;
+    std::optional<std::vector<FootContacts>> contacts;  ///< as an operator has set them
     int64_t sample_count = 0;
 };
 

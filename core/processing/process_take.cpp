@@ -51,6 +51,14 @@ Status writeWaiting(Tracked& from, const TrackerSettings& settings, ResultRuns& 
     return Done{};
 }
 
+/// What is said of the whole take when it has been gone through.
+Status writeSummary(const MotionTracker& tracker, const Ingredients& in, ResultRuns& results) {
+    for (size_t b = 0; b < in.suit.boards.size(); ++b)
+        results.summary.clipped_readings += tracker.clippedReadings(static_cast<int>(b));
+    results.summary.resets = tracker.resets();
+    return results.write(tracker.contacts());
+}
+
 Status processSound(const Take& take, const Ingredients& in, const TrackerSettings& tracker,
                     ResultRuns& results, const JobContext& job) {
     const auto log = readSoundLog(take);
@@ -90,9 +98,8 @@ Status processSound(const Take& take, const Ingredients& in, const TrackerSettin
     if (!read)
         return read;
     pipeline.finish();
-    for (size_t b = 0; b < in.suit.boards.size(); ++b)
-        results.summary.clipped_readings += pipeline.tracker().clippedReadings(static_cast<int>(b));
-    results.summary.resets = pipeline.tracker().resets();
+    if (Status done = writeSummary(pipeline.tracker(), in, results); !done)
+        return done;
     for (const SourceProblem& problem : pipeline.decoder().sourceProblems())
         results.summary.warnings.push_back("No distances from a source: " + problem.reason + ".");
     if (Status done = results.write(pipeline.takeReadings()); !done)
@@ -153,9 +160,8 @@ Status processReadings(const Take& take, const Ingredients& in, const TrackerSet
         results.summary.frames_lost += (*reading)->corrected_bits ? 0 : 1;
         tracker.add(**reading);
     }
-    for (size_t b = 0; b < in.suit.boards.size(); ++b)
-        results.summary.clipped_readings += tracker.clippedReadings(static_cast<int>(b));
-    results.summary.resets = tracker.resets();
+    if (Status done = writeSummary(tracker, in, results); !done)
+        return done;
     return writeWaiting(tracker, settings, results, job);
 }
 
@@ -165,6 +171,7 @@ Result<ProcessSummary> processTake(const ProcessRequest& request, const JobConte
     return writeRuns(request, [&](const Take& take, const Ingredients& in, ResultRuns& results) {
         TrackerSettings tracker = request.tracker;
         tracker.g_m_per_s2 = take.header().g_m_per_s2;
+        tracker.contacts = in.contacts;
         const std::filesystem::path folder = std::filesystem::path(request.take_path).parent_path();
         tracker.spool_folder = folder.empty() ? "." : folder.string();
         return take.level() == TakeLevel::kSignal ? processSound(take, in, tracker, results, job)

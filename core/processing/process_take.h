@@ -34,6 +34,8 @@ struct ProcessSummary {
     int64_t ranges = 0, ranges_used = 0, ranges_gated = 0;
     int64_t frames_seen = 0, frames_lost = 0, clipped_readings = 0;
     int resets = 0;
+    int64_t contacts = 0;               ///< of all feet
+    bool contacts_edited = false;       ///< an operator's, instead of those in the readings
     std::vector<std::string> warnings;  ///< whole sentences
 };
 

@@ -34,6 +34,10 @@ nlohmann::json settingsJson(const ProcessRequest& request, const Ingredients& in
                             {"smooth", smootherName(request.tracker.smoother)},
                             {"inertial_run", runs.inertial_run},
                             {"range_run", runs.range_run}};
+    if (request.tracker.estimator == EstimatorKind::kManifold) {
+        settings["ground"] = groundName(request.tracker.ground);
+        settings["contacts"] = in.contacts ? kContactsEdited : kContactsDetected;
+    }
     if (in.rest)
         settings["rest_end_s"] = static_cast<double>(in.rest->second) / in.decoder.train.sample_rate_hz;
     if (request.tracker.estimator == EstimatorKind::kPaper)
@@ -106,6 +110,7 @@ Result<ResultRuns> ResultRuns::begin(const Take& take, TakeEdit& edit, const Pro
     if (!pose_run)
         return pose_run.error();
     summary.pose_run = *pose_run;
+    summary.contacts_edited = in.contacts.has_value();
     summary.duration_s = static_cast<double>(in.sample_count) / in.decoder.train.sample_rate_hz;
     return runs;
 }
@@ -130,6 +135,12 @@ Status ResultRuns::write(const std::vector<RangeMeasurement>& ranges) {
             return done;
     }
     return Done{};
+}
+
+Status ResultRuns::write(const std::vector<FootContacts>& contacts) {
+    for (const FootContacts& foot : contacts)
+        summary.contacts += std::ssize(foot.contacts);
+    return edit_->addContacts(summary.pose_run, contacts);
 }
 
 Status ResultRuns::write(const std::vector<TimedPose>& poses) {

@@ -24,6 +24,7 @@ public:
     Status write(const std::vector<RangeMeasurement>& ranges);
     /// Fails (kInternal) for a pose that is not finite.
     Status write(const std::vector<TimedPose>& poses);
+    Status write(const std::vector<FootContacts>& contacts);
 
     ProcessSummary summary;
 

@@ -110,7 +110,13 @@ struct SkippedRows {
     std::string first;  ///< the first of them and why: "row 7: sample is negative"
 };
 
-/// Run number of primary inertial and range rows; has no row in `derived`.
+/// Meta `contacts`: whose word on the feet holds.
+inline constexpr const char* kContactsKey = "contacts";
+inline constexpr const char* kContactsEdited = "edited";
+inline constexpr const char* kContactsDetected = "detected";
+
+/// Run number of primary inertial and range rows and of contacts that an operator has set; has no row in
+/// `derived`.
 inline constexpr int64_t kPrimaryRun = 0;
 /// Later samples (two years at 150 kHz) are damage.
 inline constexpr int64_t kLastSample = 10'000'000'000'000;

@@ -85,6 +85,9 @@ std::vector<TableDefinition> derivedTables() {
          {integer("run"), kSuit, integer("time_ns"), blob("sigma"), real("px"), real("py"), real("pz"),
           blob("q")},
          "PRIMARY KEY(run, suit, time_ns)"},
+        {"contact",
+         {integer("run"), kSuit, text("foot"), integer("from_ns"), integer("to_ns")},
+         "PRIMARY KEY(run, suit, foot, from_ns)"},
     };
 }
 

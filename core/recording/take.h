@@ -13,6 +13,7 @@
 
 #include "core/acoustics/range.h"
 #include "core/body/actor.h"
+#include "core/motion/foot_contacts.h"
 #include "core/motion/timed_poses.h"
 #include "core/recording/derived_cursor.h"
 #include "core/recording/rows.h"
@@ -88,6 +89,11 @@ public:
     Result<RangeCursor> ranges(int64_t run, int suit = 1) const;
     /// Only those of the pulses with ids `first` to `last`.
     Result<RangeCursor> rangesOfPulses(int64_t run, int64_t first, int64_t last, int suit = 1) const;
+    /// When each foot stood as a pose run found it, kPrimaryRun: as an operator has set it. Feet without any
+    /// are left out.
+    Result<std::vector<FootContacts>> contacts(int64_t run, int suit = 1) const;
+    /// What the operator says of the feet; nothing while that is left to the runs.
+    Result<std::optional<std::vector<FootContacts>>> editedContacts(int suit = 1) const;
     /// On the skeleton of the actor that the run names, else of the one in force.
     Result<TimedMotion> poses(int64_t run, int suit = 1) const;
 

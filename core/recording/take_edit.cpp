@@ -12,7 +12,7 @@ namespace {
 // processed. Used only as far as needed.
 constexpr const char* kLargeCache = "PRAGMA cache_size=-524288";
 
-constexpr const char* kTablesWithRuns[] = {"derived", "inertial", "range", "pose"};
+constexpr const char* kTablesWithRuns[] = {"derived", "inertial", "range", "pose", "contact"};
 
 }  // namespace
 
@@ -92,6 +92,16 @@ Status TakeEdit::removeMarker(const MarkerRow& row, int suit) {
         return found.error();
     const auto id = *found ? find->integer(0) : std::nullopt;
     return id ? removeRows("marker", " WHERE rowid=" + std::to_string(*id)) : Status(none);
+}
+
+Status TakeEdit::setContacts(const std::optional<std::vector<FootContacts>>& contacts, int suit) {
+    const std::string where = " WHERE run=" + std::to_string(kPrimaryRun) + " AND " +
+                              schema().expression("contact", "suit") + "=" + std::to_string(suit);
+    if (Status removed = removeRows("contact", where); !removed)
+        return removed;
+    if (Status noted = setMeta(kContactsKey, contacts ? kContactsEdited : kContactsDetected); !noted)
+        return noted;
+    return contacts ? addContacts(kPrimaryRun, *contacts, suit) : Done{};
 }
 
 Status TakeEdit::removeReference(int suit) {

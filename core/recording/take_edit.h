@@ -21,6 +21,8 @@ public:
     Status dropRun(int64_t run);
     /// One such marker; kUsage when there is none.
     Status removeMarker(const MarkerRow& row, int suit = 1);
+    /// What the operator says of the feet; nothing: what each run has found holds again.
+    Status setContacts(const std::optional<std::vector<FootContacts>>& contacts, int suit = 1);
     Status removeReference(int suit = 1);
     Status removeExternalRoot(int suit = 1);
 

@@ -195,6 +195,20 @@ Status TakeTables::addRange(int64_t run, const RangeMeasurement& range, const st
         .run();
 }
 
+Status TakeTables::addContacts(int64_t run, const std::vector<FootContacts>& feet, int suit) {
+    auto insert = insertInto("contact");
+    if (!insert)
+        return insert.error();
+    for (const FootContacts& foot : feet)
+        for (const FootContact& contact : foot.contacts) {
+            (*insert)->bind(0, run).bind(1, int64_t{suit}).bind(2, std::string_view(foot.foot));
+            (*insert)->bind(3, int64_t{std::llround(contact.from_s * 1e9)});
+            if (Status done = (*insert)->bind(4, int64_t{std::llround(contact.to_s * 1e9)}).run(); !done)
+                return done;
+        }
+    return Done{};
+}
+
 Status TakeTables::addPose(int64_t run, const TimedPose& timed, int suit) {
     require(timed.pose.has_value(), "a derived pose must be there");
     require(timed.sigma_rad.empty() || timed.sigma_rad.size() == 3 * timed.pose->q_parent_joint.size(),

@@ -10,6 +10,7 @@
 #include "core/acoustics/range.h"
 #include "core/body/actor.h"
 #include "core/inertial/reading.h"
+#include "core/motion/foot_contacts.h"
 #include "core/motion/timed_poses.h"
 #include "core/recording/rows.h"
 #include "core/recording/schema.h"
@@ -36,10 +37,11 @@ public:
     Status addReference(const TimedPose& timed, int suit = 1);
     Status addExternalRoot(const ExternalRootRow& row, int suit = 1);
 
-    /// Inertial and range rows belong to kPrimaryRun or to a run of TakeEdit::beginRun(), poses to the
-    /// latter.
+    /// Inertial, range and contact rows belong to kPrimaryRun or to a run of TakeEdit::beginRun(), poses to
+    /// the latter.
     Status addInertial(int64_t run, const InertialReading& reading, int suit = 1);
     Status addRange(int64_t run, const RangeMeasurement& range, const std::string& detector, int suit = 1);
+    Status addContacts(int64_t run, const std::vector<FootContacts>& feet, int suit = 1);
     Status addPose(int64_t run, const TimedPose& timed, int suit = 1);
 
 protected:

@@ -13,6 +13,7 @@
 #include "core/body/actor.h"
 #include "core/job/job.h"
 #include "core/job/result.h"
+#include "core/motion/foot_contacts.h"
 #include "core/motion/timed_poses.h"
 #include "core/processing/pose_runs.h"
 #include "core/recording/rows.h"
@@ -59,6 +60,11 @@ Result<TakeOverview> overviewTake(const std::string& path, const JobContext& job
 
 /// The motion of a pose run, or the reference when `run` is absent.
 Result<TimedMotion> loadPoses(const std::string& path, std::optional<int64_t> run, const JobContext& job);
+
+/// When the feet stood while `motion` came out of `run`: as an operator has set it, as the run found it in
+/// the readings, and for runs that did not look as the motion shows it.
+Result<std::vector<FootContacts>> loadContacts(const std::string& path, const ReviewRun& run,
+                                               const TimedMotion& motion);
 
 /// All ranges of one source-board pair, equally long arrays in order of time.
 struct PairTrack {

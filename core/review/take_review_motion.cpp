@@ -23,4 +23,21 @@ Result<TimedMotion> loadPoses(const std::string& path, std::optional<int64_t> ru
     return motion;
 }
 
+Result<std::vector<FootContacts>> loadContacts(const std::string& path, const ReviewRun& run,
+                                               const TimedMotion& motion) {
+    const auto take = Take::open(path);
+    if (!take)
+        return take.error();
+    const auto edited = take->editedContacts();
+    if (!edited)
+        return edited.error();
+    const bool looked = !run.settings.ground.empty() && run.settings.ground != "none";
+    if (!*edited && !looked)
+        return findFootContacts(motion);
+    auto feet = *edited ? Result<std::vector<FootContacts>>(**edited) : take->contacts(run.run.run);
+    if (feet)
+        measureSlides(motion, *feet);
+    return feet;
+}
+
 }  // namespace noctule

@@ -56,6 +56,8 @@ public:
     void finish();
     /// After finish(): all results, if they were kept.
     std::optional<ResultSpool>& spool() { return spool_; }
+    /// After finish(): when each foot stood.
+    std::vector<FootContacts> contacts() const { return pipeline_->tracker().contacts(); }
 
 private:
     LiveProcessor(const LivePlan& plan, std::unique_ptr<LivePipeline> pipeline,

@@ -162,8 +162,10 @@ void LiveSession::keepResults(Stream& stream, StreamResult& result) {
     request.detector = stream.request.detector;
     request.software = stream.request.software;
     request.created_utc = stream.request.created_utc;
-    auto written = writeRuns(
-        request, [&](const Take&, const Ingredients&, ResultRuns& runs) { return spool->replay(runs); });
+    auto written = writeRuns(request, [&](const Take&, const Ingredients&, ResultRuns& runs) {
+        const Status replayed = spool->replay(runs);
+        return replayed ? runs.write(stream.processor->contacts()) : replayed;
+    });
     if (written)
         result.results = std::move(*written);
     else

@@ -15,6 +15,7 @@ import blender
 import calibration
 import drift
 import fuzz
+import ground
 import interface
 import kills
 import live
@@ -29,6 +30,7 @@ FIGURES = {
     "table1": ("Table 1: combinations of sensors, both estimators", table1.figure),
     "accuracy": ("Accuracy on six motions, filtered and smoothed", accuracy.figure),
     "drift": ("Drift over five minutes", drift.figure),
+    "ground": ("Where a free root goes", ground.figure),
     "benchmarks": ("Benchmarks", benchmarks.figure),
     "speed": ("Speed on one core", speed.figure),
     "studio": ("The studio: start, a long take, memory", interface.figure),

@@ -5636,6 +5636,34 @@ keine Lücken</translation>
         <source>Each pose knows the 0.3 to 0.5 s that follow.</source>
         <translation>Jede Pose kennt die folgenden 0,3 bis 0,5 s.</translation>
     </message>
+    <message>
+        <source>Level floor</source>
+        <translation>Ebener Boden</translation>
+    </message>
+    <message>
+        <source>Uneven, steps</source>
+        <translation>Uneben, Stufen</translation>
+    </message>
+    <message>
+        <source>Treadmill</source>
+        <translation>Laufband</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Untergrund</translation>
+    </message>
+    <message>
+        <source>When the feet stand is found out; the root is the other system’s.</source>
+        <translation>Wann die Füße stehen, wird ermittelt; die Wurzel ist die des anderen Systems.</translation>
+    </message>
+    <message>
+        <source>Feet that stand hold the root: on a level floor their place and height, on uneven ground their place, on a treadmill nothing.</source>
+        <translation>Füße, die stehen, halten die Wurzel: auf ebenem Boden an Ort und Höhe, auf unebenem am Ort, auf einem Laufband gar nicht.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ResultSide</name>

@@ -89,13 +89,15 @@ void TakeDocument::showFrames() {
 }
 
 std::shared_ptr<const std::vector<FootContacts>> TakeDocument::contacts() {
-    const auto run = runOf(Whose::kShown);
-    const auto shown_motion = motion(run);
-    if (!shown_motion)
+    const ReviewRun* run = shown();
+    const auto shown_motion = shownMotion();
+    if (!run || !shown_motion)
         return nullptr;
     return ask<int64_t, std::vector<FootContacts>>(
-        contacts_, *run, tr("Looking for foot contacts"), &TakeDocument::motionChanged,
-        [shown_motion](const JobContext&) { return findFootContacts(*shown_motion); });
+        contacts_, run->run.run, tr("Looking for foot contacts"), &TakeDocument::motionChanged,
+        [path = path_.toStdString(), run = *run, shown_motion](const JobContext&) {
+            return loadContacts(path, run, *shown_motion);
+        });
 }
 
 std::shared_ptr<const TakeDocument::Ranges> TakeDocument::rangesWithSummaries() {

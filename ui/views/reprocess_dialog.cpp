@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -98,7 +99,11 @@ void ReprocessDialog::addRoot(QBoxLayout& into) {
     using enum ChoiceRow::Kind;
     root_free = new ChoiceRow(kRadio, tr("Free"), tr("Found by the filter, as in a live recording."));
     root_given = new ChoiceRow(kRadio, tr("Given"), tr("Hips from the other system that is attached."));
-    addGroup(into, tr("Root"), {root_free, root_given});
+    auto* under = new FormRows;
+    ground = new QComboBox;
+    ground->addItems({tr("Level floor"), tr("Uneven, steps"), tr("Treadmill"), tr("Unknown")});
+    under->addRow(tr("Ground"), ground);
+    addGroup(into, tr("Root"), {root_free, root_given, under});
     keepOneChosen(this, {root_free, root_given});
     if (!overview_.has_external_root)
         root_given->setDisabledBecause(tr("Needs an external root: attach one under Reference first."));
@@ -194,6 +199,8 @@ void ReprocessDialog::startFrom(const RunSettings& settings) {
     distances->setChecked(has('D'));
     if (settings.root_given && overview_.has_external_root)
         root_given->setChecked(true);
+    if (const auto known = groundFromName(settings.ground))
+        ground->setCurrentIndex(static_cast<int>(*known));
     if (settings.estimator == "paper")
         paper->setChecked(true);
     if (settings.process_sigma_rad_per_s2)
@@ -215,6 +222,11 @@ void ReprocessDialog::refresh() {
         not_smoothed->setChecked(true);
     smoothed_half_second->setDisabledBecause(only_ours);
     smoothed_whole->setDisabledBecause(only_ours);
+    ground->setEnabled(!paper->isChecked());
+    ground->setToolTip(root_given->isChecked()
+                           ? tr("When the feet stand is found out; the root is the other system’s.")
+                           : tr("Feet that stand hold the root: on a level floor their place and height, on "
+                                "uneven ground their place, on a treadmill nothing."));
     name->setPlaceholderText(QString::fromStdString(defaultRunName(request().tracker)));
 }
 
@@ -223,6 +235,7 @@ ProcessRequest ReprocessDialog::request() const {
     request.take_path = overview_.path;
     request.tracker.sensors = {accelerometers->isChecked(), gyroscopes->isChecked(), distances->isChecked()};
     request.tracker.root_given = root_given->isChecked();
+    request.tracker.ground = static_cast<Ground>(ground->currentIndex());
     request.tracker.estimator = paper->isChecked() ? EstimatorKind::kPaper : EstimatorKind::kManifold;
     request.tracker.paper_process_sigma_rad_per_s2 = process_sigma_->value();
     request.tracker.smoother = smoothed_whole->isChecked()         ? Smoother::kFull

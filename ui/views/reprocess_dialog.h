@@ -7,6 +7,7 @@
 #include "ui/models/studio.h"
 #include "ui/views/dialog_frame.h"
 
+class QComboBox;
 class QDoubleSpinBox;
 class QLineEdit;
 
@@ -25,6 +26,7 @@ public:
     // For those who fill it in, the operator and tests.
     ChoiceRow *accelerometers, *gyroscopes, *distances;
     ChoiceRow *root_free, *root_given;
+    QComboBox* ground;  ///< items in the order of Ground
     ChoiceRow *ours, *paper;
     ChoiceRow *not_smoothed, *smoothed_half_second, *smoothed_whole;
     ChoiceRow *matched, *inflection;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The feet on the ground, as a filter knows them: when each stands (StanceDetector, or as an operator has set
+// it), and what that says of the body: the point of contact has no velocity (zero-velocity update, ZUPT;
+// Foxlin, "Pedestrian tracking with shoe-mounted inertial sensors", IEEE Computer Graphics and Applications
+// 25, 2005) and on level ground the height it had in the rest pose. Nothing else on the suit tells where a
+// free root goes. Feet roll and slip by some centimetres a second all the same: only the root's translation
+// is observed, with what is not known of the body as noise, for in joints a tenth of a degree counts.
+//
+// Feet are the segments LeftFoot and RightFoot as far as they carry boards; on a suit without boards there,
+// the segments with boards that reach lowest in the rest pose, as far as they are legs: well below the root.
+// The point of contact is the ball of the foot: where the first joint below stands (the toes), else the
+// segment's end.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/estimation/covariance.h"
+#include "core/estimation/stance_detector.h"
+#include "core/motion/foot_contacts.h"
+
+namespace noctule {
+
+/// What feet stand on. kLevel: one floor, as high as in the rest pose. kUneven: steps, slopes, boxes.
+/// kTreadmill: it moves; contacts are found and hold nothing. kNone: no contacts at all.
+enum class Ground { kLevel, kUneven, kTreadmill, kNone };
+
+/// "level", "uneven", "treadmill", "none": as on the command line and in takes.
+const char* groundName(Ground ground);
+std::optional<Ground> groundFromName(const std::string& name);
+
+struct GroundParameters {
+    Ground ground = Ground::kLevel;
+    bool holds_feet = true;  ///< false: contacts are only noted, as when another system knows the root
+    StanceParameters stance;
+    std::optional<std::vector<FootContacts>> given;  ///< instead of those found
+
+    /// Feet roll and shoes give, for tenths of a second each: as noise of updates that far apart.
+    double interval_s = 1.0 / 35;
+    double velocity_m_per_s = 0.07, pivot_m = 0.05;  ///< pivot: times the foot's rate
+    double height_m = 0.05;
+    double huber_sigma = 2.5;
+    double height_gate_sigma = 5;  ///< beyond it the foot stands on something else
+    /// A foot that the filter sees move faster, by swing_sigma of what it knows, is swung evenly.
+    double fastest_m_per_s = 0.7, swing_sigma = 5;
+};
+
+/// Contacts as they are noted; a flight that is too short joins two.
+class ContactLog {
+public:
+    void note(const std::string& foot, double from_s, double to_s);
+    const std::vector<FootContacts>& feet() const { return feet_; }
+
+private:
+    std::vector<FootContacts> feet_;
+};
+
+class GroundContacts {
+public:
+    GroundContacts() = default;
+    /// Links of `suit` are those of `tree`, whose joints are the actor's. `rest`: the body as it stands on
+    /// the floor.
+    GroundContacts(const Skeleton& actor, const KinematicTree& tree, const SuitModel& suit,
+                   const MotionState& rest, const GroundParameters& parameters);
+
+    /// Readings of all boards, in order of time for each.
+    void listen(const std::vector<InertialMeasurement>& measurements, const BodyState& state);
+    /// What the feet that stand now tell; notes them in `log`.
+    std::vector<ObservationBlock> observe(const KinematicTree& tree, const StateLayout& layout,
+                                          const BodyState& state, const Covariance& P, double now_s,
+                                          ContactLog& log);
+
+private:
+    struct Foot {
+        std::string name;
+        int board = 0, link = 0;
+        Vector3d p_link_contact_m;
+        StanceDetector detector;
+        double floor_m = 0;        ///< height of the point in the rest pose
+        double observed_s = -1e9;  ///< last update
+        bool swings = false;       ///< evenly, as the filter saw it then
+    };
+    std::optional<double> standsSince_s(const Foot& foot, double now_s) const;
+
+    GroundParameters parameters_;
+    std::vector<Foot> feet_;
+};
+
+}  // namespace noctule
