@@ -43,7 +43,9 @@ class SceneReader {
 public:
     SceneReader(const aiScene& scene, const std::string& where) : scene_(scene), where_(where) {}
 
-    Result<SceneMotion> read(const std::vector<std::string>& joints) {
+    Result<SceneMotion> read(const std::vector<std::string>& joints, const std::string& motion) {
+        if (const Status chosen = chooseMotion(motion); !chosen)
+            return chosen.error();
         for (Status (SceneReader::*step)(const std::vector<std::string>&) :
              {&SceneReader::readUnit, &SceneReader::readJoints, &SceneReader::readChannels,
               &SceneReader::readFrames, &SceneReader::readSkin})
@@ -55,6 +57,17 @@ public:
 private:
     Error odd(const std::string& what) const {
         return {ErrorKind::kUnreadable, where_ + ": " + what, "Write the file again"};
+    }
+
+    /// One without a name is any.
+    Status chooseMotion(const std::string& name) {
+        for (unsigned a = 0; a < scene_.mNumAnimations && !animation_; ++a) {
+            const std::string called = scene_.mAnimations[a]->mName.C_Str();
+            if (name.empty() || called.empty() || called == name)
+                animation_ = scene_.mAnimations[a];
+        }
+        const bool is_still = scene_.mNumAnimations == 0;
+        return animation_ || is_still ? Status(Done{}) : Status(odd("no motion in it is called " + name));
     }
 
     /// FBX says both; glTF is in metres with Y up.
@@ -102,9 +115,9 @@ private:
 
     Status readChannels(const std::vector<std::string>& names) {
         channels_.assign(names.size(), nullptr);
-        if (scene_.mNumAnimations == 0)
+        if (!animation_)
             return Done{};
-        const aiAnimation& animation = *scene_.mAnimations[0];
+        const aiAnimation& animation = *animation_;
         motion_.clip.name = animation.mName.C_Str();
         for (unsigned c = 0; c < animation.mNumChannels; ++c) {
             const aiNodeAnim& channel = *animation.mChannels[c];
@@ -134,7 +147,7 @@ private:
             if (std::abs(keys[k].mTime / step - k) > kTimeOff_frames)
                 return odd("frame " + std::to_string(k + 1) + " stands at another time");
         frames_ = count;
-        motion_.clip.frame_time_s = step / scene_.mAnimations[0]->mTicksPerSecond;
+        motion_.clip.frame_time_s = step / animation_->mTicksPerSecond;
         return Done{};
     }
 
@@ -200,6 +213,7 @@ private:
 
     const aiScene& scene_;
     const std::string& where_;
+    const aiAnimation* animation_ = nullptr;  ///< nullptr: the file holds none
     double metres_per_unit_ = 1;
     std::vector<const aiNode*> nodes_;         ///< per joint
     std::vector<const aiNodeAnim*> channels_;  ///< per joint; nullptr: stands still
@@ -229,19 +243,28 @@ std::vector<Vector3d> SceneMotion::skinned_m(size_t frame) const {
     return points_m;
 }
 
-Result<SceneMotion> readSceneMotion(const std::string& path, const std::string& where, SceneFormat format,
-                                    const std::vector<std::string>& joints) {
+SceneFile::SceneFile(std::unique_ptr<Assimp::Importer> importer, std::string where)
+    : importer_(std::move(importer)), where_(std::move(where)) {}
+SceneFile::SceneFile(SceneFile&&) noexcept = default;
+SceneFile& SceneFile::operator=(SceneFile&&) noexcept = default;
+SceneFile::~SceneFile() = default;
+
+Result<SceneFile> SceneFile::open(const std::string& path, const std::string& where, SceneFormat format) {
     const auto bytes = readWholeFile(path);
     if (!bytes)
         return bytes.error();
-    Assimp::Importer importer;
-    const aiScene* scene = importer.ReadFileFromMemory(bytes->data(), bytes->size(), 0,
-                                                       format == SceneFormat::kFbx ? "fbx" : "glb");
+    auto importer = std::make_unique<Assimp::Importer>();
+    const aiScene* scene = importer->ReadFileFromMemory(bytes->data(), bytes->size(), 0,
+                                                        format == SceneFormat::kFbx ? "fbx" : "glb");
     if (!scene || !scene->mRootNode)
         return Error{ErrorKind::kUnreadable,
-                     where + ": it cannot be read again (" + importer.GetErrorString() + ")",
+                     where + ": it cannot be read again (" + importer->GetErrorString() + ")",
                      "Write the file again"};
-    return SceneReader(*scene, where).read(joints);
+    return SceneFile(std::move(importer), where);
+}
+
+Result<SceneMotion> SceneFile::read(const std::vector<std::string>& joints, const std::string& motion) const {
+    return SceneReader(*importer_->GetScene(), where_).read(joints, motion);
 }
 
 }  // namespace noctule

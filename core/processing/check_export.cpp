@@ -27,6 +27,7 @@ Result<ExpectedMotion> expectedMotion(const Take& take, const ExportRequest& req
     if (!motion)
         return motion.error();
     ExpectedMotion expected;
+    expected.name = request.motion_name.empty() ? take.header().name : request.motion_name;
     expected.skeleton = motion->skeleton;
     expected.root = request.root;
     expected.frame_time_s = 1 / request.frames_per_second;

@@ -309,15 +309,18 @@ Status compareRiggedFile(const std::string& path, SceneFormat format, const Expe
     for (const Joint& joint : figure->clip.skeleton.joints())
         bones.push_back(joint.name);
     check.expected_joints = static_cast<int>(bones.size());
-    const auto file = readSceneMotion(path, path, format, bones);
+    const auto scene = SceneFile::open(path, path, format);
+    if (!scene)
+        return scene.error();
+    const auto file = scene->read(bones, expected.name);
     if (!file)
         return file.error();
     const auto joint_of_ours = figureJoints(body);
     const MotionClip wanted = underOurNames(
         restParallel(figure->clip, globalPose(figure->clip.skeleton, figure->rest).q_world_joint),
         joint_of_ours);
-    const ExpectedMotion rigged{wanted.skeleton, expected.root, expected.frame_time_s, expected.begin_s,
-                                wanted.frames};
+    const ExpectedMotion rigged{expected.name,         wanted.skeleton,  expected.root,
+                                expected.frame_time_s, expected.begin_s, wanted.frames};
     ClipComparison(underOurNames(restParallel(file->clip, boundTurns(*file)), joint_of_ours), rigged, check)
         .run();
     return Done{};
@@ -328,7 +331,10 @@ Status compareSceneFile(const std::string& path, SceneFormat format, const Expec
     std::vector<std::string> names;
     for (const Joint& joint : expected.skeleton.joints())
         names.push_back(joint.name);
-    auto file = readSceneMotion(path, path, format, names);
+    const auto scene = SceneFile::open(path, path, format);
+    if (!scene)
+        return scene.error();
+    auto file = scene->read(names, expected.name);
     if (!file)
         return file.error();
     file->clip.skeleton = withTips(file->clip.skeleton, expected.skeleton);

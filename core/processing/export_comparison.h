@@ -10,6 +10,7 @@ namespace noctule {
 
 /// The take's own poses at the instants of the file's frames, root as captured.
 struct ExpectedMotion {
+    std::string name;  ///< in FBX and GLB
     Skeleton skeleton;
     RootMotion root = RootMotion::kMoving;
     double frame_time_s = 0;

@@ -19,18 +19,6 @@ const SkinnedMesh& defaultBody() {
     return body;
 }
 
-Result<Figure> figureOf(const ExportRequest& request, const ExportedMotion& motion) {
-    if (request.with_body && request.worn)
-        return riggedFigure(motion.clip, motion.confidence, *request.worn, request.names);
-    std::optional<SkinnedMesh> body;
-    if (request.with_body)
-        body = bodyFor(motion.clip.skeleton);
-    auto figure = makeFigure(motion.clip, std::move(body), request.names);
-    if (figure)
-        figure->confidence = motion.confidence;
-    return figure;
-}
-
 Status writeBvhFile(const ExportRequest& request, const ExportedMotion& motion) {
     MotionClip clip = motion.clip;
     clip.skeleton = renamed(clip.skeleton, request.names);
@@ -79,6 +67,18 @@ Status writeTableFile(const std::string& path, const Result<OpenSimTable>& table
 
 SkinnedMesh bodyFor(const Skeleton& skeleton) {
     return fitted(defaultBody(), defaultActor().skeleton, skeleton);
+}
+
+Result<Figure> figureOf(const ExportRequest& request, const ExportedMotion& motion) {
+    if (request.with_body && request.worn)
+        return riggedFigure(motion.clip, motion.confidence, *request.worn, request.names);
+    std::optional<SkinnedMesh> body;
+    if (request.with_body)
+        body = bodyFor(motion.clip.skeleton);
+    auto figure = makeFigure(motion.clip, std::move(body), request.names);
+    if (figure)
+        figure->confidence = motion.confidence;
+    return figure;
 }
 
 std::vector<ExportWriter> exportWriters(const ExportRequest& request, const ExportedMotion& motion) {

@@ -2474,6 +2474,14 @@
         <source>Camera</source>
         <translation>Kamera</translation>
     </message>
+    <message>
+        <source>One file with all takes</source>
+        <translation>Eine Datei mit allen Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Each take is an animation stack under its name; {take} is the session.</source>
+        <translation>Jede Aufnahme ist ein Animation-Stack mit ihrem Namen; {take} ist die Sitzung.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportPage</name>
@@ -2675,6 +2683,10 @@
     <message>
         <source>Size</source>
         <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
