@@ -65,6 +65,7 @@ ExportRequest requestFor(const Arguments& arguments, const std::string& take_pat
     if (arguments.given("stacks"))
         request.motion_name = takeName(take_path);
     request.with_body = arguments.text("mesh") != "none";
+    request.lock_feet = arguments.text("feet") != "free";
     request.film.size = pictureSize(arguments.text("size")).value_or(request.film.size);
     request.film.camera = cameraMove(arguments.text("camera"));
     request.film.frames_per_second = arguments.number("fps").value_or(request.film.frames_per_second);
@@ -89,11 +90,11 @@ Status checkPictures(const Arguments& arguments, const ExportRequest& request) {
     if (arguments.given("mesh") && !shows_body)
         return Error{ErrorKind::kUsage, "--mesh is the body of files that have one, and none is written",
                      "Give any of --fbx F, --glb F, --png F and --video F too"};
-    if (arguments.text("mesh") == "none" && (arguments.given("png") || arguments.given("video")))
-        return Error{ErrorKind::kUsage, "a picture or film needs a body, and --mesh none leaves it out",
-                     "Leave --mesh out for ours, or name a mesh"};
     if (arguments.given("bones") && !namesMeshFile(arguments))
         return Error{ErrorKind::kUsage, "--bones says which bone of a mesh is which, and no mesh is named",
+                     "Give --mesh FILE too"};
+    if (arguments.given("feet") && !namesMeshFile(arguments))
+        return Error{ErrorKind::kUsage, "--feet is for bodies of other proportions, and no mesh is named",
                      "Give --mesh FILE too"};
     return Done{};
 }
@@ -254,10 +255,13 @@ std::vector<Option> partOptions() {
 std::vector<Option> lookOptions() {
     return {
         text("mesh", "mannequin|none|M",
-             "the body: the default one; FBX and GLB with the skeleton alone; that of a .glb, .gltf, .fbx, "
+             "the body: the default one; the skeleton alone; that of a .glb, .gltf, .fbx, "
              ".dae, .obj or .ply file, on its own bones or on some made for it")
             .orElse("mannequin"),
         text("bones", "MAP.json", "which bone of M is which joint, where they are not found by themselves"),
+        choice("feet", {"locked", "free"},
+               "of M: feet that stand keep their place; or legs turn as ours, and may slide")
+            .orElse("locked"),
         text("size", "WxH", "of film and picture in pixels").orElse("1280x720"),
         choice("camera", {"front", "follow", "turn"},
                "stands before the performer; goes along; goes along and once around")

@@ -297,12 +297,19 @@ std::vector<Quaterniond> boundTurns(const SceneMotion& file) {
 }  // namespace
 
 Status compareRiggedFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
-                         const WearableBody& body, JointNames names, ExportCheck& check) {
+                         const ExportRequest& request, ExportCheck& check) {
+    const WearableBody& body = *request.worn;
+    const auto moving = MovingBody::of(request.worn, expected.skeleton);
+    if (!moving)
+        return moving.error();
     MotionClip clip;
     clip.skeleton = expected.skeleton;
     clip.frame_time_s = expected.frame_time_s;
     clip.frames = expected.frames;
-    const auto figure = riggedFigure(clip, {}, body, names);
+    const auto feet = request.lock_feet
+                          ? moving->lockedFeet({expected.frames, expected.frame_time_s, expected.plants})
+                          : std::vector<FootCorrections>();
+    const auto figure = riggedFigure(clip, {}, body, request.names, feet);
     if (!figure)
         return figure.error();
     std::vector<std::string> bones;
@@ -319,8 +326,13 @@ Status compareRiggedFile(const std::string& path, SceneFormat format, const Expe
     const MotionClip wanted = underOurNames(
         restParallel(figure->clip, globalPose(figure->clip.skeleton, figure->rest).q_world_joint),
         joint_of_ours);
-    const ExpectedMotion rigged{expected.name,         wanted.skeleton,  expected.root,
-                                expected.frame_time_s, expected.begin_s, wanted.frames};
+    const ExpectedMotion rigged{expected.name,
+                                wanted.skeleton,
+                                expected.root,
+                                expected.frame_time_s,
+                                expected.begin_s,
+                                wanted.frames,
+                                {}};
     ClipComparison(underOurNames(restParallel(file->clip, boundTurns(*file)), joint_of_ours), rigged, check)
         .run();
     return Done{};

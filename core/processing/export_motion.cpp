@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/math/rotation.h"
+#include "core/motion/foot_contacts.h"
 #include "core/processing/bone_confidence.h"
 #include "core/processing/pose_runs.h"
 
@@ -37,6 +38,7 @@ Result<ExportedMotion> cut(const Take& take, const TimedMotion& motion, const Ex
                            double frames_per_second) {
     ExportedMotion exported;
     MotionClip& clip = exported.clip;
+    double begin_s = 0;
     clip.name = request.motion_name.empty() ? take.header().name : request.motion_name;
     clip.skeleton = motion.skeleton;
     clip.frame_time_s = 1 / frames_per_second;
@@ -51,6 +53,8 @@ Result<ExportedMotion> cut(const Take& take, const TimedMotion& motion, const Ex
             if (time_ns > end)
                 break;
             if (auto pose = sampler.at(time_ns)) {
+                if (clip.frames.empty())
+                    begin_s = static_cast<double>(time_ns) * 1e-9;
                 clip.frames.push_back(std::move(*pose));
                 exported.confidence.push_back(boneConfidence(motion, time_ns));
             }
@@ -59,6 +63,8 @@ Result<ExportedMotion> cut(const Take& take, const TimedMotion& motion, const Ex
     if (clip.frames.empty())
         return Error{ErrorKind::kUnusable, take.path() + ": there is no pose in the part to export",
                      "Choose --from and --to within the take's duration"};
+    if (locksFeet(request))
+        exported.feet = {clip.frames, clip.frame_time_s, footPlants(motion, begin_s)};
     holdRoot(clip, request.root);
     const auto is_empty = [](const std::vector<float>& row) { return row.empty(); };
     if (std::any_of(exported.confidence.begin(), exported.confidence.end(), is_empty))
@@ -67,6 +73,19 @@ Result<ExportedMotion> cut(const Take& take, const TimedMotion& motion, const Ex
 }
 
 }  // namespace
+
+bool locksFeet(const ExportRequest& request) {
+    return request.worn && request.with_body && request.lock_feet;
+}
+
+FootPlants footPlants(const TimedMotion& motion, double begin_s) {
+    FootPlants plants;
+    for (const FootContacts& foot : findFootContacts(motion))
+        for (const FootContact& contact : foot.contacts)
+            plants[foot.foot == "LeftFoot" ? 0 : 1].push_back(
+                {contact.from_s - begin_s, contact.to_s - begin_s});
+    return plants;
+}
 
 Result<ExportedMotion> exportedMotion(const ExportRequest& request) {
     const auto take = Take::open(request.take_path);
@@ -88,6 +107,7 @@ Result<ExportedMotion> exportedMotion(const ExportRequest& request) {
     if (!filmed)
         return filmed.error();
     exported->filmed = std::move(filmed->clip);
+    exported->filmed_feet = std::move(filmed->feet);
     return exported;
 }
 

@@ -54,9 +54,11 @@ std::vector<std::string> outputsOf(const ExportRequest& request) {
 }
 
 Result<ExportSummary> exportTake(const ExportRequest& request, const JobContext& job) {
-    for (const std::string& path : outputsOf(request))
+    for (const std::string& path : outputsOf(request)) {
         if (Status free = checkOutputPath(path, request.overwrite); !free)
             return free.error();
+        removeAbandoned(path);
+    }
     job.progress(0, "Reading poses");
     const auto exported = exportedMotion(request);
     if (!exported)
@@ -85,6 +87,7 @@ Result<ExportSummary> exportStacks(const std::vector<ExportRequest>& takes, cons
     const ExportRequest& first = takes.front();
     if (Status free = checkOutputPath(first.fbx_path, first.overwrite); !free)
         return free.error();
+    removeAbandoned(first.fbx_path);
     ExportSummary summary;
     std::vector<Figure> figures;
     for (const ExportRequest& take : takes) {

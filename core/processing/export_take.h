@@ -40,8 +40,9 @@ struct ExportRequest {
     bool with_body = true;                ///< FBX and GLB: with skin, not the skeleton alone
     /// The body of FBX, GLB, picture and film; null: the default body in the performer's measures.
     std::shared_ptr<const WearableBody> worn;
-    FilmSettings film;    ///< of picture and film; a picture shows from_s, without it the middle
-    bool angles = false;  ///< named degrees of freedom in the CSV file too
+    bool lock_feet = true;  ///< of `worn`: feet that stand keep their place (mesh/foot_lock.h)
+    FilmSettings film;      ///< of picture and film; a picture shows from_s, without it the middle
+    bool angles = false;    ///< named degrees of freedom in the CSV file too
     bool overwrite = false;
 };
 

@@ -2482,6 +2482,14 @@
         <source>Each take is an animation stack under its name; {take} is the session.</source>
         <translation>Jede Aufnahme ist ein Animation-Stack mit ihrem Namen; {take} ist die Sitzung.</translation>
     </message>
+    <message>
+        <source>Standing feet keep their place</source>
+        <translation>Stehende Füße bleiben an ihrem Ort</translation>
+    </message>
+    <message>
+        <source>On a body of other proportions feet would slide; its legs bend a little instead.</source>
+        <translation>Auf einem Körper anderer Maße würden die Füße rutschen; stattdessen beugen sich seine Beine etwas.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportPage</name>

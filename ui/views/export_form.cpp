@@ -60,6 +60,7 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
       run(new QComboBox),
       angles(new QCheckBox(tr("Joint angles too, in degrees"))),
       one_file(new QCheckBox(tr("One file with all takes"))),
+      lock_feet(new QCheckBox(tr("Standing feet keep their place"))),
       name_pattern(new QLineEdit),
       try_one_frame(makeButton(ButtonKind::kOutlined, tr("Write one frame and check"))),
       studio_(studio) {
@@ -73,7 +74,7 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
     for (QComboBox* box : {range, format, frames, root, unit, names, body, size, camera})
         connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
     connect(run, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
-    for (QCheckBox* box : {angles, one_file})
+    for (QCheckBox* box : {angles, one_file, lock_feet})
         connect(box, &QCheckBox::toggled, this, &ExportForm::read);
     connect(name_pattern, &QLineEdit::textChanged, this, &ExportForm::read);
     for (QDoubleSpinBox* field : {own_from_, own_to_})
@@ -153,6 +154,9 @@ void ExportForm::addFigureRows(FormRows& rows) {
     body->addItem(tr("Skeleton alone"), static_cast<int>(ExportBody::kSkeleton));
     body->addItem(tr("The session's body"), static_cast<int>(ExportBody::kSessions));
     rows.addRow(tr("Body"), body);
+    rows.addControl(lock_feet);
+    lock_feet->setToolTip(
+        tr("On a body of other proportions feet would slide; its legs bend a little instead."));
     rows.addControl(angles);
 }
 
@@ -198,6 +202,7 @@ void ExportForm::setSettings(const ExportSettings& settings) {
     chooseData(camera, static_cast<int>(settings.camera));
     angles->setChecked(settings.angles);
     one_file->setChecked(settings.one_file);
+    lock_feet->setChecked(settings.lock_feet);
     name_pattern->setText(settings.name_pattern);
     own_from_->setValue(settings.own_from_s);
     own_to_->setValue(settings.own_to_s > 0 ? settings.own_to_s : studio_.time().duration());
@@ -220,6 +225,7 @@ void ExportForm::read() {
     settings_.camera = static_cast<CameraMove>(camera->currentData().toInt());
     settings_.angles = angles->isChecked();
     settings_.one_file = one_file->isChecked();
+    settings_.lock_feet = lock_feet->isChecked();
     settings_.name_pattern = name_pattern->text();
     settings_.own_from_s = own_from_->value();
     settings_.own_to_s = own_to_->value();
@@ -242,6 +248,7 @@ void ExportForm::refresh() {
         chooseData(unit, hasUnit(settings_.format) ? settings_.metres_per_unit : 1.0);
     }
     angles->setVisible(settings_.format == ExportFormat::kCsv);
+    lock_feet->setVisible(showsBody(settings_.format) && settings_.body == ExportBody::kSessions);
     one_file->setVisible(holdsTakes(settings_.format));
     pictures_->setVisible(isPicture(settings_.format));
     takes_->setResultsShown(run->currentData().toInt() == static_cast<int>(ResultChoice::kEach));

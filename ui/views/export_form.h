@@ -37,7 +37,7 @@ public:
 
     // For those who fill it in, the operator and tests.
     QComboBox *range, *format, *frames, *root, *unit, *names, *body, *size, *camera, *run;
-    QCheckBox *angles, *one_file;
+    QCheckBox *angles, *one_file, *lock_feet;
     QLineEdit* name_pattern;
     Button* try_one_frame;
 

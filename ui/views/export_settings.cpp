@@ -97,6 +97,7 @@ ExportSettings loaded(QSettings& store, const QString& key, const ExportSettings
     s.camera =
         static_cast<CameraMove>(std::clamp(store.value("camera", static_cast<int>(s.camera)).toInt(), 0, 2));
     s.root_name = store.value("root_name", s.root_name).toString();
+    s.lock_feet = store.value("lock_feet", s.lock_feet).toBool();
     s.one_file = store.value("one_file", s.one_file).toBool();
     s.angles = store.value("angles", s.angles).toBool();
     s.folder = store.value("folder", s.folder).toString();
@@ -120,6 +121,7 @@ void save(QSettings& store, const QString& key, const ExportSettings& s) {
     store.setValue("height_px", s.height_px);
     store.setValue("camera", static_cast<int>(s.camera));
     store.setValue("root_name", s.root_name);
+    store.setValue("lock_feet", s.lock_feet);
     store.setValue("one_file", s.one_file);
     store.setValue("angles", s.angles);
     store.setValue("folder", s.folder);
@@ -258,6 +260,7 @@ void setRange(ExportRequest& request, const SessionTake& take, const ExportSetti
 Status setLook(ExportRequest& request, const ExportSurroundings& surroundings,
                const ExportSettings& settings) {
     request.with_body = settings.body != ExportBody::kSkeleton;
+    request.lock_feet = settings.lock_feet;
     request.film = {{settings.width_px, settings.height_px},
                     settings.camera,
                     settings.frames_per_second,

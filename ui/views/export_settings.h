@@ -29,6 +29,7 @@ struct ExportSettings {
     double metres_per_unit = 0.01;         ///< BVH and FBX; the others are in metres
     JointNames names = JointNames::kOwn;   ///< BVH, FBX and GLB
     ExportBody body = ExportBody::kOurs;   ///< FBX, GLB, pictures and films
+    bool lock_feet = true;                 ///< of the session's body
     int width_px = 1280, height_px = 720;  ///< pictures and films
     CameraMove camera = CameraMove::kFront;
     QString root_name = "Reference";  ///< FBX
