@@ -20,6 +20,21 @@ std::vector<std::string> jointNamesOf(const Skeleton& skeleton) {
     return names;
 }
 
+/// Colour, texture and where it lies; empty: as they should be.
+std::string otherLookThan(const SkinnedMesh& body, const SceneMotion& file) {
+    if (!(file.base_color - body.look->base_color).isZero(1e-5F))
+        return "its body has another colour";
+    if (!body.look->texture)
+        return {};
+    if (file.texture != body.look->texture->file)
+        return "its texture is another";
+    for (size_t t = 0; t < body.triangles.size(); ++t)
+        for (size_t i = 0; i < 3; ++i)
+            if (!(file.corners[file.faces[t][i]].uv - body.vertices[body.triangles[t][i]].uv).isZero(1e-5F))
+                return "its texture lies elsewhere";
+    return {};
+}
+
 /// What is wrong with the whole of it, before places are compared; empty: nothing.
 std::string otherThan(const Figure& figure, const SceneMotion& file) {
     const MotionClip& wanted = figure.clip;
@@ -34,7 +49,7 @@ std::string otherThan(const Figure& figure, const SceneMotion& file) {
     if (figure.body && file.faces.size() != figure.body->triangles.size())
         return "its body has " + std::to_string(file.faces.size()) + " triangles instead of " +
                std::to_string(figure.body->triangles.size());
-    return {};
+    return figure.body && figure.body->look ? otherLookThan(*figure.body, file) : std::string();
 }
 
 /// What is no number is larger than any.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/formats/scene_reader.h"
 
+#include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -192,6 +193,10 @@ private:
         motion_.corners.resize(mesh.mNumVertices);
         for (unsigned v = 0; v < mesh.mNumVertices; ++v)
             motion_.corners[v].p_m = toVector(mesh.mVertices[v]) * metres_per_unit_;
+        for (unsigned v = 0; mesh.mTextureCoords[0] && v < mesh.mNumVertices; ++v)
+            motion_.corners[v].uv = {mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y};
+        if (mesh.mMaterialIndex < scene_.mNumMaterials)
+            readLook(*scene_.mMaterials[mesh.mMaterialIndex]);
         for (unsigned b = 0; b < mesh.mNumBones; ++b) {
             const aiBone& bone = *mesh.mBones[b];
             const auto name = std::find(names.begin(), names.end(), bone.mName.C_Str());
@@ -209,6 +214,19 @@ private:
                 motion_.faces.push_back(
                     {mesh.mFaces[t].mIndices[0], mesh.mFaces[t].mIndices[1], mesh.mFaces[t].mIndices[2]});
         return Done{};
+    }
+
+    void readLook(const aiMaterial& material) {
+        aiColor4D color;
+        if (material.Get(AI_MATKEY_BASE_COLOR, color) == AI_SUCCESS ||
+            material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS)
+            motion_.base_color = {color.r, color.g, color.b};
+        aiString named;
+        for (const aiTextureType kind : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE})
+            if (material.GetTexture(kind, 0, &named) == AI_SUCCESS)
+                if (const aiTexture* picture = scene_.GetEmbeddedTexture(named.C_Str());
+                    picture && picture->mHeight == 0)
+                    motion_.texture.assign(reinterpret_cast<const char*>(picture->pcData), picture->mWidth);
     }
 
     const aiScene& scene_;

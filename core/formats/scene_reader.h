@@ -20,6 +20,7 @@ enum class SceneFormat { kFbx, kGlb };
 
 struct SceneCorner {
     Vector3d p_m = Vector3d::Zero();
+    Eigen::Vector2f uv = Eigen::Vector2f::Zero();
     std::vector<std::pair<size_t, double>> weights;  ///< joint, weight
 };
 
@@ -28,6 +29,8 @@ struct SceneMotion {
     std::vector<SceneCorner> corners;            ///< of the first mesh with a skin
     std::vector<std::array<uint32_t, 3>> faces;  ///< of corners
     std::vector<Eigen::Matrix4d> bind_inverse;   ///< per joint, metres; as the file says
+    Eigen::Vector3f base_color = Eigen::Vector3f::Zero();
+    std::string texture;  ///< the picture within the file; empty: none
 
     /// The skin in a frame, one point per corner, world.
     std::vector<Vector3d> skinned_m(size_t frame) const;
