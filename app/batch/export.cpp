@@ -62,7 +62,10 @@ ExportRequest requestFor(const Arguments& arguments, const std::string& take_pat
     request.metres_per_unit = preset.metres_per_unit;
     request.names = preset.names;
     request.root_name = preset.root_name;
+    if (arguments.given("stacks"))
+        request.motion_name = takeName(take_path);
     request.with_body = arguments.text("mesh") != "none";
+    request.lock_feet = arguments.text("feet") != "free";
     request.film.size = pictureSize(arguments.text("size")).value_or(request.film.size);
     request.film.camera = cameraMove(arguments.text("camera"));
     request.film.frames_per_second = arguments.number("fps").value_or(request.film.frames_per_second);
@@ -87,13 +90,38 @@ Status checkPictures(const Arguments& arguments, const ExportRequest& request) {
     if (arguments.given("mesh") && !shows_body)
         return Error{ErrorKind::kUsage, "--mesh is the body of files that have one, and none is written",
                      "Give any of --fbx F, --glb F, --png F and --video F too"};
-    if (arguments.text("mesh") == "none" && (arguments.given("png") || arguments.given("video")))
-        return Error{ErrorKind::kUsage, "a picture or film needs a body, and --mesh none leaves it out",
-                     "Leave --mesh out for ours, or name a mesh"};
     if (arguments.given("bones") && !namesMeshFile(arguments))
         return Error{ErrorKind::kUsage, "--bones says which bone of a mesh is which, and no mesh is named",
                      "Give --mesh FILE too"};
+    if (arguments.given("feet") && !namesMeshFile(arguments))
+        return Error{ErrorKind::kUsage, "--feet is for bodies of other proportions, and no mesh is named",
+                     "Give --mesh FILE too"};
     return Done{};
+}
+
+/// One FBX file and nothing else.
+Status checkStacks(const Arguments& arguments, const std::vector<ExportRequest>& requests) {
+    if (!arguments.given("stacks"))
+        return Done{};
+    const ExportRequest& first = requests.front();
+    if (first.fbx_path.empty() || outputsOf(first).size() > 1)
+        return Error{ErrorKind::kUsage, "--stacks puts all takes into one FBX file, and nothing else",
+                     "Give --fbx F, and write other files without --stacks"};
+    if (first.fbx_path != requests.back().fbx_path)
+        return Error{ErrorKind::kUsage, "--stacks writes one file, and {name} in its path would make several",
+                     "Leave {name} out"};
+    return Done{};
+}
+
+/// Every path once.
+std::vector<std::string> allOutputs(const Arguments& arguments, const std::vector<ExportRequest>& requests) {
+    if (arguments.given("stacks"))
+        return outputsOf(requests.front());
+    std::vector<std::string> paths;
+    for (const ExportRequest& request : requests)
+        for (const std::string& path : outputsOf(request))
+            paths.push_back(path);
+    return paths;
 }
 
 Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest>& requests) {
@@ -101,20 +129,21 @@ Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest
         return Error{
             ErrorKind::kUsage, "export has nothing to write",
             "Give any of --bvh F, --fbx F, --glb F, --csv F, --mot F, --sto F, --png F and --video F"};
-    if (const Status pictures = checkPictures(arguments, requests.front()); !pictures)
-        return pictures;
+    for (const Status& sensible :
+         {checkPictures(arguments, requests.front()), checkStacks(arguments, requests)})
+        if (!sensible)
+            return sensible;
     if (arguments.given("angles") && !arguments.given("csv"))
         return Error{ErrorKind::kUsage, "--angles adds columns to a CSV file, and none is written",
                      "Give --csv F too"};
     if (arguments.given("from") && arguments.given("to") &&
         *arguments.number("from") > *arguments.number("to"))
         return Error{ErrorKind::kUsage, "--from lies after --to", "Give --from S before --to S"};
-    std::vector<std::string> paths;
-    for (const ExportRequest& request : requests)
-        for (const std::string& path : outputsOf(request))
-            paths.push_back(path);
-    if (Status free = checkOutputs(paths, requests.front().overwrite, arguments.operands()); !free) {
-        if (requests.size() == 1)
+    const bool is_single = requests.size() == 1 || arguments.given("stacks");
+    if (Status free =
+            checkOutputs(allOutputs(arguments, requests), requests.front().overwrite, arguments.operands());
+        !free) {
+        if (is_single)
             return free;
         return Error{free.error().kind, free.error().message,
                      free.error().remedy + "; {name} in a path stands for the take's name"};
@@ -158,6 +187,24 @@ Result<std::shared_ptr<const WearableBody>> readBody(const VerbContext& context)
     return readWearable(arguments.text("mesh"), choices, context.job());
 }
 
+Result<Outcome> writeStacks(const VerbContext& context, const std::vector<ExportRequest>& requests) {
+    const auto summary = exportStacks(requests, context.job());
+    if (!summary)
+        return summary.error();
+    Outcome outcome;
+    outcome.json = {{"takes", context.arguments.operands()},
+                    {"stacks", requests.size()},
+                    {"frames", summary->frames},
+                    {"fps", requests.front().frames_per_second},
+                    {"duration_s", summary->duration_s},
+                    {"files", summary->files}};
+    if (requests.front().worn)
+        outcome.json["bones"] = requests.front().worn->bones.node_of_joint;
+    outcome.text = summary->files.front() + ": " + std::to_string(requests.size()) + " stacks, " +
+                   std::to_string(summary->frames) + " frames.\n";
+    return outcome;
+}
+
 Result<Outcome> runExport(const VerbContext& context) {
     std::vector<ExportRequest> requests;
     for (const std::string& take : context.arguments.operands())
@@ -167,6 +214,10 @@ Result<Outcome> runExport(const VerbContext& context) {
     const auto body = readBody(context);
     if (!body)
         return body.error();
+    for (ExportRequest& request : requests)
+        request.worn = *body;
+    if (context.arguments.given("stacks"))
+        return writeStacks(context, requests);
     return forEachTake(context, 1, [&](const std::string& take, const JobContext& job) -> Result<Outcome> {
         ExportRequest request = requestFor(context.arguments, take);
         request.worn = *body;
@@ -179,6 +230,7 @@ std::vector<Option> fileOptions() {
     return {text("run", "NAME", "the run to write; the last one when not given"),
             text("bvh", "F", "animation with its skeleton; {name} in F stands for the take's name"),
             text("fbx", "F", "skeleton, motion and body as binary FBX 7.4"),
+            flag("stacks", "all takes in that one FBX file, each as an animation stack with its name"),
             text("glb", "F", "the same as binary glTF"),
             text("csv", "F", "world positions of all joints in metres"),
             text("mot", "F", "joint angles for OpenSim, in degrees"),
@@ -203,10 +255,13 @@ std::vector<Option> partOptions() {
 std::vector<Option> lookOptions() {
     return {
         text("mesh", "mannequin|none|M",
-             "the body: the default one; FBX and GLB with the skeleton alone; that of a .glb, .gltf, .fbx, "
+             "the body: the default one; the skeleton alone; that of a .glb, .gltf, .fbx, "
              ".dae, .obj or .ply file, on its own bones or on some made for it")
             .orElse("mannequin"),
         text("bones", "MAP.json", "which bone of M is which joint, where they are not found by themselves"),
+        choice("feet", {"locked", "free"},
+               "of M: feet that stand keep their place; or legs turn as ours, and may slide")
+            .orElse("locked"),
         text("size", "WxH", "of film and picture in pixels").orElse("1280x720"),
         choice("camera", {"front", "follow", "turn"},
                "stands before the performer; goes along; goes along and once around")
@@ -231,7 +286,7 @@ Verb exportVerb() {
         verb.options.insert(verb.options.end(), more.begin(), more.end());
     verb.remarks = {
         "Every file is written aside and read again before it gets its name. With several takes "
-        "the paths must contain {name}."};
+        "the paths must contain {name}, unless --stacks puts them into one FBX file."};
     verb.run = runExport;
     return verb;
 }

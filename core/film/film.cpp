@@ -18,6 +18,9 @@ constexpr SceneBackground kBackground{{0.063F, 0.078F, 0.102F, 1}, {0.08F, 0.1F,
 constexpr Rgba kBodyColor{0.54F, 0.58F, 0.63F, 1}, kGridColor{0.17F, 0.2F, 0.25F, 0.9F},
     kXColor{0.95F, 0.51F, 0.42F, 0.45F}, kZColor{0.5F, 0.66F, 1, 0.45F}, kShadowColor{0, 0, 0, 0.55F};
 
+constexpr Rgba kJointColor{0.78F, 0.82F, 0.87F, 1};
+constexpr float kBoneWidth = 0.006F;  ///< of the picture's height
+
 constexpr double kFollowed_s = 0.5;  ///< to either side: steps do not shake the camera
 constexpr double kFrontElevation_rad = 0.1, kSideAzimuth_rad = 0.45, kSideElevation_rad = 0.12;
 constexpr double kLeastReach_m = 0.05;  ///< of flesh around the joints
@@ -30,16 +33,17 @@ Eigen::AlignedBox3d jointBox(const MotionClip& clip, size_t frame) {
 }
 
 /// Per frame the box around the body: around its joints, wider by what the skin needs in some frames.
-std::vector<Eigen::AlignedBox3d> bodyBoxes(const MovingBody& body, const MotionClip& clip) {
+std::vector<Eigen::AlignedBox3d> bodyBoxes(const FilmSubject& subject) {
+    const MotionClip& clip = subject.clip;
     std::vector<Eigen::AlignedBox3d> boxes;
     Vector3d below = Vector3d::Constant(kLeastReach_m), above = below;
     const size_t step = std::max<size_t>(1, clip.frames.size() / kSkinnedFrames);
     for (size_t f = 0; f < clip.frames.size(); ++f) {
         boxes.push_back(jointBox(clip, f));
-        if (f % step != 0 || !body.mesh())
+        if (f % step != 0 || !subject.body.mesh())
             continue;
         Eigen::AlignedBox3d skin;
-        for (const Eigen::Vector3f& p_m : skinned(*body.mesh(), body.skinMatrices(clip.frames[f])).points_m)
+        for (const Eigen::Vector3f& p_m : skinned(*subject.body.mesh(), subject.skinMatrices(f)).points_m)
             skin.extend(p_m.cast<double>());
         below = below.cwiseMax(boxes[f].min() - skin.min());
         above = above.cwiseMax(skin.max() - boxes[f].max());
@@ -66,8 +70,8 @@ std::vector<Vector3d> followedPoints(const MotionClip& clip, double height_m) {
 
 class FilmScene {
 public:
-    FilmScene(const MovingBody& body, const MotionClip& clip, const FilmSettings& settings)
-        : body_(body), clip_(clip), settings_(settings), cameras_(cameraPath(body, clip, settings)) {}
+    FilmScene(const FilmSubject& subject, const FilmSettings& settings)
+        : subject_(subject), settings_(settings), cameras_(cameraPath(subject, settings)) {}
 
     Result<Picture> draw(Offscreen& offscreen, size_t frame) const {
         return offscreen.render(scene(frame), cameras_[frame], settings_.size);
@@ -75,7 +79,9 @@ public:
 
 private:
     Scene scene(size_t frame) const {
-        const Pose& pose = clip_.frames[frame];
+        const MotionClip& clip = subject_.clip;
+        const Pose& pose = clip.frames[frame];
+        const BodyPlaces places = placeBody(clip.skeleton, pose, {}, nullptr);
         Scene scene;
         scene.background = kBackground;
         scene.grid.emplace();
@@ -83,18 +89,34 @@ private:
         scene.grid->line = kGridColor;
         scene.grid->axis_x = kXColor;
         scene.grid->axis_z = kZColor;
-        scene.discs.push_back(softShadow(placeBody(clip_.skeleton, pose, {}, nullptr).box(), kShadowColor));
-        SceneBody drawn;
-        drawn.mesh = body_.mesh();
-        drawn.skin = body_.skinMatrices(pose);
-        drawn.blending = settings_.blending;
-        drawn.color = kBodyColor;
-        scene.bodies.push_back(std::move(drawn));
+        scene.discs.push_back(softShadow(places.box(), kShadowColor));
+        if (subject_.body.mesh())
+            addBody(scene, frame);
+        else
+            addBones(scene, places);
         return scene;
     }
 
-    const MovingBody& body_;
-    const MotionClip& clip_;
+    void addBody(Scene& scene, size_t frame) const {
+        SceneBody drawn;
+        drawn.mesh = subject_.body.mesh();
+        drawn.skin = subject_.skinMatrices(frame);
+        drawn.blending = settings_.blending;
+        drawn.color = kBodyColor;
+        scene.bodies.push_back(std::move(drawn));
+    }
+
+    /// Lines that stay as wide in the picture whatever its size.
+    void addBones(Scene& scene, const BodyPlaces& places) const {
+        const auto width_px = kBoneWidth * static_cast<float>(settings_.size.height_px);
+        for (const BonePlace& bone : places.bones)
+            scene.bones.push_back(
+                {bone.from_m.cast<float>(), bone.to_m.cast<float>(), kBodyColor, width_px, false});
+        for (const Vector3d& p : places.joints.p_world_joint)
+            scene.joints.push_back({p.cast<float>(), width_px, kJointColor});
+    }
+
+    const FilmSubject& subject_;
     const FilmSettings& settings_;
     std::vector<Camera> cameras_;
 };
@@ -147,11 +169,12 @@ struct AsideFilm {
 
 }  // namespace
 
-std::vector<Camera> cameraPath(const MovingBody& body, const MotionClip& clip, const FilmSettings& settings) {
+std::vector<Camera> cameraPath(const FilmSubject& subject, const FilmSettings& settings) {
+    const MotionClip& clip = subject.clip;
     const size_t count = clip.frames.size();
     Eigen::AlignedBox3d way;
     double height_m = 0;
-    for (const Eigen::AlignedBox3d& box : bodyBoxes(body, clip)) {
+    for (const Eigen::AlignedBox3d& box : bodyBoxes(subject)) {
         way.extend(box);
         height_m = std::max(height_m, box.sizes().y());
     }
@@ -177,15 +200,19 @@ std::vector<Camera> cameraPath(const MovingBody& body, const MotionClip& clip, c
     return cameras;
 }
 
-Status writePicture(const std::string& path, const MovingBody& body, const MotionClip& clip, size_t frame,
+Status writePicture(const std::string& path, const FilmSubject& subject, size_t frame,
                     const FilmSettings& settings, bool overwrite) {
     if (const Status free = checkOutputPath(path, overwrite); !free)
         return free;
     auto offscreen = Offscreen::create();
     if (!offscreen)
         return offscreen.error();
+    const MotionClip& clip = subject.clip;
     const MotionClip still{clip.name, clip.skeleton, clip.frame_time_s, {clip.frames[frame]}, {}};
-    const auto picture = FilmScene(body, still, settings).draw(**offscreen, 0);
+    FilmSubject alone{subject.body, still};
+    if (!subject.feet.empty())
+        alone.feet = {subject.feet[frame]};
+    const auto picture = FilmScene(alone, settings).draw(**offscreen, 0);
     if (!picture)
         return picture.error();
     return writeFileAtomically(path, pngBytes(*picture), overwrite, [&](const std::string& aside) -> Status {
@@ -196,18 +223,19 @@ Status writePicture(const std::string& path, const MovingBody& body, const Motio
     });
 }
 
-Status writeFilm(const std::string& path, const MovingBody& body, const MotionClip& clip,
-                 const FilmSettings& settings, bool overwrite, const JobContext& job) {
+Status writeFilm(const std::string& path, const FilmSubject& subject, const FilmSettings& settings,
+                 bool overwrite, const JobContext& job) {
     if (const Status free = checkOutputPath(path, overwrite); !free)
         return free;
     auto offscreen = Offscreen::create();
     if (!offscreen)
         return offscreen.error();
+    const MotionClip& clip = subject.clip;
     const AsideFilm aside{asidePath(path) + std::filesystem::path(path).extension().string()};
     auto writer = VideoWriter::create(aside.path, path, settings.size, 1 / clip.frame_time_s);
     if (!writer)
         return writer.error();
-    const FilmScene scene(body, clip, settings);
+    const FilmScene scene(subject, settings);
     const size_t count = clip.frames.size();
     std::map<size_t, Picture> compared;
     for (size_t f = 0; f < count; ++f) {

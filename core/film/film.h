@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A moving body as a picture or a film, drawn without a window: the same renderer as the studio's view, a
-// body, its shadow and the ground. Written aside, read again and compared before the file gets its name.
+// body (or where there is none the skeleton), its shadow and the ground. Written aside, read again and
+// compared before the file gets its name.
 #pragma once
 
 #include <string>
@@ -26,16 +27,27 @@ struct FilmSettings {
     bool operator==(const FilmSettings&) const = default;
 };
 
+/// Who is seen and what they do.
+struct FilmSubject {
+    const MovingBody& body;  ///< one without a mesh is shown as its skeleton
+    const MotionClip& clip;
+    std::vector<FootCorrections> feet{};  ///< per frame (MovingBody::lockedFeet); empty: none
+
+    std::vector<Eigen::Matrix4f> skinMatrices(size_t frame) const {
+        return body.skinMatrices(clip.frames[frame], feet.empty() ? FootCorrections() : feet[frame]);
+    }
+};
+
 /// Where the camera is in every frame; at least one frame. Deterministic.
-std::vector<Camera> cameraPath(const MovingBody& body, const MotionClip& clip, const FilmSettings& settings);
+std::vector<Camera> cameraPath(const FilmSubject& subject, const FilmSettings& settings);
 
 /// One frame of the clip as PNG; the camera stands as for that pose alone. kUnusable without OpenGL; kUsage
 /// and kDisk as writeFileAtomically().
-Status writePicture(const std::string& path, const MovingBody& body, const MotionClip& clip, size_t frame,
+Status writePicture(const std::string& path, const FilmSubject& subject, size_t frame,
                     const FilmSettings& settings, bool overwrite);
 
 /// The whole clip; its frames are those of the film, whatever the settings' rate. Besides, as VideoWriter.
-Status writeFilm(const std::string& path, const MovingBody& body, const MotionClip& clip,
-                 const FilmSettings& settings, bool overwrite, const JobContext& job);
+Status writeFilm(const std::string& path, const FilmSubject& subject, const FilmSettings& settings,
+                 bool overwrite, const JobContext& job);
 
 }  // namespace noctule

@@ -20,10 +20,17 @@ Eigen::Matrix4d boundAt(const SkinBone& bone, const FbxOptions& options) {
     return matrix;
 }
 
-FbxNode fbxLayers() {
+bool isTextured(const SkinnedMesh& body) {
+    return body.look && body.look->texture;
+}
+
+FbxNode fbxLayers(const SkinnedMesh& body) {
     FbxNode layer("Layer", int32_t{0});
     layer.add(FbxNode("Version", int32_t{100}));
-    for (const char* element : {"LayerElementNormal", "LayerElementMaterial"})
+    std::vector<std::string> elements{"LayerElementNormal", "LayerElementMaterial"};
+    if (isTextured(body))
+        elements.push_back("LayerElementUV");
+    for (const std::string& element : elements)
         layer.add(std::move(
             FbxNode("LayerElement").add(FbxNode("Type", element)).add(FbxNode("TypedIndex", int32_t{0}))));
     return layer;
@@ -40,6 +47,20 @@ FbxNode fbxLayerElement(const std::string& name, int32_t version, const char* ma
     return element;
 }
 
+/// One place in the texture per vertex, which every corner of it names.
+FbxNode fbxTexturePlaces(const SkinnedMesh& body) {
+    std::vector<double> places;
+    for (const SkinnedVertex& vertex : body.vertices)
+        places.insert(places.end(), {static_cast<double>(vertex.uv.x()), static_cast<double>(vertex.uv.y())});
+    std::vector<int32_t> corners;
+    for (const auto& triangle : body.triangles)
+        corners.insert(corners.end(), triangle.begin(), triangle.end());
+    FbxNode element =
+        fbxLayerElement("LayerElementUV", 101, "ByPolygonVertex", "IndexToDirect", FbxNode("UV", places));
+    element.add(FbxNode("UVIndex", corners));
+    return element;
+}
+
 /// The last corner of a polygon is marked by its complement.
 std::vector<FbxNode> fbxGeometry(const SkinnedMesh& body, const FbxOptions& options) {
     std::vector<double> points, normals;
@@ -52,22 +73,47 @@ std::vector<FbxNode> fbxGeometry(const SkinnedMesh& body, const FbxOptions& opti
     for (const auto& [a, b, c] : body.triangles)
         corners.insert(corners.end(),
                        {static_cast<int32_t>(a), static_cast<int32_t>(b), ~static_cast<int32_t>(c)});
-    return {fbxProperties({}),
-            FbxNode("GeometryVersion", int32_t{124}),
-            FbxNode("Vertices", points),
-            FbxNode("PolygonVertexIndex", corners),
-            fbxLayerElement("LayerElementNormal", 101, "ByVertice", "Direct", FbxNode("Normals", normals)),
-            fbxLayerElement("LayerElementMaterial", 101, "AllSame", "IndexToDirect",
-                            FbxNode("Materials", std::vector<int32_t>{0})),
-            fbxLayers()};
+    std::vector<FbxNode> content{
+        fbxProperties({}),
+        FbxNode("GeometryVersion", int32_t{124}),
+        FbxNode("Vertices", points),
+        FbxNode("PolygonVertexIndex", corners),
+        fbxLayerElement("LayerElementNormal", 101, "ByVertice", "Direct", FbxNode("Normals", normals)),
+        fbxLayerElement("LayerElementMaterial", 101, "AllSame", "IndexToDirect",
+                        FbxNode("Materials", std::vector<int32_t>{0}))};
+    if (isTextured(body))
+        content.push_back(fbxTexturePlaces(body));
+    content.push_back(fbxLayers(body));
+    return content;
 }
 
-std::vector<FbxNode> fbxMaterial() {
+std::vector<FbxNode> fbxMaterial(const SurfaceLook& look) {
+    const Eigen::Vector3d color = look.base_color.cast<double>();
     return {FbxNode("Version", int32_t{102}), FbxNode("ShadingModel", "phong"),
             FbxNode("MultiLayer", int32_t{0}),
-            fbxProperties({fbxProperty("DiffuseColor", "Color", "", "A", 0.62, 0.66, 0.72),
+            fbxProperties({fbxProperty("DiffuseColor", "Color", "", "A", color.x(), color.y(), color.z()),
                            fbxProperty("SpecularFactor", "Number", "", "A", 0.1),
                            fbxProperty("ShininessExponent", "Number", "", "A", 10.0)})};
+}
+
+/// The picture stands within the file; its name is for programs that want to put it beside.
+void addFbxTexture(FbxScene& scene, const SurfaceTexture& texture, int64_t material) {
+    const std::string name = "Body." + textureEnding(texture);
+    const int64_t video = scene.add(
+        "Video", "Body", "Video", "Clip",
+        {FbxNode("Type", "Clip"), fbxProperties({fbxProperty("Path", "KString", "XRefUrl", "", name)}),
+         FbxNode("UseMipMap", int32_t{0}), FbxNode("Filename", name), FbxNode("RelativeFilename", name),
+         FbxNode("Content", FbxBytes{texture.file})});
+    const int64_t picture =
+        scene.add("Texture", "Body", "Texture", "",
+                  {FbxNode("Type", "TextureVideoClip"), FbxNode("Version", int32_t{202}),
+                   FbxNode("TextureName", fbxObjectName("Body", "Texture")),
+                   FbxNode("Media", fbxObjectName("Body", "Video")), FbxNode("FileName", name),
+                   FbxNode("RelativeFilename", name), FbxNode("ModelUVTranslation", 0.0, 0.0),
+                   FbxNode("ModelUVScaling", 1.0, 1.0), FbxNode("Texture_Alpha_Source", "None"),
+                   FbxNode("Cropping", int32_t{0}, int32_t{0}, int32_t{0}, int32_t{0})});
+    scene.connect(video, picture);
+    scene.connect(picture, material, "DiffuseColor");
 }
 
 std::vector<FbxNode> fbxCluster(const SkinnedMesh& body, size_t bone, const FbxOptions& options) {
@@ -117,7 +163,11 @@ void addFbxBody(FbxScene& scene, const Figure& figure, const FbxOptions& options
                                     FbxNode("Shading", true), FbxNode("Culling", "CullingOff")});
     scene.connect(mesh, FbxScene::kTop);
     scene.connect(geometry, mesh);
-    scene.connect(scene.add("Material", "Body", "Material", "", fbxMaterial()), mesh);
+    const SurfaceLook look = body.look.value_or(SurfaceLook());
+    const int64_t material = scene.add("Material", "Body", "Material", "", fbxMaterial(look));
+    scene.connect(material, mesh);
+    if (look.texture)
+        addFbxTexture(scene, *look.texture, material);
     const int64_t skin = scene.add("Deformer", "Body", "Deformer", "Skin",
                                    {FbxNode("Version", int32_t{101}), FbxNode("Link_DeformAcuracy", 50.0),
                                     FbxNode("SkinningType", "Linear")});

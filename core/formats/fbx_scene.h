@@ -61,7 +61,7 @@ std::vector<int64_t> addFbxSkeleton(FbxScene& scene, const Figure& figure, const
 /// Mesh, skin and bind pose; nothing without a body. `models` as from addFbxSkeleton.
 void addFbxBody(FbxScene& scene, const Figure& figure, const FbxOptions& options,
                 const std::vector<int64_t>& models);
-/// One stack with the clip's name; nothing without frames.
+/// A stack with the clip's name; nothing without frames. Called again for each further motion.
 void addFbxAnimation(FbxScene& scene, const Figure& figure, const FbxOptions& options,
                      const std::vector<int64_t>& models);
 

@@ -61,6 +61,10 @@ Result<Figure> makeFigure(MotionClip clip, std::optional<SkinnedMesh> body, Join
     return figure;
 }
 
+std::string textureEnding(const SurfaceTexture& texture) {
+    return texture.file.starts_with("\x89PNG") ? "png" : "jpg";
+}
+
 float weightOn(const SkinnedVertex& vertex, size_t bone) {
     float weight = 0;
     for (size_t i = 0; i < vertex.bones.size(); ++i)

@@ -39,6 +39,9 @@ Status checkFinite(const MotionClip& clip);
 /// and bones get their names. kUnusable when the clip holds anything that is not finite.
 Result<Figure> makeFigure(MotionClip clip, std::optional<SkinnedMesh> body, JointNames names);
 
+/// "png" or "jpg".
+std::string textureEnding(const SurfaceTexture& texture);
+
 /// How much a vertex hangs on a bone in all; one bone may be named twice. 0: not at all.
 float weightOn(const SkinnedVertex& vertex, size_t bone);
 

@@ -6,6 +6,7 @@
 #include <assimp/scene.h>
 
 #include <assimp/Exporter.hpp>
+#include <cstring>
 #include <map>
 #include <memory>
 
@@ -49,6 +50,12 @@ std::unique_ptr<aiMesh> meshOf(const SkinnedMesh& mesh) {
         result->mVertices[v] = toAssimp(mesh.vertices[v].p_m);
         result->mNormals[v] = toAssimp(mesh.vertices[v].normal);
     }
+    if (mesh.look && mesh.look->texture) {
+        result->mNumUVComponents[0] = 2;
+        result->mTextureCoords[0] = new aiVector3D[mesh.vertices.size()];
+        for (size_t v = 0; v < mesh.vertices.size(); ++v)
+            result->mTextureCoords[0][v] = {mesh.vertices[v].uv.x(), mesh.vertices[v].uv.y(), 0};
+    }
     result->mNumFaces = static_cast<unsigned>(mesh.triangles.size());
     result->mFaces = new aiFace[mesh.triangles.size()];
     for (size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -86,14 +93,29 @@ void addBoneNodes(aiNode& top, const std::vector<SkinBone>& bones, const Skeleto
     }
 }
 
-std::unique_ptr<aiMaterial> skinMaterial() {
+std::unique_ptr<aiMaterial> skinMaterial(const SurfaceLook& look) {
     auto material = std::make_unique<aiMaterial>();
-    const aiColor4D grey(0.62F, 0.66F, 0.72F, 1);
+    const aiColor4D color(look.base_color.x(), look.base_color.y(), look.base_color.z(), 1);
     const float metallic = 0, roughness = 0.8F;
-    material->AddProperty(&grey, 1, AI_MATKEY_BASE_COLOR);
+    material->AddProperty(&color, 1, AI_MATKEY_BASE_COLOR);
+    if (look.texture) {
+        const aiString first("*0");
+        material->AddProperty(&first, AI_MATKEY_TEXTURE(aiTextureType_BASE_COLOR, 0));
+    }
     material->AddProperty(&metallic, 1, AI_MATKEY_METALLIC_FACTOR);
     material->AddProperty(&roughness, 1, AI_MATKEY_ROUGHNESS_FACTOR);
     return material;
+}
+
+/// As it came, within the file.
+std::unique_ptr<aiTexture> embedded(const SurfaceTexture& texture) {
+    auto result = std::make_unique<aiTexture>();
+    const size_t words = (texture.file.size() + sizeof(aiTexel) - 1) / sizeof(aiTexel);
+    result->mWidth = static_cast<unsigned>(texture.file.size());
+    result->pcData = new aiTexel[words];
+    std::memcpy(static_cast<void*>(result->pcData), texture.file.data(), texture.file.size());
+    std::strcpy(result->achFormatHint, textureEnding(texture).c_str());
+    return result;
 }
 
 /// Keys stand in seconds. Neighbouring quaternions are on the same side, so that any reader turns the short
@@ -142,7 +164,12 @@ std::unique_ptr<aiScene> sceneOf(const SkinnedMesh* mesh, const MotionClip& clip
     scene->mRootNode = new aiNode(nameBesideJoints(clip.skeleton, "Mannequin"));
     if (mesh) {
         scene->mNumMaterials = 1;
-        scene->mMaterials = new aiMaterial* [1] { skinMaterial().release() };
+        scene->mMaterials =
+            new aiMaterial* [1] { skinMaterial(mesh->look.value_or(SurfaceLook())).release() };
+        if (mesh->look && mesh->look->texture) {
+            scene->mNumTextures = 1;
+            scene->mTextures = new aiTexture* [1] { embedded(*mesh->look->texture).release() };
+        }
         scene->mNumMeshes = 1;
         scene->mMeshes = new aiMesh* [1] { meshOf(*mesh).release() };
         scene->mRootNode->mNumMeshes = 1;

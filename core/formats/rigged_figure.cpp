@@ -77,8 +77,8 @@ public:
 
     Pose rest() const { return poseOf(rest_); }
 
-    Pose pose(const Pose& source) const {
-        const std::vector<Eigen::Isometry3d> motions = retargeter_.motions(source);
+    Pose pose(const Pose& source, const FootCorrections& feet) const {
+        const std::vector<Eigen::Isometry3d> motions = retargeter_.motions(source, feet);
         const Eigen::Isometry3d lying(Matrix3d(retargeter_.upright().transpose()));
         std::vector<Eigen::Isometry3d> frames;
         for (size_t j = 0; j < rest_.size(); ++j)
@@ -161,7 +161,8 @@ private:
 }  // namespace
 
 Result<Figure> riggedFigure(const MotionClip& clip, const std::vector<std::vector<float>>& confidence,
-                            const WearableBody& body, JointNames names) {
+                            const WearableBody& body, JointNames names,
+                            const std::vector<FootCorrections>& feet) {
     if (const Status finite = checkFinite(clip); !finite)
         return finite.error();
     const auto retargeter =
@@ -175,8 +176,8 @@ Result<Figure> riggedFigure(const MotionClip& clip, const std::vector<std::vecto
     Figure figure;
     figure.clip.name = clip.name;
     figure.clip.frame_time_s = clip.frame_time_s;
-    for (const Pose& pose : clip.frames)
-        figure.clip.frames.push_back(rigged.pose(pose));
+    for (size_t f = 0; f < clip.frames.size(); ++f)
+        figure.clip.frames.push_back(rigged.pose(clip.frames[f], feet.empty() ? FootCorrections() : feet[f]));
     figure.body = rigged.skin(*skeleton);
     figure.rest = rigged.rest();
     figure.clip.skeleton = std::move(*skeleton);

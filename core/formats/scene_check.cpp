@@ -20,6 +20,21 @@ std::vector<std::string> jointNamesOf(const Skeleton& skeleton) {
     return names;
 }
 
+/// Colour, texture and where it lies; empty: as they should be.
+std::string otherLookThan(const SkinnedMesh& body, const SceneMotion& file) {
+    if (!(file.base_color - body.look->base_color).isZero(1e-5F))
+        return "its body has another colour";
+    if (!body.look->texture)
+        return {};
+    if (file.texture != body.look->texture->file)
+        return "its texture is another";
+    for (size_t t = 0; t < body.triangles.size(); ++t)
+        for (size_t i = 0; i < 3; ++i)
+            if (!(file.corners[file.faces[t][i]].uv - body.vertices[body.triangles[t][i]].uv).isZero(1e-5F))
+                return "its texture lies elsewhere";
+    return {};
+}
+
 /// What is wrong with the whole of it, before places are compared; empty: nothing.
 std::string otherThan(const Figure& figure, const SceneMotion& file) {
     const MotionClip& wanted = figure.clip;
@@ -31,12 +46,10 @@ std::string otherThan(const Figure& figure, const SceneMotion& file) {
         std::abs(file.clip.frame_time_s / wanted.frame_time_s - 1) * static_cast<double>(frames - 1);
     if (off_frames > kRateOff_frames)
         return "it runs at another frame rate";
-    if (!file.clip.name.empty() && file.clip.name != wanted.name)
-        return "its motion is called " + file.clip.name;
     if (figure.body && file.faces.size() != figure.body->triangles.size())
         return "its body has " + std::to_string(file.faces.size()) + " triangles instead of " +
                std::to_string(figure.body->triangles.size());
-    return {};
+    return figure.body && figure.body->look ? otherLookThan(*figure.body, file) : std::string();
 }
 
 /// What is no number is larger than any.
@@ -67,11 +80,9 @@ double largestVertex_m(const Figure& figure, const SceneMotion& file, size_t fra
     return largest_m;
 }
 
-}  // namespace
-
-Result<SceneDifference> compareScene(const std::string& path, const std::string& where, SceneFormat format,
-                                     const Figure& figure) {
-    const auto file = readSceneMotion(path, where, format, jointNamesOf(figure.clip.skeleton));
+Result<SceneDifference> compareMotion(const SceneFile& scene, const std::string& where,
+                                      const Figure& figure) {
+    const auto file = scene.read(jointNamesOf(figure.clip.skeleton), figure.clip.name);
     if (!file)
         return file.error();
     if (const std::string wrong = otherThan(figure, *file); !wrong.empty())
@@ -88,15 +99,32 @@ Result<SceneDifference> compareScene(const std::string& path, const std::string&
     return difference;
 }
 
+Error notTheSame(const std::string& where, const std::string& why) {
+    return {ErrorKind::kDisk, where + ": what was written does not read back the same" + why,
+            "Check the disk and try again"};
+}
+
+}  // namespace
+
+Result<SceneDifference> compareScene(const std::string& path, const std::string& where, SceneFormat format,
+                                     const Figure& figure) {
+    const auto scene = SceneFile::open(path, where, format);
+    return scene ? compareMotion(*scene, where, figure) : Result<SceneDifference>(scene.error());
+}
+
 Status checkScene(const std::string& path, const std::string& where, SceneFormat format,
-                  const Figure& figure) {
-    const auto difference = compareScene(path, where, format, figure);
-    if (difference && difference->joint_m <= kSceneLimit_m && difference->vertex_m <= kSceneLimit_m)
-        return Done{};
-    return Error{ErrorKind::kDisk,
-                 where + ": what was written does not read back the same" +
-                     (difference ? "" : " (" + difference.error().message + ")"),
-                 "Check the disk and try again"};
+                  std::span<const Figure> figures) {
+    const auto scene = SceneFile::open(path, where, format);
+    if (!scene)
+        return notTheSame(where, " (" + scene.error().message + ")");
+    for (const Figure& figure : figures) {
+        const auto difference = compareMotion(*scene, where, figure);
+        if (!difference)
+            return notTheSame(where, " (" + difference.error().message + ")");
+        if (!(difference->joint_m <= kSceneLimit_m && difference->vertex_m <= kSceneLimit_m))
+            return notTheSame(where, "");
+    }
+    return Done{};
 }
 
 }  // namespace noctule

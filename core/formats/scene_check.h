@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A written scene file (FBX, GLB) is opened again (scene_reader.h) and held against the figure it should
-// hold: every joint in every frame, the skin in some.
+// hold: every joint in every frame, the skin in some. A file of several motions against a figure of each.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "core/formats/figure.h"
@@ -20,13 +21,17 @@ struct SceneDifference {
 /// What float32 explains, with room to spare: a metre turned often is a few micrometres off.
 inline constexpr double kSceneLimit_m = 5e-5;
 
-/// kUnreadable when the file cannot be read, or when joints, name, frames or triangles in it are not the
-/// figure's; `where` names it in errors.
+/// kUnreadable when the file cannot be read, or when joints, frames or triangles in it are not the figure's,
+/// or no motion has its name; `where` names it in errors.
 Result<SceneDifference> compareScene(const std::string& path, const std::string& where, SceneFormat format,
                                      const Figure& figure);
 
 /// The same as a verdict: kDisk when anything is further off than kSceneLimit_m.
 Status checkScene(const std::string& path, const std::string& where, SceneFormat format,
-                  const Figure& figure);
+                  std::span<const Figure> figures);
+inline Status checkScene(const std::string& path, const std::string& where, SceneFormat format,
+                         const Figure& figure) {
+    return checkScene(path, where, format, {&figure, 1});
+}
 
 }  // namespace noctule

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/formats/scene_reader.h"
 
+#include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -43,7 +44,9 @@ class SceneReader {
 public:
     SceneReader(const aiScene& scene, const std::string& where) : scene_(scene), where_(where) {}
 
-    Result<SceneMotion> read(const std::vector<std::string>& joints) {
+    Result<SceneMotion> read(const std::vector<std::string>& joints, const std::string& motion) {
+        if (const Status chosen = chooseMotion(motion); !chosen)
+            return chosen.error();
         for (Status (SceneReader::*step)(const std::vector<std::string>&) :
              {&SceneReader::readUnit, &SceneReader::readJoints, &SceneReader::readChannels,
               &SceneReader::readFrames, &SceneReader::readSkin})
@@ -55,6 +58,17 @@ public:
 private:
     Error odd(const std::string& what) const {
         return {ErrorKind::kUnreadable, where_ + ": " + what, "Write the file again"};
+    }
+
+    /// One without a name is any.
+    Status chooseMotion(const std::string& name) {
+        for (unsigned a = 0; a < scene_.mNumAnimations && !animation_; ++a) {
+            const std::string called = scene_.mAnimations[a]->mName.C_Str();
+            if (name.empty() || called.empty() || called == name)
+                animation_ = scene_.mAnimations[a];
+        }
+        const bool is_still = scene_.mNumAnimations == 0;
+        return animation_ || is_still ? Status(Done{}) : Status(odd("no motion in it is called " + name));
     }
 
     /// FBX says both; glTF is in metres with Y up.
@@ -102,9 +116,9 @@ private:
 
     Status readChannels(const std::vector<std::string>& names) {
         channels_.assign(names.size(), nullptr);
-        if (scene_.mNumAnimations == 0)
+        if (!animation_)
             return Done{};
-        const aiAnimation& animation = *scene_.mAnimations[0];
+        const aiAnimation& animation = *animation_;
         motion_.clip.name = animation.mName.C_Str();
         for (unsigned c = 0; c < animation.mNumChannels; ++c) {
             const aiNodeAnim& channel = *animation.mChannels[c];
@@ -134,7 +148,7 @@ private:
             if (std::abs(keys[k].mTime / step - k) > kTimeOff_frames)
                 return odd("frame " + std::to_string(k + 1) + " stands at another time");
         frames_ = count;
-        motion_.clip.frame_time_s = step / scene_.mAnimations[0]->mTicksPerSecond;
+        motion_.clip.frame_time_s = step / animation_->mTicksPerSecond;
         return Done{};
     }
 
@@ -179,6 +193,10 @@ private:
         motion_.corners.resize(mesh.mNumVertices);
         for (unsigned v = 0; v < mesh.mNumVertices; ++v)
             motion_.corners[v].p_m = toVector(mesh.mVertices[v]) * metres_per_unit_;
+        for (unsigned v = 0; mesh.mTextureCoords[0] && v < mesh.mNumVertices; ++v)
+            motion_.corners[v].uv = {mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y};
+        if (mesh.mMaterialIndex < scene_.mNumMaterials)
+            readLook(*scene_.mMaterials[mesh.mMaterialIndex]);
         for (unsigned b = 0; b < mesh.mNumBones; ++b) {
             const aiBone& bone = *mesh.mBones[b];
             const auto name = std::find(names.begin(), names.end(), bone.mName.C_Str());
@@ -198,8 +216,22 @@ private:
         return Done{};
     }
 
+    void readLook(const aiMaterial& material) {
+        aiColor4D color;
+        if (material.Get(AI_MATKEY_BASE_COLOR, color) == AI_SUCCESS ||
+            material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS)
+            motion_.base_color = {color.r, color.g, color.b};
+        aiString named;
+        for (const aiTextureType kind : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE})
+            if (material.GetTexture(kind, 0, &named) == AI_SUCCESS)
+                if (const aiTexture* picture = scene_.GetEmbeddedTexture(named.C_Str());
+                    picture && picture->mHeight == 0)
+                    motion_.texture.assign(reinterpret_cast<const char*>(picture->pcData), picture->mWidth);
+    }
+
     const aiScene& scene_;
     const std::string& where_;
+    const aiAnimation* animation_ = nullptr;  ///< nullptr: the file holds none
     double metres_per_unit_ = 1;
     std::vector<const aiNode*> nodes_;         ///< per joint
     std::vector<const aiNodeAnim*> channels_;  ///< per joint; nullptr: stands still
@@ -229,19 +261,28 @@ std::vector<Vector3d> SceneMotion::skinned_m(size_t frame) const {
     return points_m;
 }
 
-Result<SceneMotion> readSceneMotion(const std::string& path, const std::string& where, SceneFormat format,
-                                    const std::vector<std::string>& joints) {
+SceneFile::SceneFile(std::unique_ptr<Assimp::Importer> importer, std::string where)
+    : importer_(std::move(importer)), where_(std::move(where)) {}
+SceneFile::SceneFile(SceneFile&&) noexcept = default;
+SceneFile& SceneFile::operator=(SceneFile&&) noexcept = default;
+SceneFile::~SceneFile() = default;
+
+Result<SceneFile> SceneFile::open(const std::string& path, const std::string& where, SceneFormat format) {
     const auto bytes = readWholeFile(path);
     if (!bytes)
         return bytes.error();
-    Assimp::Importer importer;
-    const aiScene* scene = importer.ReadFileFromMemory(bytes->data(), bytes->size(), 0,
-                                                       format == SceneFormat::kFbx ? "fbx" : "glb");
+    auto importer = std::make_unique<Assimp::Importer>();
+    const aiScene* scene = importer->ReadFileFromMemory(bytes->data(), bytes->size(), 0,
+                                                        format == SceneFormat::kFbx ? "fbx" : "glb");
     if (!scene || !scene->mRootNode)
         return Error{ErrorKind::kUnreadable,
-                     where + ": it cannot be read again (" + importer.GetErrorString() + ")",
+                     where + ": it cannot be read again (" + importer->GetErrorString() + ")",
                      "Write the file again"};
-    return SceneReader(*scene, where).read(joints);
+    return SceneFile(std::move(importer), where);
+}
+
+Result<SceneMotion> SceneFile::read(const std::vector<std::string>& joints, const std::string& motion) const {
+    return SceneReader(*importer_->GetScene(), where_).read(joints, motion);
 }
 
 }  // namespace noctule

@@ -2,17 +2,21 @@
 #include "core/job/atomic_file.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 
 namespace noctule {
 namespace {
+
+constexpr const char* kAsideEnding = ".partial";
 
 std::string folderOf(const std::string& path) {
     const std::string folder = std::filesystem::path(path).parent_path().string();
@@ -91,7 +95,7 @@ std::string asideName(const std::string& path) {
     const std::filesystem::path target(path);
     std::string name = ".";
     name += target.filename().string() + "." + std::to_string(::getpid()) + "-" + std::to_string(count++);
-    name += ".partial";
+    name += kAsideEnding;
     return (target.parent_path() / name).string();
 }
 
@@ -153,6 +157,23 @@ Status checkOutputPath(const std::string& path, bool overwrite) {
 
 std::string asidePath(const std::string& path) {
     return asideName(path);
+}
+
+void removeAbandoned(const std::string& path) {
+    const std::filesystem::path target(path);
+    const std::string begin = "." + target.filename().string() + ".";
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folderOf(path), ignored)) {
+        const std::string name = entry.path().filename().string();
+        const char* number = name.c_str() + begin.size();
+        char* end = nullptr;
+        if (!name.starts_with(begin) || name.find(kAsideEnding) == std::string::npos)
+            continue;
+        const long writer = std::strtol(number, &end, 10);
+        if (end != number && *end == '-' && writer > 0 && ::kill(static_cast<pid_t>(writer), 0) != 0 &&
+            errno == ESRCH)
+            std::filesystem::remove(entry.path(), ignored);
+    }
 }
 
 Status publishFile(const std::string& aside_path, const std::string& path, bool overwrite) {

@@ -27,6 +27,9 @@ Status writeFileAtomically(const std::string& path, std::string_view content, bo
 /// or in another process, uses it.
 std::string asidePath(const std::string& path);
 
+/// Removes what writers of `path` left beside it when they were killed; what a living process writes stays.
+void removeAbandoned(const std::string& path);
+
 /// Syncs a finished file and renames it to `path` in the same folder; for files that something else writes,
 /// such as a database. The file aside stays when this fails.
 Status publishFile(const std::string& aside_path, const std::string& path, bool overwrite);

@@ -40,7 +40,7 @@ void weld(SkinnedMesh& skin) {
         bool operator()(const SkinnedVertex* a, const SkinnedVertex* b) const {
             const auto key = [](const SkinnedVertex& v) {
                 return std::tuple(v.p_m.x(), v.p_m.y(), v.p_m.z(), v.normal.x(), v.normal.y(), v.normal.z(),
-                                  v.bones, v.weights);
+                                  v.bones, v.weights, v.uv.x(), v.uv.y());
             };
             return key(*a) < key(*b);
         }
@@ -90,6 +90,7 @@ Result<RiggedMesh> fromScene(const aiScene& scene, const std::string& path,
     importNodes(import);
     if (const Status skin = importSkin(import); !skin)
         return skin.error();
+    importLook(import, settings.decode);
     findRestPose(import.mesh);
     if (const Status clips = importClips(import); !clips)
         return clips.error();

@@ -12,10 +12,14 @@
 
 namespace noctule {
 
+/// Makes `rgba` of a texture's file; without success it stays empty.
+using TextureDecoder = void (*)(SurfaceTexture& texture);
+
 struct MeshImportSettings {
     /// Metres per unit of the file. Absent: what the file says. OBJ and PLY say nothing: then the usual unit
     /// that makes the figure as tall as a person, metres when none does.
     std::optional<double> unit_m;
+    TextureDecoder decode = nullptr;  ///< null: textures are carried, but cannot be drawn
 };
 
 /// Checked by checkRiggedMesh(). At most four weights per vertex, normalised; vertices without weights in a

@@ -164,7 +164,7 @@ Result<RiggedMesh> importMeshApart(const std::string& path, const MeshImportSett
     return meshFromBytes(bytes, path);
 }
 
-int runMeshReader(const std::vector<std::string>& arguments) {
+int runMeshReader(const std::vector<std::string>& arguments, TextureDecoder decode) {
     double unit_m = 0;
     unsigned seconds = 0;
     size_t memory_mb = 0;
@@ -174,6 +174,7 @@ int runMeshReader(const std::vector<std::string>& arguments) {
     limitMyself(seconds, memory_mb);
     try {
         MeshImportSettings settings;
+        settings.decode = decode;
         if (unit_m > 0)
             settings.unit_m = unit_m;
         const std::string bytes = toBytes(importMesh(arguments[0], settings));

@@ -30,6 +30,6 @@ Result<RiggedMesh> importMeshApart(const std::string& path, const MeshImportSett
 
 /// The reader itself: PATH UNIT_M SECONDS MEMORY_MB (UNIT_M 0: what the file says), bytes to standard output.
 /// Returns the exit code.
-int runMeshReader(const std::vector<std::string>& arguments);
+int runMeshReader(const std::vector<std::string>& arguments, TextureDecoder decode);
 
 }  // namespace noctule

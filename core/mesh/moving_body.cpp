@@ -38,16 +38,20 @@ Result<MovingBody> MovingBody::of(std::shared_ptr<const WearableBody> body, cons
     return moving;
 }
 
-std::vector<Eigen::Matrix4f> MovingBody::skinMatrices(const Pose& pose) const {
+std::vector<Eigen::Matrix4f> MovingBody::skinMatrices(const Pose& pose, const FootCorrections& feet) const {
     if (!mesh_)
         return {};
     if (!body_)
         return noctule::skinMatrices(*mesh_, performer_, globalPose(performer_, pose));
-    std::vector<Eigen::Matrix4f> matrices = noctule::skinMatrices(body_->mesh, retargeter_->pose(pose));
+    std::vector<Eigen::Matrix4f> matrices = noctule::skinMatrices(body_->mesh, retargeter_->pose(pose, feet));
     const auto larger = static_cast<float>(1 / retargeter_->scale());
     for (Eigen::Matrix4f& matrix : matrices)
         matrix.topRows<3>() *= larger;
     return matrices;
+}
+
+std::vector<FootCorrections> MovingBody::lockedFeet(const StandingFeet& feet) const {
+    return retargeter_ ? lockFeet(*retargeter_, feet) : std::vector<FootCorrections>();
 }
 
 }  // namespace noctule

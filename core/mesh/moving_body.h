@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/mesh/retarget.h"
+#include "core/mesh/foot_lock.h"
 #include "core/mesh/skinning.h"
 #include "core/mesh/wearable.h"
 
@@ -24,7 +24,9 @@ public:
     /// The same pointer as long as the body lives, so that it is uploaded once; null of an empty one.
     const std::shared_ptr<const SkinnedMesh>& mesh() const { return mesh_; }
     /// Per bone of the mesh, mesh -> world.
-    std::vector<Eigen::Matrix4f> skinMatrices(const Pose& pose) const;
+    std::vector<Eigen::Matrix4f> skinMatrices(const Pose& pose, const FootCorrections& feet = {}) const;
+    /// As lockFeet(); nothing for ours, whose legs are the performer's.
+    std::vector<FootCorrections> lockedFeet(const StandingFeet& feet) const;
 
 private:
     Skeleton performer_;

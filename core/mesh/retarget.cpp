@@ -89,7 +89,6 @@ public:
 
     /// Both soles at rest: theirs where they stand, ours in the frame of our foot.
     struct Soles {
-        int node, joint;
         std::array<Vector3d, 2> theirs, ours_m;
     };
     Soles soles(const std::string& side, const Matrix3d& R_ours_theirs, double ground) const {
@@ -103,7 +102,7 @@ public:
         const double scale = legLength(true) / legLength(false);
         const Vector3d p_tip =
             has(toe) ? Vector3d(R_ours_theirs * theirs(toe)) : Vector3d(p_ankle + scale * (p_toes - p_foot));
-        Soles made{node(foot), joint, solePoints(p_ankle, p_tip, ground), solePoints(p_foot, p_toes, 0)};
+        Soles made{solePoints(p_ankle, p_tip, ground), solePoints(p_foot, p_toes, 0)};
         for (Vector3d& p : made.theirs)
             p = R_ours_theirs.transpose() * p;
         for (Vector3d& p_m : made.ours_m)
@@ -203,8 +202,25 @@ Result<Retargeter> Retargeter::make(const RiggedMesh& target, const BoneMap& map
     made.upright_ = rest.facing();
     const double ground = groundOf(target, made.upright_);
     for (size_t side = 0; side < 2; ++side) {
-        const auto soles = rest.soles(side == 0 ? "Left" : "Right", made.upright_, ground);
-        made.soles_[side] = {soles.node, soles.joint, soles.theirs, soles.ours_m};
+        const std::string name = side == 0 ? "Left" : "Right";
+        const auto soles = rest.soles(name, made.upright_, ground);
+        Leg& leg = made.legs_[side];
+        leg = {rest.node(name + "UpLeg"),
+               rest.node(name + "Leg"),
+               rest.node(name + "Foot"),
+               findByAnyName(source, name + "Leg"),
+               findByAnyName(source, name + "Foot"),
+               soles.theirs,
+               soles.ours_m};
+        for (size_t n = 0; n < target.nodes.size(); ++n) {
+            const int node = static_cast<int>(n), parent = target.nodes[n].parent;
+            made.leg_parts_[side].push_back(node == leg.thigh  ? LegPart::kThigh
+                                            : node == leg.shin ? LegPart::kShin
+                                            : node == leg.foot ? LegPart::kFoot
+                                            : parent < 0
+                                                ? LegPart::kNone
+                                                : made.leg_parts_[side][static_cast<size_t>(parent)]);
+        }
     }
     return made;
 }
@@ -233,25 +249,99 @@ std::vector<Eigen::Isometry3d> Retargeter::turned(const GlobalPose& source, cons
     return motions;
 }
 
-std::vector<Eigen::Isometry3d> Retargeter::motions(const Pose& source) const {
-    const GlobalPose global = globalPose(source_, source);
-    std::vector<Eigen::Isometry3d> motions = turned(global, scale_ * source.p_world_root);
-    double ours_m = 1e9, theirs = 1e9;
-    for (const Sole& sole : soles_)
-        for (size_t i = 0; i < sole.p_rest.size(); ++i) {
-            const auto joint = static_cast<size_t>(sole.joint);
-            const Vector3d p_m =
-                global.p_world_joint[joint] + global.q_world_joint[joint] * sole.p_joint_m[i];
-            ours_m = std::min(ours_m, p_m.y());
-            theirs = std::min(theirs, (motions[static_cast<size_t>(sole.node)] * sole.p_rest[i]).y());
+LegPlaces Retargeter::placesOf(const Leg& leg, const GlobalPose& source,
+                               const std::vector<Eigen::Isometry3d>& motions) const {
+    const auto at = [&](int node) -> Vector3d {
+        return motions[static_cast<size_t>(node)] * rest_[static_cast<size_t>(node)].translation();
+    };
+    LegPlaces places{at(leg.thigh), at(leg.shin), at(leg.foot), {}, {}, {}};
+    places.knee_axis = source.q_world_joint[static_cast<size_t>(leg.shin_joint)] * Vector3d::UnitX();
+    const auto foot = static_cast<size_t>(leg.foot_joint);
+    for (size_t i = 0; i < 2; ++i) {
+        places.sole[i] = motions[static_cast<size_t>(leg.foot)] * leg.p_rest[i];
+        places.sole_ours[i] = source.p_world_joint[foot] + source.q_world_joint[foot] * leg.p_joint_m[i];
+    }
+    return places;
+}
+
+/// The lowest sole as high above the ground as our lowest.
+std::vector<Eigen::Isometry3d> Retargeter::onGround(const GlobalPose& source) const {
+    std::vector<Eigen::Isometry3d> motions = turned(source, scale_ * source.p_world_joint[0]);
+    double ours = 1e9, theirs = 1e9;
+    for (const Leg& leg : legs_) {
+        const LegPlaces places = placesOf(leg, source, motions);
+        for (size_t i = 0; i < 2; ++i) {
+            ours = std::min(ours, places.sole_ours[i].y());
+            theirs = std::min(theirs, places.sole[i].y());
         }
+    }
     for (Eigen::Isometry3d& motion : motions)
-        motion.translation().y() += scale_ * ours_m - theirs;
+        motion.translation().y() += scale_ * ours - theirs;
     return motions;
 }
 
-RigPose Retargeter::pose(const Pose& source) const {
-    const std::vector<Eigen::Isometry3d> moved = motions(source);
+/// Turns the shin about the knee, then the leg about the hip until it points at the ankle's new place; the
+/// foot keeps its direction.
+void Retargeter::bend(size_t side, const LegPlaces& places, const Vector3d& shift, double knee_rad,
+                      std::vector<Eigen::Isometry3d>& motions) const {
+    const auto about = [](const Vector3d& p, const Quaterniond& q) -> Eigen::Isometry3d {
+        return Eigen::Translation3d(p) * q * Eigen::Translation3d(-p);
+    };
+    const Eigen::Isometry3d knee = about(places.knee, axisAngle(places.knee_axis, knee_rad));
+    const Vector3d bent = knee * places.ankle;
+    const Eigen::Isometry3d hip =
+        about(places.hip, smallestRotation(bent - places.hip, places.ankle + shift - places.hip));
+    const Eigen::Isometry3d foot(Eigen::Translation3d(hip * bent - places.ankle));
+    for (size_t n = 0; n < motions.size(); ++n)
+        switch (leg_parts_[side][n]) {
+            case LegPart::kNone:
+                break;
+            case LegPart::kThigh:
+                motions[n] = hip * motions[n];
+                break;
+            case LegPart::kShin:
+                motions[n] = hip * knee * motions[n];
+                break;
+            case LegPart::kFoot:
+                motions[n] = foot * motions[n];
+                break;
+        }
+}
+
+double LegPlaces::kneeTurn(const Vector3d& shift) const {
+    if (shift == Vector3d::Zero())
+        return 0;
+    const Vector3d up = hip - knee, down = ankle - knee, n = knee_axis;
+    // up . R(n, turn) down = a cos(turn) + b sin(turn) + c, which the law of cosines wants to be `wanted`
+    const double c = up.dot(n) * down.dot(n), a = up.dot(down) - c, b = up.dot(n.cross(down));
+    const double wanted = (up.squaredNorm() + down.squaredNorm() - (ankle + shift - hip).squaredNorm()) / 2;
+    const double across = std::hypot(a, b);
+    if (across < 1e-9)
+        return 0;
+    const double folded = std::atan2(b, a), reach = std::acos(std::clamp((wanted - c) / across, -1.0, 1.0));
+    return (folded < 0 ? -1 : 1) * (std::abs(folded) - reach);
+}
+
+std::vector<Eigen::Isometry3d> Retargeter::motions(const Pose& source, const FootCorrections& feet) const {
+    const GlobalPose global = globalPose(source_, source);
+    std::vector<Eigen::Isometry3d> motions = onGround(global);
+    for (size_t side = 0; side < 2; ++side) {
+        const FootCorrection& foot = feet[side];
+        if (foot.p_root != Vector3d::Zero() || foot.knee_rad != 0)
+            bend(side, placesOf(legs_[side], global, motions), global.q_world_joint[0] * foot.p_root,
+                 foot.knee_rad, motions);
+    }
+    return motions;
+}
+
+std::array<LegPlaces, 2> Retargeter::legs(const Pose& source, const FootCorrections& feet) const {
+    const GlobalPose global = globalPose(source_, source);
+    const std::vector<Eigen::Isometry3d> moved = motions(source, feet);
+    return {placesOf(legs_[0], global, moved), placesOf(legs_[1], global, moved)};
+}
+
+RigPose Retargeter::pose(const Pose& source, const FootCorrections& feet) const {
+    const std::vector<Eigen::Isometry3d> moved = motions(source, feet);
     RigPose pose = rest_;
     for (size_t n = 0; n < pose.size(); ++n)
         pose[n] = moved[n] * rest_[n];

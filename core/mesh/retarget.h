@@ -7,11 +7,30 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "core/body/skeleton.h"
 #include "core/mesh/bone_map.h"
 
 namespace noctule {
+
+/// One leg of the target in a pose, and where our own sole is; the target's world and metres, ours in ours.
+struct LegPlaces {
+    Vector3d hip, knee, ankle;
+    Vector3d knee_axis;                       ///< of our knee; the shin bends about it
+    std::array<Vector3d, 2> sole, sole_ours;  ///< below the ankle and at the toes
+
+    /// By how much the knee has to turn so that the leg reaches from its hip to the ankle moved by `shift`;
+    /// as near as a stretched leg comes.
+    double kneeTurn(const Vector3d& shift) const;
+};
+
+/// What a leg does on top of a pose, so that its foot gets elsewhere; see foot_lock.h.
+struct FootCorrection {
+    Vector3d p_root = Vector3d::Zero();  ///< way of the ankle in the frame of our root, the target's metres
+    double knee_rad = 0;                 ///< turn of the shin about our knee's axis
+};
+using FootCorrections = std::array<FootCorrection, 2>;  ///< left, right
 
 class Retargeter {
 public:
@@ -21,10 +40,12 @@ public:
                                    const std::string& where);
 
     /// World transforms of the target's nodes; its soles' ground is y = 0.
-    RigPose pose(const Pose& source) const;
+    RigPose pose(const Pose& source, const FootCorrections& feet = {}) const;
     /// The same as what moves every node there from its rest pose: pose = motion * rest. Rigid, whatever the
     /// nodes' own transforms hold. What does not hang on the hips goes along with them.
-    std::vector<Eigen::Isometry3d> motions(const Pose& source) const;
+    std::vector<Eigen::Isometry3d> motions(const Pose& source, const FootCorrections& feet = {}) const;
+    /// Left and right; feet as in motions().
+    std::array<LegPlaces, 2> legs(const Pose& source, const FootCorrections& feet = {}) const;
 
     /// Length of the target's legs over that of ours.
     double scale() const { return scale_; }
@@ -37,20 +58,28 @@ private:
         int joint = -1;
         Matrix3d align = Matrix3d::Identity();  ///< from its rest to where it is in our zero pose; world
     };
-    /// Two points of a sole, below the ankle and at the toes: in the target's rest pose, and in the frame of
-    /// our foot.
-    struct Sole {
-        int node = 0, joint = 0;
+    /// Nodes of the target and joints of ours; two points of the sole, below the ankle and at the toes: in
+    /// the target's rest pose, and in the frame of our foot.
+    struct Leg {
+        int thigh = 0, shin = 0, foot = 0, shin_joint = 0, foot_joint = 0;
         std::array<Vector3d, 2> p_rest, p_joint_m;
     };
+    /// What of a leg moves a node.
+    enum class LegPart : uint8_t { kNone, kThigh, kShin, kFoot };
     Retargeter() = default;
     std::vector<Eigen::Isometry3d> turned(const GlobalPose& source, const Vector3d& p_hips) const;
+    std::vector<Eigen::Isometry3d> onGround(const GlobalPose& source) const;
+    LegPlaces placesOf(const Leg& leg, const GlobalPose& source,
+                       const std::vector<Eigen::Isometry3d>& motions) const;
+    void bend(size_t side, const LegPlaces& places, const Vector3d& shift, double knee_rad,
+              std::vector<Eigen::Isometry3d>& motions) const;
 
     Skeleton source_;
     std::vector<int> parents_;
     RigPose rest_;
     std::vector<Turned> turned_;  ///< per node; joint -1: keeps its place under its parent
-    std::array<Sole, 2> soles_;
+    std::array<Leg, 2> legs_;
+    std::array<std::vector<LegPart>, 2> leg_parts_;  ///< per leg and node
     int hips_ = 0;
     double scale_ = 1;
     Matrix3d upright_ = Matrix3d::Identity();

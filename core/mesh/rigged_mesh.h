@@ -61,7 +61,9 @@ struct RiggedMesh {
 struct MeshLimits {
     static constexpr size_t kVertices = 2'000'000, kTriangles = 4'000'000, kNodes = 8192, kBones = 4096;
     static constexpr size_t kParts = 65'536, kClips = 1024, kKeys = 20'000'000, kNameBytes = 512;
-    static constexpr double kCoordinate = 1e6;  ///< metres
+    static constexpr size_t kTextureBytes = 64'000'000;
+    static constexpr int kTextureSide_px = 2048;  ///< decoded ones are made smaller
+    static constexpr double kCoordinate = 1e6;    ///< metres
 };
 
 /// Everything the other functions of this room rely on: indices within range, parents first, finite numbers,

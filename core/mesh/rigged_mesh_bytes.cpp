@@ -7,7 +7,7 @@ namespace noctule {
 namespace {
 
 constexpr std::string_view kMeshMagic = "NCRM", kErrorMagic = "NCRE";
-constexpr uint32_t kBytesVersion = 1;
+constexpr uint32_t kBytesVersion = 2;
 
 template <class Archive, class... Values>
 void each(Archive& archive, Values&... values) {
@@ -22,7 +22,23 @@ void fields(Archive& archive, RigNode& node) {
 
 template <class Archive>
 void fields(Archive& archive, SkinnedVertex& vertex) {
-    each(archive, vertex.p_m, vertex.normal, vertex.bones, vertex.weights);
+    each(archive, vertex.p_m, vertex.normal, vertex.bones, vertex.weights, vertex.uv);
+}
+
+template <class Archive>
+void fields(Archive& archive, SurfaceTexture& texture) {
+    each(archive, texture.file, texture.width_px, texture.height_px, texture.rgba);
+}
+
+template <class Archive>
+void fields(Archive& archive, std::optional<SurfaceLook>& look) {
+    uint8_t known = look.has_value();
+    SurfaceLook told = look.value_or(SurfaceLook());
+    SurfaceTexture texture = told.texture ? *told.texture : SurfaceTexture();
+    each(archive, known, told.base_color, texture);
+    if (!texture.file.empty())
+        told.texture = std::make_shared<const SurfaceTexture>(std::move(texture));
+    look = known ? std::optional(std::move(told)) : std::nullopt;
 }
 
 template <class Archive>
@@ -52,8 +68,8 @@ void fields(Archive& archive, RigClip& clip) {
 
 template <class Archive>
 void fields(Archive& archive, RiggedMesh& mesh) {
-    each(archive, mesh.nodes, mesh.skin.vertices, mesh.skin.triangles, mesh.skin.bones, mesh.node_of_bone,
-         mesh.parts, mesh.clips);
+    each(archive, mesh.nodes, mesh.skin.vertices, mesh.skin.triangles, mesh.skin.bones, mesh.skin.look,
+         mesh.node_of_bone, mesh.parts, mesh.clips);
 }
 
 template <class T, class Archive>

@@ -54,6 +54,22 @@ Status checkSizes(const RiggedMesh& mesh, const std::string& where) {
     return Done{};
 }
 
+/// A decoded texture must hold the pixels that it says.
+Status checkLook(const RiggedMesh& mesh, const std::string& where) {
+    if (!mesh.skin.look)
+        return Done{};
+    if (!mesh.skin.look->base_color.allFinite())
+        return damagedMesh(where, "its colour is no number");
+    const auto& texture = mesh.skin.look->texture;
+    if (!texture || texture->rgba.empty())
+        return Done{};
+    const bool fits = texture->width_px > 0 && texture->width_px <= MeshLimits::kTextureSide_px &&
+                      texture->height_px > 0 && texture->height_px <= MeshLimits::kTextureSide_px &&
+                      texture->rgba.size() == 4 * static_cast<size_t>(texture->width_px) *
+                                                  static_cast<size_t>(texture->height_px);
+    return fits ? Status(Done{}) : Status(damagedMesh(where, "its texture has another size than it says"));
+}
+
 Status checkNodes(const RiggedMesh& mesh, const std::string& where) {
     for (size_t n = 0; n < mesh.nodes.size(); ++n) {
         const RigNode& node = mesh.nodes[n];
@@ -134,7 +150,7 @@ Status checkTrack(const RiggedMesh& mesh, const RigTrack& track, const std::stri
 }  // namespace
 
 Status checkRiggedMesh(const RiggedMesh& mesh, const std::string& where) {
-    for (const auto check : {checkSizes, checkNodes, checkSurface})
+    for (const auto check : {checkSizes, checkNodes, checkSurface, checkLook})
         if (const Status checked = check(mesh, where); !checked)
             return checked;
     for (const RigClip& clip : mesh.clips) {

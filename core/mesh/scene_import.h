@@ -40,6 +40,9 @@ void importNodes(SceneImport& import);
 Status importSkin(SceneImport& import);
 /// Puts bound nodes where their bones were bound.
 void findRestPose(RiggedMesh& mesh);
+/// The material that most triangles have, and its texture from within the file or beside it. A texture that
+/// is not there is no trouble.
+void importLook(SceneImport& import, TextureDecoder decode);
 Status importClips(SceneImport& import);
 
 Eigen::Affine3d toEigen(const aiMatrix4x4& m);

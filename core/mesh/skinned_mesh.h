@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +19,9 @@ namespace noctule {
 struct SkinnedVertex {
     Eigen::Vector3f p_m = Eigen::Vector3f::Zero();
     Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();
-    std::array<uint16_t, 4> bones{};  ///< indices into SkinnedMesh::bones
-    std::array<float, 4> weights{};   ///< sum 1; unused ones 0
+    std::array<uint16_t, 4> bones{};               ///< indices into SkinnedMesh::bones
+    std::array<float, 4> weights{};                ///< sum 1; unused ones 0
+    Eigen::Vector2f uv = Eigen::Vector2f::Zero();  ///< in the texture: right and up from its lower left
 };
 
 struct SkinBone {
@@ -26,10 +29,24 @@ struct SkinBone {
     Eigen::Matrix4f bind_inverse = Eigen::Matrix4f::Identity();  ///< mesh -> joint frame in the bind pose
 };
 
+/// A picture on the surface.
+struct SurfaceTexture {
+    std::string file;  ///< PNG or JPEG, as its file holds it
+    int width_px = 0, height_px = 0;
+    std::vector<uint8_t> rgba{};  ///< the same for drawing, sRGB, top row first; empty: nobody decoded it
+};
+
+/// What colours the surface: the base colour, times the texture where there is one.
+struct SurfaceLook {
+    Eigen::Vector3f base_color{0.62F, 0.66F, 0.72F};  ///< linear
+    std::shared_ptr<const SurfaceTexture> texture{};
+};
+
 struct SkinnedMesh {
     std::vector<SkinnedVertex> vertices;
     std::vector<std::array<uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
     std::vector<SkinBone> bones;
+    std::optional<SurfaceLook> look{};  ///< absent: nobody said, colours are the viewer's
 };
 
 /// The zero pose with its lowest joint or tip on y = 0; root above the origin.

@@ -8,6 +8,7 @@
 #include "core/film/video_file.h"
 #include "core/math/rotation.h"
 #include "core/processing/export_comparison.h"
+#include "core/processing/export_motion.h"
 #include "core/processing/pose_runs.h"
 
 namespace noctule {
@@ -27,6 +28,7 @@ Result<ExpectedMotion> expectedMotion(const Take& take, const ExportRequest& req
     if (!motion)
         return motion.error();
     ExpectedMotion expected;
+    expected.name = request.motion_name.empty() ? take.header().name : request.motion_name;
     expected.skeleton = motion->skeleton;
     expected.root = request.root;
     expected.frame_time_s = 1 / request.frames_per_second;
@@ -43,6 +45,8 @@ Result<ExpectedMotion> expectedMotion(const Take& take, const ExportRequest& req
                 expected.begin_s = static_cast<double>(time_ns) * 1e-9;
             expected.frames.push_back(std::move(*pose));
         }
+    if (locksFeet(request))
+        expected.plants = footPlants(*motion, expected.begin_s);
     return expected;
 }
 
@@ -112,9 +116,8 @@ Status compareFile(const std::string& path, const ExpectedMotion& expected, cons
         return compareBvh(path, request.metres_per_unit, named, check);
     check.position_limit_m = kExportScenePosition_m;
     const SceneFormat scene = is_fbx ? SceneFormat::kFbx : SceneFormat::kGlb;
-    return request.with_body && request.worn
-               ? compareRiggedFile(path, scene, expected, *request.worn, request.names, check)
-               : compareSceneFile(path, scene, named, check);
+    return request.with_body && request.worn ? compareRiggedFile(path, scene, expected, request, check)
+                                             : compareSceneFile(path, scene, named, check);
 }
 
 /// Of a picture or film only what its file tells: number of frames, size and rate. `film_frames`: expected.

@@ -297,27 +297,42 @@ std::vector<Quaterniond> boundTurns(const SceneMotion& file) {
 }  // namespace
 
 Status compareRiggedFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
-                         const WearableBody& body, JointNames names, ExportCheck& check) {
+                         const ExportRequest& request, ExportCheck& check) {
+    const WearableBody& body = *request.worn;
+    const auto moving = MovingBody::of(request.worn, expected.skeleton);
+    if (!moving)
+        return moving.error();
     MotionClip clip;
     clip.skeleton = expected.skeleton;
     clip.frame_time_s = expected.frame_time_s;
     clip.frames = expected.frames;
-    const auto figure = riggedFigure(clip, {}, body, names);
+    const auto feet = request.lock_feet
+                          ? moving->lockedFeet({expected.frames, expected.frame_time_s, expected.plants})
+                          : std::vector<FootCorrections>();
+    const auto figure = riggedFigure(clip, {}, body, request.names, feet);
     if (!figure)
         return figure.error();
     std::vector<std::string> bones;
     for (const Joint& joint : figure->clip.skeleton.joints())
         bones.push_back(joint.name);
     check.expected_joints = static_cast<int>(bones.size());
-    const auto file = readSceneMotion(path, path, format, bones);
+    const auto scene = SceneFile::open(path, path, format);
+    if (!scene)
+        return scene.error();
+    const auto file = scene->read(bones, expected.name);
     if (!file)
         return file.error();
     const auto joint_of_ours = figureJoints(body);
     const MotionClip wanted = underOurNames(
         restParallel(figure->clip, globalPose(figure->clip.skeleton, figure->rest).q_world_joint),
         joint_of_ours);
-    const ExpectedMotion rigged{wanted.skeleton, expected.root, expected.frame_time_s, expected.begin_s,
-                                wanted.frames};
+    const ExpectedMotion rigged{expected.name,
+                                wanted.skeleton,
+                                expected.root,
+                                expected.frame_time_s,
+                                expected.begin_s,
+                                wanted.frames,
+                                {}};
     ClipComparison(underOurNames(restParallel(file->clip, boundTurns(*file)), joint_of_ours), rigged, check)
         .run();
     return Done{};
@@ -328,7 +343,10 @@ Status compareSceneFile(const std::string& path, SceneFormat format, const Expec
     std::vector<std::string> names;
     for (const Joint& joint : expected.skeleton.joints())
         names.push_back(joint.name);
-    auto file = readSceneMotion(path, path, format, names);
+    const auto scene = SceneFile::open(path, path, format);
+    if (!scene)
+        return scene.error();
+    auto file = scene->read(names, expected.name);
     if (!file)
         return file.error();
     file->clip.skeleton = withTips(file->clip.skeleton, expected.skeleton);

@@ -4,17 +4,20 @@
 #pragma once
 
 #include "core/formats/scene_reader.h"
+#include "core/mesh/moving_body.h"
 #include "core/processing/check_export.h"
 
 namespace noctule {
 
 /// The take's own poses at the instants of the file's frames, root as captured.
 struct ExpectedMotion {
+    std::string name;  ///< in FBX and GLB
     Skeleton skeleton;
     RootMotion root = RootMotion::kMoving;
     double frame_time_s = 0;
     double begin_s = 0;  ///< of the first frame, on the take's clock
     std::vector<Pose> frames;
+    FootPlants plants;  ///< of a body whose feet keep their place
 };
 
 /// An Error when the file cannot be read.
@@ -22,9 +25,9 @@ Status compareBvh(const std::string& path, double metres_per_unit, const Expecte
                   ExportCheck& check);
 Status compareSceneFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
                         ExportCheck& check);
-/// The take's motion on the body of another program; `names` as in the request.
+/// The take's motion on the body of another program.
 Status compareRiggedFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
-                         const WearableBody& body, JointNames names, ExportCheck& check);
+                         const ExportRequest& request, ExportCheck& check);
 /// OpenSim's .mot (angles) or .sto (orientations).
 Status compareTable(const std::string& path, bool is_angles, const ExpectedMotion& expected,
                     ExportCheck& check);

@@ -19,18 +19,6 @@ const SkinnedMesh& defaultBody() {
     return body;
 }
 
-Result<Figure> figureOf(const ExportRequest& request, const ExportedMotion& motion) {
-    if (request.with_body && request.worn)
-        return riggedFigure(motion.clip, motion.confidence, *request.worn, request.names);
-    std::optional<SkinnedMesh> body;
-    if (request.with_body)
-        body = bodyFor(motion.clip.skeleton);
-    auto figure = makeFigure(motion.clip, std::move(body), request.names);
-    if (figure)
-        figure->confidence = motion.confidence;
-    return figure;
-}
-
 Status writeBvhFile(const ExportRequest& request, const ExportedMotion& motion) {
     MotionClip clip = motion.clip;
     clip.skeleton = renamed(clip.skeleton, request.names);
@@ -53,22 +41,29 @@ Status writeGlbFile(const ExportRequest& request, const ExportedMotion& motion) 
 }
 
 Result<MovingBody> movingBodyOf(const ExportRequest& request, const Skeleton& skeleton) {
+    if (!request.with_body)
+        return MovingBody();
     return request.worn ? MovingBody::of(request.worn, skeleton)
                         : MovingBody::ofOurs(defaultBody(), skeleton);
 }
 
-Status writePictureFile(const ExportRequest& request, const MotionClip& clip) {
+Status writePictureFile(const ExportRequest& request, const ExportedMotion& motion) {
+    const MotionClip& clip = motion.filmed;
     const auto body = movingBodyOf(request, clip.skeleton);
     if (!body)
         return body.error();
     const size_t frame = request.from_s ? 0 : clip.frames.size() / 2;
-    return writePicture(request.png_path, *body, clip, frame, request.film, request.overwrite);
+    return writePicture(request.png_path, {*body, clip, body->lockedFeet(motion.filmed_feet)}, frame,
+                        request.film, request.overwrite);
 }
 
-Status writeFilmFile(const ExportRequest& request, const MotionClip& clip, const JobContext& job) {
+Status writeFilmFile(const ExportRequest& request, const ExportedMotion& motion, const JobContext& job) {
+    const MotionClip& clip = motion.filmed;
     const auto body = movingBodyOf(request, clip.skeleton);
-    return body ? writeFilm(request.video_path, *body, clip, request.film, request.overwrite, job)
-                : Status(body.error());
+    if (!body)
+        return body.error();
+    return writeFilm(request.video_path, {*body, clip, body->lockedFeet(motion.filmed_feet)}, request.film,
+                     request.overwrite, job);
 }
 
 Status writeTableFile(const std::string& path, const Result<OpenSimTable>& table, bool overwrite) {
@@ -79,6 +74,22 @@ Status writeTableFile(const std::string& path, const Result<OpenSimTable>& table
 
 SkinnedMesh bodyFor(const Skeleton& skeleton) {
     return fitted(defaultBody(), defaultActor().skeleton, skeleton);
+}
+
+Result<Figure> figureOf(const ExportRequest& request, const ExportedMotion& motion) {
+    if (request.with_body && request.worn) {
+        const auto moving = MovingBody::of(request.worn, motion.clip.skeleton);
+        return moving ? riggedFigure(motion.clip, motion.confidence, *request.worn, request.names,
+                                     moving->lockedFeet(motion.feet))
+                      : Result<Figure>(moving.error());
+    }
+    std::optional<SkinnedMesh> body;
+    if (request.with_body)
+        body = bodyFor(motion.clip.skeleton);
+    auto figure = makeFigure(motion.clip, std::move(body), request.names);
+    if (figure)
+        figure->confidence = motion.confidence;
+    return figure;
 }
 
 std::vector<ExportWriter> exportWriters(const ExportRequest& request, const ExportedMotion& motion) {
@@ -99,9 +110,8 @@ std::vector<ExportWriter> exportWriters(const ExportRequest& request, const Expo
     add(request.sto_path, [&](const JobContext&) {
         return writeTableFile(request.sto_path, openSimOrientations(motion.clip), request.overwrite);
     });
-    add(request.png_path, [&](const JobContext&) { return writePictureFile(request, motion.filmed); });
-    add(request.video_path,
-        [&](const JobContext& job) { return writeFilmFile(request, motion.filmed, job); });
+    add(request.png_path, [&](const JobContext&) { return writePictureFile(request, motion); });
+    add(request.video_path, [&](const JobContext& job) { return writeFilmFile(request, motion, job); });
     return writers;
 }
 

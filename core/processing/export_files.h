@@ -6,15 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/processing/export_take.h"
+#include "core/processing/export_motion.h"
 
 namespace noctule {
-
-struct ExportedMotion {
-    MotionClip clip;
-    std::vector<std::vector<float>> confidence;  ///< per frame and joint; empty: not known
-    MotionClip filmed;                           ///< at the film's rate; empty without pictures
-};
 
 struct ExportWriter {
     std::string path;
@@ -23,6 +17,9 @@ struct ExportWriter {
 
 /// In the order of outputsOf(). Request and motion must outlive them.
 std::vector<ExportWriter> exportWriters(const ExportRequest& request, const ExportedMotion& motion);
+
+/// What FBX and GLB files hold of the motion.
+Result<Figure> figureOf(const ExportRequest& request, const ExportedMotion& motion);
 
 /// The default body in the measures of a skeleton; two seconds the first time.
 SkinnedMesh bodyFor(const Skeleton& skeleton);

@@ -36,11 +36,13 @@ struct ExportRequest {
     double metres_per_unit = 0.01;        ///< of BVH and FBX files
     JointNames names = JointNames::kOwn;  ///< in BVH, FBX and GLB files
     std::string root_name = "Reference";  ///< FBX: the node above the hips
+    std::string motion_name;              ///< FBX and GLB: of the animation; empty: the take's own name
     bool with_body = true;                ///< FBX and GLB: with skin, not the skeleton alone
     /// The body of FBX, GLB, picture and film; null: the default body in the performer's measures.
     std::shared_ptr<const WearableBody> worn;
-    FilmSettings film;    ///< of picture and film; a picture shows from_s, without it the middle
-    bool angles = false;  ///< named degrees of freedom in the CSV file too
+    bool lock_feet = true;  ///< of `worn`: feet that stand keep their place (mesh/foot_lock.h)
+    FilmSettings film;      ///< of picture and film; a picture shows from_s, without it the middle
+    bool angles = false;    ///< named degrees of freedom in the CSV file too
     bool overwrite = false;
 };
 
@@ -73,5 +75,11 @@ std::vector<std::string> outputsOf(const ExportRequest& request);
 
 /// Every file is written aside, read back where that is possible, and renamed.
 Result<ExportSummary> exportTake(const ExportRequest& request, const JobContext& job);
+
+/// Several takes in one FBX file, that of the first request: a stack for each under its motion's name, on the
+/// body of the first. Only FBX files are written; the requests differ in take, run, part and name alone. Of
+/// the summary, frames and duration are sums and `run` is that of the last. kUnusable, and says of which,
+/// when a take's bones are longer or shorter or two motions have one name.
+Result<ExportSummary> exportStacks(const std::vector<ExportRequest>& takes, const JobContext& job);
 
 }  // namespace noctule

@@ -14,6 +14,7 @@ struct CardVertex {
     float p_m[3], normal[3];
     uint16_t bones[4];
     float weights[4];
+    float uv[2];
 };
 
 std::vector<CardVertex> forCard(const SkinnedMesh& mesh) {
@@ -25,6 +26,7 @@ std::vector<CardVertex> forCard(const SkinnedMesh& mesh) {
         std::copy_n(from.normal.data(), 3, vertex.normal);
         std::copy_n(from.bones.data(), 4, vertex.bones);
         std::copy_n(from.weights.data(), 4, vertex.weights);
+        std::copy_n(from.uv.data(), 2, vertex.uv);
         vertices.push_back(vertex);
     }
     return vertices;
@@ -33,18 +35,43 @@ std::vector<CardVertex> forCard(const SkinnedMesh& mesh) {
 void describeVertex() {
     constexpr auto kStride = static_cast<GLsizei>(sizeof(CardVertex));
     const auto offset = [](size_t bytes) { return reinterpret_cast<const void*>(bytes); };
-    for (GLuint location = 0; location < 4; ++location)
+    for (GLuint location = 0; location < 5; ++location)
         glEnableVertexAttribArray(location);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(CardVertex, p_m)));
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(CardVertex, normal)));
     glVertexAttribIPointer(2, 4, GL_UNSIGNED_SHORT, kStride, offset(offsetof(CardVertex, bones)));
     glVertexAttribPointer(3, 4, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(CardVertex, weights)));
+    glVertexAttribPointer(4, 2, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(CardVertex, uv)));
 }
 
 template <class T>
 void fillBuffer(GLenum kind, GLuint buffer, const std::vector<T>& values) {
     glBindBuffer(kind, buffer);
     glBufferData(kind, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
+}
+
+/// Repeats beyond its edges, as other programs let it. Nothing without pixels.
+GlTexture textureOf(const SkinnedMesh& mesh) {
+    const SurfaceTexture* texture = mesh.look ? mesh.look->texture.get() : nullptr;
+    if (!texture || texture->rgba.empty())
+        return {};
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture->width_px, texture->height_px, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, texture->rgba.data());
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    return GlTexture(name);
+}
+
+/// The body's own where it has one; on the screen linear light is about the power 1/2.2.
+Rgba surfaceColor(const SceneBody& body) {
+    if (!body.mesh->look)
+        return {body.color.r, body.color.g, body.color.b, body.opacity};
+    const Eigen::Array3f color = body.mesh->look->base_color.array().pow(1 / 2.2F);
+    return {color.x(), color.y(), color.z(), body.opacity};
 }
 
 /// Three texels for each bone: the rows of its matrix.
@@ -122,8 +149,8 @@ const BodyPainter::Upload& BodyPainter::uploaded(const std::shared_ptr<const Ski
     for (const Upload& upload : uploads_)
         if (upload.mesh.lock() == mesh)
             return upload;
-    Upload upload{mesh, makeVertexArray(), makeBuffer(), makeBuffer(),
-                  static_cast<GLsizei>(mesh->triangles.size() * 3)};
+    Upload upload{mesh,         makeVertexArray(), makeBuffer(),
+                  makeBuffer(), textureOf(*mesh),  static_cast<GLsizei>(mesh->triangles.size() * 3)};
     glBindVertexArray(upload.vertex_array);
     fillBuffer(GL_ARRAY_BUFFER, upload.vertices, forCard(*mesh));
     fillBuffer(GL_ELEMENT_ARRAY_BUFFER, upload.indices, mesh->triangles);
@@ -176,7 +203,12 @@ void BodyPainter::drawSolid(const SceneBody& body, const ScreenView& view) {
     if (body.opacity < 1)  // first the depth alone: then only the nearest surface is blended
         drawDepth(body, view);
     surface_.use();
-    setColor(surface_, {body.color.r, body.color.g, body.color.b, body.opacity});
+    setColor(surface_, surfaceColor(body));
+    const GLuint texture = uploaded(body.mesh).texture;
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glUniform1i(surface_.at("picture"), 1);
+    glUniform1i(surface_.at("has_picture"), texture != 0);
     glUniform1f(surface_.at("parallel"), view.camera.parallel ? 1.0F : 0.0F);
     drawTriangles(surface_, body, view, 0);
 }

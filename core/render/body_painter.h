@@ -27,6 +27,7 @@ private:
         std::weak_ptr<const SkinnedMesh> mesh;
         GlVertexArray vertex_array;
         GlBuffer vertices, indices;
+        GlTexture texture;  ///< of its look; none: 0
         GLsizei index_count = 0;
     };
     BodyPainter() = default;

@@ -63,12 +63,15 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal_in;
 layout(location = 2) in uvec4 bone;
 layout(location = 3) in vec4 weight;
+layout(location = 4) in vec2 uv_in;
+out vec2 uv;
 out vec3 normal_view;
 out vec3 normal_world;
 out vec3 p_view;
 vec3 turned(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 void main() {
     int stride = dual_quaternions ? 5 : 3;
+    uv = vec2(uv_in.x, 1.0 - uv_in.y);  // pictures begin at the top
     vec4 r0 = vec4(0.0), r1 = vec4(0.0), r2 = vec4(0.0), real = vec4(0.0), dual = vec4(0.0);
     vec4 first = dual_quaternions ? texelFetch(bones, int(bone[0]) * stride + 3) : vec4(0.0);
     for (int i = 0; i < 4; ++i) {
@@ -108,6 +111,9 @@ void main() {
 const char* const kBodyFragment = R"(
 uniform vec4 color;
 uniform float parallel;
+uniform sampler2D picture;
+uniform bool has_picture;
+in vec2 uv;
 in vec3 normal_view;
 in vec3 normal_world;
 in vec3 p_view;
@@ -119,7 +125,8 @@ void main() {
     float key = clamp(dot(n, vec3(-0.42, 0.62, 0.66)) * 0.75 + 0.25, 0.0, 1.0);
     float sky = 0.5 + 0.5 * normalize(normal_world).y;
     float rim = pow(1.0 - facing, 3.0);
-    vec3 lit = color.rgb * (0.36 + 0.22 * sky + 0.62 * key * key)
+    vec3 surface = has_picture ? color.rgb * texture(picture, uv).rgb : color.rgb;
+    vec3 lit = surface * (0.36 + 0.22 * sky + 0.62 * key * key)
              + vec3(0.34, 0.37, 0.42) * rim * (0.35 + 0.65 * sky);
     result = vec4(lit, mix(color.a, min(1.0, color.a + 0.25), rim));
 }

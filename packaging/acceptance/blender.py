@@ -18,7 +18,11 @@ SCALES = {"blender": 1.0, "motionbuilder": 0.01}  # presets, and the scale that 
 EXPORTS = (("bvh", "blender", "mannequin"), ("bvh", "motionbuilder", "mannequin"), ("fbx", "blender", "mannequin"),
            ("fbx", "motionbuilder", "mannequin"), ("fbx", "unreal", "mannequin"), ("fbx", "blender", "none"),
            ("glb", "blender", "mannequin"))
-HEAD_M = (1.2, 1.8)  # of a performer of 1.75 m who stands
+HEAD_M = (1.2, 1.8)  # of a performer of 1.75 m who stands, and of grown bodies of others
+OUR_BONES = "Head,LeftUpLeg,RightUpLeg"
+MESHES = {"CesiumMan": studio.ROOT.parent / "shared/data/mesh/gltf/CesiumMan.glb",
+          "MakeHuman": studio.ROOT.parent / "shared/data/mesh/makehuman/base.obj"}
+WORN_FPS = 60
 PICTURE = ("Boxing_Toes", "fbx", "blender", "mannequin")
 PICTURE_SECOND = 12
 
@@ -59,9 +63,9 @@ def faults(seen, frames, fps):
     return complaints
 
 
-def make_take(motion, folder):
-    take = folder / f"{motion}.noctule"
-    studio.simulate(studio.REAL_MOTIONS / f"{motion}.bvh", take, "--level", "readings")
+def make_take(motion, folder, name=None, *options):
+    take = folder / f"{name or motion}.noctule"
+    studio.simulate(studio.REAL_MOTIONS / f"{motion}.bvh", take, "--level", "readings", *options)
     studio.process(take, "AGD", "AGD")
     return take
 
@@ -80,10 +84,53 @@ def rows_of(motion, fps, folder):
                      "--overwrite")
         has_skin = extension != "bvh" and mesh != "none"
         picture = [folder / "picture.png", round(PICTURE_SECOND * fps)] if (motion, *export) == PICTURE else []
-        seen = seen_in_blender(file, table, skin if has_skin else "-", fps, SCALES.get(preset, 1), STEP, *picture)
+        seen = seen_in_blender(file, table, skin if has_skin else "-", fps, SCALES.get(preset, 1), STEP, OUR_BONES, "",
+                               *picture)
         missed += [f"{file.name}: {what}" for what in faults(seen, frames, fps)]
         rows.append([motion, extension.upper(), preset, f"{fps:g}", seen["frames"], seen["joints"],
                      studio.number(seen["joint_mm"], 4), studio.number(seen["skin_mm"], 4) if has_skin else "none"])
+    return rows, missed
+
+
+def worn_rows(take, folder):
+    """The motion on bodies of others, whose bones have names of their own and whose feet keep their place."""
+    rows, missed = [], []
+    for name, mesh in MESHES.items():
+        if not mesh.exists():
+            missed.append(f"{name}: {mesh} is missing")
+            continue
+        table, skin = folder / f"{name}.csv", folder / f"{name}.skin"
+        subprocess.run([studio.BUILD / "skin_points", take, str(WORN_FPS), str(STEP), skin, mesh, table], check=True)
+        frames = len(table.read_text().splitlines()) - 1
+        for extension in ("fbx", "glb"):
+            file = folder / f"{take.stem}_{name}.{extension}"
+            done = json.loads(studio.batch("export", take, f"--{extension}", file, "--preset", "blender", "--mesh", mesh,
+                                           "--overwrite", "--fps", WORN_FPS, "--json"))
+            bones = done["takes"][0]["bones"]
+            wanted = ",".join(bones[joint] for joint in OUR_BONES.split(","))
+            seen = seen_in_blender(file, table, skin, WORN_FPS, 1, STEP, wanted, "")
+            missed += [f"{file.name}: {what}" for what in faults(seen, frames, WORN_FPS)]
+            rows.append([take.stem, extension.upper(), name, f"{WORN_FPS:g}", seen["frames"], seen["joints"],
+                         studio.number(seen["joint_mm"], 4), studio.number(seen["skin_mm"], 4)])
+    return rows, missed
+
+
+def stack_rows(motion, folder):
+    """Two takes of one performer in one FBX: each is an action of its own, and the take's."""
+    takes = [folder / f"{motion}.noctule", make_take(motion, folder, f"{motion}_short", "--duration", 8)]
+    file, fps = folder / "stacks.fbx", WORN_FPS
+    studio.batch("export", *takes, "--stacks", "--fbx", file, "--preset", "blender", "--fps", fps, "--overwrite")
+    rows, missed = [], []
+    for take in takes:
+        table = folder / f"{take.stem}_{fps}.csv"
+        studio.batch("export", take, "--csv", table, "--fps", fps, "--overwrite")
+        frames = len(table.read_text().splitlines()) - 1
+        seen = seen_in_blender(file, table, "-", fps, 1, STEP, OUR_BONES, take.stem)
+        missed += [f"{file.name}, {take.stem}: {what}" for what in faults(seen, frames, fps)]
+        if len(seen["actions"]) != len(takes):
+            missed.append(f"{file.name}: {len(seen['actions'])} actions instead of {len(takes)}")
+        rows.append([take.stem, "FBX", "one of several", f"{fps:g}", seen["frames"], seen["joints"],
+                     studio.number(seen["joint_mm"], 4), "none"])
     return rows, missed
 
 
@@ -98,7 +145,11 @@ def figure(_):
         of_motion, wrong = rows_of(motion, fps, folder)
         rows += of_motion
         missed += wrong
-    text = studio.markdown_table(["motion", "file", "preset", "frames per second", "frames", "bones",
+    last = list(MOTIONS)[-1]
+    for more, wrong in (worn_rows(folder / f"{last}.noctule", folder), stack_rows(last, folder)):
+        rows += more
+        missed += wrong
+    text = studio.markdown_table(["motion", "file", "preset or body", "frames per second", "frames", "bones",
                                   "joints, mm", "skin, mm"], rows)
     text += f"\nLargest distances from our own numbers, every {STEP}th frame, world positions.\n"
     if missed:

@@ -2,7 +2,10 @@
 """Runs inside Blender: imports an exported file as an animator would, and holds every tenth frame against our own
 numbers: joints from a CSV of positions, skin from a file of skin_points. Prints one line of JSON.
 
-  blender -b --factory-startup --python inside_blender.py -- FILE JOINTS.csv SKIN|- FPS SCALE STEP [PICTURE.png FRAME]
+  blender -b --factory-startup --python inside_blender.py -- FILE JOINTS.csv SKIN|- FPS SCALE STEP BONES ACTION
+      [PICTURE.png FRAME]
+
+BONES: those of Head, LeftUpLeg and RightUpLeg, with commas. ACTION: how the motion's name ends, of a file of several.
 """
 import builtins
 import csv
@@ -113,7 +116,7 @@ def take_picture(path, frame, joints):
 
 
 def main():
-    file, table, skin_file, fps, scale, step, *picture = sys.argv[sys.argv.index("--") + 1:]
+    file, table, skin_file, fps, scale, step, bones, wanted, *picture = sys.argv[sys.argv.index("--") + 1:]
     first = import_file(pathlib.Path(file), float(fps), float(scale))
     armature = next(thing for thing in bpy.data.objects if thing.type == "ARMATURE")
     mesh = next((thing for thing in bpy.data.objects
@@ -121,18 +124,20 @@ def main():
     skin, joints = skin_in_file(skin_file), joints_in_csv(table)
     if skin is not None and (mesh is None or len(mesh.data.vertices) != skin.shape[1]):
         raise SystemExit("the body is not there, or not whole")
+    actions = sorted(action.name for action in bpy.data.actions)
+    if wanted:
+        armature.animation_data.action = next(a for a in bpy.data.actions if wanted in a.name.split("|"))
     action = armature.animation_data.action
     begin, end = action.frame_range
     joint_m, skin_m, missing = compare(armature, mesh, joints, skin, first, int(step))
     scene = bpy.context.scene
     scene.frame_set(first)
-    head = armature.matrix_world @ armature.pose.bones["Head"].head
-    left, right = (ours(armature.matrix_world @ armature.pose.bones[name].head) for name in ("LeftUpLeg", "RightUpLeg"))
+    head, left, right = (ours(armature.matrix_world @ armature.pose.bones[name].head) for name in bones.split(","))
     print("SEEN " + json.dumps({
         "joint_mm": 1000 * joint_m, "skin_mm": None if skin is None else 1000 * skin_m, "missing": missing,
         "joints": len(armature.pose.bones), "frames": round(end - begin) + 1, "starts_at": begin - first,
-        "fps": scene.render.fps / scene.render.fps_base, "head_m": head.z, "left_m": float((left - right)[0]),
-        "action": action.name, "scale": max(armature.scale)}))
+        "fps": scene.render.fps / scene.render.fps_base, "head_m": float(head[1]), "left_m": float((left - right)[0]),
+        "action": action.name, "actions": actions, "scale": max(armature.scale)}))
     if picture:
         take_picture(picture[0], int(picture[1]) + first, joints[int(picture[1])])
 

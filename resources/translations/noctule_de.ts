@@ -2474,6 +2474,22 @@
         <source>Camera</source>
         <translation>Kamera</translation>
     </message>
+    <message>
+        <source>One file with all takes</source>
+        <translation>Eine Datei mit allen Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Each take is an animation stack under its name; {take} is the session.</source>
+        <translation>Jede Aufnahme ist ein Animation-Stack mit ihrem Namen; {take} ist die Sitzung.</translation>
+    </message>
+    <message>
+        <source>Standing feet keep their place</source>
+        <translation>Stehende Füße bleiben an ihrem Ort</translation>
+    </message>
+    <message>
+        <source>On a body of other proportions feet would slide; its legs bend a little instead.</source>
+        <translation>Auf einem Körper anderer Maße würden die Füße rutschen; stattdessen beugen sich seine Beine etwas.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportPage</name>
@@ -2675,6 +2691,10 @@
     <message>
         <source>Size</source>
         <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

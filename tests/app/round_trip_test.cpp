@@ -197,7 +197,9 @@ TEST_F(RoundTrip, SeveralTakesGoOutInEveryFormat) {
         std::replace(joints.begin(), joints.end(), std::string("Chest"), std::string("Spine2"));
         for (const SceneFormat format : {SceneFormat::kFbx, SceneFormat::kGlb}) {
             const std::string path = file(name + (format == SceneFormat::kFbx ? ".fbx" : ".glb"));
-            const auto scene = readSceneMotion(path, path, format, joints);
+            const auto opened = SceneFile::open(path, path, format);
+            ASSERT_TRUE(opened) << opened.error().text();
+            const auto scene = opened->read(joints);
             ASSERT_TRUE(scene) << scene.error().text();
             EXPECT_EQ(scene->clip.name, "hops_001") << "the take's own name, whatever its file is called";
             ASSERT_EQ(scene->clip.frames.size(), 61U);
@@ -210,6 +212,32 @@ TEST_F(RoundTrip, SeveralTakesGoOutInEveryFormat) {
         ASSERT_TRUE(angles);
         EXPECT_EQ(angles->rows(), 61U);
         EXPECT_NEAR(angles->values[1], table->at(0, 0).z(), 1e-5) << "pelvis_tx is forward";
+    }
+}
+
+TEST_F(RoundTrip, SeveralTakesGoIntoOneFileAsStacks) {
+    copyOfTake("other_003.noctule");
+    const std::vector<std::string> part{"--run", "given", "--from", "1", "--to", "2", "--fps", "60"};
+    std::vector<std::string> stacks{"export", take(),          file("other_003.noctule"),
+                                    "--fbx",  file("all.fbx"), "--stacks"};
+    stacks.insert(stacks.end(), part.begin(), part.end());
+    const auto json = jsonOf(stacks);
+    EXPECT_EQ(json["stacks"], 2);
+    EXPECT_EQ(json["frames"], 122);
+    std::vector<std::string> positions{"export", take(), "--csv", file("stacks.csv")};
+    positions.insert(positions.end(), part.begin(), part.end());
+    jsonOf(positions);
+    const auto table = readPositionsCsv(file("stacks.csv"));
+    const auto scene = SceneFile::open(file("all.fbx"), "all.fbx", SceneFormat::kFbx);
+    ASSERT_TRUE(table && scene);
+    for (const char* name : {"hops_001", "other_003"}) {
+        const auto motion = scene->read(table->joints, name);
+        ASSERT_TRUE(motion) << motion.error().text();
+        ASSERT_EQ(motion->clip.frames.size(), 61U);
+        for (const size_t frame : {0U, 30U, 60U})
+            for (size_t j = 0; j < table->joints.size(); ++j)
+                EXPECT_LT((globalPose(motion->clip, frame).p_world_joint[j] - table->at(frame, j)).norm(),
+                          1e-5);
     }
 }
 

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// skin_points T.noctule FPS STEP OUT: where the body's skin is in every STEPth frame of an export of the last
-// run, straight from the take, without any file format between. OUT: two uint32 (frames, points), then
-// float32 x, y, z, world, metres. What other programs show of our exports is held against it.
+// skin_points T.noctule FPS STEP OUT [MESH JOINTS.csv]: where the body's skin is in every STEPth frame of an
+// export of the last run, straight from the take, without any file format between. OUT: two uint32 (frames,
+// points), then float32 x, y, z, world, metres. With MESH it is that body, at its own size, and JOINTS.csv
+// gets the places of the bones that turn as ours, by their own names, in every frame. What other programs
+// show of our exports is held against it.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
 
 #include "core/job/atomic_file.h"
-#include "core/mesh/skinning.h"
+#include "core/mesh/moving_body.h"
 #include "core/processing/export_files.h"
 #include "core/processing/pose_runs.h"
 
@@ -49,15 +51,86 @@ Result<std::string> skinPoints(const std::string& path, double frames_per_second
     return bytes + points;
 }
 
+/// The bones of a body that our joints turn.
+std::vector<size_t> turnedNodes(const WearableBody& body) {
+    std::vector<size_t> nodes;
+    for (const auto& [joint, name] : body.bones.node_of_joint)
+        nodes.push_back(static_cast<size_t>(body.mesh.find(name)));
+    return nodes;
+}
+
+struct BodyPoints {
+    std::string skin, joints;  ///< the contents of OUT and JOINTS.csv
+};
+
+Result<BodyPoints> bodyPoints(const std::string& path, double frames_per_second, int step,
+                              const std::string& mesh_path) {
+    ExportRequest request;
+    request.take_path = path;
+    request.frames_per_second = frames_per_second;
+    const auto worn = readWearable(mesh_path);
+    if (!worn)
+        return worn.error();
+    request.worn = *worn;
+    const auto motion = exportedMotion(request);
+    if (!motion)
+        return motion.error();
+    const WearableBody& body = **worn;
+    const auto retargeter = Retargeter::make(body.mesh, bonesFor(body.bones, motion->clip.skeleton),
+                                             motion->clip.skeleton, body.name);
+    if (!retargeter)
+        return retargeter.error();
+    const auto feet = lockFeet(*retargeter, motion->feet);
+    BodyPoints points;
+    points.joints = "time_s";
+    for (const size_t node : turnedNodes(body))
+        for (const char axis : {'x', 'y', 'z'})
+            points.joints += "," + body.mesh.nodes[node].name + "." + axis;
+    points.joints += "\n";
+    uint32_t frames = 0;
+    std::string skin;
+    for (size_t f = 0; f < feet.size(); ++f) {
+        const RigPose pose = retargeter->pose(motion->clip.frames[f], feet[f]);
+        points.joints += std::to_string(static_cast<double>(f) / frames_per_second);
+        for (const size_t node : turnedNodes(body))
+            for (int axis = 0; axis < 3; ++axis)
+                points.joints += "," + std::to_string(pose[node].translation()[axis]);
+        points.joints += "\n";
+        if (f % static_cast<size_t>(step) != 0)
+            continue;
+        ++frames;
+        for (const Eigen::Vector3f& p_m : skinned(body.mesh.skin, skinMatrices(body.mesh, pose)).points_m)
+            for (int axis = 0; axis < 3; ++axis)
+                appendTo(skin, p_m[axis]);
+    }
+    appendTo(points.skin, frames);
+    appendTo(points.skin, static_cast<uint32_t>(body.mesh.skin.vertices.size()));
+    points.skin += skin;
+    return points;
+}
+
+Status writePoints(char** argv, bool of_mesh) {
+    const double frames_per_second = std::atof(argv[2]);
+    const int step = std::atoi(argv[3]);
+    if (!of_mesh) {
+        const auto bytes = skinPoints(argv[1], frames_per_second, step);
+        return bytes ? writeFileAtomically(argv[4], *bytes, true) : Status(bytes.error());
+    }
+    const auto points = bodyPoints(argv[1], frames_per_second, step, argv[5]);
+    if (!points)
+        return points.error();
+    const Status written = writeFileAtomically(argv[4], points->skin, true);
+    return written ? writeFileAtomically(argv[6], points->joints, true) : written;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 5) {
-        std::fputs("usage: skin_points T.noctule FPS STEP OUT\n", stderr);
+    if (argc != 5 && argc != 7) {
+        std::fputs("usage: skin_points T.noctule FPS STEP OUT [MESH JOINTS.csv]\n", stderr);
         return 2;
     }
-    const auto bytes = skinPoints(argv[1], std::atof(argv[2]), std::atoi(argv[3]));
-    const Status written = bytes ? writeFileAtomically(argv[4], *bytes, true) : Status(bytes.error());
+    const Status written = writePoints(argv, argc == 7);
     if (!written)
         std::fprintf(stderr, "skin_points: %s\n", written.error().text().c_str());
     return written ? 0 : 1;

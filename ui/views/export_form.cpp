@@ -59,6 +59,8 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
       camera(new QComboBox),
       run(new QComboBox),
       angles(new QCheckBox(tr("Joint angles too, in degrees"))),
+      one_file(new QCheckBox(tr("One file with all takes"))),
+      lock_feet(new QCheckBox(tr("Standing feet keep their place"))),
       name_pattern(new QLineEdit),
       try_one_frame(makeButton(ButtonKind::kOutlined, tr("Write one frame and check"))),
       studio_(studio) {
@@ -72,7 +74,8 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
     for (QComboBox* box : {range, format, frames, root, unit, names, body, size, camera})
         connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
     connect(run, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
-    connect(angles, &QCheckBox::toggled, this, &ExportForm::read);
+    for (QCheckBox* box : {angles, one_file, lock_feet})
+        connect(box, &QCheckBox::toggled, this, &ExportForm::read);
     connect(name_pattern, &QLineEdit::textChanged, this, &ExportForm::read);
     for (QDoubleSpinBox* field : {own_from_, own_to_})
         connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ExportForm::read);
@@ -102,10 +105,19 @@ QWidget* ExportForm::makeWhat() {
     auto* column = makeColumn(part, {}, 8);
     column->addWidget(new SectionHeader(tr("What and how")));
     auto* rows = new FormRows(kLabels);
+    addMotionRows(*rows);
+    addFigureRows(*rows);
+    column->addWidget(rows);
+    column->addWidget(pictures_ = makePictures());
+    return part;
+}
+
+/// Which part of the motion, in what, at what rate.
+void ExportForm::addMotionRows(FormRows& rows) {
     range->addItem(tr("In to out of each take"), static_cast<int>(ExportRange::kInToOut));
     range->addItem(tr("Whole takes"), static_cast<int>(ExportRange::kWholeTake));
     range->addItem(tr("Own"), static_cast<int>(ExportRange::kOwn));
-    rows->addRow(tr("Range"), range);
+    rows.addRow(tr("Range"), range);
     own_range_ = new QWidget;
     auto* own = makeRow(own_range_, {}, 8);
     own_from_ = makeSeconds(tr("First second"));
@@ -113,37 +125,39 @@ QWidget* ExportForm::makeWhat() {
     own->addWidget(own_from_, 1);
     own->addWidget(new Label(tr("to"), TextRole::kSecondary, Ink::kLabel));
     own->addWidget(own_to_, 1);
-    rows->addControl(own_range_);
+    rows.addControl(own_range_);
     for (const ExportFormat each :
          {ExportFormat::kFbx, ExportFormat::kGlb, ExportFormat::kBvh, ExportFormat::kMot, ExportFormat::kSto,
           ExportFormat::kCsv, ExportFormat::kVideo, ExportFormat::kPng})
         format->addItem(formatName(each), static_cast<int>(each));
-    rows->addRow(tr("Format"), format);
+    rows.addRow(tr("Format"), format);
+    rows.addControl(one_file);
+    one_file->setToolTip(tr("Each take is an animation stack under its name; {take} is the session."));
     for (const double rate : kRates)
         frames->addItem(tr("%1 per second").arg(numberText(rate, 0)), rate);
-    rows->addRow(tr("Frames"), frames);
+    rows.addRow(tr("Frames"), frames);
     root->addItem(tr("Moves as captured"), static_cast<int>(RootMotion::kMoving));
     root->addItem(tr("Stays in place"), static_cast<int>(RootMotion::kInPlace));
     root->addItem(tr("In place, facing +Z"), static_cast<int>(RootMotion::kHeading));
-    rows->addRow(tr("Root"), root);
-    unit->addItem(tr("Centimetres"), 0.01);
-    unit->addItem(tr("Metres"), 1.0);
-    rows->addRow(tr("Unit"), unit);
-    names->addItem(tr("Noctule's own"), static_cast<int>(JointNames::kOwn));
-    names->addItem(tr("HumanIK"), static_cast<int>(JointNames::kHumanIk));
-    rows->addRow(tr("Names"), names);
-    offerBodies();
-    rows->addRow(tr("Body"), body);
-    rows->addControl(angles);
-    column->addWidget(rows);
-    column->addWidget(pictures_ = makePictures());
-    return part;
+    rows.addRow(tr("Root"), root);
 }
 
-void ExportForm::offerBodies() {
+/// What moves so, and how the file writes it down.
+void ExportForm::addFigureRows(FormRows& rows) {
+    unit->addItem(tr("Centimetres"), 0.01);
+    unit->addItem(tr("Metres"), 1.0);
+    rows.addRow(tr("Unit"), unit);
+    names->addItem(tr("Noctule's own"), static_cast<int>(JointNames::kOwn));
+    names->addItem(tr("HumanIK"), static_cast<int>(JointNames::kHumanIk));
+    rows.addRow(tr("Names"), names);
     body->addItem(tr("Skinned, in the performer's measures"), static_cast<int>(ExportBody::kOurs));
     body->addItem(tr("Skeleton alone"), static_cast<int>(ExportBody::kSkeleton));
     body->addItem(tr("The session's body"), static_cast<int>(ExportBody::kSessions));
+    rows.addRow(tr("Body"), body);
+    rows.addControl(lock_feet);
+    lock_feet->setToolTip(
+        tr("On a body of other proportions feet would slide; its legs bend a little instead."));
+    rows.addControl(angles);
 }
 
 QWidget* ExportForm::makePictures() {
@@ -187,6 +201,8 @@ void ExportForm::setSettings(const ExportSettings& settings) {
     chooseData(size, QSize(settings.width_px, settings.height_px));
     chooseData(camera, static_cast<int>(settings.camera));
     angles->setChecked(settings.angles);
+    one_file->setChecked(settings.one_file);
+    lock_feet->setChecked(settings.lock_feet);
     name_pattern->setText(settings.name_pattern);
     own_from_->setValue(settings.own_from_s);
     own_to_->setValue(settings.own_to_s > 0 ? settings.own_to_s : studio_.time().duration());
@@ -208,6 +224,8 @@ void ExportForm::read() {
     settings_.height_px = size->currentData().toSize().height();
     settings_.camera = static_cast<CameraMove>(camera->currentData().toInt());
     settings_.angles = angles->isChecked();
+    settings_.one_file = one_file->isChecked();
+    settings_.lock_feet = lock_feet->isChecked();
     settings_.name_pattern = name_pattern->text();
     settings_.own_from_s = own_from_->value();
     settings_.own_to_s = own_to_->value();
@@ -230,6 +248,8 @@ void ExportForm::refresh() {
         chooseData(unit, hasUnit(settings_.format) ? settings_.metres_per_unit : 1.0);
     }
     angles->setVisible(settings_.format == ExportFormat::kCsv);
+    lock_feet->setVisible(showsBody(settings_.format) && settings_.body == ExportBody::kSessions);
+    one_file->setVisible(holdsTakes(settings_.format));
     pictures_->setVisible(isPicture(settings_.format));
     takes_->setResultsShown(run->currentData().toInt() == static_cast<int>(ResultChoice::kEach));
     refreshWhere();

@@ -37,7 +37,7 @@ public:
 
     // For those who fill it in, the operator and tests.
     QComboBox *range, *format, *frames, *root, *unit, *names, *body, *size, *camera, *run;
-    QCheckBox* angles;
+    QCheckBox *angles, *one_file, *lock_feet;
     QLineEdit* name_pattern;
     Button* try_one_frame;
 
@@ -47,9 +47,10 @@ signals:
 
 private:
     QWidget* makeWhat();
+    void addMotionRows(FormRows& rows);
+    void addFigureRows(FormRows& rows);
     QWidget* makeTakes();
     QWidget* makeWhere();
-    void offerBodies();
     QWidget* makePictures();
     void read();
     void refresh();

@@ -27,7 +27,7 @@ namespace noctule::ui {
 
 namespace {
 constexpr int kForm = 372;
-constexpr size_t kMostNames = 3;
+constexpr int kMostNames = 3;
 }  // namespace
 
 ExportPage::ExportPage(Studio& studio, QWidget* parent)
@@ -142,15 +142,16 @@ void ExportPage::refresh() {
     const auto jobs = plan();
     const QString problem = jobs ? QString() : QString::fromStdString(jobs.error().text());
     const bool busy = progress_->isRunning();
-    write_->setText(tr("Write %n files", nullptr, jobs ? static_cast<int>(jobs->size()) : 0));
+    const int files = jobs ? fileCount(*jobs) : 0;
+    write_->setText(tr("Write %n files", nullptr, files));
     const QString why_not = busy ? tr("Files are being written.") : problem;
     for (Button* button : {write_, again_, form_->try_one_frame})
         button->setDisabledBecause(why_not);
     if (jobs) {
         QStringList names;
-        for (size_t i = 0; i < std::min(kMostNames, jobs->size()); ++i)
-            names += QFileInfo(QString::fromStdString((*jobs)[i].path())).fileName();
-        const int more = static_cast<int>(jobs->size() - static_cast<size_t>(names.size()));
+        for (int i = 0; i < std::min(kMostNames, files); ++i)
+            names += QFileInfo(QString::fromStdString((*jobs)[static_cast<size_t>(i)].path())).fileName();
+        const int more = files - names.size();
         QString words = names.join('\n');
         if (more > 0)
             words += '\n' + tr("and %n more", nullptr, more);

@@ -111,7 +111,9 @@ QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full
     auto* column = makeColumn(card, {12, 10, 12, 12}, 8);
     auto* head = addRow(column, 8);
     head->addWidget(new IconLabel(iconOf(tone), [tone] { return colorOf(tone); }));
-    auto* name = new Label(QFileInfo(QString::fromStdString(outcome.path)).fileName(), TextRole::kBody,
+    const QString file = QFileInfo(QString::fromStdString(outcome.path)).fileName();
+    const bool names_take = outcome.in_one_file && !outcome.take.isEmpty();
+    auto* name = new Label(names_take ? tr("%1: %2").arg(file, outcome.take) : file, TextRole::kBody,
                            Ink::kValue, true);
     name->setToolTip(QString::fromStdString(outcome.path));
     head->addWidget(name->selectable(), 1);

@@ -8,7 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
+#include <span>
 
+#include "core/job/staged_progress.h"
 #include "ui/models/part_names.h"
 #include "ui/style/words.h"
 
@@ -22,30 +25,8 @@ struct RunWords {
     Q_DECLARE_TR_FUNCTIONS(noctule::ui::ExportRun)
 };
 
-/// A take's share of the progress, always under the same words; writing takes most of it.
-class TakeProgress : public ProgressSink {
-public:
-    TakeProgress(const JobContext& whole, double from, double to, std::string words)
-        : whole_(whole), from_(from), to_(to), words_(std::move(words)) {
-        progress(0, {});
-    }
-    JobContext job() { return {this, whole_.cancel}; }
-    void progress(double fraction, const std::string&) override {
-        whole_.progress(from_ + (to_ - from_) * fraction, words_);
-    }
-
-private:
-    JobContext whole_;
-    double from_, to_;
-    std::string words_;
-};
-
-ExportOutcome writeAndCheck(const ExportJob& job, const JobContext& context) {
-    ExportOutcome outcome{job.take, job.path(), {}, {}};
-    if (const auto written = exportTake(job.request, context); !written) {
-        outcome.error = written.error();
-        return outcome;
-    }
+ExportOutcome checkOf(const ExportJob& job, const JobContext& context) {
+    ExportOutcome outcome{job.take, job.path(), {}, {}, job.in_one_file};
     auto checks = checkExport(job.request, {nullptr, context.cancel});
     if (checks)
         outcome.check = std::move(checks->front());
@@ -54,38 +35,86 @@ ExportOutcome writeAndCheck(const ExportJob& job, const JobContext& context) {
     return outcome;
 }
 
-QString fileName(const ExportOutcome& outcome) {
-    return QFileInfo(QString::fromStdString(outcome.path)).fileName();
+Result<ExportSummary> writeFile(std::span<const ExportJob> takes, const JobContext& context) {
+    if (!takes.front().in_one_file)
+        return exportTake(takes.front().request, context);
+    std::vector<ExportRequest> requests;
+    for (const ExportJob& take : takes)
+        requests.push_back(take.request);
+    return exportStacks(requests, context);
+}
+
+/// One file, then the check of each take in it.
+std::vector<ExportOutcome> writeAndCheck(std::span<const ExportJob> takes, const JobContext& context) {
+    const ExportJob& first = takes.front();
+    if (const auto written = writeFile(takes, context); !written)
+        return {{first.in_one_file ? QString() : first.take, first.path(), {}, written.error(), false}};
+    std::vector<ExportOutcome> outcomes;
+    for (const ExportJob& take : takes)
+        if (!context.cancelled())
+            outcomes.push_back(checkOf(take, context));
+    return outcomes;
+}
+
+Status makeFolderOf(const ExportJob& job) {
+    std::error_code error;
+    const std::filesystem::path folder = std::filesystem::path(job.path()).parent_path();
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        return Error{ErrorKind::kDisk, folder.string() + ": the folder cannot be made",
+                     "Choose another folder, or look at its rights"};
+    return Done{};
+}
+
+/// How many different files are among outcomes that `is_meant`.
+template <class Meant>
+int filesOf(const std::vector<ExportOutcome>& outcomes, Meant is_meant) {
+    std::set<std::string> paths;
+    for (const ExportOutcome& outcome : outcomes)
+        if (is_meant(outcome))
+            paths.insert(outcome.path);
+    return static_cast<int>(paths.size());
+}
+
+QString fileName(const std::string& path) {
+    return QFileInfo(QString::fromStdString(path)).fileName();
 }
 
 }  // namespace
 
 int ExportResults::written() const {
-    return static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(),
-                                          [](const ExportOutcome& outcome) { return !outcome.error; }));
+    return filesOf(outcomes, [](const ExportOutcome& outcome) { return !outcome.error; });
 }
 
 int ExportResults::faulty() const {
-    return static_cast<int>(std::count_if(outcomes.begin(), outcomes.end(), [](const ExportOutcome& outcome) {
-        return outcome.error || !outcome.check.ok();
-    }));
+    return filesOf(outcomes,
+                   [](const ExportOutcome& outcome) { return outcome.error || !outcome.check.ok(); });
+}
+
+int fileCount(const std::vector<ExportJob>& jobs) {
+    std::set<std::string> paths;
+    for (const ExportJob& job : jobs)
+        paths.insert(job.path());
+    return static_cast<int>(paths.size());
 }
 
 Result<ExportResults> runExport(const std::vector<ExportJob>& jobs, const JobContext& job) {
     QElapsedTimer clock;
     clock.start();
     ExportResults results;
-    for (size_t i = 0; i < jobs.size(); ++i) {
-        std::error_code error;
-        const std::filesystem::path folder = std::filesystem::path(jobs[i].path()).parent_path();
-        std::filesystem::create_directories(folder, error);
-        if (error)
-            return Error{ErrorKind::kDisk, folder.string() + ": the folder cannot be made",
-                         "Choose another folder, or look at its rights"};
-        const double step = 1.0 / static_cast<double>(jobs.size()), begin = step * static_cast<double>(i);
-        TakeProgress part(job, begin, begin + step,
-                          RunWords::tr("Writing and checking %1").arg(jobs[i].take).toStdString());
-        results.outcomes.push_back(writeAndCheck(jobs[i], part.job()));
+    const size_t per_file = jobs.front().in_one_file ? jobs.size() : 1;
+    for (size_t i = 0; i < jobs.size(); i += per_file) {
+        if (const Status made = makeFolderOf(jobs[i]); !made)
+            return made.error();
+        const auto share = [&](size_t takes) {
+            return static_cast<double>(takes) / static_cast<double>(jobs.size());
+        };
+        const QString what = jobs[i].in_one_file ? fileName(jobs[i].path()) : jobs[i].take;
+        StagedProgress part(job, share(i), share(i + per_file),
+                            RunWords::tr("Writing and checking %1").arg(what).toStdString());
+        part.job().progress(0, {});
+        for (ExportOutcome& outcome : writeAndCheck({&jobs[i], per_file}, part.job()))
+            results.outcomes.push_back(std::move(outcome));
         if (job.cancelled())
             return JobContext::cancelledError();
     }
@@ -101,6 +130,7 @@ Result<ExportResults> tryOneFrame(ExportJob job, double time_s, const JobContext
     std::string& path = job.request.*entryOf(job.format).path;
     path = folder.filePath(QFileInfo(QString::fromStdString(path)).fileName()).toStdString();
     job.request.from_s = job.request.to_s = time_s;
+    job.in_one_file = false;
     return runExport({job}, context);
 }
 
@@ -165,7 +195,7 @@ QStringList motionLines(const ExportCheck& check) {
 QString checkAsText(const ExportResults& results) {
     QStringList lines;
     for (const ExportOutcome& outcome : results.outcomes) {
-        lines += fileName(outcome);
+        lines += fileName(outcome.path);
         if (outcome.error) {
             lines += "  " + QString::fromStdString(outcome.error->text());
             continue;

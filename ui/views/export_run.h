@@ -9,21 +9,26 @@
 
 namespace noctule::ui {
 
-/// What became of one take: the check of its file, or why there is none.
+/// What became of one take: the check of its file, or why there is none. A file of several takes that could
+/// not be written is one outcome without a take.
 struct ExportOutcome {
     QString take;
     std::string path;
     ExportCheck check;
     std::optional<Error> error;
+    bool in_one_file = false;  ///< the take is one of several in the file
 };
 
 struct ExportResults {
     std::vector<ExportOutcome> outcomes;
     double seconds = 0;
 
-    int written() const;
-    int faulty() const;  ///< not written, or the check found something
+    int written() const;  ///< files
+    int faulty() const;   ///< files that are not there, or of which the check found something
 };
+
+/// How many files the jobs make.
+int fileCount(const std::vector<ExportJob>& jobs);
 
 /// Goes on after a take that fails; an Error only when cancelled or the folder cannot be made.
 Result<ExportResults> runExport(const std::vector<ExportJob>& jobs, const JobContext& job);

@@ -97,6 +97,8 @@ ExportSettings loaded(QSettings& store, const QString& key, const ExportSettings
     s.camera =
         static_cast<CameraMove>(std::clamp(store.value("camera", static_cast<int>(s.camera)).toInt(), 0, 2));
     s.root_name = store.value("root_name", s.root_name).toString();
+    s.lock_feet = store.value("lock_feet", s.lock_feet).toBool();
+    s.one_file = store.value("one_file", s.one_file).toBool();
     s.angles = store.value("angles", s.angles).toBool();
     s.folder = store.value("folder", s.folder).toString();
     s.name_pattern = store.value("name_pattern", s.name_pattern).toString();
@@ -119,6 +121,8 @@ void save(QSettings& store, const QString& key, const ExportSettings& s) {
     store.setValue("height_px", s.height_px);
     store.setValue("camera", static_cast<int>(s.camera));
     store.setValue("root_name", s.root_name);
+    store.setValue("lock_feet", s.lock_feet);
+    store.setValue("one_file", s.one_file);
     store.setValue("angles", s.angles);
     store.setValue("folder", s.folder);
     store.setValue("name_pattern", s.name_pattern);
@@ -214,6 +218,10 @@ bool hasNames(ExportFormat format) {
     return hasUnit(format) || format == ExportFormat::kGlb;
 }
 
+bool holdsTakes(ExportFormat format) {
+    return format == ExportFormat::kFbx;
+}
+
 QString settingsInWords(const ExportSettings& settings) {
     const QString frames = numberText(settings.frames_per_second, 0), format = formatName(settings.format);
     const QString size = SettingsWords::tr("%1 × %2").arg(settings.width_px).arg(settings.height_px);
@@ -252,6 +260,7 @@ void setRange(ExportRequest& request, const SessionTake& take, const ExportSetti
 Status setLook(ExportRequest& request, const ExportSurroundings& surroundings,
                const ExportSettings& settings) {
     request.with_body = settings.body != ExportBody::kSkeleton;
+    request.lock_feet = settings.lock_feet;
     request.film = {{settings.width_px, settings.height_px},
                     settings.camera,
                     settings.frames_per_second,
@@ -282,14 +291,20 @@ Result<ExportJob> exportJob(const ExportSurroundings& surroundings, const Sessio
     setRange(request, take, settings);
     if (const Status look = setLook(request, surroundings, settings); !look)
         return look.error();
-    const auto name = exportFileName(settings.name_pattern.toStdString(),
-                                     {take.name, take.performer, run.toStdString(),
-                                      surroundings.date.toStdString(), settings.frames_per_second});
+    job.in_one_file = settings.one_file && holdsTakes(settings.format);
+    if (job.in_one_file)
+        request.motion_name = take.name;
+    const auto name =
+        exportFileName(settings.name_pattern.toStdString(),
+                       {job.in_one_file ? session.name : take.name, take.performer, run.toStdString(),
+                        surroundings.date.toStdString(), settings.frames_per_second});
     if (!name)
         return name.error();
     const ExportFormatEntry& entry = entryOf(settings.format);
     request.*entry.path =
-        freeFilePath(exportFolder(session, settings).toStdString(), *name, entry.extension, taken);
+        job.in_one_file && !taken.empty()
+            ? *taken.begin()
+            : freeFilePath(exportFolder(session, settings).toStdString(), *name, entry.extension, taken);
     request.metres_per_unit = settings.metres_per_unit;
     request.names = settings.names;
     request.root_name = settings.root_name.toStdString();

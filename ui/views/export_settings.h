@@ -28,10 +28,12 @@ struct ExportSettings {
     RootMotion root = RootMotion::kMoving;
     double metres_per_unit = 0.01;         ///< BVH and FBX; the others are in metres
     JointNames names = JointNames::kOwn;   ///< BVH, FBX and GLB
-    ExportBody body = ExportBody::kOurs;   ///< FBX, GLB; pictures show no skeleton alone
+    ExportBody body = ExportBody::kOurs;   ///< FBX, GLB, pictures and films
+    bool lock_feet = true;                 ///< of the session's body
     int width_px = 1280, height_px = 720;  ///< pictures and films
     CameraMove camera = CameraMove::kFront;
     QString root_name = "Reference";  ///< FBX
+    bool one_file = false;            ///< FBX: all takes in it, a stack for each
     bool angles = false;              ///< CSV
     QString folder;                   ///< empty: exports/ of the session
     QString name_pattern = "{take}_{fps}";
@@ -69,8 +71,9 @@ private:
 
 /// "FBX", "OpenSim angles"
 QString formatName(ExportFormat format);
-bool hasUnit(ExportFormat format);   ///< of its own choice
-bool hasNames(ExportFormat format);  ///< of joints
+bool hasUnit(ExportFormat format);     ///< of its own choice
+bool hasNames(ExportFormat format);    ///< of joints
+bool holdsTakes(ExportFormat format);  ///< several in one file
 /// "BVH, centimetres, 120 frames"
 QString settingsInWords(const ExportSettings& settings);
 
@@ -79,6 +82,7 @@ struct ExportJob {
     QString take;
     ExportFormat format = ExportFormat::kBvh;
     ExportRequest request;
+    bool in_one_file = false;  ///< with the other takes
     std::string path() const { return outputsOf(request).front(); }
 };
 /// What all takes of an export share.

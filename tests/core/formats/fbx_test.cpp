@@ -107,6 +107,42 @@ TEST_F(Fbx, AnotherRateAnotherLengthAndAnotherNameAreRefused) {
         EXPECT_FALSE(compareScene(path(), "walk.fbx", SceneFormat::kFbx, wrong));
 }
 
+TEST_F(Fbx, SeveralMotionsAreStacks) {
+    std::vector<Figure> figures(3, test::sampleFigure(true));
+    figures[1].clip.name = "walk_002";
+    std::reverse(figures[1].clip.frames.begin(), figures[1].clip.frames.end());
+    figures[2].clip.name = "walk_003";
+    figures[2].clip.frames.resize(17);
+    const Status written = writeFbx(path(), figures, {}, false);
+    ASSERT_TRUE(written) << written.error().text();
+    for (const Figure& figure : figures) {
+        EXPECT_EQ(differenceTo(figure).frames, figure.clip.frames.size());
+        EXPECT_LT(differenceTo(figure).joint_m, 5e-6);
+        EXPECT_LT(differenceTo(figure).vertex_m, 5e-6);
+        EXPECT_NE(bytes().find(fbxObjectName(figure.clip.name, "AnimStack")), std::string::npos);
+    }
+    Figure exchanged = figures[1];
+    exchanged.clip.name = "walk_001";
+    EXPECT_GT(differenceTo(exchanged).joint_m, 0.1);
+    EXPECT_FALSE(checkScene(path(), "walk.fbx", SceneFormat::kFbx, exchanged));
+}
+
+TEST_F(Fbx, MotionsOfOtherBonesRatesOrTheSameNameGoIntoNoFile) {
+    const Figure figure = test::sampleFigure(false);
+    Figure same = figure, longer = figure, faster = figure;
+    longer.clip.name = faster.clip.name = "walk_002";
+    std::vector<Joint> joints = figure.clip.skeleton.joints();
+    joints[4].offset_m.y() += 0.01;
+    longer.clip.skeleton = Skeleton::make(joints).value();
+    faster.clip.frame_time_s *= 0.5;
+    for (const Figure& wrong : {same, longer, faster}) {
+        const Status refused = writeFbx(path(), std::vector{figure, wrong}, {}, false);
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().kind, ErrorKind::kUnusable);
+        EXPECT_NE(refused.error().message.find(wrong.clip.name), std::string::npos);
+    }
+}
+
 TEST_F(Fbx, ADamagedFileIsRefused) {
     const Figure figure = test::sampleFigure(false);
     ASSERT_TRUE(writeFbx(path(), figure, {}, false));

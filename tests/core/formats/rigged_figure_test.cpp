@@ -98,6 +98,27 @@ TEST(RiggedFigure, FilesHoldBodiesOfOthers) {
     }
 }
 
+TEST(RiggedFigure, ColourAndTextureStandInTheFiles) {
+    if (!test::isShared(test::kCesiumMan))
+        GTEST_SKIP() << test::sayMissing(test::kCesiumMan);
+    const auto figure = riggedFigure(shortClip(), {}, sharedBody(test::kCesiumMan), JointNames::kOwn);
+    ASSERT_TRUE(figure && figure->body->look && figure->body->look->texture);
+    test::Folder folder;
+    for (const SceneFormat format : {SceneFormat::kFbx, SceneFormat::kGlb}) {
+        const std::string path = folder.file(format == SceneFormat::kFbx ? "t.fbx" : "t.glb");
+        const Status written =
+            format == SceneFormat::kFbx ? writeFbx(path, *figure, {}, false) : writeGlb(path, *figure, false);
+        ASSERT_TRUE(written) << written.error().text();
+        Figure moved = *figure, painted = *figure, plain = *figure;
+        moved.body->vertices[7].uv.x() += 0.01F;
+        painted.body->look->base_color.x() = 0.5F;
+        plain.body->look->texture = std::make_shared<const SurfaceTexture>(SurfaceTexture{"none"});
+        EXPECT_TRUE(checkScene(path, path, format, *figure));
+        for (const Figure& other : {moved, painted, plain})
+            EXPECT_FALSE(checkScene(path, path, format, other));
+    }
+}
+
 TEST(RiggedFigure, BonesBesideTheHipsGoAlongAndEmptyOnesStayOut) {
     RiggedMesh rig = test::namedRig([](const std::string& joint) { return joint; });
     rig.nodes.push_back({"Lamp", -1});

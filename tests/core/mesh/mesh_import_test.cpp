@@ -150,6 +150,33 @@ TEST(MeshImport, TheUnitMayBeGiven) {
         EXPECT_LT(p.norm(), 0.02F);
 }
 
+TEST(MeshImport, ColourAndTextureComeAlong) {
+    if (!test::isShared(test::kCesiumMan))
+        GTEST_SKIP() << test::sayMissing(test::kCesiumMan);
+    const auto paint = [](SurfaceTexture& texture) {
+        texture.width_px = texture.height_px = 1;
+        texture.rgba = {1, 2, 3, 255};
+    };
+    const auto mesh = importMesh(test::sharedPath(test::kCesiumMan), {std::nullopt, paint});
+    ASSERT_TRUE(mesh && mesh->skin.look && mesh->skin.look->texture);
+    const SurfaceLook& look = *mesh->skin.look;
+    EXPECT_TRUE(look.base_color.isOnes()) << look.base_color;
+    EXPECT_TRUE(look.texture->file.starts_with("\xff\xd8\xff") || look.texture->file.starts_with("\x89PNG"));
+    Eigen::AlignedBox2f places;
+    for (const SkinnedVertex& vertex : mesh->skin.vertices)
+        places.extend(vertex.uv);
+    EXPECT_GT(places.sizes().minCoeff(), 0.3F) << "spread over the texture";
+    const auto again = meshFromBytes(toBytes(*mesh), "x");
+    ASSERT_TRUE(again && again->skin.look && again->skin.look->texture);
+    EXPECT_EQ(again->skin.look->texture->file, look.texture->file);
+    EXPECT_EQ(again->skin.look->texture->rgba, look.texture->rgba);
+    RiggedMesh wrong = *mesh;
+    SurfaceTexture larger = *look.texture;
+    larger.width_px = 7;
+    wrong.skin.look->texture = std::make_shared<const SurfaceTexture>(larger);
+    EXPECT_FALSE(meshFromBytes(toBytes(wrong), "x")) << "more pixels than there are";
+}
+
 TEST(MeshImport, SameThroughBytes) {
     if (!test::isShared(test::kKenney))
         GTEST_SKIP() << test::sayMissing(test::kKenney);

@@ -122,6 +122,31 @@ TEST_F(ExportFormats, EveryFileIsHeldAgainstItsTake) {
     }
 }
 
+TEST_F(ExportFormats, TakesInOneFileAreEachHeldAgainstTheirs) {
+    ExportRequest first = request_, second = request_;
+    first.fbx_path = second.fbx_path = file("both.fbx");
+    first.motion_name = "early";
+    second.motion_name = "late";
+    second.from_s = 0.9;
+    const auto summary = exportStacks({first, second}, {});
+    ASSERT_TRUE(summary) << summary.error().text();
+    EXPECT_EQ(summary->files, std::vector{first.fbx_path});
+    EXPECT_EQ(summary->frames, 55U + 32U);
+    for (const ExportRequest& take : {first, second}) {
+        const auto checks = checkExport(take, {});
+        ASSERT_TRUE(checks);
+        EXPECT_TRUE(checks->front().ok()) << checks->front().faults.front();
+        EXPECT_EQ(checks->front().frames, take.motion_name == "late" ? 32U : 55U);
+    }
+    second.motion_name = "early";
+    EXPECT_FALSE(checkExport(second, {})->front().ok()) << "another take's stack";
+    second.motion_name = "nobody's";
+    EXPECT_FALSE(checkExport(second, {})->front().ok());
+    const auto kept = exportStacks({first, second}, {});
+    ASSERT_FALSE(kept);
+    EXPECT_EQ(kept.error().kind, ErrorKind::kUsage) << "nothing is overwritten";
+}
+
 TEST_F(ExportFormats, AFileOfAnotherRunOfTimeIsFound) {
     ExportRequest request = request_;
     request.with_body = false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A take on the body of another program, as files, pictures and films: written, read again, held against the
 // take by a check of its own, which sees what is wrong.
+#include <unistd.h>
+
 #include "core/film/video_file.h"
 #include "core/job/atomic_file.h"
 #include "core/processing/check_export.h"
@@ -131,6 +133,43 @@ TEST_F(WornExport, PicturesAndFilmsAreDrawnAndChecked) {
     other.film.frames_per_second = 24;
     for (const ExportCheck& check : *checkExport(other, {}))
         EXPECT_FALSE(check.ok()) << check.path;
+}
+
+TEST_F(WornExport, ASkeletonAloneIsDrawnAsLines) {
+    request_.with_body = false;
+    request_.png_path = file("s.png");
+    request_.film.size = {320, 240};
+    const auto summary = exportTake(request_, {});
+    ASSERT_TRUE(summary) << summary.error().text();
+    EXPECT_TRUE(checkExport(request_, {})->front().ok());
+    const auto grey = [&] {
+        const auto picture = readPng(request_.png_path).value();
+        int count = 0;
+        for (int y = 0; y < picture.height_px; ++y)
+            for (int x = 0; x < picture.width_px; ++x)
+                count += isGrey(picture.at(x, y));
+        return count;
+    };
+    const int lines = grey();
+    EXPECT_GT(lines, 60);
+    request_.with_body = true;
+    request_.worn = nullptr;
+    request_.overwrite = true;
+    ASSERT_TRUE(exportTake(request_, {}));
+    EXPECT_LT(lines, grey() / 2) << "thinner than a body";
+}
+
+TEST_F(WornExport, WhatAKilledFilmLeftGoesWithTheNext) {
+    request_.png_path = file("p.png");
+    const std::string mine = file(".p.png." + std::to_string(::getpid()) + "-77.partial"),
+                      dead = file(".p.png.999999999-0.partial.png"),
+                      other = file(".q.png.999999999-0.partial");
+    for (const std::string& path : {mine, dead, other})
+        ASSERT_TRUE(writeFileAtomically(path, "half", false));
+    ASSERT_TRUE(exportTake(request_, {}));
+    EXPECT_TRUE(std::filesystem::exists(mine)) << "somebody writes it";
+    EXPECT_FALSE(std::filesystem::exists(dead));
+    EXPECT_TRUE(std::filesystem::exists(other)) << "of another name";
 }
 
 TEST_F(WornExport, ACancelledFilmLeavesNothing) {

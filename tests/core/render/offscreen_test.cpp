@@ -108,6 +108,30 @@ TEST_F(OffscreenPicture, ATranslucentBodyShowsItsNearestSurfaceOnly) {
     EXPECT_NEAR(pixel[0], expected, 2);
 }
 
+/// Four colours, one to a quarter of the face that is seen: the texture's top row is at the top.
+TEST_F(OffscreenPicture, ABodyShowsItsTextureTheRightWayUp) {
+    SurfaceTexture texture{"PNG", 2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255}};
+    auto mesh = std::make_shared<SkinnedMesh>(*cube());
+    for (SkinnedVertex& vertex : mesh->vertices)
+        vertex.uv = {vertex.p_m.x() + 0.5F, vertex.p_m.y() + 0.5F};
+    mesh->look = SurfaceLook{{1, 1, 1}, std::make_shared<const SurfaceTexture>(texture)};
+    Scene scene = emptyScene();
+    scene.bodies = {bodyOf(mesh, BodyStyle::kSolid)};
+    const Picture picture = render(scene);
+    const auto isColor = [&](int x, int y, bool r, bool g, bool b) {
+        const uint8_t* pixel = picture.at(160 + x, 120 + y);
+        return (pixel[0] > 120) == r && (pixel[1] > 120) == g && (pixel[2] > 120) == b;
+    };
+    EXPECT_TRUE(isColor(-15, -15, true, false, false));
+    EXPECT_TRUE(isColor(15, -15, false, true, false));
+    EXPECT_TRUE(isColor(-15, 15, false, false, true));
+    EXPECT_TRUE(isColor(15, 15, true, true, true));
+    mesh->look = SurfaceLook{{0, 1, 0}, {}};
+    scene.bodies = {bodyOf(std::make_shared<SkinnedMesh>(*mesh), BodyStyle::kSolid)};
+    const Picture plain = render(scene);
+    EXPECT_GT(plain.at(160, 120)[1], plain.at(160, 120)[0] + 60) << "the base colour, not the viewer's";
+}
+
 TEST_F(OffscreenPicture, AGhostHasAnOutlineAndNoSurface) {
     Scene scene = emptyScene();
     scene.bodies = {bodyOf(cube(), BodyStyle::kOutline)};

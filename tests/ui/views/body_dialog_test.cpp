@@ -6,7 +6,6 @@
 #include <QDoubleSpinBox>
 
 #include "core/job/atomic_file.h"
-#include "core/processing/export_take.h"
 #include "tests/ui/views/reviewed_session.h"
 #include "ui/widgets/button.h"
 
@@ -20,27 +19,20 @@ protected:
         if (HasFatalFailure())
             return;
         openTake("swing_001");
-        ExportRequest request;  // a figure of ours is as good as any
-        request.take_path = takePath("swing_001").toStdString();
-        request.to_s = request.from_s = 0.5;
-        request.glb_path = outsideFile("figure.glb").toStdString();
-        ASSERT_TRUE(exportTake(request, {}));
+        mesh_ = writtenFigure();
     }
-    void TearDown() override {
-        waitFor([this] { return jobsAreDone(); });
-        ReviewedSession::TearDown();
-    }
-    QString mesh() const { return outsideFile("figure.glb"); }
     static void chooseNone(BodyDialog& dialog, const char* joint) {
         dialog.boneOf(joint)->setCurrentIndex(0);
     }
+
+    QString mesh_;
 };
 
 TEST_F(BodyDialogTest, AMeshIsChosenMappedKeptAndUndone) {
     BodyDialog dialog(*studio_);
     dialog.show();
     EXPECT_TRUE(dialog.actionButton()->isEnabled()) << "Noctule's own";
-    dialog.setMesh(mesh());
+    dialog.setMesh(mesh_);
     EXPECT_FALSE(dialog.actionButton()->isEnabled()) << "not read yet";
     ASSERT_TRUE(waitFor([&] { return dialog.boneOf("Hips") && jobsAreDone(); }));
     EXPECT_TRUE(dialog.actionButton()->isEnabled());
@@ -64,7 +56,7 @@ TEST_F(BodyDialogTest, AMeshIsChosenMappedKeptAndUndone) {
     const auto kept = openSession(studio_->session().session().folder, {});
     ASSERT_TRUE(kept);
     EXPECT_EQ(kept->body, studio_->session().session().body);
-    EXPECT_EQ(kept->body.mesh, mesh().toStdString());
+    EXPECT_EQ(kept->body.mesh, mesh_.toStdString());
 
     studio_->session().undoStack().undo();
     EXPECT_EQ(shown.worn(), nullptr);

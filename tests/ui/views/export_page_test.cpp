@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/export_page.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
 #include <QLineEdit>
@@ -87,14 +88,8 @@ TEST_F(ExportPageTest, PicturesAndFilmsAreWrittenAndChecked) {
 }
 
 TEST_F(ExportPageTest, TheSessionsBodyGoesOut) {
-    ExportRequest figure;
-    figure.take_path = takePath("swing_001").toStdString();
-    figure.from_s = figure.to_s = 0.5;
-    figure.names = JointNames::kHumanIk;
-    figure.glb_path = outsideFile("figure.glb").toStdString();
-    ASSERT_TRUE(exportTake(figure, {}));
     SessionBody body;
-    body.mesh = figure.glb_path;
+    body.mesh = writtenFigure(JointNames::kHumanIk).toStdString();
     studio_->session().setBody(body);
     page_->choosePreset("web");
     page_->form().body->setCurrentIndex(2);
@@ -108,6 +103,33 @@ TEST_F(ExportPageTest, TheSessionsBodyGoesOut) {
     studio_->session().setBody(body);
     ASSERT_TRUE(waitFor([this] { return studio_->shownBody().problem() && jobsAreDone(); }));
     EXPECT_FALSE(page_->plan()) << "it is not there";
+}
+
+TEST_F(ExportPageTest, AllTakesGoIntoOneFile) {
+    addTake("kick_002");
+    studio_->session().setTakeRange(studio_->session().session().findTake("kick_002"), 1, 2);
+    page_->choosePreset("blender");
+    page_->form().setTakes({"swing_001", "kick_002"});
+    EXPECT_EQ(fileCount(*page_->plan()), 2);
+    page_->form().one_file->setChecked(true);
+    ASSERT_TRUE(page_->plan());
+    EXPECT_EQ(fileCount(*page_->plan()), 1);
+    EXPECT_TRUE(page_->writeButton()->text().contains('1'));
+    write();
+    const ExportResults& results = *page_->results();
+    ASSERT_EQ(results.outcomes.size(), 2U);
+    EXPECT_EQ(results.written(), 1);
+    EXPECT_EQ(results.faulty(), 0);
+    for (const ExportOutcome& outcome : results.outcomes) {
+        ASSERT_FALSE(outcome.error) << outcome.error->text();
+        EXPECT_TRUE(outcome.check.ok()) << outcome.check.faults.front();
+        EXPECT_EQ(outcome.check.frames, outcome.take == "kick_002" ? 61U : 241U);
+        EXPECT_EQ(outcome.path, exported("Stage tests_60.fbx"));
+    }
+    EXPECT_EQ(page_->resultsPanel().cardCount(), 2);
+    page_->choosePreset("web");
+    EXPECT_TRUE(page_->form().one_file->isHidden());
+    EXPECT_EQ(fileCount(*page_->plan()), 2) << "glTF takes none";
 }
 
 TEST_F(ExportPageTest, NothingIsOverwritten) {

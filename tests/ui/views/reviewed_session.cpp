@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/math/rotation.h"
+#include "core/processing/export_take.h"
 #include "core/processing/process_take.h"
 #include "tests/support/simulated_take.h"
 #include "ui/style/theme.h"
@@ -78,7 +79,28 @@ void ReviewedSession::SetUp() {
 }
 
 void ReviewedSession::TearDown() {
+    waitFor([this] { return !studio_ || jobsAreDone(); });
     studio_.reset();
+}
+
+void ReviewedSession::addTake(const QString& name) {
+    const size_t before = studio_->session().session().takes.size();
+    const QString copy = outsideFile(name + ".noctule");
+    ASSERT_TRUE(QFile::copy(takePath("swing_001"), copy));
+    studio_->session().importTakes({copy});
+    ASSERT_TRUE(
+        waitFor([&] { return studio_->session().session().takes.size() == before + 1 && jobsAreDone(); }));
+}
+
+QString ReviewedSession::writtenFigure(JointNames names) {
+    ExportRequest figure;
+    figure.take_path = takePath("swing_001").toStdString();
+    figure.from_s = figure.to_s = 0.5;
+    figure.names = names;
+    figure.overwrite = true;
+    figure.glb_path = outsideFile("figure.glb").toStdString();
+    EXPECT_TRUE(exportTake(figure, {}));
+    return outsideFile("figure.glb");
 }
 
 void ReviewedSession::openTake(const QString& name) {

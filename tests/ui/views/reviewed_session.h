@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 
+#include "core/formats/figure.h"
 #include "tests/ui/support/wait.h"
 #include "ui/models/studio.h"
 
@@ -23,6 +24,10 @@ protected:
         return folder_.filePath("session/takes/" + name + ".noctule");
     }
     QString outsideFile(const QString& name) const { return folder_.filePath(name); }
+    /// The first take again, under another name.
+    void addTake(const QString& name);
+    /// A figure of ours as a mesh of somebody: as good as any. Its path.
+    QString writtenFigure(JointNames names = JointNames::kOwn);
     /// Opens the session and a take, and waits for its verdict.
     void openTake(const QString& name);
     bool jobsAreDone() const { return studio_->jobs().idle(); }

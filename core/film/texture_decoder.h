@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Textures of bodies, made ready to be drawn. Files of others are only decoded in noctule-read-mesh.
+#pragma once
+
+#include "core/mesh/rigged_mesh.h"
+
+namespace noctule {
+
+/// Decodes a texture's PNG or JPEG, made smaller until no side is longer than MeshLimits::kTextureSide_px.
+/// What cannot be decoded stays without pixels.
+void decodeTexture(SurfaceTexture& texture);
+
+}  // namespace noctule

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/export_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/math/rotation.h"
+#include "core/motion/foot_contacts.h"
+#include "core/processing/bone_confidence.h"
+#include "core/processing/pose_runs.h"
+
+namespace noctule {
+namespace {
+
+/// Turn about the vertical that takes +Z to where the root faces. Seen from right above or below (lying), the
+/// root's up says more than its forward.
+Quaterniond headingOf(const Quaterniond& q_world_root) {
+    const Vector3d forward = q_world_root * Vector3d::UnitZ();
+    const Vector3d facing = std::hypot(forward.x(), forward.z()) > 0.1
+                                ? forward
+                                : Vector3d(q_world_root * Vector3d::UnitY() * -forward.y());
+    return axisAngle(Vector3d::UnitY(), std::atan2(facing.x(), facing.z()));
+}
+
+void holdRoot(MotionClip& clip, RootMotion root) {
+    if (root == RootMotion::kMoving)
+        return;
+    const Vector3d first = clip.frames.front().p_world_root;
+    for (Pose& pose : clip.frames) {
+        pose.p_world_root = Vector3d(first.x(), pose.p_world_root.y(), first.z());
+        if (root == RootMotion::kHeading)
+            pose.q_parent_joint[0] = headingOf(pose.q_parent_joint[0]).conjugate() * pose.q_parent_joint[0];
+    }
+}
+
+Result<ExportedMotion> cut(const Take& take, const TimedMotion& motion, const ExportRequest& request,
+                           double frames_per_second) {
+    ExportedMotion exported;
+    MotionClip& clip = exported.clip;
+    double begin_s = 0;
+    clip.name = request.motion_name.empty() ? take.header().name : request.motion_name;
+    clip.skeleton = motion.skeleton;
+    clip.frame_time_s = 1 / frames_per_second;
+    if (!motion.frames.empty()) {
+        PoseSampler sampler(motion, std::numeric_limits<int64_t>::max());
+        const auto toNs = [](double s) { return static_cast<int64_t>(std::llround(s * 1e9)); };
+        const int64_t begin = request.from_s ? toNs(*request.from_s) : motion.frames.front().time_ns;
+        const int64_t end = request.to_s ? std::min(toNs(*request.to_s), motion.frames.back().time_ns)
+                                         : motion.frames.back().time_ns;
+        for (int64_t i = 0;; ++i) {
+            const int64_t time_ns = begin + toNs(static_cast<double>(i) / frames_per_second);
+            if (time_ns > end)
+                break;
+            if (auto pose = sampler.at(time_ns)) {
+                if (clip.frames.empty())
+                    begin_s = static_cast<double>(time_ns) * 1e-9;
+                clip.frames.push_back(std::move(*pose));
+                exported.confidence.push_back(boneConfidence(motion, time_ns));
+            }
+        }
+    }
+    if (clip.frames.empty())
+        return Error{ErrorKind::kUnusable, take.path() + ": there is no pose in the part to export",
+                     "Choose --from and --to within the take's duration"};
+    if (locksFeet(request))
+        exported.feet = {clip.frames, clip.frame_time_s, footPlants(motion, begin_s)};
+    holdRoot(clip, request.root);
+    const auto is_empty = [](const std::vector<float>& row) { return row.empty(); };
+    if (std::any_of(exported.confidence.begin(), exported.confidence.end(), is_empty))
+        exported.confidence.clear();
+    return exported;
+}
+
+}  // namespace
+
+bool locksFeet(const ExportRequest& request) {
+    return request.worn && request.with_body && request.lock_feet;
+}
+
+FootPlants footPlants(const TimedMotion& motion, double begin_s) {
+    FootPlants plants;
+    for (const FootContacts& foot : findFootContacts(motion))
+        for (const FootContact& contact : foot.contacts)
+            plants[foot.foot == "LeftFoot" ? 0 : 1].push_back(
+                {contact.from_s - begin_s, contact.to_s - begin_s});
+    return plants;
+}
+
+Result<ExportedMotion> exportedMotion(const ExportRequest& request) {
+    const auto take = Take::open(request.take_path);
+    if (!take)
+        return take.error();
+    const auto run = choosePoseRun(*take, request.run);
+    if (!run)
+        return run.error();
+    const auto motion = take->poses(run->run);
+    if (!motion)
+        return motion.error();
+    auto exported = cut(*take, *motion, request, request.frames_per_second);
+    if (!exported)
+        return exported;
+    exported->run = run->name;
+    if (request.png_path.empty() && request.video_path.empty())
+        return exported;
+    auto filmed = cut(*take, *motion, request, request.film.frames_per_second);
+    if (!filmed)
+        return filmed.error();
+    exported->filmed = std::move(filmed->clip);
+    exported->filmed_feet = std::move(filmed->feet);
+    return exported;
+}
+
+}  // namespace noctule
