@@ -9,20 +9,17 @@
 // for discrete-time nonlinear filtering", 1998, equation 21) along the true trajectory, carried out in its
 // covariance form (the same by the matrix inversion lemma) with the estimator's Jacobians, which tests hold
 // against differences; smoothed: with the information of what follows. It assumes
-// - Gaussian errors: an angle's mean is that of a Gaussian with the bound's variances, components
-// independent;
+// - Gaussian errors: an angle's mean is that of a Gaussian with the bound's variances, its components
+//   independent; beyond 60 degrees a linear bound says nothing and stands as "none";
 // - sensors' white noise as in the scenario, without what the coding of the stream adds (it is paid back in
-// the next
-//   frame), biases constant or walking as in the scenario, boards, bones and speed of sound as the scenario
-//   has them;
-// - distances that heard the direct path (within 15 mm of the truth), each with the scatter that those of
-// this take
-//   have about the truth: echoes' pull included, taken for white;
+//   the next frame) and without errors of the calibration's matrices; biases constant or walking as in the
+//   scenario, boards, bones and the spread of the speed of sound as the scenario has them;
+// - distances that heard the direct path (within 15 mm of the truth), with the scatter that those of this
+//   take have about the truth: echoes' pull included, taken for white;
 // - a motion drawn from a Gaussian process. A given motion has no process noise, and nothing would then bound
-// an
-//   error; so per coordinate white jerk of the density that gives the accelerations' true changes over 1/140
-//   s, decaying such that their true variance is the stationary one; none while the rest pose is held. An
-//   estimator that knew more of how people move (that movements are smooth over longer than a frame) could go
+//   an error; so per coordinate white jerk of the density that gives the accelerations' true changes over
+//   1/140 s, decaying such that their true variance is the stationary one; none while the rest pose is held.
+//   An estimator that knew more of how people move (movements are smooth over longer than a frame) could go
 //   below.
 #include <algorithm>
 #include <cmath>
@@ -41,6 +38,9 @@ namespace {
 
 constexpr size_t kStretch = 840;  ///< steps that are kept at once when going back
 constexpr double kDegrees = 180 / 3.14159265358979;
+
+/// Beyond it a linear bound says nothing of angles.
+constexpr double kMeaningless_deg = 60;
 
 /// Of one sensor set.
 struct Setting {
@@ -233,6 +233,14 @@ double estimatorError_deg(const std::string& take_path, const Setting& setting, 
     return std::nan("");
 }
 
+/// Bound, what was got, and their ratio.
+void print(double bound_deg, double got_deg) {
+    if (bound_deg < kMeaningless_deg)
+        std::printf("| %.3f | %.3f | %.2f ", bound_deg, got_deg, got_deg / bound_deg);
+    else
+        std::printf("| none | %.3f | ", got_deg);
+}
+
 void measure(const std::string& motion, double seconds, uint64_t seed) {
     const std::string name = std::filesystem::path(motion).stem().string();
     const std::string take_path =
@@ -253,9 +261,10 @@ void measure(const std::string& motion, double seconds, uint64_t seed) {
             const auto [filtered_deg, smoothed_deg] = Bound(scene, setting).compute();
             const double filter_deg = estimatorError_deg(take_path, setting, Smoother::kNone);
             const double smoother_deg = estimatorError_deg(take_path, setting, Smoother::kFull);
-            std::printf("| %s | %s | %.3f | %.3f | %.2f | %.3f | %.3f | %.2f |\n",
-                        root_given ? "given" : "free", setting.name, filtered_deg, filter_deg,
-                        filter_deg / filtered_deg, smoothed_deg, smoother_deg, smoother_deg / smoothed_deg);
+            std::printf("| %s | %s ", root_given ? "given" : "free", setting.name);
+            print(filtered_deg, filter_deg);
+            print(smoothed_deg, smoother_deg);
+            std::printf("|\n");
             std::fflush(stdout);
         }
     std::filesystem::remove(take_path);
