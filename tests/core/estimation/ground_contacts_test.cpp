@@ -105,7 +105,11 @@ TEST(GroundContacts, theRootIsObservedAndTheBodyIsNoise) {
         body.tree.retract(body.state.motion,
                           (trial % 2 ? 0.7 : -0.7) * Eigen::VectorXd::Unit(body.layout.freedoms, 3));
         body.state.motion.rate = random.vector(body.layout.freedoms, 0.3);
-        body.P = Covariance(Eigen::VectorXd::Constant(body.layout.size, kVariance));
+        const Eigen::MatrixXd A =
+            Eigen::MatrixXd::NullaryExpr(body.layout.size, body.layout.size, [&] { return random(1.0); });
+        const Eigen::MatrixXd P = kVariance * (A * A.transpose() / body.layout.size);
+        body.P = Covariance(P.diagonal());
+        body.P.dense() = P;  // correlated, so that signs count
         const auto blocks = body.observe();
         ASSERT_EQ(blocks.size(), 2U);
         Eigen::MatrixXd rest = differences(body);
@@ -117,7 +121,7 @@ TEST(GroundContacts, theRootIsObservedAndTheBodyIsNoise) {
                     EXPECT_NEAR(block.H(i, k), rest(row, column), 1e-7);
                     rest(row, column) = 0;
                 }
-                const double expected = kVariance * rest.row(row).squaredNorm();
+                const double expected = rest.row(row).dot(P * rest.row(row).transpose());
                 EXPECT_NEAR(block.variance[i], expected, 1e-5 * expected) << "row " << row;
             }
     }
