@@ -67,6 +67,10 @@ void ResultSide::showFindings() {
     findings_->addStretch();
 }
 
+void ResultSide::setWayBack(const QString& words) {
+    leave_->setText(words);
+}
+
 void ResultSide::refresh() {
     if (!run_ || run_->phase() != WizardRun::Phase::kResult)
         return;

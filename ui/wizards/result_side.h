@@ -20,7 +20,7 @@ public:
     explicit ResultSide(Studio& studio, QWidget* parent = nullptr);
 
     void setRun(WizardRun* run);
-    void setWayBack(const QString& words) { leave_->setText(words); }
+    void setWayBack(const QString& words);
     Button* saveButton() { return save_; }
     Button* repeatButton() { return repeat_; }
 
