@@ -2014,6 +2014,14 @@
         <source>What differs from the calibration in use</source>
         <translation>Was sich von der benutzten Kalibrierung unterscheidet</translation>
     </message>
+    <message>
+        <source>Back to Record</source>
+        <translation>Zurück zu Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Back to Calibrate</source>
+        <translation>Zurück zu Kalibrieren</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::CalibrationShelf</name>
@@ -5116,6 +5124,41 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Connect one, and this says whether it is ready.</source>
         <translation>Einen verbinden, dann steht hier, ob er bereit ist.</translation>
     </message>
+    <message>
+        <source>Checked</source>
+        <translation>Kontrolliert</translation>
+    </message>
+    <message>
+        <source>Check the suit</source>
+        <translation>Anzug kontrollieren</translation>
+    </message>
+    <message>
+        <source>Stand still for three seconds: says whether a strap has moved</source>
+        <translation>Drei Sekunden stillstehen: sagt, ob ein Gurt verrutscht ist</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <comment>a suit was checked</comment>
+        <translation>noch nicht</translation>
+    </message>
+    <message>
+        <source>good, %1</source>
+        <comment>a check, its time</comment>
+        <translation>gut, %1</translation>
+    </message>
+    <message>
+        <source>look at it, %1</source>
+        <comment>a check, its time</comment>
+        <translation>ansehen, %1</translation>
+    </message>
+    <message>
+        <source>There is no calibration to check.</source>
+        <translation>Es gibt keine Kalibrierung zu kontrollieren.</translation>
+    </message>
+    <message>
+        <source>A take is being recorded; check before the next one.</source>
+        <translation>Eine Aufnahme läuft; vor der nächsten kontrollieren.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RecordRun</name>
@@ -5694,10 +5737,6 @@ keine Lücken</translation>
     <message>
         <source>Repeat steps</source>
         <translation>Schritte wiederholen</translation>
-    </message>
-    <message>
-        <source>Back to Calibrate</source>
-        <translation>Zurück zu Kalibrieren</translation>
     </message>
     <message>
         <source>No board and no source stands out.</source>
@@ -7848,10 +7887,6 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Back to Calibrate</source>
-        <translation>Zurück zu Kalibrieren</translation>
     </message>
 </context>
 <context>
