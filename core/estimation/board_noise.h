@@ -3,6 +3,8 @@
 // adds to an accelerometer, and whether the estimate has lost the board.
 #pragma once
 
+#include <cmath>
+
 #include "core/estimation/excess_noise.h"
 #include "core/estimation/measurement.h"
 
@@ -16,6 +18,10 @@ struct BoardNoiseParameters {
     /// On flesh an accelerometer reads its own wobble as well, more than the motion that drives it (a damped
     /// oscillator of some 12 Hz, and what it makes gyroscopes say of the limb), and sits a few degrees off.
     double flesh_per_motion = 3, flesh_accel_m_per_s2 = 3, wobble_time_s = 0.3;
+
+    /// Microphones shift with the pose and stay so for a while: what a filter follows is no innovation, so it
+    /// is not learnt. Per distance, as white noise with the same effect.
+    double flesh_distance_m = 0.005;
 
     /// A board that has been calm for a while and reads gravity from elsewhere, beyond what mountings and
     /// flesh explain, is lost.
@@ -33,7 +39,9 @@ public:
     /// Learns from a distance; returns the variance of its innovation, with what was learnt before, for the
     /// gate.
     double learnDistance(const ObservationBlock& block, int source, const Covariance& P);
-    double distanceVariance() const { return distance_.whitenedVariance(); }
+    double distanceVariance(double flesh_share) const {
+        return distance_.whitenedVariance() + std::pow(flesh_share * parameters_.flesh_distance_m, 2);
+    }
 
     /// True once when `block`, the innovation of this reading, shows that the board is elsewhere.
     bool isLost(const InertialMeasurement& measurement, const ObservationBlock& block, double g_m_per_s2);

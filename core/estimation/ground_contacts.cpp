@@ -172,7 +172,7 @@ std::vector<ObservationBlock> GroundContacts::observe(const KinematicTree& tree,
             continue;
         const bool is_due = now_s - foot.observed_s >= parameters_.interval_s;
         if (!is_due && !foot.swings)
-            log.note(foot.name, *since_s, now_s);
+            log.note(foot.name, std::max(*since_s, foot.swung_s), now_s);
         if (!is_due)
             continue;
         foot.observed_s = now_s;
@@ -184,12 +184,15 @@ std::vector<ObservationBlock> GroundContacts::observe(const KinematicTree& tree,
                                                    parameters_.pivot_m * chain.end().omega_rad_per_s.norm()),
                                         body_variance.head<3>());
         const Eigen::VectorXd variance = P.innovationVariance(still);
-        foot.swings = !parameters_.given &&
+        // On a belt that moves a foot that stands moves, too.
+        foot.swings = !parameters_.given && parameters_.ground != Ground::kTreadmill &&
                       point.v_m_per_s.norm() >
                           parameters_.fastest_m_per_s + parameters_.swing_sigma * std::sqrt(variance.sum());
-        if (foot.swings)
+        if (foot.swings) {
+            foot.swung_s = now_s;
             continue;
-        log.note(foot.name, *since_s, now_s);
+        }
+        log.note(foot.name, std::max(*since_s, foot.swung_s), now_s);
         if (!parameters_.holds_feet)
             continue;
         if (parameters_.ground != Ground::kTreadmill) {
@@ -201,9 +204,13 @@ std::vector<ObservationBlock> GroundContacts::observe(const KinematicTree& tree,
         ObservationBlock floor =
             ofRoot({layout.theta(1)}, Eigen::VectorXd::Constant(1, foot.floor_m - point.p_m.y()),
                    parameters_.height_m, body_variance.tail<1>());
-        const double sigma_m = std::sqrt(P.innovationVariance(floor)[0]);
-        if (std::abs(floor.residual[0]) <= parameters_.height_gate_sigma * sigma_m)
-            blocks.push_back(std::move(floor));
+        const Eigen::VectorXd height_variance = P.innovationVariance(floor);
+        const double known_m =
+            std::sqrt(std::max(0.0, height_variance[0] - floor.variance[0] + body_variance[3]));
+        if (std::abs(floor.residual[0]) > parameters_.height_gate_m + parameters_.height_gate_sigma * known_m)
+            continue;
+        limitPull(floor, height_variance, parameters_.huber_sigma);
+        blocks.push_back(std::move(floor));
     }
     return blocks;
 }

@@ -41,7 +41,9 @@ struct GroundParameters {
     double velocity_m_per_s = 0.07, pivot_m = 0.05;  ///< pivot: times the foot's rate
     double height_m = 0.05;
     double huber_sigma = 2.5;
-    double height_gate_sigma = 5;  ///< beyond it the foot stands on something else
+    /// Farther from the floor, beyond height_gate_sigma of where the body may be, it stands on something
+    /// else: a stair is 0.17 m.
+    double height_gate_m = 0.08, height_gate_sigma = 3;
     /// A foot that the filter sees move faster, by swing_sigma of what it knows, is swung evenly.
     double fastest_m_per_s = 0.7, swing_sigma = 5;
 };
@@ -80,6 +82,7 @@ private:
         double floor_m = 0;        ///< height of the point in the rest pose
         double observed_s = -1e9;  ///< last update
         bool swings = false;       ///< evenly, as the filter saw it then
+        double swung_s = -1e9;     ///< when that was last
     };
     std::optional<double> standsSince_s(const Foot& foot, double now_s) const;
 

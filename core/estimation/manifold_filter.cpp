@@ -272,7 +272,8 @@ bool ManifoldFilter::judgeDistance(const DistanceMeasurement& known, Observation
                                                                : RangeFate::kUsed;
     // Huber: beyond the threshold the pull grows no further.
     const double excess = std::max(0.0, ratio / parameters_.distance_huber_sigma - 1);
-    block.variance[0] += noise.distanceVariance() + excess * decision.sigma_m * decision.sigma_m;
+    block.variance[0] +=
+        noise.distanceVariance(now_.give.fleshShare()) + excess * decision.sigma_m * decision.sigma_m;
     return !gated;
 }
 
@@ -282,9 +283,9 @@ void ManifoldFilter::useCarrier(DistanceMeasurement& measurement, ObservationBlo
     if (carrier.cycle_m == 0)
         return;
     const double expected_m = measurement.distance_m - block.residual[0];
-    block.variance[0] = carrier.sigma_m * carrier.sigma_m +
-                        parameters_.distance_floor_m * parameters_.distance_floor_m +
-                        now_.board_noise[static_cast<size_t>(measurement.board)].distanceVariance();
+    block.variance[0] =
+        carrier.sigma_m * carrier.sigma_m + parameters_.distance_floor_m * parameters_.distance_floor_m +
+        now_.board_noise[static_cast<size_t>(measurement.board)].distanceVariance(now_.give.fleshShare());
     // Without gyroscopes the pose is a coarse model's, surer of itself than it is true: the envelope decides.
     const double expected_variance_m2 = now_.P.innovationVariance(block)[0] +
                                         (parameters_.sensors.gyroscopes ? 0 : kCoarsePose_m * kCoarsePose_m);

@@ -13,7 +13,6 @@
 
 namespace noctule {
 
-/// Link -1: fixed in the world.
 /// BoardFlesh on this body.
 struct MountedFlesh {
     std::array<int, 2> joints{-1, -1};  ///< of the skeleton; -1: none
@@ -21,6 +20,7 @@ struct MountedFlesh {
     Matrix36 tilt_rad, shift_m;
 };
 
+/// Link -1: fixed in the world.
 struct MountedBoard {
     int link = -1;
     Vector3d p_link_board = Vector3d::Zero();
@@ -36,7 +36,9 @@ struct PlacedBoard {
     Vector3d omega_rad_per_s;  ///< of the board against the link
 };
 
-/// `offset_s` later than the state.
+/// `offset_s` later than the state. Observations take it as given: its derivatives by the joints are left out
+/// of their Jacobians (a tilt turns by some hundredths of what the joints turn), and so is the acceleration
+/// of its shift.
 PlacedBoard placeBoard(const MountedBoard& board, const KinematicTree& tree, const MotionState& state,
                        double offset_s);
 

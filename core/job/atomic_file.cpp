@@ -163,8 +163,9 @@ void removeAbandoned(const std::string& path) {
     const std::filesystem::path target(path);
     const std::string begin = "." + target.filename().string() + ".";
     std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folderOf(path), ignored)) {
-        const std::string name = entry.path().filename().string();
+    std::filesystem::directory_iterator entry(folderOf(path), ignored);
+    for (; entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
+        const std::string name = entry->path().filename().string();
         const char* number = name.c_str() + begin.size();
         char* end = nullptr;
         if (!name.starts_with(begin) || name.find(kAsideEnding) == std::string::npos)
@@ -172,7 +173,7 @@ void removeAbandoned(const std::string& path) {
         const long writer = std::strtol(number, &end, 10);
         if (end != number && *end == '-' && writer > 0 && ::kill(static_cast<pid_t>(writer), 0) != 0 &&
             errno == ESRCH)
-            std::filesystem::remove(entry.path(), ignored);
+            std::filesystem::remove(entry->path(), ignored);
     }
 }
 

@@ -68,6 +68,9 @@ void importLook(SceneImport& import, TextureDecoder decode) {
         if (decode)
             decode(texture);
         look.texture = std::make_shared<const SurfaceTexture>(std::move(texture));
+        aiColor4D factor;
+        if (material.Get(AI_MATKEY_BASE_COLOR, factor) != AI_SUCCESS)  // glTF alone multiplies
+            look.base_color.setOnes();
     }
     if ((is_colored || look.texture) && look.base_color.allFinite())
         import.mesh.skin.look = look;

@@ -35,7 +35,8 @@ nlohmann::json settingsJson(const ProcessRequest& request, const Ingredients& in
                             {"inertial_run", runs.inertial_run},
                             {"range_run", runs.range_run}};
     if (request.tracker.estimator == EstimatorKind::kManifold) {
-        settings["ground"] = groundName(request.tracker.ground);
+        const bool looks = request.tracker.sensors.gyroscopes;
+        settings["ground"] = groundName(looks ? request.tracker.ground : Ground::kNone);
         settings["contacts"] = in.contacts ? kContactsEdited : kContactsDetected;
     }
     if (in.rest)

@@ -1915,6 +1915,10 @@
 <context>
     <name>noctule::ui::CalibratePage</name>
     <message>
+        <source>Finish or leave this calibration, then check the suit.</source>
+        <translation>Diese Kalibrierung beenden oder verlassen, dann den Anzug kontrollieren.</translation>
+    </message>
+    <message>
         <source>Calibrate</source>
         <translation>Kalibrieren</translation>
     </message>
@@ -2487,8 +2491,8 @@
         <translation>Eine Datei mit allen Aufnahmen</translation>
     </message>
     <message>
-        <source>Each take is an animation stack under its name; {take} is the session.</source>
-        <translation>Jede Aufnahme ist ein Animation-Stack mit ihrem Namen; {take} ist die Sitzung.</translation>
+        <source>Each take is an animation stack under its name; {take} in the file name becomes the session’s name.</source>
+        <translation>Jede Aufnahme ist ein Animation-Stack mit ihrem Namen; {take} im Dateinamen wird der Name der Sitzung.</translation>
     </message>
     <message>
         <source>Standing feet keep their place</source>
@@ -5147,9 +5151,9 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>gut, %1</translation>
     </message>
     <message>
-        <source>look at it, %1</source>
+        <source>something moved, %1</source>
         <comment>a check, its time</comment>
-        <translation>ansehen, %1</translation>
+        <translation>etwas hat sich bewegt, %1</translation>
     </message>
     <message>
         <source>There is no calibration to check.</source>
@@ -5712,8 +5716,8 @@ keine Lücken</translation>
         <translation>Laufband</translation>
     </message>
     <message>
-        <source>Unknown</source>
-        <translation>Unbekannt</translation>
+        <source>Contacts are not looked for</source>
+        <translation>Kontakte werden nicht gesucht</translation>
     </message>
     <message>
         <source>Ground</source>

@@ -220,6 +220,7 @@ double estimatorError_deg(const std::string& take_path, const Setting& setting, 
     request.take_path = take_path;
     request.tracker.sensors = setting.sensors;
     request.tracker.root_given = setting.root_given;
+    request.tracker.ground = Ground::kNone;  // the bound knows no floor
     request.tracker.smoother = smoother;
     request.created_utc = "2000-01-01T00:00:00Z";
     const ProcessSummary summary = processTake(request, {}).value();

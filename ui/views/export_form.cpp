@@ -132,7 +132,9 @@ void ExportForm::addMotionRows(FormRows& rows) {
         format->addItem(formatName(each), static_cast<int>(each));
     rows.addRow(tr("Format"), format);
     rows.addControl(one_file);
-    one_file->setToolTip(tr("Each take is an animation stack under its name; {take} is the session."));
+    one_file->setToolTip(
+        tr("Each take is an animation stack under its name; {take} in the file name becomes the session’s "
+           "name."));
     for (const double rate : kRates)
         frames->addItem(tr("%1 per second").arg(numberText(rate, 0)), rate);
     rows.addRow(tr("Frames"), frames);

@@ -216,7 +216,7 @@ QString RecordReadiness::checkedWords() const {
         return tr("not yet", "a suit was checked");
     const QString when = dateText(checked->when);
     return checked->is_good ? tr("good, %1", "a check, its time").arg(when)
-                            : tr("look at it, %1", "a check, its time").arg(when);
+                            : tr("something moved, %1", "a check, its time").arg(when);
 }
 
 void RecordReadiness::showCalibration() {

@@ -101,7 +101,8 @@ void ReprocessDialog::addRoot(QBoxLayout& into) {
     root_given = new ChoiceRow(kRadio, tr("Given"), tr("Hips from the other system that is attached."));
     auto* under = new FormRows;
     ground = new QComboBox;
-    ground->addItems({tr("Level floor"), tr("Uneven, steps"), tr("Treadmill"), tr("Unknown")});
+    ground->addItems(
+        {tr("Level floor"), tr("Uneven, steps"), tr("Treadmill"), tr("Contacts are not looked for")});
     under->addRow(tr("Ground"), ground);
     addGroup(into, tr("Root"), {root_free, root_given, under});
     keepOneChosen(this, {root_free, root_given});

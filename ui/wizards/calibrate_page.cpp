@@ -145,6 +145,8 @@ void CalibratePage::followSession() {
 }
 
 void CalibratePage::checkBeforeTake() {
+    if (showsWizard() && wizard_->run() && wizard_->run()->task() != WizardTask::kCheck)
+        return studio_.say(tr("Finish or leave this calibration, then check the suit."));
     open(WizardTask::kCheck);
     back_to_record_ = true;
     wizard_->setWayBack(tr("Back to Record"));

@@ -322,7 +322,7 @@ void WizardRun::solved(Result<CalibrationResult> result) {
     if (result) {
         result_ = std::move(*result);
         keepValuesOfSkipped(*result_);
-        if (task_ == WizardTask::kCheck)
+        if (task_ == WizardTask::kCheck && from_evidence_ && guide_)
             studio_.setChecked(
                 Studio::CheckedSuit{QDateTime::currentDateTime(), result_->grade() == Grade::kGood});
         return setPhase(Phase::kResult);

@@ -164,8 +164,13 @@ TEST(GroundContacts, groundDecidesWhatIsHeld) {
 TEST(GroundContacts, aStepIsNotPulledToTheFloor) {
     OneLeg body;
     body.P = Covariance(Eigen::VectorXd::Constant(body.layout.size, 1e-4));
-    body.state.motion.p_world_root.y() += 0.5;
-    EXPECT_EQ(body.observe().size(), 1U);
+    const double y_m = body.state.motion.p_world_root.y();
+    for (const double stair_m : {0.17, 0.25, 0.5, -0.17}) {
+        body.state.motion.p_world_root.y() = y_m + stair_m;
+        EXPECT_EQ(body.observe().size(), 1U) << stair_m;
+    }
+    body.state.motion.p_world_root.y() = y_m + 0.06;
+    EXPECT_EQ(body.observe().size(), 2U) << "what a filter may have drifted";
 }
 
 TEST(GroundContacts, withoutBoardsOnTheFeetTheLowestOnesCount) {

@@ -354,7 +354,7 @@ TEST(ProcessSimulation, APersonIsNotARobot) {
     const std::string path = folder.file("person.noctule");
     simulation::Scenario person = simulation::Scenario::realistic();
     person.mounting_rad = person.mounting_m = person.source_position_m = 0;
-    simulate(path, simulation::Level::kReadings, 10, person);
+    simulate(path, simulation::Level::kReadings, 20, person);
     const double all_deg = meanError_deg(path, {true, true, true});
     EXPECT_LT(all_deg, 4);
     EXPECT_LE(all_deg, meanError_deg(path, {true, true, false}));
