@@ -52,7 +52,8 @@ TEST(Devices, ItsOptionsAreChecked) {
 
 TEST(Devices, WaitingCanBeCancelled) {
     Started waiting({"--batch", "devices", "--wait", "60", "--port", "1"});
-    usleep(400'000);
+    for (int waited = 0; waited < 1000 && !waiting.catches(SIGINT); ++waited)
+        usleep(10'000);
     waiting.send(SIGINT);
     EXPECT_EQ(waiting.wait().exit_code, 130);
 }

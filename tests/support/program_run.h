@@ -50,6 +50,13 @@ public:
         posix_spawn_file_actions_destroy(&actions);
     }
     void send(int signal) const { kill(pid_, signal); }
+    /// It has come so far that it handles the signal; on a busy machine that takes a while.
+    bool catches(int signal) const {
+        const std::string status = readBytes("/proc/" + std::to_string(pid_) + "/status");
+        const size_t caught = status.find("SigCgt:");
+        return caught != std::string::npos &&
+               (std::stoull(status.substr(caught + 7), nullptr, 16) >> (signal - 1) & 1U) != 0;
+    }
     /// Written so far.
     std::string out() const { return readBytes(outputs_.file("out")); }
     Ran wait() {
