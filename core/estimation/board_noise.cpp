@@ -37,9 +37,8 @@ void BoardNoise::adapt(ObservationBlock& block, const TriadReading& reading, Exc
     }
     const Eigen::VectorXd expected = P.innovationVariance(block);
     noise.learn(block.residual, expected, before);
-    const Eigen::ArrayXd variance = expected.array() + noise.variance();
-    const Eigen::ArrayXd ratio = block.residual.array().abs() / variance.sqrt() / parameters_.huber_sigma;
-    block.variance.array() += noise.whitenedVariance() + (ratio - 1).max(0) * variance;
+    limitPull(block, expected.array() + noise.variance(), parameters_.huber_sigma);
+    block.variance.array() += noise.whitenedVariance();
 }
 
 double BoardNoise::learnDistance(const ObservationBlock& block, int source, const Covariance& P) {

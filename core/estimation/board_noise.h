@@ -55,7 +55,7 @@ private:
     Eigen::VectorXd accel_before_, gyro_before_;
     std::vector<Eigen::VectorXd> distance_before_;  ///< per source
     double shaken_m_per_s2_ = 0;
-    double calm_s_ = 0;                                         ///< since when
+    double calm_s_ = 0;                                         ///< for how long it has been
     Eigen::Vector3d level_m_per_s2_ = Eigen::Vector3d::Zero();  ///< mean innovation while calm
 };
 

@@ -94,13 +94,6 @@ ObservationBlock ofRoot(const std::vector<int>& columns, const Eigen::VectorXd& 
     return {columns, Eigen::MatrixXd::Identity(rows, rows), residual, body_variance.array() + sigma * sigma};
 }
 
-/// Huber: beyond the threshold the pull grows no further.
-void limitPull(ObservationBlock& block, const Eigen::VectorXd& innovation_variance, double huber_sigma) {
-    const Eigen::ArrayXd ratio =
-        block.residual.array().abs() / innovation_variance.array().sqrt() / huber_sigma;
-    block.variance.array() += (ratio - 1).max(0) * innovation_variance.array();
-}
-
 }  // namespace
 
 const char* groundName(Ground ground) {

@@ -270,10 +270,9 @@ bool ManifoldFilter::judgeDistance(const DistanceMeasurement& known, Observation
     decision.fate = gated                                      ? RangeFate::kGated
                     : ratio > parameters_.distance_huber_sigma ? RangeFate::kWeighted
                                                                : RangeFate::kUsed;
-    // Huber: beyond the threshold the pull grows no further.
-    const double excess = std::max(0.0, ratio / parameters_.distance_huber_sigma - 1);
-    block.variance[0] +=
-        noise.distanceVariance(now_.give.fleshShare()) + excess * decision.sigma_m * decision.sigma_m;
+    limitPull(block, Eigen::VectorXd::Constant(1, decision.sigma_m * decision.sigma_m),
+              parameters_.distance_huber_sigma);
+    block.variance[0] += noise.distanceVariance(now_.give.fleshShare());
     return !gated;
 }
 

@@ -41,6 +41,12 @@ void appendColumn(ObservationBlock& block, int index, const Eigen::VectorXd& col
 
 }  // namespace
 
+void limitPull(ObservationBlock& block, const Eigen::VectorXd& innovation_variance, double huber_sigma) {
+    const Eigen::ArrayXd ratio =
+        block.residual.array().abs() / innovation_variance.array().sqrt() / huber_sigma;
+    block.variance.array() += (ratio - 1).max(0) * innovation_variance.array();
+}
+
 ObservationBlock ObservationModel::triad(const BodyState& state, const InertialMeasurement& measurement,
                                          double offset_s, bool is_gyro) {
     const MountedBoard& board = suit_.boards[static_cast<size_t>(measurement.board)];
@@ -51,14 +57,14 @@ ObservationBlock ObservationModel::triad(const BodyState& state, const InertialM
     if (triad.count == 0 || board.link < 0)
         return block;
     chain_.evaluate(tree_, state.motion, board.link, offset_s);
-    const PlacedBoard placed = placeBoard(board, tree_, state.motion, offset_s);
-    const auto point = chain_.point(placed.p_m);
+    placed_ = placeBoard(board, tree_, state.motion, offset_s);
+    const auto point = chain_.point(placed_.p_m);
     const Vector3d& omega = chain_.end().omega_rad_per_s;
     const Vector3d sensed = is_gyro ? omega : Vector3d(point.a_m_per_s2 + g_m_per_s2_ * Vector3d::UnitY());
 
-    const Matrix3d R_world_board = chain_.end().R_world_link * placed.R;
+    const Matrix3d R_world_board = chain_.end().R_world_link * placed_.R;
     const Vector3d own_turn_board =
-        is_gyro ? Vector3d(placed.R.transpose() * placed.omega_rad_per_s) : Vector3d(Vector3d::Zero());
+        is_gyro ? Vector3d(placed_.R.transpose() * placed_.omega_rad_per_s) : Vector3d(Vector3d::Zero());
     Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 3, 3> axes_board(triad.count, 3), axes_world(triad.count, 3);
     block.residual.resize(triad.count);
     block.variance.resize(triad.count);
@@ -111,10 +117,7 @@ ObservationModel::Acceleration ObservationModel::accel(const BodyState& state,
     Acceleration result{triad(state, measurement, offset_s, false), 0};
     if (result.block.rows() == 0)
         return result;
-    const MountedBoard& board = suit_.boards[static_cast<size_t>(measurement.board)];
-    const Vector3d up_board =
-        (chain_.end().R_world_link * placeBoard(board, tree_, state.motion, offset_s).R).transpose() *
-        Vector3d::UnitY();
+    const Vector3d up_board = (chain_.end().R_world_link * placed_.R).transpose() * Vector3d::UnitY();
     for (int i = 0; i < measurement.accel.count; ++i) {
         const AxisReading& axis = measurement.accel.axes[static_cast<size_t>(i)];
         result.motion_m_per_s2 = std::hypot(

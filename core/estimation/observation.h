@@ -46,6 +46,9 @@ struct ObservationBlock {
     Eigen::Index rows() const { return residual.size(); }
 };
 
+/// Huber: an innovation beyond `huber_sigma` of what is expected of it pulls no further, by more variance.
+void limitPull(ObservationBlock& block, const Eigen::VectorXd& innovation_variance, double huber_sigma);
+
 /// Predicts measurements of one suit on one tree. Holds scratch space; not shared between threads.
 class ObservationModel {
 public:
@@ -86,6 +89,7 @@ private:
     const StateLayout& layout_;
     double g_m_per_s2_;
     ChainMotion chain_, other_chain_;
+    PlacedBoard placed_;  ///< the board of the last triad
     ChainMotion::Columns columns_;
 };
 

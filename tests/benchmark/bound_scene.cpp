@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/formats/bvh.h"
 #include "core/live/inertial_calibrator.h"
 #include "core/math/rotation.h"
 #include "core/recording/take.h"
-#include "core/suit/default_suit.h"
+#include "tests/benchmark/nominal_stage.h"
 
 namespace noctule {
 namespace {
@@ -125,11 +124,7 @@ void addDistances(Scene& scene, const Take& take) {
 }  // namespace
 
 Scene sceneOf(const std::string& motion, double seconds, uint64_t seed, const std::string& take_path) {
-    simulation::StageRequest request;
-    request.clip = toClip(readBvh(motion).value()).value();
-    request.suit = defaultSuit();
-    request.scenario = simulation::Scenario::nominal();
-    request.duration_s = seconds;
+    simulation::StageRequest request = nominalStage(motion, seconds);
     request.seed = seed;
     Scene scene;
     scene.stage = std::move(simulation::prepareStage(request).value());

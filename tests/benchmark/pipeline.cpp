@@ -5,12 +5,10 @@
 #include <benchmark/benchmark.h>
 
 #include "core/acoustics/baseband_filter.h"
-#include "core/formats/bvh.h"
 #include "core/live/live_pipeline.h"
 #include "core/math/rotation.h"
 #include "core/simulation/signal_sampler.h"
-#include "core/simulation/simulate.h"
-#include "core/suit/default_suit.h"
+#include "tests/benchmark/nominal_stage.h"
 
 namespace noctule {
 namespace {
@@ -74,12 +72,8 @@ void decode(Recording& r) {
 
 Recording record() {
     Recording r;
-    simulation::StageRequest request;
-    request.clip = toClip(readBvh(kMotion).value()).value();
-    request.suit = defaultSuit();
-    request.scenario = simulation::Scenario::nominal();
+    simulation::StageRequest request = nominalStage(kMotion, kSeconds);
     request.rest_seconds = kRestSeconds;
-    request.duration_s = kSeconds;
     r.stage = std::move(simulation::prepareStage(request).value());
     const simulation::PulseSchedule schedule = r.stage.scenario.schedule();
     r.decoder.train = {static_cast<double>(r.rate_hz()), schedule.interval_samples, schedule.drive_hz,

@@ -12,11 +12,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/formats/bvh.h"
 #include "core/live/live_pipeline.h"
 #include "core/simulation/signal_sampler.h"
-#include "core/simulation/simulate.h"
-#include "core/suit/default_suit.h"
+#include "tests/benchmark/nominal_stage.h"
 
 namespace noctule {
 namespace {
@@ -37,12 +35,8 @@ struct Judged {
 };
 
 simulation::Stage stageOf(const std::string& motion, double seconds) {
-    simulation::StageRequest request;
-    request.clip = toClip(readBvh(motion).value()).value();
-    request.suit = defaultSuit();
-    request.scenario = simulation::Scenario::nominal();
+    simulation::StageRequest request = nominalStage(motion, seconds);
     request.rest_seconds = kRest_s;
-    request.duration_s = seconds;
     simulation::Stage stage = std::move(simulation::prepareStage(request).value());
     for (size_t s = 0; s < stage.calibration.sources.size(); ++s)
         stage.calibration.sources[s].offsets_s = {{"start", stage.truth.sound.sources[s].start_delay_s},

@@ -29,8 +29,6 @@ public:
     void setScreenDelay(double seconds);
     QString verdict() const { return verdict_text_; }
     RecordProblems& problems() { return *problems_; }
-    QString checkedWords() const;
-    Button* checkButton() { return check_; }
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -46,6 +44,7 @@ private:
     void showSupplies();
     void showAir();
     void showCalibration();
+    QString checkedWords() const;
     void showVerdict();
 
     Studio& studio_;
