@@ -24,12 +24,12 @@ def guided_calibrations(folder):
     return (rest, folder / "actor.json"), (moved, folder / "performer.json")
 
 
-def angle_error(folder, motion, name, calibration, actor):
+def angle_error(folder, motion, name, calibration, actor, *options):
     """Mean over the joints, all sensors, of a motion that was not used for calibrating."""
     take = folder / f"{motion.stem}_001.noctule"
     if not take.exists():
         studio.batch("simulate", "--motion", motion, "--out", take, *MOVED, "--actor", folder / "actor.json")
-    studio.process(take, "AGD", name, "--calibration", calibration, "--actor", actor)
+    studio.process(take, "AGD", name, "--calibration", calibration, "--actor", actor, *options)
     return studio.evaluate(take, name)["mean_deg"]
 
 
@@ -42,10 +42,12 @@ def movement():
     for motion in filter(lambda path: path.exists(), MOTIONS):
         before, after = (angle_error(folder, motion, name, *values)
                          for name, values in (("rest", rest), ("moved", moved)))
-        rows.append([motion.stem, studio.number(before), studio.number(after), studio.number(after / before)])
+        smoothed = angle_error(folder, motion, "smoothed", *moved, "--smooth", "full")
+        rows.append([motion.stem, *map(studio.number, (before, after, smoothed, after / before))])
         if after > before / 2:
             missed.append(f"{motion.stem}: {after / before:.2f} of the error with the rest pose alone, not half")
-    text = studio.markdown_table(["motion", "rest pose alone, deg", "guided movement, deg", "share"], rows)
+    text = studio.markdown_table(["motion", "rest pose alone, deg", "guided movement, deg", "smoothed, deg",
+                                  "share, not smoothed"], rows)
     if missed:
         raise studio.Missed(missed, text)
     return text
