@@ -16,7 +16,7 @@
 namespace noctule {
 namespace {
 
-Eigen::Vector3f toEigen(const aiVector3D& v) {
+Eigen::Vector3f toFloats(const aiVector3D& v) {
     return {v.x, v.y, v.z};
 }
 
@@ -108,7 +108,7 @@ private:
         float sum = 0;
         for (const auto& [bone, weight] : heaviest)
             sum += weight;
-        SkinnedVertex vertex{toEigen(part.mVertices[v]), toEigen(part.mNormals[v]).normalized(), {}, {}};
+        SkinnedVertex vertex{toFloats(part.mVertices[v]), toFloats(part.mNormals[v]).normalized(), {}, {}};
         if (!vertex.p_m.allFinite() || !vertex.normal.allFinite() || !std::isfinite(sum))
             return damaged("vertex " + std::to_string(v) + " holds something that is no number");
         if (!(sum > 0) && unknown_.empty())

@@ -19,7 +19,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kCards = 5, kWidth = 340, kPointer = 8;
+constexpr int kCards = 5, kTourWidth = 340, kPointer = 8;
 constexpr const char* kSeen = "tour/offered";
 
 struct CardWords {
@@ -78,7 +78,7 @@ Tour::Tour(MainWindow& window, TopBar& bar) : QFrame(&window), window_(window), 
     row->addStretch();
     row->addWidget(back_);
     row->addWidget(next_);
-    keepSize(*this, kWidth, 0);
+    keepSize(*this, kTourWidth, 0);
     connect(skip_, &QPushButton::clicked, this, &Tour::end);
     connect(back_, &QPushButton::clicked, this, [this] { show(card_ - 1); });
     connect(next_, &QPushButton::clicked, this, [this] { card_ + 1 < kCards ? show(card_ + 1) : end(); });
@@ -108,8 +108,8 @@ void Tour::show(int card) {
 void Tour::place() {
     const StepBar& steps = bar_.steps();
     const QRect step(steps.mapTo(&window_, steps.stepRect(card_).topLeft()), steps.stepRect(card_).size());
-    const QSize size(Theme::get().px(kWidth),
-                     std::max(heightForWidth(Theme::get().px(kWidth)), sizeHint().height()));
+    const QSize size(Theme::get().px(kTourWidth),
+                     std::max(heightForWidth(Theme::get().px(kTourWidth)), sizeHint().height()));
     const int left =
         std::clamp(step.center().x() - size.width() / 2, 8, std::max(8, window_.width() - size.width() - 8));
     pointer_x_ = step.center().x() - left;

@@ -9,13 +9,14 @@
 #include <tuple>
 
 #include "ui/plots/curve_lines.h"
+#include "ui/plots/time_window.h"
 #include "ui/style/theme.h"
 
 namespace noctule::ui {
 namespace {
 
 constexpr double kAboveGrid = 20;  ///< Qwt's grid is at 10
-constexpr double kOutside = 0.45, kBandOpacity = 0.2;
+constexpr double kBandOpacity = 0.2;
 constexpr double kFate_px = 5, kMark_px = 3, kTriangle_px = 3.5, kTick_px = 6;  // at 100 percent
 
 /// The canvas in up to three parts with their opacity: before in, between, after out.
@@ -28,9 +29,9 @@ std::vector<std::pair<QRectF, double>> partsOf(const QRectF& canvas, const QwtSc
         if (right > left)
             parts.emplace_back(QRectF(left, canvas.top(), right - left, canvas.height()), opacity);
     };
-    add(canvas.left(), in, kOutside);
+    add(canvas.left(), in, TimeWindow::kOutside);
     add(in, out, 1);
-    add(out, canvas.right(), kOutside);
+    add(out, canvas.right(), TimeWindow::kOutside);
     return parts;
 }
 
@@ -169,7 +170,7 @@ void PointsItem::draw(QPainter* painter, const QwtScaleMap& time, const QwtScale
         if (!drawn.emplace(qRound(at.x()), qRound(at.y()), fate).second)
             continue;
         const bool inside = series.t_s[i] >= emphasis_.in_s && series.t_s[i] <= emphasis_.out_s;
-        painter->setOpacity(inside ? 1 : kOutside);
+        painter->setOpacity(inside ? 1 : TimeWindow::kOutside);
         drawFate(*painter, at, fate);
     }
     painter->setOpacity(1);
@@ -209,7 +210,7 @@ void MarksItem::draw(QPainter* painter, const QwtScaleMap& time, const QwtScaleM
                 break;
             case LaneMarks::Kind::kArrival: {
                 QColor line = tokens.ok;
-                line.setAlphaF(kOutside);
+                line.setAlphaF(TimeWindow::kOutside);
                 painter->fillRect(QRectF(x, canvas.top(), 1, canvas.height()), line);
                 painter->setPen(Qt::NoPen);
                 painter->setBrush(tokens.ok);

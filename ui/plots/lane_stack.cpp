@@ -15,9 +15,8 @@
 namespace noctule::ui {
 namespace {
 
-constexpr double kWheelZoom = 1.25;  ///< per notch of 120
-constexpr double kPanShare = 0.1;    ///< of the window per key press or notch
-constexpr double kDot = 3.5;         // pixels at 100 percent
+constexpr double kPanShare = 0.1;  ///< of the window per key press or notch
+constexpr double kDot = 3.5;       // pixels at 100 percent
 
 }  // namespace
 
@@ -236,7 +235,7 @@ void LaneStack::wheelEvent(QWheelEvent* event) {
     else if (std::abs(notches_x) > std::abs(notches_y))
         window_.pan(-notches_x * kPanShare * window_.span());
     else
-        window_.zoom(std::pow(kWheelZoom, notches_y), timeAt(event->position().x()));
+        window_.zoom(std::pow(TimeWindow::kNotch, notches_y), timeAt(event->position().x()));
     event->accept();
 }
 
@@ -247,9 +246,9 @@ void LaneStack::keyPressEvent(QKeyEvent* event) {
     }
     const bool control = event->modifiers() & Qt::ControlModifier;
     if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal)
-        window_.zoom(kWheelZoom, zoomCentre());
+        window_.zoom(TimeWindow::kNotch, zoomCentre());
     else if (event->key() == Qt::Key_Minus)
-        window_.zoom(1 / kWheelZoom, zoomCentre());
+        window_.zoom(1 / TimeWindow::kNotch, zoomCentre());
     else if (control && event->key() == Qt::Key_0)
         window_.showAll();
     else if (control && event->key() == Qt::Key_Left)

@@ -27,6 +27,8 @@ public:
     /// Kept within the take and no shorter than kShortest_s.
     void show(double from_s, double to_s);
     void showAll();
+    static constexpr double kNotch = 1.25;  ///< factor of zoom() of one notch of a wheel, one press of a key
+    static constexpr double kOutside = 0.45;  ///< opacity of what lies outside of the marked range
     /// factor > 1: closer; the time stays where it is on the screen.
     void zoom(double factor, double around_s);
     void pan(double seconds);

@@ -19,9 +19,8 @@ namespace noctule::ui {
 namespace {
 
 // Pixels at 100 percent.
-constexpr double kAbove = 4, kFoot = 9, kFootRow = 16, kBetween = 8, kRuler = 24, kLabels = 20, kOverview = 4,
-                 kBelow = 4, kGripReach = 6;
-constexpr double kWheelZoom = 1.25;
+constexpr double kAbove = 4, kFoot = 9, kFootRow = 16, kBetweenRows = 8, kRuler = 24, kLabels = 20,
+                 kOverview = 4, kBelow = 4, kGripReach = 6;
 
 }  // namespace
 
@@ -82,7 +81,7 @@ QSize Timeline::sizeHint() const {
 QSize Timeline::minimumSizeHint() const {
     const Theme& theme = Theme::get();
     return {theme.px(PlotPanel::kLeftExtent + 160),
-            theme.px(kAbove + 2 * kFootRow + kBetween + kRuler + kLabels + kOverview + kBelow)};
+            theme.px(kAbove + 2 * kFootRow + kBetweenRows + kRuler + kLabels + kOverview + kBelow)};
 }
 
 Timeline::Rows Timeline::rows() const {
@@ -96,7 +95,7 @@ Timeline::Rows Timeline::rows() const {
         foot = QRect(rows.left, y + (theme.px(kFootRow) - theme.px(kFoot)) / 2, span, theme.px(kFoot));
         y += theme.px(kFootRow);
     }
-    y += theme.px(kBetween);
+    y += theme.px(kBetweenRows);
     rows.ruler = QRect(rows.left, y, span, theme.px(kRuler));
     rows.labels = QRect(rows.left, rows.ruler.bottom() + 1, span, theme.px(kLabels));
     rows.overview = QRect(rows.left, rows.labels.bottom() + 1, span, theme.px(kOverview));
@@ -231,7 +230,7 @@ void Timeline::wheelEvent(QWheelEvent* event) {
     if (std::abs(turn.x()) > std::abs(turn.y()))
         window_.pan(-turn.x() / 1200.0 * window_.span());
     else
-        window_.zoom(std::pow(kWheelZoom, turn.y() / 120.0), timeAt(event->position().x()));
+        window_.zoom(std::pow(TimeWindow::kNotch, turn.y() / 120.0), timeAt(event->position().x()));
     event->accept();
 }
 
@@ -242,9 +241,9 @@ void Timeline::keyPressEvent(QKeyEvent* event) {
     if (stepTime(time, *event))
         window_.reveal(time.time());
     else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal)
-        window_.zoom(kWheelZoom, time.time());
+        window_.zoom(TimeWindow::kNotch, time.time());
     else if (event->key() == Qt::Key_Minus)
-        window_.zoom(1 / kWheelZoom, time.time());
+        window_.zoom(1 / TimeWindow::kNotch, time.time());
     else
         QWidget::keyPressEvent(event);
 }

@@ -12,7 +12,6 @@
 namespace noctule::ui {
 namespace {
 
-constexpr double kOutside = 0.45;
 constexpr double kGrip = 5, kFlagWidth = 9, kFlagHeight = 7, kRowTitleLeft = 16,
                  kLeastName = 24;  // pixels at 100 percent
 
@@ -71,9 +70,9 @@ void Timeline::paintFeet(QPainter& painter, const Rows& rows) const {
                                         theme.px(2));
                 painter.restore();
             };
-            part(left, std::min(right, in_x), kOutside);
+            part(left, std::min(right, in_x), TimeWindow::kOutside);
             part(std::max(left, in_x), std::min(right, out_x), 1);
-            part(std::max(left, out_x), right, kOutside);
+            part(std::max(left, out_x), right, TimeWindow::kOutside);
         }
     }
     painter.setRenderHint(QPainter::Antialiasing, false);

@@ -9,7 +9,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kMark = 20, kGap = 8, kBetween = 24;
+constexpr int kMark = 20, kLegendGap = 8, kBetween = 24;
 
 }  // namespace
 
@@ -49,7 +49,7 @@ QColor MapLegend::colorOf(Mark mark) {
 
 int MapLegend::widthOf(const Entry& entry) const {
     const QFontMetrics metrics(Theme::get().font(TextRole::kSecondary));
-    return Theme::get().px(kMark + kGap) + metrics.horizontalAdvance(entry.words) + 2;
+    return Theme::get().px(kMark + kLegendGap) + metrics.horizontalAdvance(entry.words) + 2;
 }
 
 int MapLegend::rowHeight() const {
@@ -93,7 +93,7 @@ void MapLegend::paintEvent(QPaintEvent*) {
         else
             painter.drawRoundedRect(mark, theme.px(4), theme.px(4));
         painter.setPen(tokens.t2);
-        painter.drawText(QRect(at.x() + theme.px(kMark + kGap), at.y(), width(), rowHeight()),
+        painter.drawText(QRect(at.x() + theme.px(kMark + kLegendGap), at.y(), width(), rowHeight()),
                          Qt::AlignVCenter | Qt::AlignLeft, entry.words);
         at += in_a_row ? QPoint(widthOf(entry) + theme.px(kBetween), 0) : QPoint(0, rowHeight());
     }

@@ -15,7 +15,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kRow = 28, kFewestRows = 2, kMostRows = 6;
+constexpr int kRow = 28, kFewestPeople = 2, kMostPeople = 6;
 
 }  // namespace
 
@@ -100,7 +100,7 @@ void PerformerListPanel::refresh() {
         item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
     }
     list_->setCurrentRow(editor_.index());
-    list_->setFixedHeight(Theme::get().px(kRow) * std::clamp(list_->count(), kFewestRows, kMostRows));
+    list_->setFixedHeight(Theme::get().px(kRow) * std::clamp(list_->count(), kFewestPeople, kMostPeople));
     for (ToolButton* button : {duplicate_, rename_})
         button->setEnabled(open);
     remove_->setDisabledBecause(list_->count() > 1 ? QString() : tr("A session has at least one performer."));

@@ -12,7 +12,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr const char* kGroup = "recent";
+constexpr const char* kRecentGroup = "recent";
 
 void addTake(RecentSession& recent, const Session& session, const SessionTake& take) {
     const QString path = QString::fromStdString(session.pathOf(take).string());
@@ -58,7 +58,7 @@ RecentSession lookAt(RecentSession recent, const JobContext& job) {
 
 RecentSessions::RecentSessions(QSettings& settings, Jobs& jobs, QObject* parent)
     : QObject(parent), settings_(settings), jobs_(jobs) {
-    const int count = settings_.beginReadArray(kGroup);
+    const int count = settings_.beginReadArray(kRecentGroup);
     for (int i = 0; i < std::min(count, kMost); ++i) {
         settings_.setArrayIndex(i);
         RecentSession session;
@@ -89,7 +89,7 @@ void RecentSessions::remove(const QString& folder) {
 }
 
 void RecentSessions::save() {
-    settings_.beginWriteArray(kGroup, static_cast<int>(sessions_.size()));
+    settings_.beginWriteArray(kRecentGroup, static_cast<int>(sessions_.size()));
     for (size_t i = 0; i < sessions_.size(); ++i) {
         settings_.setArrayIndex(static_cast<int>(i));
         settings_.setValue("folder", sessions_[i].folder);

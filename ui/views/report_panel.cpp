@@ -20,7 +20,7 @@ namespace noctule::ui {
 
 namespace {
 constexpr size_t kMostProblems = 3;
-const QString kUnknown = QChar(0x2013);
+const QString kNoFigure = QChar(0x2013);
 }  // namespace
 
 ReportPanel::ReportPanel(Studio& studio, QWidget* parent)
@@ -84,7 +84,7 @@ QWidget* ReportPanel::makeNumbers() {
     const QString captions[] = {
         {}, tr("of time backed\nby ranges"), tr("range residual,\nroot mean square"), {}};
     for (int i = 0; i < 4; ++i) {
-        cards_[static_cast<size_t>(i)] = new ValueCard(kUnknown, captions[i]);
+        cards_[static_cast<size_t>(i)] = new ValueCard(kNoFigure, captions[i]);
         grid->addWidget(cards_[static_cast<size_t>(i)], i / 2, i % 2);
         grid->setColumnStretch(i % 2, 1);
     }
@@ -120,11 +120,11 @@ void ReportPanel::refresh() {
 void ReportPanel::showVerdict(const TakeVerdict& verdict) {
     verdict_->setVerdict(toneOf(verdict.grade), gradeInWords(verdict.grade), gradeExplained(verdict));
     showProblems(problemsInWords(verdict, *studio_.take().overview()));
-    cards_[0]->setValue(verdict.mean_error_deg ? degreesText(radians(*verdict.mean_error_deg)) : kUnknown);
+    cards_[0]->setValue(verdict.mean_error_deg ? degreesText(radians(*verdict.mean_error_deg)) : kNoFigure);
     cards_[0]->setCaption(verdict.mean_error_deg ? tr("mean joint error\nagainst the reference")
                                                  : tr("mean joint error,\nno reference"));
     cards_[1]->setValue(percentText(verdict.backed_share));
-    cards_[2]->setValue(verdict.residual_rms_m ? millimetresText(*verdict.residual_rms_m) : kUnknown);
+    cards_[2]->setValue(verdict.residual_rms_m ? millimetresText(*verdict.residual_rms_m) : kNoFigure);
     cards_[3]->setValue(secondsText(verdict.hole_s, 2));
     cards_[3]->setCaption(verdict.hole_s > 0
                               ? tr("without signal,\nlongest %1").arg(secondsText(verdict.longest_hole_s, 2))
@@ -165,8 +165,8 @@ void ReportPanel::showFeet() {
     if (feet)
         for (const FootContacts& foot : *feet)
             found += foot.contacts.size();
-    slide_->setText(found > 0 ? tr("%1 per step").arg(millimetresText(meanSlide_m(*feet), 0)) : kUnknown);
-    contacts_->setText(feet ? tr("%n found", nullptr, static_cast<int>(found)) : kUnknown);
+    slide_->setText(found > 0 ? tr("%1 per step").arg(millimetresText(meanSlide_m(*feet), 0)) : kNoFigure);
+    contacts_->setText(feet ? tr("%n found", nullptr, static_cast<int>(found)) : kNoFigure);
 }
 
 void ReportPanel::goTo(const ProblemWords& problem) {

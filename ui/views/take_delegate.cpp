@@ -11,7 +11,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kInset = 12, kDot = 8, kGap = 8, kRow = 28;
+constexpr int kInset = 12, kDot = 8, kTakeGap = 8, kTakeRow = 28;
 
 QRect starsArea(const QRect& row) {
     const QSize stars = RatingStars::sizeOf();
@@ -22,7 +22,7 @@ QRect starsArea(const QRect& row) {
 }  // namespace
 
 QSize TakeDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const {
-    return {0, Theme::get().px(kRow)};
+    return {0, Theme::get().px(kTakeRow)};
 }
 
 QWidget* TakeDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,
@@ -36,7 +36,7 @@ void TakeDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewI
                                         const QModelIndex&) const {
     QRect area = option.rect;
     area.setLeft(area.left() + Theme::get().px(kInset + kDot));
-    area.setRight(starsArea(option.rect).left() - Theme::get().px(kGap));
+    area.setRight(starsArea(option.rect).left() - Theme::get().px(kTakeGap));
     editor->setGeometry(area);
 }
 
@@ -61,7 +61,7 @@ void TakeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
         painter->fillRect(option.rect, tokens.ctl);
 
     const QRect& row = option.rect;
-    const int inset = theme.px(kInset), dot = theme.px(kDot), gap = theme.px(kGap);
+    const int inset = theme.px(kInset), dot = theme.px(kDot), gap = theme.px(kTakeGap);
     StatusDot::paint(*painter, QRect(row.left() + inset, row.top(), dot, row.height()),
                      static_cast<Tone>(index.data(TakeListModel::kTone).toInt()));
 

@@ -10,7 +10,7 @@ namespace noctule::ui {
 
 namespace {
 
-constexpr int kPause_ms = 400;
+constexpr int kRangePause_ms = 400;
 constexpr double kSame_s = 1e-4;
 
 bool same(double a_s, double b_s) {
@@ -21,7 +21,7 @@ bool same(double a_s, double b_s) {
 
 TakeRange::TakeRange(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
     pause_.setSingleShot(true);
-    pause_.setInterval(kPause_ms);
+    pause_.setInterval(kRangePause_ms);
     connect(&pause_, &QTimer::timeout, this, &TakeRange::write);
     connect(&studio.time(), &TimeCursor::rangeChanged, this, [this] {
         if (!reading_)
