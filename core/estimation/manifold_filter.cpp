@@ -24,7 +24,7 @@ StateLayout makeLayout(int freedoms, const SuitModel& suit, const ManifoldParame
     };
     // A bias that nothing observes only hurts: none without the sensor it belongs to.
     layout.gyro_bias = reserve(p.sensors.gyroscopes, 3 * boards);
-    layout.accel_bias = reserve(p.sensors.accelerometers && !p.sensors.distances, 3 * boards);
+    layout.accel_bias = reserve(p.sensors.accelerometers, 3 * boards);
     layout.source_offset = reserve(p.sensors.distances, static_cast<int>(suit.sources.size()));
     layout.sound_scale = reserve(p.sensors.distances, 1);
     layout.size = next;
@@ -93,28 +93,32 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
       suit_(moved(std::move(suit), KinematicTree(skeleton, BallCoordinates::kManifold), tree_)),
       layout_(makeLayout(tree_.freedoms(), suit_, parameters_)),
       observations_(tree_, suit_, layout_, parameters_.g_m_per_s2),
-      step_s_(1.0 / (kInertialFramesPerSecond * parameters_.steps_per_frame)) {
+      step_s_(1.0 / (kInertialFramesPerSecond * parameters_.steps_per_frame)),
+      inertial_(suit_.boards.size()) {
     const int n = tree_.freedoms();
     acceleration_decay_ = Eigen::VectorXd::Constant(n, std::exp(-step_s_ / parameters_.joint_accel_time_s));
-    now_.acceleration_variance =
-        Eigen::VectorXd::Constant(n, std::pow(parameters_.joint_accel_rad_per_s2, 2));
     if (parameters_.joints_give)
         now_.give = JointGive(skeleton_, tree_, givingJoints(skeleton_, gyroscope_joints_), parameters_.give);
     now_.board_noise.assign(suit_.boards.size(), BoardNoise(parameters_.board_noise, suit_.sources.size()));
-    for (const Link& link : tree_.links())
+    Eigen::VectorXd variance = Eigen::VectorXd::Constant(n, std::pow(parameters_.joint_accel_rad_per_s2, 2));
+    std::vector<bool> adapts;
+    for (const Link& link : tree_.links()) {
+        adapts.push_back(!isBlind(link));
         if (isBlind(link))
-            now_.acceleration_variance.segment(link.first, link.count)
+            variance.segment(link.first, link.count)
                 .setConstant(std::pow(parameters_.blind.joint_accel_rad_per_s2, 2));
+    }
     if (!tree_.links().empty() && tree_.link(0).type == LinkType::kFree) {
         acceleration_decay_.head<3>().setConstant(std::exp(-step_s_ / parameters_.root_accel_time_s));
-        now_.acceleration_variance.head<3>().setConstant(std::pow(parameters_.root_accel_m_per_s2, 2));
-        now_.acceleration_variance.segment<3>(3).setConstant(
-            std::pow(parameters_.root_turn_accel_rad_per_s2, 2));
+        variance.head<3>().setConstant(std::pow(parameters_.root_accel_m_per_s2, 2));
+        variance.segment<3>(3).setConstant(std::pow(parameters_.root_turn_accel_rad_per_s2, 2));
     }
+    now_.motion_noise = MotionNoise(tree_, variance, adapts, parameters_.motion_noise);
+    accel_correction_.setZero(n);
 }
 
 void ManifoldFilter::add(const InertialMeasurement& measurement) {
-    inertial_.add(measurement.time_s, measurement);
+    inertial_.add(measurement);
 }
 
 void ManifoldFilter::add(const DistanceMeasurement& measurement) {
@@ -134,10 +138,11 @@ void ManifoldFilter::advanceTo(double time_s) {
 
 ManifoldFilter::StepInput ManifoldFilter::nextInput() {
     const double limit_s = (static_cast<double>(now_.step_index) + 1.5) * step_s_;
-    StepInput input{roots_.takeUpTo(limit_s), inertial_.takeUpTo(limit_s), distances_.takeUpTo(limit_s)};
+    StepInput input{roots_.takeUpTo(limit_s), {}, distances_.takeUpTo(limit_s)};
+    if ((now_.step_index + 1) % parameters_.steps_per_frame == 0)
+        input.inertial = inertial_.at(limit_s - 0.5 * step_s_);
     const auto is_before = [&](const auto& m) { return m.time_s < limit_s - step_s_ - 1e-9; };
     std::erase_if(input.roots, is_before);
-    std::erase_if(input.inertial, is_before);
     return input;
 }
 
@@ -145,11 +150,17 @@ void ManifoldFilter::step(const StepInput& input) {
     predict(step_s_);
     ++now_.step_index;
     allowForClipping(input.inertial);
+    const int n = layout_.freedoms;
+    const Eigen::VectorXd before = now_.P.dense().diagonal().segment(2 * n, n);
+    accel_correction_.setZero(n);
     updateRoot(input.roots);
     if (parameters_.sensors.accelerometers)
         updateTriads(input.inertial, false);
     if (parameters_.sensors.gyroscopes)
         updateTriads(input.inertial, true);
+    if (!input.inertial.empty() && parameters_.sensors.gyroscopes)
+        now_.motion_noise.learn(accel_correction_, before - now_.P.dense().diagonal().segment(2 * n, n),
+                                1.0 / kInertialFramesPerSecond, now_.give.fleshShare());
     updateDistances(input.distances);
     updateGround(input.inertial);
     const auto prior_steps = std::max<int64_t>(1, std::llround(parameters_.prior_interval_s / step_s_));
@@ -167,21 +178,14 @@ void ManifoldFilter::step(const StepInput& input) {
 void ManifoldFilter::allowForClipping(const std::vector<InertialMeasurement>& measurements) {
     for (const InertialMeasurement& measurement : measurements) {
         const int board_link = suit_.boards[static_cast<size_t>(measurement.board)].link;
-        if (board_link <= 0 || measurement.gyro.count == 0 || !parameters_.sensors.gyroscopes)
-            continue;
-        const bool clipped = measurement.gyro.count < 3 || measurement.gyro.isClipped();
-        const Link& link = movingLink(tree_, board_link);
-        if (link.type == LinkType::kFree)
-            continue;
-        now_.acceleration_variance.segment(link.first, link.count)
-            .setConstant(
-                std::pow(parameters_.joint_accel_rad_per_s2 * (clipped ? parameters_.clipped_factor : 1), 2));
+        if (board_link > 0 && parameters_.sensors.gyroscopes && measurement.gyro.isClipped())
+            now_.motion_noise.allowMost(movingLink(tree_, board_link));
     }
 }
 
 void ManifoldFilter::predict(double dt_s) {
     MotionTransition transition = predictMotion(tree_, now_.state.motion, now_.P.dense(), dt_s,
-                                                acceleration_decay_, now_.acceleration_variance);
+                                                acceleration_decay_, now_.motion_noise.variance());
     if (tape_)
         tape_->push_back(std::move(transition));
     const auto wander = [&](int first, size_t count, double walk) {
@@ -365,6 +369,7 @@ void ManifoldFilter::correct(const Eigen::VectorXd& delta) {
     tree_.retract(now_.state.motion, delta.head(n));
     now_.state.motion.rate += delta.segment(n, n);
     now_.state.motion.accel += delta.segment(2 * n, n);
+    accel_correction_ += delta.segment(2 * n, n);
     for (size_t b = 0; b < suit_.boards.size(); ++b) {
         if (layout_.gyro_bias >= 0)
             now_.state.gyro_bias[b] += delta.segment<3>(layout_.gyro_bias + 3 * static_cast<int>(b));

@@ -4,9 +4,11 @@
 //
 // Accelerations are Ornstein-Uhlenbeck processes: a white jerk as in the paper's equation 1, but with a
 // finite variance, because as a free random walk the root's acceleration tips the whole body over in minutes.
-// The filter steps on a grid finer than the sensors' frames; every reading is predicted at its own instant.
+// Readings of gyroscopes and accelerometers are brought to common instants (reading_grid.h); every distance
+// is predicted at its own.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "core/estimation/board_noise.h"
@@ -15,6 +17,8 @@
 #include "core/estimation/filter_tape.h"
 #include "core/estimation/ground_contacts.h"
 #include "core/estimation/joint_give.h"
+#include "core/estimation/motion_noise.h"
+#include "core/estimation/reading_grid.h"
 
 namespace noctule {
 
@@ -23,11 +27,12 @@ struct ManifoldParameters {
     bool root_given = false;
     double g_m_per_s2 = kStandardGravity_m_per_s2;
 
-    int steps_per_frame = 3;  ///< filter steps per 1/140 s; more: less extrapolation, more time
+    int steps_per_frame =
+        2;  ///< filter steps per 1/140 s; more: distances nearer to their instants, more time
 
-    // Motion: standard deviation of an acceleration and the time over which it changes.
-    double joint_accel_rad_per_s2 = 60, joint_accel_time_s = 0.1;
-    double clipped_factor = 10;  ///< joint_accel of a segment whose gyroscope is at the end of its range
+    // Motion: standard deviation of an acceleration, to begin with, and the time over which it changes.
+    double joint_accel_rad_per_s2 = 60, joint_accel_time_s = 0.3;
+    MotionNoiseParameters motion_noise;
     double root_accel_m_per_s2 = 4, root_accel_time_s = 0.3;
     double root_turn_accel_rad_per_s2 = 25;
     double root_velocity_prior_m_per_s = 2;  ///< free root only, once per prior_interval_s
@@ -36,9 +41,6 @@ struct ManifoldParameters {
     // readings'.
     double gyro_bias_rad_per_s = 0.01, gyro_bias_walk = 0.0003;  ///< walk: per sqrt(s)
     double accel_bias_m_per_s2 = 0.05, accel_bias_walk = 0.001;
-    /// Beside distances, which hold the pose better than a level with a bias can, accelerometers' biases are
-    /// no states: 54 more would cost a third of the time. They are noise of a colour then, which BoardNoise
-    /// finds.
     BoardNoiseParameters board_noise;
     double source_offset_m = 0.0008;  ///< 1.5 us of offset error, and what the detector adds per source
     double sound_scale = 0.0015;
@@ -83,7 +85,7 @@ public:
         BodyState state;
         JointGive give;
         Covariance P;
-        Eigen::VectorXd acceleration_variance;  ///< stationary, per velocity index
+        MotionNoise motion_noise;
         int64_t step_index = 0;
         std::vector<BoardNoise> board_noise;
         GroundContacts ground;
@@ -105,7 +107,9 @@ public:
 
     /// For smoothers, which drive the filter by steps: advanceTo() is `while (isDue(t)) step(nextInput())`.
     bool isDue(double time_s) const {
-        return (static_cast<double>(now_.step_index) + 1.5) * step_s_ <= time_s;
+        return static_cast<double>(now_.step_index + 1) * step_s_ +
+                   std::max(0.5 * step_s_, ReadingGrid::kReach_s) <=
+               time_s;
     }
     double stepSeconds() const { return step_s_; }
     StepInput nextInput();
@@ -158,8 +162,9 @@ private:
     Memory now_;                          ///< the state's time is step_index * step_s_
     MotionState rest_;                    ///< for the pose prior
     Eigen::VectorXd acceleration_decay_;  ///< per velocity index, for one step
+    Eigen::VectorXd accel_correction_;    ///< sum of this step
     double step_s_ = 0;
-    TimeQueue<InertialMeasurement> inertial_;
+    ReadingGrid inertial_;
     TimeQueue<DistanceMeasurement> distances_;
     TimeQueue<RootMeasurement> roots_;
     FilterTape* tape_ = nullptr;
