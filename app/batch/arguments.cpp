@@ -32,10 +32,6 @@ Result<std::string> checkedChoice(const Option& option, const std::string& value
     const std::string wanted = lowerCase(value);
     if (std::find(option.choices.begin(), option.choices.end(), wanted) != option.choices.end())
         return wanted;
-    if (std::find(option.later_choices.begin(), option.later_choices.end(), wanted) !=
-        option.later_choices.end())
-        return Error{ErrorKind::kUsage, "--" + option.name + " " + wanted + " is not available yet",
-                     "It comes with a later version; choose " + listed(option.choices)};
     return Error{ErrorKind::kUsage, "--" + option.name + " cannot be '" + value + "'",
                  "Choose " + listed(option.choices)};
 }

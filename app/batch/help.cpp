@@ -42,8 +42,6 @@ std::string optionEntry(const Option& option) {
         words += " (required)";
     if (!option.fallback.empty())
         words += " (default " + option.fallback + ")";
-    if (!option.later_choices.empty())
-        words += " (not yet available: " + listed(option.later_choices) + ")";
     return entry(head, words);
 }
 

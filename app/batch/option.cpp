@@ -43,11 +43,6 @@ Option&& Option::needed() && {
     return std::move(*this);
 }
 
-Option&& Option::laterOn(std::vector<std::string> values) && {
-    later_choices = std::move(values);
-    return std::move(*this);
-}
-
 Option flag(const std::string& name, const std::string& help) {
     return make(Option::Kind::kFlag, name, "", help);
 }

@@ -21,14 +21,12 @@ struct Option {
     std::string placeholder, help;
     Kind kind = Kind::kFlag;
     std::vector<std::string> choices;
-    std::vector<std::string> later_choices;  ///< known and refused
     double min = 0, max = 0;
     std::string fallback;  ///< value when not given; empty: none
     bool required = false;
 
     Option&& orElse(const std::string& value) &&;
     Option&& needed() &&;
-    Option&& laterOn(std::vector<std::string> values) &&;
 };
 
 Option flag(const std::string& name, const std::string& help);

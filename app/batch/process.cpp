@@ -175,10 +175,10 @@ Verb processVerb() {
         choice("estimator", {"manifold", "paper"}, "paper: Vlasic 2007 to the letter").orElse("manifold"),
         number("paper-sigma", "X", 1e-6, 1e6,
                "process sigma of the paper's estimator, rad/s^2 (default 0.04)"),
-        choice("smooth", {"none", "lag", "full"},
-               "poses that know what came later: half a second of it (lag) or all (full)")
-            .orElse("none")
-            .laterOn({"batch"}),
+        choice("smooth", {"none", "lag", "full", "batch"},
+               "poses that know what came later: half a second of it (lag) or all (full); batch: all, "
+               "linearised again until the most probable motion is found, several times as long")
+            .orElse("none"),
         text("run-name", "NAME", "name of the new run; from sensors, estimator and smoother when not given"),
         text("out-dir", "D", "copy the take there and write into the copy")};
     verb.remarks = {"Nothing is replaced: every call adds a run, and the raw data stay as they are."};

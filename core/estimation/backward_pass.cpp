@@ -36,34 +36,41 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
 
 }  // namespace
 
+/// With H' = L^-1 H and K = x^T L^-1:
+///   lambda := (I - K H)^T lambda - H^T S^-1 residual = lambda - H'^T (x lambda + residual')
+void AdjointPass::back(const ObservedUpdate& update) {
+    if (update.blocks.empty())
+        return;
+    const Eigen::MatrixXd pull =
+        -(update.inverse_L.transpose() * (update.x * lambda_ + update.residual)).transpose();
+    Eigen::MatrixXd lambda_transposed = lambda_.transpose();
+    addTimesBlocks(lambda_transposed, pull, update.blocks);
+    lambda_ = lambda_transposed.transpose();
+}
+
 void BackwardPass::back(const MotionTransition& transition) {
     carryOutPending();
-    transition.carryBack(lambda_);
+    adjoint_.back(transition);
     transition.carryBack(Lambda_);
 }
 
 /// With H' = L^-1 H and K = x^T L^-1:
-///   lambda := (I - K H)^T lambda - H^T S^-1 residual = lambda - H'^T (x lambda + residual')
 ///   Lambda := (I - K H)^T Lambda (I - K H) + H^T S^-1 H
 ///           = Lambda + H^T B + B^T H,   B = L^-T (1/2 (x Lambda x^T + I) H' - x Lambda)
 void BackwardPass::back(const ObservedUpdate& update) {
     if (update.blocks.empty())
         return;
     const Eigen::MatrixXd inverse_L_transposed = update.inverse_L.transpose();
-    const Eigen::MatrixXd pull = -(inverse_L_transposed * (update.x * lambda_ + update.residual)).transpose();
     const Eigen::MatrixXd x_Lambda = timesLambda(update.x);
     Eigen::MatrixXd among = product(x_Lambda, update.x.transpose());
     among.diagonal().array() += 1;
     const Eigen::MatrixXd half =
         0.5 * product(product(inverse_L_transposed, among), update.inverse_L);  // symmetric
-    Eigen::MatrixXd B = Eigen::MatrixXd::Zero(half.rows(), lambda_.size());
+    Eigen::MatrixXd B = Eigen::MatrixXd::Zero(half.rows(), Lambda_.cols());
     addTimesBlocks(B, half, update.blocks);
     addProduct(B, -1, inverse_L_transposed, x_Lambda);
     pending_.push_back({update.blocks, std::move(B)});
-
-    Eigen::MatrixXd lambda_transposed = lambda_.transpose();
-    addTimesBlocks(lambda_transposed, pull, update.blocks);
-    lambda_ = lambda_transposed.transpose();
+    adjoint_.back(update);
 }
 
 Eigen::MatrixXd BackwardPass::timesLambda(const Eigen::MatrixXd& x) const {
@@ -88,7 +95,8 @@ void BackwardPass::carryOutPending() {
 BackwardPass::Smoothed BackwardPass::smooth(const Eigen::MatrixXd& P_rows) {
     carryOutPending();
     const Eigen::MatrixXd through = product(P_rows, Lambda_);
-    return {-(P_rows * lambda_), P_rows.leftCols(P_rows.rows()) - product(through, P_rows.transpose())};
+    return {-(P_rows * adjoint_.lambda()),
+            P_rows.leftCols(P_rows.rows()) - product(through, P_rows.transpose())};
 }
 
 }  // namespace noctule

@@ -18,12 +18,26 @@
 
 namespace noctule {
 
+/// The adjoint alone, at a small share of the cost.
+class AdjointPass {
+public:
+    AdjointPass() = default;
+    /// After the last measurement: nothing is known from later.
+    explicit AdjointPass(Eigen::Index n) : lambda_(Eigen::VectorXd::Zero(n)) {}
+
+    /// To before the step, to before the observation.
+    void back(const MotionTransition& transition) { transition.carryBack(lambda_); }
+    void back(const ObservedUpdate& update);
+    const Eigen::VectorXd& lambda() const { return lambda_; }
+
+private:
+    Eigen::VectorXd lambda_;
+};
+
 class BackwardPass {
 public:
     BackwardPass() = default;
-    /// After the last measurement: nothing is known from later.
-    explicit BackwardPass(Eigen::Index n)
-        : lambda_(Eigen::VectorXd::Zero(n)), Lambda_(Eigen::MatrixXd::Zero(n, n)) {}
+    explicit BackwardPass(Eigen::Index n) : adjoint_(n), Lambda_(Eigen::MatrixXd::Zero(n, n)) {}
 
     /// To before the step, to before the observation.
     void back(const MotionTransition& transition);
@@ -41,7 +55,7 @@ private:
     Eigen::MatrixXd timesLambda(const Eigen::MatrixXd& x) const;
     void carryOutPending();
 
-    Eigen::VectorXd lambda_;
+    AdjointPass adjoint_;
     Eigen::MatrixXd Lambda_;
     /// Changes of one instant, put off because each costs a pass over Lambda: + H^T B + B^T H.
     struct Pending {

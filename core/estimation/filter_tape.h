@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a filter did, step by step and linearised as it was, for a smoother that goes back over it. Widening a
-// covariance (biases that wander, a filter that begins anew) is process noise like any other and leaves no
-// trace here: the smoother needs to know how errors are carried and what was observed, not how they grow.
+// What a filter did, step by step and linearised as it was, for a smoother that goes back over it. Going back
+// needs to know how errors are carried and what was observed, not how they grow.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +21,11 @@ struct TapedFrame {
     double flesh_rad2 = 0;   ///< as in jointSigmas()
 };
 
-using FilterTape = std::deque<std::variant<MotionTransition, ObservedUpdate, TapedFrame>>;
+/// Variances that were added to the covariance, per state, because the estimate was lost.
+struct Widening {
+    Eigen::VectorXd variance;
+};
+
+using FilterTape = std::deque<std::variant<MotionTransition, ObservedUpdate, TapedFrame, Widening>>;
 
 }  // namespace noctule

@@ -104,6 +104,7 @@ std::vector<ObservationBlock> JointGive::observe(const MotionState& motion, cons
         const double whitened =
             2 * (parameters_.trembles_s + relevance(constraint) * parameters_.lasts_s) / interval_s;
         block.variance[0] = whitened * given;
+        block.origin = {ObservationOrigin::Kind::kGive, static_cast<int>(std::ssize(blocks)), {}};
         share += relevance(constraint);
         variance += given;
         blocks.push_back(std::move(block));

@@ -39,6 +39,10 @@ public:
     std::vector<ObservationBlock> initial(const MotionState& motion) const;
     /// The same once per `interval_s`, after learning how much the joints give.
     std::vector<ObservationBlock> observe(const MotionState& motion, const Covariance& P, double interval_s);
+    /// One of those again, elsewhere; of zero variance.
+    ObservationBlock again(int constraint, const MotionState& motion) const {
+        return blockOf(constraints_[static_cast<size_t>(constraint)], motion);
+    }
 
     /// 0 on a rigid body, 1 where boards ride on flesh.
     double fleshShare() const { return flesh_share_; }

@@ -97,6 +97,11 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
       inertial_(suit_.boards.size()) {
     const int n = tree_.freedoms();
     acceleration_decay_ = Eigen::VectorXd::Constant(n, std::exp(-step_s_ / parameters_.joint_accel_time_s));
+    wander_ = Eigen::VectorXd::Zero(layout_.size);
+    for (const auto& [first, walk] : {std::pair(layout_.gyro_bias, parameters_.gyro_bias_walk),
+                                      std::pair(layout_.accel_bias, parameters_.accel_bias_walk)})
+        if (first >= 0)
+            wander_.segment(first, 3 * std::ssize(suit_.boards)).setConstant(walk * walk * step_s_);
     if (parameters_.joints_give)
         now_.give = JointGive(skeleton_, tree_, givingJoints(skeleton_, gyroscope_joints_), parameters_.give);
     now_.board_noise.assign(suit_.boards.size(), BoardNoise(parameters_.board_noise, suit_.sources.size()));
@@ -114,7 +119,6 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
         variance.segment<3>(3).setConstant(std::pow(parameters_.root_turn_accel_rad_per_s2, 2));
     }
     now_.motion_noise = MotionNoise(tree_, variance, adapts, parameters_.motion_noise);
-    accel_correction_.setZero(n);
 }
 
 void ManifoldFilter::add(const InertialMeasurement& measurement) {
@@ -150,16 +154,17 @@ void ManifoldFilter::step(const StepInput& input) {
     predict(step_s_);
     ++now_.step_index;
     allowForClipping(input.inertial);
-    const int n = layout_.freedoms;
-    const Eigen::VectorXd before = now_.P.dense().diagonal().segment(2 * n, n);
-    accel_correction_.setZero(n);
+    const auto accel_variances = [&] {
+        return now_.P.dense().diagonal().segment(layout_.accel(0), layout_.freedoms);
+    };
+    const Eigen::VectorXd predicted = now_.state.motion.accel, variances = accel_variances();
     updateRoot(input.roots);
     if (parameters_.sensors.accelerometers)
         updateTriads(input.inertial, false);
     if (parameters_.sensors.gyroscopes)
         updateTriads(input.inertial, true);
     if (!input.inertial.empty() && parameters_.sensors.gyroscopes)
-        now_.motion_noise.learn(accel_correction_, before - now_.P.dense().diagonal().segment(2 * n, n),
+        now_.motion_noise.learn(now_.state.motion.accel - predicted, variances - accel_variances(),
                                 1.0 / kInertialFramesPerSecond, now_.give.fleshShare());
     updateDistances(input.distances);
     updateGround(input.inertial);
@@ -188,19 +193,15 @@ void ManifoldFilter::predict(double dt_s) {
                                                 acceleration_decay_, now_.motion_noise.variance());
     if (tape_)
         tape_->push_back(std::move(transition));
-    const auto wander = [&](int first, size_t count, double walk) {
-        if (first >= 0)
-            now_.P.dense().diagonal().segment(first, static_cast<Eigen::Index>(count)).array() +=
-                walk * walk * dt_s;
-    };
-    wander(layout_.gyro_bias, 3 * suit_.boards.size(), parameters_.gyro_bias_walk);
-    wander(layout_.accel_bias, 3 * suit_.boards.size(), parameters_.accel_bias_walk);
+    now_.P.dense().diagonal() += wander_;
 }
 
 void ManifoldFilter::updateRoot(const std::vector<RootMeasurement>& measurements) {
     std::vector<ObservationBlock> blocks;
     for (const RootMeasurement& measurement : measurements)
         blocks.push_back(observations_.root(now_.state, measurement, measurement.time_s - nowSeconds()));
+    for (size_t i = 0; i < blocks.size(); ++i)
+        blocks[i].origin = {ObservationOrigin::Kind::kRoot, static_cast<int>(i), {}};
     observe(std::move(blocks));
 }
 
@@ -208,10 +209,12 @@ void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measur
     std::vector<ObservationBlock> blocks;
     for (const InertialMeasurement& measurement : measurements) {
         const double offset_s = measurement.time_s - nowSeconds();
+        const int reading = static_cast<int>(&measurement - measurements.data());
         const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
         BoardNoise& noise = now_.board_noise[static_cast<size_t>(measurement.board)];
         if (gyro) {
             blocks.push_back(observations_.gyro(now_.state, measurement, offset_s));
+            blocks.back().origin = {ObservationOrigin::Kind::kGyro, reading, {}};
             // Flesh under the board turns against a root that another system knows.
             if (blocks.back().rows() > 0 && parameters_.root_given && link == 0)
                 noise.adaptGyro(blocks.back(), measurement.gyro, now_.P);
@@ -225,6 +228,7 @@ void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measur
         else if (link > 0 && noise.isLost(measurement, block, parameters_.g_m_per_s2))
             beginAnew(movingLink(tree_, link));
         noise.adaptAccel(block, measurement.accel, motion_m_per_s2, now_.give.fleshShare(), now_.P);
+        block.origin = {ObservationOrigin::Kind::kAccel, reading, {}};
         blocks.push_back(std::move(block));
     }
     std::erase_if(blocks, [](const ObservationBlock& block) { return block.rows() == 0; });
@@ -246,6 +250,9 @@ void ManifoldFilter::updateDistances(const std::vector<DistanceMeasurement>& mea
         decision.w_a = cos_angle >= 0 ? 1 : 0;
         DistanceMeasurement known = measurement;
         useCarrier(known, block);
+        block.origin = {ObservationOrigin::Kind::kDistance,
+                        static_cast<int>(&measurement - measurements.data()),
+                        Eigen::VectorXd::Constant(1, known.distance_m)};
         decision.innovation_m = block.residual[0];
         if (decision.w_a == 0)
             decision.fate = RangeFate::kBehindSource;
@@ -305,15 +312,23 @@ void ManifoldFilter::noteGating(bool gated) {
         return;
     now_.gated_share = 0;
     ++now_.resets;
-    now_.P.dense().diagonal().head(layout_.freedoms).array() += 0.1 * 0.1;
-    now_.P.dense().diagonal().segment(layout_.freedoms, layout_.freedoms).array() += 1.0;
+    widen(0, layout_.freedoms, 0.1);
+    widen(layout_.freedoms, layout_.freedoms, 1);
 }
 
 /// One limb has been lost, most often while its gyroscope was at the end of its range.
 void ManifoldFilter::beginAnew(const Link& link) {
     ++now_.resets;
-    now_.P.dense().diagonal().segment(link.first, link.count).tail(std::min(link.count, 3)).array() +=
-        0.5 * 0.5;
+    const int turning = std::min(link.count, 3);
+    widen(link.first + link.count - turning, turning, 0.5);
+}
+
+void ManifoldFilter::widen(int first, int count, double sigma) {
+    Eigen::VectorXd more = Eigen::VectorXd::Zero(layout_.size);
+    more.segment(first, count).setConstant(sigma * sigma);
+    now_.P.dense().diagonal() += more;
+    if (tape_)
+        tape_->push_back(Widening{std::move(more)});
 }
 
 void ManifoldFilter::updateGround(const std::vector<InertialMeasurement>& measurements) {
@@ -359,46 +374,20 @@ void ManifoldFilter::observe(std::vector<ObservationBlock> blocks) {
         return;
     if (!tape_)
         return correct(now_.P.update(blocks));
+    for (ObservationBlock& block : blocks)
+        if (block.origin.kind == ObservationOrigin::Kind::kPull) {
+            block.origin.target = block.residual;
+            for (Eigen::Index i = 0; i < block.rows(); ++i)
+                block.origin.target[i] += valueOf(now_.state, block.columns[static_cast<size_t>(i)]);
+        }
     ObservedUpdate observed;
     correct(now_.P.update(blocks, &observed));
     tape_->push_back(std::move(observed));
 }
 
-void ManifoldFilter::correct(const Eigen::VectorXd& delta) {
-    const int n = layout_.freedoms;
-    tree_.retract(now_.state.motion, delta.head(n));
-    now_.state.motion.rate += delta.segment(n, n);
-    now_.state.motion.accel += delta.segment(2 * n, n);
-    accel_correction_ += delta.segment(2 * n, n);
-    for (size_t b = 0; b < suit_.boards.size(); ++b) {
-        if (layout_.gyro_bias >= 0)
-            now_.state.gyro_bias[b] += delta.segment<3>(layout_.gyro_bias + 3 * static_cast<int>(b));
-        if (layout_.accel_bias >= 0)
-            now_.state.accel_bias[b] += delta.segment<3>(layout_.accel_bias + 3 * static_cast<int>(b));
-    }
-    if (layout_.source_offset >= 0)
-        for (size_t s = 0; s < suit_.sources.size(); ++s)
-            now_.state.source_offset_m[s] += delta[layout_.source_offset + static_cast<int>(s)];
-    if (layout_.sound_scale >= 0)
-        now_.state.sound_scale += delta[layout_.sound_scale];
-}
-
 TimedPose ManifoldFilter::estimateAt(double time_s) const {
     return {nanoseconds(time_s), tree_.poseFromState(now_.state.motion),
             jointSigmas(tree_, skeleton_, now_.state.motion, now_.P.dense(), now_.give.meanVariance_rad2())};
-}
-
-TapedFrame ManifoldFilter::frame(std::vector<int64_t> times_ns) const {
-    return {std::move(times_ns), now_.state.motion, now_.P.dense().topRows(layout_.freedoms),
-            now_.give.meanVariance_rad2()};
-}
-
-TimedPose ManifoldFilter::poseOf(const TapedFrame& frame, int64_t time_ns, const Eigen::VectorXd& error,
-                                 const Eigen::MatrixXd& covariance) const {
-    MotionState motion = frame.motion;
-    tree_.retract(motion, error);
-    return {time_ns, tree_.poseFromState(motion),
-            jointSigmas(tree_, skeleton_, motion, covariance, frame.flesh_rad2)};
 }
 
 }  // namespace noctule

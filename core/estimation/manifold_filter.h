@@ -13,6 +13,7 @@
 
 #include "core/estimation/board_noise.h"
 #include "core/estimation/covariance.h"
+#include "core/estimation/error_state.h"
 #include "core/estimation/estimator.h"
 #include "core/estimation/filter_tape.h"
 #include "core/estimation/ground_contacts.h"
@@ -117,6 +118,13 @@ public:
     /// What the following steps do goes to `tape`, too; null: nowhere.
     void setTape(FilterTape* tape) { tape_ = tape; }
     const Memory& memory() const { return now_; }
+    const Eigen::VectorXd& accelerationDecay() const { return acceleration_decay_; }
+    /// What a step adds to the variances of what is constant over a take; zero for all else.
+    const Eigen::VectorXd& wander() const { return wander_; }
+    /// A block that the filter taped, again: of the same readings with the same variances, but about another
+    /// state `at_s`. `input` is that of its step.
+    ObservationBlock again(const ObservationBlock& taped, const StepInput& input, const BodyState& state,
+                           double at_s);
     void recall(const Memory& memory) { now_ = memory; }
     /// The estimate now, to stand for these times.
     TapedFrame frame(std::vector<int64_t> times_ns) const;
@@ -145,7 +153,9 @@ private:
     void updatePriors();
     void observe(std::vector<ObservationBlock> blocks);
     bool isBlind(const Link& link) const { return !gyroscope_joints_[static_cast<size_t>(link.joint)]; }
-    void correct(const Eigen::VectorXd& delta);
+    double valueOf(const BodyState& state, int column) const;
+    void correct(const Eigen::VectorXd& delta) { addError(tree_, layout_, delta, now_.state); }
+    void widen(int first, int count, double sigma);
     void noteGating(bool gated);
     void beginAnew(const Link& link);
     double nowSeconds() const { return static_cast<double>(now_.step_index) * step_s_; }
@@ -162,7 +172,7 @@ private:
     Memory now_;                          ///< the state's time is step_index * step_s_
     MotionState rest_;                    ///< for the pose prior
     Eigen::VectorXd acceleration_decay_;  ///< per velocity index, for one step
-    Eigen::VectorXd accel_correction_;    ///< sum of this step
+    Eigen::VectorXd wander_;
     double step_s_ = 0;
     ReadingGrid inertial_;
     TimeQueue<DistanceMeasurement> distances_;

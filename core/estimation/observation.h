@@ -35,6 +35,15 @@ struct BodyState {
     double sound_scale = 0;
 };
 
+/// What a block was made of, so that it can be made again about another state.
+struct ObservationOrigin {
+    /// kPull: single states that are pulled to known values.
+    enum class Kind { kPull, kGyro, kAccel, kDistance, kRoot, kGive };
+    Kind kind = Kind::kPull;
+    int index = 0;           ///< of the reading in its step; of the joint's constraint
+    Eigen::VectorXd target;  ///< kDistance: the distance that was believed; kPull: the values
+};
+
 /// Linearised measurements: residual = measured - expected = H * error + noise, H given by its non-zero
 /// columns.
 struct ObservationBlock {
@@ -42,6 +51,7 @@ struct ObservationBlock {
     Eigen::MatrixXd H;  ///< rows x columns.size()
     Eigen::VectorXd residual;
     Eigen::VectorXd variance;  ///< of the noise; diagonal
+    ObservationOrigin origin = {};
 
     Eigen::Index rows() const { return residual.size(); }
 };

@@ -14,20 +14,9 @@ constexpr double kLeastVariance = 1e-12;
 void addProcessNoise(Eigen::MatrixXd& P, Eigen::Index n, double dt, const Eigen::VectorXd& decay,
                      const Eigen::VectorXd& variance) {
     for (Eigen::Index i = 0; i < n; ++i) {
-        // White jerk of density q over the step; for steps short against the decay time the exact integrals
-        // of the Ornstein-Uhlenbeck process differ from these in relative order dt / decay time.
-        const double per_step = (1 - decay[i] * decay[i]) * variance[i];
-        const double q = per_step / dt;
-        const Eigen::Index r = n + i, a = 2 * n + i;
-        P(i, i) += q * std::pow(dt, 5) / 20;
-        P(i, r) += q * std::pow(dt, 4) / 8;
-        P(r, i) = P(i, r);
-        P(i, a) += q * dt * dt * dt / 6;
-        P(a, i) = P(i, a);
-        P(r, r) += q * dt * dt * dt / 3;
-        P(r, a) += q * dt * dt / 2;
-        P(a, r) = P(r, a);
-        P(a, a) += per_step;
+        const Eigen::Array3i all =
+            Eigen::Array3i::LinSpaced(3, 0, 2) * static_cast<int>(n) + static_cast<int>(i);
+        P(all, all) += motionNoise(dt, decay[i], variance[i]);
     }
 }
 
@@ -115,15 +104,33 @@ void MotionTransition::carryBack(Eigen::MatrixXd& Lambda) const {
         Lambda, [this](double* x) { carryColumnBack(x); }, mixColumnsBack);
 }
 
+Matrix3d motionNoise(double dt, double decay, double variance) {
+    // For steps short against the decay time the exact integrals of the Ornstein-Uhlenbeck process differ
+    // from these in relative order dt / decay time.
+    const double per_step = (1 - decay * decay) * variance;
+    const double q = per_step / dt;
+    const double theta_rate = q * std::pow(dt, 4) / 8, theta_accel = q * dt * dt * dt / 6,
+                 rate_accel = q * dt * dt / 2;
+    Matrix3d noise;
+    noise << q * std::pow(dt, 5) / 20, theta_rate, theta_accel, theta_rate, q * dt * dt * dt / 3, rate_accel,
+        theta_accel, rate_accel, per_step;
+    return noise;
+}
+
+void predictMotion(const KinematicTree& tree, MotionState& motion, double dt_s,
+                   const Eigen::VectorXd& decay) {
+    tree.retract(motion, dt_s * motion.rate + 0.5 * dt_s * dt_s * motion.accel);
+    motion.rate += dt_s * motion.accel;
+    motion.accel.array() *= decay.array();
+}
+
 MotionTransition predictMotion(const KinematicTree& tree, MotionState& motion, Eigen::MatrixXd& P,
                                double dt_s, const Eigen::VectorXd& decay,
                                const Eigen::VectorXd& acceleration_variance) {
     MotionTransition transition(tree, motion, dt_s, decay);
     transition.carry(P);
     addProcessNoise(P, tree.freedoms(), dt_s, decay, acceleration_variance);
-    tree.retract(motion, dt_s * motion.rate + 0.5 * dt_s * dt_s * motion.accel);
-    motion.rate += dt_s * motion.accel;
-    motion.accel.array() *= decay.array();
+    predictMotion(tree, motion, dt_s, decay);
     return transition;
 }
 

@@ -17,8 +17,9 @@ public:
     MotionTransition(const KinematicTree& tree, const MotionState& motion, double dt_s,
                      const Eigen::VectorXd& decay);
 
-    /// P := F P F^T.
+    /// P := F P F^T, error := F error.
     void carry(Eigen::MatrixXd& P) const;
+    void carry(Eigen::VectorXd& error) const { carryColumn(error.data()); }
     /// The adjoint, against time: lambda := F^T lambda, Lambda := F^T Lambda F.
     void carryBack(Eigen::VectorXd& lambda) const;
     void carryBack(Eigen::MatrixXd& Lambda) const;
@@ -37,6 +38,13 @@ private:
     Eigen::VectorXd decay_;
     std::vector<LinkTransition> links_;  ///< rotations by three, all else coordinate by coordinate
 };
+
+/// What a step adds to the covariance of one coordinate, its rate and its acceleration: white jerk of a
+/// density that keeps the stationary `variance` of an acceleration that decays by `decay`.
+Matrix3d motionNoise(double dt_s, double decay, double variance);
+
+/// The state alone over dt_s.
+void predictMotion(const KinematicTree& tree, MotionState& motion, double dt_s, const Eigen::VectorXd& decay);
 
 /// Carries the state and its covariance P (coordinates, rates, accelerations first; the rest is constant)
 /// over dt_s: accelerations decay by `decay` per step towards zero and keep the stationary variance

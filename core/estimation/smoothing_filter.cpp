@@ -22,7 +22,7 @@ bool goBackOver(const FilterTape& tape, BackwardPass& backward, const EachSmooth
             backward.back(*transition);
         } else if (const auto* update = std::get_if<ObservedUpdate>(&*event)) {
             backward.back(*update);
-        } else if (const TapedFrame* frame = frameOf(*event); frame->times_ns.back() <= last_ns) {
+        } else if (const TapedFrame* frame = frameOf(*event); frame && frame->times_ns.back() <= last_ns) {
             if (!each(*frame, backward.smooth(frame->P_pose)))
                 return false;
         }
@@ -36,11 +36,12 @@ void SmoothingFilter::start(const Pose& rest_pose, const RestReadings& rest, con
         rest_times_ns_.push_back(pose.time_ns);
 }
 
-bool SmoothingFilter::goBack(BackwardPass& backward, int64_t last_ns, const JobContext& job) {
+bool SmoothingFilter::goBack(BackwardPass& backward, int64_t last_ns, const JobContext& job, Shown shown) {
     std::vector<TimedPose> newest_first;
     const auto each = [&](const TapedFrame& frame, const BackwardPass::Smoothed& smoothed) {
+        const Eigen::VectorXd error = (shown == Shown::kCorrected ? 1.0 : 0.0) * smoothed.error;
         for (auto time_ns = frame.times_ns.rbegin(); time_ns != frame.times_ns.rend(); ++time_ns)
-            newest_first.push_back(filter_.poseOf(frame, *time_ns, smoothed.error, smoothed.covariance));
+            newest_first.push_back(filter_.poseOf(frame, *time_ns, error, smoothed.covariance));
         return !job.cancelled();
     };
     if (!goBackOver(tape_, backward, each, last_ns))

@@ -26,14 +26,20 @@ public:
     void add(const DistanceMeasurement& measurement) override { filter_.add(measurement); }
     void add(const RootMeasurement& measurement) override { filter_.add(measurement); }
     std::vector<TimedPose> takePoses() override { return std::exchange(poses_, {}); }
+    std::vector<DistanceDecision> takeDecisions() override { return filter_.takeDecisions(); }
+    std::vector<FootContacts> contacts() const override { return filter_.contacts(); }
+    int resets() const override { return filter_.resets(); }
 
 protected:
     SmoothingFilter(const Skeleton& skeleton, SuitModel suit, const ManifoldParameters& parameters)
         : filter_(skeleton, std::move(suit), parameters) {}
 
+    /// kAsTaped: the motion is the smoothed one already, only sigmas are to be found.
+    enum class Shown { kCorrected, kAsTaped };
     /// Goes back over the tape; poses of its frames up to `last_ns` come out, in order of time. False when
     /// the job was cancelled.
-    bool goBack(BackwardPass& backward, int64_t last_ns, const JobContext& job);
+    bool goBack(BackwardPass& backward, int64_t last_ns, const JobContext& job,
+                Shown shown = Shown::kCorrected);
 
     ManifoldFilter filter_;
     FilterTape tape_;
@@ -54,7 +60,6 @@ public:
 
     void start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) override;
     void advanceTo(double time_s) override;
-    std::vector<DistanceDecision> takeDecisions() override { return filter_.takeDecisions(); }
     std::vector<FootContacts> contacts() const override { return contacts_; }
     int resets() const override { return resets_; }
     int portionsLeft() const override { return left_; }
@@ -78,9 +83,6 @@ public:
 
     void start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) override;
     void advanceTo(double time_s) override;
-    std::vector<DistanceDecision> takeDecisions() override { return filter_.takeDecisions(); }
-    std::vector<FootContacts> contacts() const override { return filter_.contacts(); }
-    int resets() const override { return filter_.resets(); }
     int portionsLeft() const override { return tape_.empty() ? 0 : 1; }
     Status finishPortion(const JobContext& job) override;
 

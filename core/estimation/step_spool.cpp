@@ -83,17 +83,25 @@ bool takeAll(UnnamedFile& file, std::vector<Measurement>& measurements) {
     return whole;
 }
 
-Error unreadable() {
+}  // namespace
+
+void putInput(UnnamedFile& file, const ManifoldFilter::StepInput& input) {
+    putAll(file, input.roots);
+    putAll(file, input.inertial);
+    putAll(file, input.distances);
+}
+
+bool takeInput(UnnamedFile& file, ManifoldFilter::StepInput& input) {
+    return takeAll(file, input.roots) && takeAll(file, input.inertial) && takeAll(file, input.distances);
+}
+
+Error unreadableSpool() {
     return {ErrorKind::kDisk, "what the smoother had put aside could not be read back",
             "Check that the disk has room, or process without smoothing"};
 }
 
-}  // namespace
-
 void StepSpool::add(const ManifoldFilter::StepInput& input) {
-    putAll(file_, input.roots);
-    putAll(file_, input.inertial);
-    putAll(file_, input.distances);
+    putInput(file_, input);
     ++marks_.back().steps;
 }
 
@@ -114,7 +122,7 @@ Result<ManifoldFilter::Memory> StepSpool::goTo(int stretch) {
     memory.P = Covariance(Eigen::VectorXd::Zero(size_));
     Eigen::MatrixXd& P = memory.P.dense();
     if (!kept || !file_.takeBytes(P.data(), sizeof(double) * static_cast<size_t>(P.size())))
-        return unreadable();
+        return unreadableSpool();
     return memory;
 }
 
@@ -122,13 +130,12 @@ bool StepSpool::next(ManifoldFilter::StepInput& input) {
     if (left_ == 0)
         return false;
     --left_;
-    is_whole_ =
-        takeAll(file_, input.roots) && takeAll(file_, input.inertial) && takeAll(file_, input.distances);
+    is_whole_ = takeInput(file_, input);
     return is_whole_;
 }
 
 Status StepSpool::status() const {
-    return is_whole_ ? Status(Done{}) : unreadable();
+    return is_whole_ ? Status(Done{}) : unreadableSpool();
 }
 
 }  // namespace noctule

@@ -9,6 +9,12 @@
 
 namespace noctule {
 
+void putInput(UnnamedFile& file, const ManifoldFilter::StepInput& input);
+/// False at the end of the file.
+bool takeInput(UnnamedFile& file, ManifoldFilter::StepInput& input);
+/// When what was put there cannot be taken back.
+Error unreadableSpool();
+
 class StepSpool {
 public:
     explicit StepSpool(UnnamedFile file) : file_(std::move(file)) {}

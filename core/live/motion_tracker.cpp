@@ -2,16 +2,18 @@
 #include "core/live/motion_tracker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "core/estimation/smoothing_filter.h"
+#include "core/estimation/batch_smoother.h"
 
 namespace noctule {
 namespace {
 
 // For the instant of an arrival only: 2 % of a flight is 60 us, in which nothing moves.
 constexpr double kUsualSpeedOfSound_m_per_s = 344;
-constexpr double kUnstatedSigma_m = 0.0025;  // Vlasic 2007, section 5.2
+constexpr std::array kSmootherNames{"none", "lag", "full", "batch"};  // in the order of Smoother
+constexpr double kUnstatedSigma_m = 0.0025;                           // Vlasic 2007, section 5.2
 // Nobody stands perfectly still: floors of a mean's deviation.
 constexpr double kRestGyroSigma_rad_per_s = 0.0005, kRestAccelSigma_m_per_s2 = 0.01;
 
@@ -24,13 +26,22 @@ Result<std::unique_ptr<Estimator>> manifoldEstimator(const Skeleton& skeleton, S
     parameters.ground.ground = settings.ground;
     parameters.ground.given = settings.contacts;
     std::unique_ptr<Estimator> estimator;
-    if (settings.smoother == Smoother::kFull) {
-        auto spool = UnnamedFile::make(settings.spool_folder, "what smoothing puts aside",
-                                       "Check that you may write there, or process without smoothing");
-        if (!spool)
-            return spool.error();
-        estimator =
-            std::make_unique<FixedIntervalSmoother>(skeleton, std::move(suit), parameters, std::move(*spool));
+    const bool whole = settings.smoother == Smoother::kFull || settings.smoother == Smoother::kBatch;
+    std::vector<UnnamedFile> files;
+    for (int i = 0; i < (whole ? settings.smoother == Smoother::kBatch ? 3 : 1 : 0); ++i) {
+        auto file = UnnamedFile::make(settings.spool_folder, "what smoothing puts aside",
+                                      "Check that you may write there, or process without smoothing");
+        if (!file)
+            return file.error();
+        files.push_back(std::move(*file));
+    }
+    if (settings.smoother == Smoother::kBatch) {
+        estimator = std::make_unique<BatchSmoother>(
+            skeleton, std::move(suit), parameters,
+            BatchFiles{std::move(files[0]), std::move(files[1]), std::move(files[2])});
+    } else if (settings.smoother == Smoother::kFull) {
+        estimator = std::make_unique<FixedIntervalSmoother>(skeleton, std::move(suit), parameters,
+                                                            std::move(files[0]));
     } else if (settings.smoother == Smoother::kLag) {
         estimator = std::make_unique<FixedLagSmoother>(skeleton, std::move(suit), parameters);
     } else {
@@ -61,11 +72,11 @@ std::optional<EstimatorKind> estimatorFromName(const std::string& name) {
 }
 
 const char* smootherName(Smoother smoother) {
-    return smoother == Smoother::kFull ? "full" : smoother == Smoother::kLag ? "lag" : "none";
+    return kSmootherNames[static_cast<size_t>(smoother)];
 }
 
 std::optional<Smoother> smootherFromName(const std::string& name) {
-    for (Smoother smoother : {Smoother::kNone, Smoother::kLag, Smoother::kFull})
+    for (Smoother smoother : {Smoother::kNone, Smoother::kLag, Smoother::kFull, Smoother::kBatch})
         if (name == smootherName(smoother))
             return smoother;
     return std::nullopt;

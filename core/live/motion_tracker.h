@@ -23,10 +23,11 @@ enum class EstimatorKind { kManifold, kPaper };
 const char* estimatorName(EstimatorKind kind);
 std::optional<EstimatorKind> estimatorFromName(const std::string& name);
 
-/// Whether poses know what came later: kLag half a second of it, kFull all.
-enum class Smoother { kNone, kLag, kFull };
+/// Whether poses know what came later: kLag half a second of it, kFull all; kBatch all, linearised again
+/// until it settles.
+enum class Smoother { kNone, kLag, kFull, kBatch };
 
-/// "none", "lag", "full": as on the command line and in takes.
+/// "none", "lag", "full", "batch": as on the command line and in takes.
 const char* smootherName(Smoother smoother);
 std::optional<Smoother> smootherFromName(const std::string& name);
 
@@ -40,7 +41,7 @@ struct TrackerSettings {
     Ground ground = Ground::kLevel;       ///< of kManifold only
     /// When each foot stands, instead of what the readings show.
     std::optional<std::vector<FootContacts>> contacts{};
-    std::string spool_folder = ".";  ///< kFull puts aside there what memory should not hold
+    std::string spool_folder = ".";  ///< kFull and kBatch put aside there what memory should not hold
 };
 
 class MotionTracker {

@@ -84,74 +84,42 @@ NOCTULE_AVX2 void addBlockColumnsAvx2(double* c, const double* m, long length, c
     addBlockColumns(c, m, length, columns, count, h, h_rows);
 }
 
-template <int kRows>
-NOCTULE_AVX2 void tileSumAvx2(const double* panel, const double* factors, long stride, long m, double* sum) {
-    constexpr int kFours = kRows / 4;
-    __m256d total[kColumns][kFours] = {};
-    for (long k = 0; k < m; ++k) {
-        __m256d rows[kFours];
-        for (int f = 0; f < kFours; ++f)
-            rows[f] = _mm256_loadu_pd(panel + k * kRows + 4 * f);
-        for (long c = 0; c < kColumns; ++c) {
-            const __m256d factor = _mm256_broadcast_sd(factors + c * stride + k);
-            for (int f = 0; f < kFours; ++f)
-                total[c][f] = _mm256_fmadd_pd(rows[f], factor, total[c][f]);
-        }
-    }
-    for (long c = 0; c < kColumns; ++c)
-        for (int f = 0; f < kFours; ++f)
-            _mm256_storeu_pd(sum + c * kRows + 4 * f, total[c][f]);
-}
+namespace avx2 {
 
-/// Rows `from` .. as far as whole packs of 4 * kFours go; returns the first row not done.
-template <int kFours>
-NOCTULE_AVX2 long multiplyThreeAvx2(const SparseFactors& s, const double* h, long from, double* product) {
-    long i = from;
-    for (; i + 4 * kFours <= s.n; i += 4 * kFours) {
-        __m256d sum[3][kFours] = {};
-        for (long k = 0; k < s.count; ++k) {
-            __m256d rows[kFours];
-            for (int f = 0; f < kFours; ++f)
-                rows[f] = _mm256_loadu_pd(s.p + s.columns[k] * s.p_stride + i + 4 * f);
-            for (long r = 0; r < 3; ++r) {
-                const __m256d factor = _mm256_broadcast_sd(h + k * s.h_rows + r);
-                for (int f = 0; f < kFours; ++f)
-                    sum[r][f] = _mm256_fmadd_pd(rows[f], factor, sum[r][f]);
-            }
-        }
-        for (long r = 0; r < 3; ++r)
-            for (int f = 0; f < kFours; ++f)
-                _mm256_storeu_pd(product + r * s.product_stride + i + 4 * f, sum[r][f]);
-    }
-    return i;
-}
+struct Pack {
+    static constexpr int kWidth = 4;
+    using Type = __m256d;
+    NOCTULE_AVX2 static Type load(const double* x) { return _mm256_loadu_pd(x); }
+    NOCTULE_AVX2 static void store(double* x, Type pack) { _mm256_storeu_pd(x, pack); }
+    NOCTULE_AVX2 static Type all(double x) { return _mm256_set1_pd(x); }
+    NOCTULE_AVX2 static Type multiplyAdd(Type a, Type b, Type c) { return _mm256_fmadd_pd(a, b, c); }
+};
+
+#define NOCTULE_TARGET NOCTULE_AVX2
+#include "core/math/covariance_packs.inc"
+#undef NOCTULE_TARGET
+
+}  // namespace avx2
+
+namespace avx512 {
+
+struct Pack {
+    static constexpr int kWidth = 8;
+    using Type = __m512d;
+    NOCTULE_AVX512 static Type load(const double* x) { return _mm512_loadu_pd(x); }
+    NOCTULE_AVX512 static void store(double* x, Type pack) { _mm512_storeu_pd(x, pack); }
+    NOCTULE_AVX512 static Type all(double x) { return _mm512_set1_pd(x); }
+    NOCTULE_AVX512 static Type multiplyAdd(Type a, Type b, Type c) { return _mm512_fmadd_pd(a, b, c); }
+};
+
+#define NOCTULE_TARGET NOCTULE_AVX512
+#include "core/math/covariance_packs.inc"
+#undef NOCTULE_TARGET
+
+}  // namespace avx512
 
 NOCTULE_AVX2 void multiplyOneAvx2(const SparseFactors& s, const double* h, double* product) {
     multiplyOne(s, h, product);
-}
-
-/// 4 * kFours rows of kCount columns: C += A * B; `c_rows`, `a_rows` and `p` are the lengths of their
-/// columns.
-template <int kFours, int kCount>
-NOCTULE_AVX2 void addBlockAvx2(double* c, long c_rows, const double* a, long a_rows, const double* b, long p,
-                               long p_used) {
-    __m256d sum[kCount][kFours];
-    for (int i = 0; i < kCount; ++i)
-        for (int f = 0; f < kFours; ++f)
-            sum[i][f] = _mm256_loadu_pd(c + i * c_rows + 4 * f);
-    for (long q = 0; q < p_used; ++q) {
-        __m256d rows[kFours];
-        for (int f = 0; f < kFours; ++f)
-            rows[f] = _mm256_loadu_pd(a + q * a_rows + 4 * f);
-        for (int i = 0; i < kCount; ++i) {
-            const __m256d factor = _mm256_broadcast_sd(b + i * p + q);
-            for (int f = 0; f < kFours; ++f)
-                sum[i][f] = _mm256_fmadd_pd(rows[f], factor, sum[i][f]);
-        }
-    }
-    for (int i = 0; i < kCount; ++i)
-        for (int f = 0; f < kFours; ++f)
-            _mm256_storeu_pd(c + i * c_rows + 4 * f, sum[i][f]);
 }
 
 /// kCount columns: C (m rows) += A * B; A's columns are padded with zeros to whole packs of four (a_rows). Of
@@ -164,16 +132,19 @@ NOCTULE_AVX2 void addColumnsAvx2(MatrixOut& C, long column, const Eigen::MatrixX
     const double *a = A.data(), *b = B.col(column).data();
     const auto used = [&](long row_end) { return lower ? std::min(p, row_end) : p; };
     long r = 0;
+    if (hasAvx512())
+        for (; r + 16 <= m; r += 16)
+            avx512::addBlock<2, kCount>(c + r, c_rows, a + r, a_rows, b, B.outerStride(), used(r + 16));
     for (; r + 8 <= m; r += 8)
-        addBlockAvx2<2, kCount>(c + r, c_rows, a + r, a_rows, b, B.outerStride(), used(r + 8));
+        avx2::addBlock<2, kCount>(c + r, c_rows, a + r, a_rows, b, B.outerStride(), used(r + 8));
     for (; r + 4 <= m; r += 4)
-        addBlockAvx2<1, kCount>(c + r, c_rows, a + r, a_rows, b, B.outerStride(), used(r + 4));
+        avx2::addBlock<1, kCount>(c + r, c_rows, a + r, a_rows, b, B.outerStride(), used(r + 4));
     if (r == m)
         return;
     double last[4 * kCount] = {};
     for (long i = 0; i < kCount; ++i)
         std::copy(c + i * c_rows + r, c + i * c_rows + m, last + 4 * i);
-    addBlockAvx2<1, kCount>(last, 4, a + r, a_rows, b, B.outerStride(), used(m));
+    avx2::addBlock<1, kCount>(last, 4, a + r, a_rows, b, B.outerStride(), used(m));
     for (long i = 0; i < kCount; ++i)
         std::copy(last + 4 * i, last + 4 * i + m - r, c + i * c_rows + r);
 }
@@ -183,8 +154,10 @@ NOCTULE_AVX2 void addColumnsAvx2(MatrixOut& C, long column, const Eigen::MatrixX
 template <int kRows>
 void bestTileSum(const double* panel, const double* factors, long stride, long m, double* sum) {
 #ifdef NOCTULE_AVX2
+    if constexpr (kRows % 8 == 0)
+        return avx512::tileSum<kRows / 8>(panel, factors, stride, m, sum);
     if (hasAvx2())
-        return tileSumAvx2<kRows>(panel, factors, stride, m, sum);
+        return avx2::tileSum<kRows / 4>(panel, factors, stride, m, sum);
 #endif
     tileSum<kRows>(panel, factors, stride, m, sum);
 }
@@ -229,6 +202,11 @@ void subtractOuterProduct(MatrixOut P, const MatrixIn& X_transposed) {
     const long n = P.rows();
     std::vector<double> panel;
     long i = 0;
+#ifdef NOCTULE_AVX2
+    constexpr int kWideRows = 24;  // by 512 bits only
+    for (; hasAvx512() && i + kWideRows <= n; i += kWideRows)
+        subtractRows<kWideRows>(P.data(), X_transposed, n, i, panel);
+#endif
     for (; i + kRows <= n; i += kRows)
         subtractRows<kRows>(P.data(), X_transposed, n, i, panel);
     for (; i + kColumns <= n; i += kColumns)
@@ -253,8 +231,10 @@ void multiplySparse(const MatrixIn& P, const std::vector<int>& columns, const Ei
         double* target = product.col(first + row).data();
         long done = 0;
 #ifdef NOCTULE_AVX2
+        if (hasAvx512())
+            done = avx512::multiplyThree<3>(factors, H.data() + row, done, target);
         if (hasAvx2())
-            for (auto* multiply : {multiplyThreeAvx2<3>, multiplyThreeAvx2<1>})
+            for (auto* multiply : {avx2::multiplyThree<3>, avx2::multiplyThree<1>})
                 done = multiply(factors, H.data() + row, done, target);
 #endif
         multiplyThree(factors, H.data() + row, done, target);

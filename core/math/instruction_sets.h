@@ -6,11 +6,17 @@
 #if defined(__x86_64__)
 #include <immintrin.h>
 #define NOCTULE_AVX2 __attribute__((target("avx2,fma")))
+#define NOCTULE_AVX512 __attribute__((target("avx512f,avx2,fma,prefer-vector-width=512")))
 
 namespace noctule {
 
 inline bool hasAvx2() {
     static const bool has = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    return has;
+}
+
+inline bool hasAvx512() {
+    static const bool has = hasAvx2() && __builtin_cpu_supports("avx512f");
     return has;
 }
 

@@ -29,7 +29,7 @@ Status writeTracked(Tracked& from, ResultRuns& results) {
 
 /// Of the pass over the take's data in all work: smoothing the whole take goes back over it.
 double forwardShare(const TrackerSettings& settings) {
-    return settings.smoother == Smoother::kFull ? 0.4 : 1;
+    return settings.smoother == Smoother::kFull ? 0.4 : settings.smoother == Smoother::kBatch ? 0.1 : 1;
 }
 
 double shareDone(int64_t sample, const Ingredients& in, const TrackerSettings& settings) {

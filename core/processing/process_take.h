@@ -39,7 +39,7 @@ struct ProcessSummary {
     std::vector<std::string> warnings;  ///< whole sentences
 };
 
-/// What a run is called when no name is given: "AGD", "G paper", "AGD smoothed", "AGD lag".
+/// What a run is called when no name is given: "AGD", "G paper", "AGD lag", "AGD smoothed", "AGD batch".
 std::string defaultRunName(const TrackerSettings& tracker);
 
 /// Everything or nothing: failed or cancelled, the take stays as it was.

@@ -77,9 +77,10 @@ Status addDocuments(TakeEdit& edit, const ProcessRequest& request, Ingredients& 
 
 std::string defaultRunName(const TrackerSettings& tracker) {
     return sensorLetters(tracker.sensors) + (tracker.estimator == EstimatorKind::kPaper ? " paper" : "") +
-           (tracker.smoother == Smoother::kFull  ? " smoothed"
-            : tracker.smoother == Smoother::kLag ? " lag"
-                                                 : "");
+           (tracker.smoother == Smoother::kFull    ? " smoothed"
+            : tracker.smoother == Smoother::kLag   ? " lag"
+            : tracker.smoother == Smoother::kBatch ? " batch"
+                                                   : "");
 }
 
 Result<ResultRuns> ResultRuns::begin(const Take& take, TakeEdit& edit, const ProcessRequest& request,

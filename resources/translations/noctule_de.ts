@@ -5664,10 +5664,6 @@ keine Lücken</translation>
         <translation>Ganze Aufnahme</translation>
     </message>
     <message>
-        <source>Each pose knows all that came before and after: the most accurate.</source>
-        <translation>Jede Pose kennt alles Frühere und Spätere: am genauesten.</translation>
-    </message>
-    <message>
         <source>Smoothing</source>
         <translation>Glättung</translation>
     </message>
@@ -5730,6 +5726,18 @@ keine Lücken</translation>
     <message>
         <source>Feet that stand hold the root: on a level floor their place and height, on uneven ground their place, on a treadmill nothing.</source>
         <translation>Füße, die stehen, halten die Wurzel: auf ebenem Boden an Ort und Höhe, auf unebenem am Ort, auf einem Laufband gar nicht.</translation>
+    </message>
+    <message>
+        <source>Each pose knows all that came before and after.</source>
+        <translation>Jede Pose kennt alles Frühere und Spätere.</translation>
+    </message>
+    <message>
+        <source>Most probable motion</source>
+        <translation>Wahrscheinlichste Bewegung</translation>
+    </message>
+    <message>
+        <source>All readings weighed again together until nothing changes: the reference. Takes longer.</source>
+        <translation>Alle Messwerte werden gemeinsam neu abgewogen, bis sich nichts mehr ändert: die Referenz. Dauert länger.</translation>
     </message>
 </context>
 <context>

@@ -140,10 +140,6 @@ TEST(Usage, ThePapersEstimatorHasNoSmoother) {
                   {"--smooth full", "paper"});
 }
 
-TEST(Usage, WhatComesLaterIsRefusedByName) {
-    expectRefusal({"process", "t", "--smooth", "batch"}, 2, {"--smooth batch", "not available"});
-}
-
 TEST(Usage, ErrorsAreJsonTooWhenAskedFor) {
     const Ran ran = batch({"inspect", "nowhere.noctule", "--json"});
     EXPECT_EQ(ran.exit_code, 3);

@@ -29,9 +29,8 @@
 
 #include "core/estimation/backward_pass.h"
 #include "core/estimation/filter_tape.h"
-#include "core/processing/evaluate_take.h"
-#include "core/processing/process_take.h"
 #include "tests/benchmark/bound_scene.h"
+#include "tests/benchmark/judged_take.h"
 
 namespace noctule {
 namespace {
@@ -216,22 +215,12 @@ private:
 };
 
 double estimatorError_deg(const std::string& take_path, const Setting& setting, Smoother smoother) {
-    ProcessRequest request;
-    request.take_path = take_path;
-    request.tracker.sensors = setting.sensors;
-    request.tracker.root_given = setting.root_given;
-    request.tracker.ground = Ground::kNone;  // the bound knows no floor
-    request.tracker.smoother = smoother;
-    request.created_utc = "2000-01-01T00:00:00Z";
-    const ProcessSummary summary = processTake(request, {}).value();
-    EvaluateRequest evaluation;
-    evaluation.take_path = take_path;
-    evaluation.run_number = summary.pose_run;
-    const ReportData judged = evaluateTake(evaluation, {}).value();
-    for (const ReportRun& run : judged.runs)
-        if (run.is_shown && run.comparison)
-            return run.comparison->mean_deg;
-    return std::nan("");
+    TrackerSettings tracker;
+    tracker.sensors = setting.sensors;
+    tracker.root_given = setting.root_given;
+    tracker.ground = Ground::kNone;  // the bound knows no floor
+    tracker.smoother = smoother;
+    return processedAndJudged(take_path, tracker).mean_deg;
 }
 
 /// Bound, what was got, and their ratio.

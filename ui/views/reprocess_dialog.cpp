@@ -139,10 +139,14 @@ void ReprocessDialog::addSmoothing(QBoxLayout& into) {
     not_smoothed = new ChoiceRow(kRadio, tr("None"), tr("As in a live recording."));
     smoothed_half_second =
         new ChoiceRow(kRadio, tr("Half a second"), tr("Each pose knows the 0.3 to 0.5 s that follow."));
-    smoothed_whole = new ChoiceRow(kRadio, tr("Whole take"),
-                                   tr("Each pose knows all that came before and after: the most accurate."));
-    addGroup(into, tr("Smoothing"), {not_smoothed, smoothed_half_second, smoothed_whole});
-    keepOneChosen(this, {not_smoothed, smoothed_half_second, smoothed_whole});
+    smoothed_whole =
+        new ChoiceRow(kRadio, tr("Whole take"), tr("Each pose knows all that came before and after."));
+    most_probable = new ChoiceRow(
+        kRadio, tr("Most probable motion"),
+        tr("All readings weighed again together until nothing changes: the reference. Takes longer."));
+    const std::vector<ChoiceRow*> rows{not_smoothed, smoothed_half_second, smoothed_whole, most_probable};
+    addGroup(into, tr("Smoothing"), {rows.begin(), rows.end()});
+    keepOneChosen(this, rows);
 }
 
 void ReprocessDialog::addDetector(QBoxLayout& into) {
@@ -210,6 +214,8 @@ void ReprocessDialog::startFrom(const RunSettings& settings) {
         smoothed_half_second->setChecked(true);
     if (settings.smoother == smootherName(Smoother::kFull))
         smoothed_whole->setChecked(true);
+    if (settings.smoother == smootherName(Smoother::kBatch))
+        most_probable->setChecked(true);
     if (settings.detector == detectorName(Detector::kMatched) && overview_.level == TakeLevel::kSignal)
         matched->setChecked(true);
 }
@@ -223,6 +229,7 @@ void ReprocessDialog::refresh() {
         not_smoothed->setChecked(true);
     smoothed_half_second->setDisabledBecause(only_ours);
     smoothed_whole->setDisabledBecause(only_ours);
+    most_probable->setDisabledBecause(only_ours);
     ground->setEnabled(!paper->isChecked());
     ground->setToolTip(root_given->isChecked()
                            ? tr("When the feet stand is found out; the root is the other system’s.")
@@ -239,7 +246,8 @@ ProcessRequest ReprocessDialog::request() const {
     request.tracker.ground = static_cast<Ground>(ground->currentIndex());
     request.tracker.estimator = paper->isChecked() ? EstimatorKind::kPaper : EstimatorKind::kManifold;
     request.tracker.paper_process_sigma_rad_per_s2 = process_sigma_->value();
-    request.tracker.smoother = smoothed_whole->isChecked()         ? Smoother::kFull
+    request.tracker.smoother = most_probable->isChecked()          ? Smoother::kBatch
+                               : smoothed_whole->isChecked()       ? Smoother::kFull
                                : smoothed_half_second->isChecked() ? Smoother::kLag
                                                                    : Smoother::kNone;
     request.detector = matched->isChecked() ? Detector::kMatched : Detector::kInflection;

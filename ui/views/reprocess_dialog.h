@@ -28,7 +28,7 @@ public:
     ChoiceRow *root_free, *root_given;
     QComboBox* ground;  ///< items in the order of Ground
     ChoiceRow *ours, *paper;
-    ChoiceRow *not_smoothed, *smoothed_half_second, *smoothed_whole;
+    ChoiceRow *not_smoothed, *smoothed_half_second, *smoothed_whole, *most_probable;
     ChoiceRow *matched, *inflection;
     ChoiceRow *calibration_in_force, *calibration_from_file;
     QLineEdit* name;

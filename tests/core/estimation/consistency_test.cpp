@@ -11,7 +11,6 @@ namespace noctule {
 namespace {
 
 using Eigen::VectorXd;
-using testing::coordinateError;
 using testing::World;
 
 struct Outcome {
@@ -33,7 +32,7 @@ Outcome run(const ManifoldParameters& truth, const ManifoldParameters& parameter
         if (frame % 7 != 0 || t < seconds / 3)
             return;
         filter.advanceTo(t + testing::kUntilSure_s + 0.5 / 140 / parameters.steps_per_frame);
-        const VectorXd error = coordinateError(world.tree, world.motion, filter.state().motion);
+        const VectorXd error = coordinateError(world.tree, filter.state().motion, world.motion);
         // With a free root its yaw and position are unobservable, and an EKF that holds velocity in the
         // world's frame gains false knowledge of them as its linearisation point moves; the joints are judged
         // alone there.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/estimation/error_state.h"
 #include "core/math/rotation.h"
 #include "tests/core/estimation/small_body.h"
 #include "tests/support/jacobian_checker.h"
@@ -39,17 +40,7 @@ protected:
 
     BodyState perturbed(const VectorXd& d) const {
         BodyState moved = state;
-        const int n = layout.freedoms;
-        tree.retract(moved.motion, d.head(n));
-        moved.motion.rate += d.segment(n, n);
-        moved.motion.accel += d.segment(2 * n, n);
-        for (size_t b = 0; b < 4; ++b) {
-            moved.gyro_bias[b] += d.segment<3>(layout.gyro_bias + 3 * static_cast<int>(b));
-            moved.accel_bias[b] += d.segment<3>(layout.accel_bias + 3 * static_cast<int>(b));
-        }
-        for (size_t s = 0; s < 2; ++s)
-            moved.source_offset_m[s] += d[layout.source_offset + static_cast<int>(s)];
-        moved.sound_scale += d[layout.sound_scale];
+        addError(tree, layout, d, moved);
         return moved;
     }
 

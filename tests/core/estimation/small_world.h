@@ -8,22 +8,6 @@
 
 namespace noctule::testing {
 
-inline Eigen::VectorXd coordinateError(const KinematicTree& tree, const MotionState& truth,
-                                       const MotionState& estimate) {
-    Eigen::VectorXd error(tree.freedoms());
-    for (size_t i = 0; i < tree.links().size(); ++i) {
-        const Link& link = tree.links()[i];
-        const Vector3d turn = logQuaternion(estimate.q_parent_link[i].conjugate() * truth.q_parent_link[i]);
-        if (link.type == LinkType::kFree)
-            error.segment<6>(link.first) << truth.p_world_root - estimate.p_world_root, turn;
-        else if (link.type == LinkType::kBall)
-            error.segment<3>(link.first) = turn;
-        else if (link.type == LinkType::kHinge)
-            error[link.first] = truth.angle_rad[i] - estimate.angle_rad[i];
-    }
-    return error;
-}
-
 class World {
 public:
     World(const ManifoldParameters& parameters, unsigned seed)

@@ -223,13 +223,15 @@ TEST(ProcessTinyTake, SmoothedRunsSayBySettingsAndNameHow) {
     const std::string path = tinyTake(folder);
     const auto plain = processTake(requestFor(path), {});
     ASSERT_TRUE(plain) << plain.error().text();
-    for (const Smoother smoother : {Smoother::kLag, Smoother::kFull}) {
+    for (const Smoother smoother : {Smoother::kLag, Smoother::kFull, Smoother::kBatch}) {
         SCOPED_TRACE(smootherName(smoother));
         ProcessRequest request = requestFor(path);
         request.tracker.smoother = smoother;
         const auto summary = processTake(request, {});
         ASSERT_TRUE(summary) << summary.error().text();
-        EXPECT_EQ(summary->run_name, smoother == Smoother::kLag ? "AGD lag" : "AGD smoothed");
+        EXPECT_EQ(summary->run_name, smoother == Smoother::kLag    ? "AGD lag"
+                                     : smoother == Smoother::kFull ? "AGD smoothed"
+                                                                   : "AGD batch");
         EXPECT_EQ(summary->ranges_used, plain->ranges_used) << "the filter judges ranges as it does alone";
         const Take take = Take::open(path).value();
         const auto runs = take.derivedRuns().value();
@@ -262,14 +264,16 @@ TEST(ProcessTinyTake, CancelledWhileSmoothingItLeavesTheFileAsItWas) {
     const Folder folder;
     const std::string path = tinyTake(folder);
     const std::string before = test::readBytes(path);
-    ProcessRequest request = requestFor(path);
-    request.tracker.smoother = Smoother::kFull;
-    CancelSmoothing user;
-    const auto cancelled = processTake(request, {&user, &user.flag});
-    ASSERT_FALSE(cancelled);
-    EXPECT_EQ(cancelled.error().kind, ErrorKind::kCancelled);
-    EXPECT_TRUE(test::readBytes(path) == before);
-    EXPECT_EQ(folder.names().size(), 1u);
+    for (const Smoother smoother : {Smoother::kFull, Smoother::kBatch}) {
+        ProcessRequest request = requestFor(path);
+        request.tracker.smoother = smoother;
+        CancelSmoothing user;
+        const auto cancelled = processTake(request, {&user, &user.flag});
+        ASSERT_FALSE(cancelled);
+        EXPECT_EQ(cancelled.error().kind, ErrorKind::kCancelled);
+        EXPECT_TRUE(test::readBytes(path) == before);
+        EXPECT_EQ(folder.names().size(), 1u);
+    }
 }
 
 TEST(ProcessTinyTake, RefusesACalibrationOfAnotherSuit) {

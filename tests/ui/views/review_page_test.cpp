@@ -114,11 +114,14 @@ TEST_F(ReviewPageTest, SmoothingIsAskedForAndThePapersFilterHasNone) {
     EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kNone);
     dialog.smoothed_whole->setChecked(true);
     EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kFull);
+    dialog.most_probable->setChecked(true);
+    EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kBatch);
     dialog.smoothed_half_second->setChecked(true);
     EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kLag);
     dialog.paper->setChecked(true);
     EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kNone);
     EXPECT_FALSE(dialog.smoothed_whole->button()->isEnabled());
+    EXPECT_FALSE(dialog.most_probable->button()->isEnabled());
     EXPECT_EQ(dialog.request().detector, Detector::kInflection);
     const bool has_sound = studio_->take().overview()->level == TakeLevel::kSignal;
     EXPECT_EQ(dialog.matched->button()->isEnabled(), has_sound);
