@@ -16,8 +16,8 @@ INSIDE = pathlib.Path(__file__).with_name("inside_blender.py")
 MOTIONS = {"Boxing_Toes": 60, "01_01": 90, "01_03": 45}  # and frames per second; Blender rounds broken ones
 SCALES = {"blender": 1.0, "motionbuilder": 0.01}  # presets, and the scale that Blender must be told for BVH
 EXPORTS = (("bvh", "blender", "mannequin"), ("bvh", "motionbuilder", "mannequin"), ("fbx", "blender", "mannequin"),
-           ("fbx", "motionbuilder", "mannequin"), ("fbx", "unreal", "mannequin"), ("fbx", "blender", "none"),
-           ("glb", "blender", "mannequin"))
+           ("fbx", "motionbuilder", "mannequin"), ("fbx", "unity", "mannequin"), ("fbx", "unreal", "mannequin"),
+           ("fbx", "blender", "none"), ("glb", "blender", "mannequin"))
 HEAD_M = (1.2, 1.8)  # of a performer of 1.75 m who stands, and of grown bodies of others
 OUR_BONES = "Head,LeftUpLeg,RightUpLeg"
 MESHES = {"CesiumMan": studio.ROOT.parent / "shared/data/mesh/gltf/CesiumMan.glb",
