@@ -31,7 +31,7 @@ QString landmarkName(const std::string& landmark) {
     if (landmark.ends_with(end) && landmark != end)
         return LandmarkPicture::tr("%1, tip").arg(
             segmentName(landmark.substr(0, landmark.size() - end.size())));
-    return segmentName(landmark);
+    return jointName(landmark);
 }
 
 LandmarkPicture::LandmarkPicture(QWidget* parent) : QWidget(parent) {

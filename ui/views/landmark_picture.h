@@ -13,7 +13,7 @@
 
 namespace noctule::ui {
 
-/// "Left hand", "Head, tip"
+/// "Left wrist", "Head, tip"
 QString landmarkName(const std::string& landmark);
 
 class LandmarkPicture : public QWidget {

@@ -78,20 +78,19 @@ void LandmarkPicture::paintPoint(QPainter& painter, const Pane& pane, const std:
     painter.drawEllipse(onScreen(pane, p_m), radius, radius);
 }
 
-/// Beside its point, within the picture.
+/// Above its point (at the top edge below it), where it hides least.
 void LandmarkPicture::paintName(QPainter& painter, const Pane& pane, const std::string& landmark) {
     const Theme& theme = Theme::get();
     painter.setFont(theme.font(TextRole::kSecondary));
     const QString name = landmarkName(landmark);
     const int inset = theme.px(kInset), height = theme.px(kTag);
     const QPointF at = onScreen(pane, places_.at(landmark));
-    QRect tag(static_cast<int>(at.x()) + 2 * inset, static_cast<int>(at.y()) - height / 2,
-              painter.fontMetrics().horizontalAdvance(name) + 2 * inset, height);
-    if (tag.right() > pane.rect.right())
-        tag.moveRight(static_cast<int>(at.x()) - 2 * inset);
-    tag.moveLeft(std::max(tag.left(), pane.rect.left()));
-    tag.moveTop(
-        std::clamp(tag.top(), pane.rect.top(), std::max(pane.rect.top(), pane.rect.bottom() - height)));
+    QRect tag(0, 0, painter.fontMetrics().horizontalAdvance(name) + 2 * inset, height);
+    tag.moveCenter(at.toPoint());
+    tag.moveLeft(std::max(std::min(tag.left(), pane.rect.right() - tag.width()), pane.rect.left()));
+    const int above = tag.top() - height / 2 - inset - static_cast<int>(kChosen_px);
+    tag.moveTop(above >= pane.rect.top() ? above
+                                         : tag.top() + height / 2 + inset + static_cast<int>(kChosen_px));
     paintBox(painter, tag, theme.px(4), theme.tokens().raised, theme.tokens().line);
     painter.setPen(theme.tokens().t1);
     painter.drawText(tag, Qt::AlignCenter, name);
