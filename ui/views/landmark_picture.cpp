@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kWidth = 560, kHeight = 380, kBetween_px = 1;
 constexpr double kLeastFront = 0.5, kMostFront = 0.72;  ///< of the width
-constexpr double kMargin = 0.07, kReach_px = 12, kDragStart_px = 3;
+constexpr double kFrameMargin = 0.07, kReach_px = 12, kDragStart_px = 3;
 constexpr double kNudge_m = 0.001, kBigNudge_m = 0.01, kZoomPerTurn = 1.2;
 
 QString toText(const std::string& landmark) {
@@ -99,7 +99,7 @@ void LandmarkPicture::frame() {
     share(box);
     double distance_m = 0;
     for (Pane& pane : panes_) {
-        pane.camera.frame(box, pane.size(), kMargin);
+        pane.camera.frame(box, pane.size(), kFrameMargin);
         distance_m = std::max(distance_m, pane.camera.distance_m);
     }
     for (Pane& pane : panes_)

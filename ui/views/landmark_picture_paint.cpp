@@ -11,7 +11,7 @@ namespace noctule::ui {
 namespace {
 
 constexpr double kPoint_px = 4, kChosen_px = 5.5, kLine_px = 1.5, kBone_px = 1;
-constexpr int kInset = 8, kTag = 22;
+constexpr int kTagInset = 8, kTag = 22;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void LandmarkPicture::paintEvent(QPaintEvent*) {
     const QString words[] = {tr("From the front"), tr("From its left")};
     painter.setFont(Theme::get().font(TextRole::kCaption));
     painter.setPen(Theme::get().tokens().t2);
-    const int inset = Theme::get().px(kInset);
+    const int inset = Theme::get().px(kTagInset);
     for (size_t p = 0; p < panes_.size(); ++p)
         painter.drawText(panes_[p].rect.adjusted(inset, inset, -inset, -inset), Qt::AlignLeft | Qt::AlignTop,
                          words[p]);
@@ -83,7 +83,7 @@ void LandmarkPicture::paintName(QPainter& painter, const Pane& pane, const std::
     const Theme& theme = Theme::get();
     painter.setFont(theme.font(TextRole::kSecondary));
     const QString name = landmarkName(landmark);
-    const int inset = theme.px(kInset), height = theme.px(kTag);
+    const int inset = theme.px(kTagInset), height = theme.px(kTag);
     const QPointF at = onScreen(pane, places_.at(landmark));
     QRect tag(0, 0, painter.fontMetrics().horizontalAdvance(name) + 2 * inset, height);
     tag.moveCenter(at.toPoint());
