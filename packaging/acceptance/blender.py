@@ -80,8 +80,8 @@ def rows_of(motion, fps, folder):
     for export in EXPORTS:
         extension, preset, mesh = export
         file = folder / f"{motion}_{preset}_{mesh}.{extension}"
-        studio.batch("export", take, f"--{extension}", file, "--preset", preset, "--mesh", mesh, "--fps", fps,
-                     "--overwrite")
+        body = [] if extension == "bvh" else ["--mesh", mesh]
+        studio.batch("export", take, f"--{extension}", file, "--preset", preset, *body, "--fps", fps, "--overwrite")
         has_skin = extension != "bvh" and mesh != "none"
         picture = [folder / "picture.png", round(PICTURE_SECOND * fps)] if (motion, *export) == PICTURE else []
         seen = seen_in_blender(file, table, skin if has_skin else "-", fps, SCALES.get(preset, 1), STEP, OUR_BONES, "",
