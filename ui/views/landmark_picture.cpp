@@ -15,7 +15,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kWidth = 560, kHeight = 380, kBetween_px = 1;
+constexpr int kWidth = 560, kHeight = 360, kBetween_px = 1;
 constexpr double kLeastFront = 0.5, kMostFront = 0.72;  ///< of the width
 constexpr double kFrameMargin = 0.07, kReach_px = 12, kDragStart_px = 3;
 constexpr double kNudge_m = 0.001, kBigNudge_m = 0.01, kZoomPerTurn = 1.2;

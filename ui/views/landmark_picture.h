@@ -36,7 +36,7 @@ public:
     const std::string& hovered() const { return hovered_; }
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
+    QSize minimumSizeHint() const override { return 2 * sizeHint() / 3; }
 
 signals:
     void landmarkChosen(const QString& landmark);
