@@ -31,7 +31,8 @@ Result<std::vector<FootContacts>> loadContacts(const std::string& path, const Re
     const auto edited = take->editedContacts();
     if (!edited)
         return edited.error();
-    const bool looked = !run.settings.ground.empty() && run.settings.ground != "none";
+    const bool looked =
+        !run.settings.ground.empty() && run.settings.ground != "none" && !run.settings.contacts_edited;
     if (!*edited && !looked)
         return findFootContacts(motion);
     auto feet = *edited ? Result<std::vector<FootContacts>>(**edited) : take->contacts(run.run.run);
