@@ -111,6 +111,13 @@ ObservationBlock ofRoot(const std::vector<int>& columns, const Eigen::VectorXd& 
     return {columns, Eigen::MatrixXd::Identity(rows, rows), residual, body_variance.array() + sigma * sigma};
 }
 
+/// Too fast for a foot that stands, unless an operator says that it does. On a belt that moves a foot that
+/// stands moves, too.
+bool isSwung(const GroundParameters& parameters, const Vector3d& v_m_per_s, const Eigen::VectorXd& variance) {
+    return !parameters.given && parameters.ground != Ground::kTreadmill &&
+           v_m_per_s.norm() > parameters.fastest_m_per_s + parameters.swing_sigma * std::sqrt(variance.sum());
+}
+
 }  // namespace
 
 const char* groundName(Ground ground) {
@@ -205,10 +212,7 @@ std::vector<ObservationBlock> GroundContacts::observe(const KinematicTree& tree,
                                                    parameters_.pivot_m * chain.end().omega_rad_per_s.norm()),
                                         body_variance.head<3>());
         const Eigen::VectorXd variance = P.innovationVariance(still);
-        // On a belt that moves a foot that stands moves, too.
-        foot.swings = !parameters_.given && parameters_.ground != Ground::kTreadmill &&
-                      point.v_m_per_s.norm() >
-                          parameters_.fastest_m_per_s + parameters_.swing_sigma * std::sqrt(variance.sum());
+        foot.swings = isSwung(parameters_, point.v_m_per_s, variance);
         if (foot.swings) {
             foot.swung_s = now_s;
             continue;

@@ -342,9 +342,9 @@
     </message>
     <message numerus="yes">
         <source>%n, set by hand</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n, set by hand</numerusform>
+            <numerusform>%n, set by hand</numerusform>
         </translation>
     </message>
 </context>

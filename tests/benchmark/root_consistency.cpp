@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How sure of itself a free root is that feet on a level floor hold, against the truth of simulated takes at
-// readings level: measure_root [--ground level]
-// [--calibration C.json --actor A.json] TAKE...
+// readings level: measure_root [--ground G] [--calibration C.json --actor A.json] TAKE...
 #include "tests/support/root_consistency.h"
 
 #include <cstdio>
