@@ -92,10 +92,7 @@ Truth judge(const TimedMotion& reference, const std::vector<FootContacts>& feet)
             found += t_s > 4 && speed < kStill_m_per_s && stands;
         }
     }
-    const Truth truth{wrong / said, carried / said, found / still, rolling_found / rolling};
-    std::printf("moves %.4f carried %.4f found %.4f rolling found %.4f\n", truth.false_share,
-                truth.carried_share, truth.found_share, truth.rolling_found_share);
-    return truth;
+    return {wrong / said, carried / said, found / still, rolling_found / rolling};
 }
 
 TEST_F(Contacts, OfStepsAreTrueAndHoldAFreeRoot) {
@@ -122,6 +119,8 @@ TEST_F(Contacts, OfStepsAreTrueAndHoldAFreeRoot) {
     }
     const Truth truth = judge(take.reference().value(), feet);
     EXPECT_LT(truth.false_share, 0.01);
+    EXPECT_LT(truth.carried_share, 0.01);
+    EXPECT_GT(truth.rolling_found_share, 0.65);
     EXPECT_GT(truth.found_share, 0.9);
 
     const double held_m = rootError_m(path, level.pose_run);
@@ -138,6 +137,8 @@ TEST_F(Contacts, AreNotFoundInTheFlightOfAHop) {
     const Take take = Take::open(path).value();
     const Truth truth = judge(take.reference().value(), take.contacts(level.pose_run).value());
     EXPECT_LT(truth.false_share, 0.02);
+    EXPECT_LT(truth.carried_share, 0.03);
+    EXPECT_GT(truth.rolling_found_share, 0.75);
     EXPECT_GT(truth.found_share, 0.7);
 }
 
