@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/core/estimation/small_world.h"
+#include "tests/core/estimation/small_body.h"
 
 namespace noctule {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 /// A scalar acceleration whose white jerk has `true_rad_per_s2` behind it, observed with noise by a Kalman
 /// filter whose process noise is learnt. Returns what was learnt, a standard deviation.
 double learntBy(const KinematicTree& tree, double true_rad_per_s2, double flesh_share) {
-    constexpr double kStep_s = 1.0 / 140, kDecay = 0.97, kNoise = 2;
+    constexpr double kInterval_s = 1.0 / 140, kDecay = 0.97, kNoise = 2;
     const int n = tree.freedoms();
     const int first = tree.link(1).first;
     MotionNoise noise(tree, Eigen::VectorXd::Constant(n, 3600), std::vector<bool>(tree.links().size(), true),
@@ -35,7 +35,7 @@ double learntBy(const KinematicTree& tree, double true_rad_per_s2, double flesh_
         corrections[first] = correction;
         shrinkage[first] = gain * P;
         P -= gain * P;
-        noise.learn(corrections, shrinkage, kStep_s, flesh_share);
+        noise.learn(corrections, shrinkage, kInterval_s, flesh_share);
         if (k >= kFrames / 2)
             mean += std::log(noise.variance()[first]) / (kFrames / 2);
     }
@@ -43,13 +43,13 @@ double learntBy(const KinematicTree& tree, double true_rad_per_s2, double flesh_
 }
 
 TEST(MotionNoise, FindsHowLivelyAJointMoves) {
-    const KinematicTree tree = testing::World(testing::fittingParameters({}, true)).tree;
+    const KinematicTree tree(testing::smallSkeleton(), BallCoordinates::kManifold);
     for (const double truth : {3.0, 20.0, 120.0})
         EXPECT_NEAR(learntBy(tree, truth, 0) / truth, 1, 0.25) << truth;
 }
 
 TEST(MotionNoise, BelievesNoQuietOnFlesh) {
-    const KinematicTree tree = testing::World(testing::fittingParameters({}, true)).tree;
+    const KinematicTree tree(testing::smallSkeleton(), BallCoordinates::kManifold);
     EXPECT_NEAR(learntBy(tree, 3, 1), MotionNoiseParameters{}.flesh_rad_per_s2, 40);
 }
 

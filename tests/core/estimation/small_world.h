@@ -89,15 +89,18 @@ inline ManifoldParameters fittingParameters(const SensorSelection& sensors, bool
     parameters.root_velocity_prior_m_per_s = 1e6;
     parameters.joint_accel_rad_per_s2 = 5;
     parameters.root_turn_accel_rad_per_s2 = 15;
+    parameters.joint_accel_time_s = 0.1;
+    parameters.motion_noise.memory_s = 1e9;
     return parameters;
 }
 
-constexpr int kFine = 8;  ///< steps of the truth per 1/140 s; boards read at different ones
+constexpr int kFine = 8;  ///< steps of the truth per 1/140 s
 constexpr double kFineStep_s = 1.0 / (kInertialFramesPerSecond * kFine);
 constexpr double kUntilSure_s = 0.5 * kFineStep_s;  ///< after a frame
 
-/// Moves the world and gives an estimator everything that its sensors say. `at_frame(frame, time_s)` is
-/// called 140 times a second with the world as it then is.
+/// Moves the world and gives an estimator everything that its sensors say. Boards read at the frames: this
+/// world's jerk is white, and between readings the filter takes motion for smooth. `at_frame(frame, time_s)`
+/// is called 140 times a second with the world as it then is.
 template <class AtFrame>
 void play(World& world, Estimator& estimator, double seconds, const AtFrame& at_frame) {
     Vector3d emitted = Vector3d::Zero();  // of the pulse under way
@@ -107,7 +110,7 @@ void play(World& world, Estimator& estimator, double seconds, const AtFrame& at_
         world.move(kFineStep_s);
         const double t = k * kFineStep_s;
         for (int b = 0; b < 4; ++b)
-            if (k % kFine == 2 * b)
+            if (k % kFine == 0)
                 estimator.add(world.inertial(b, t));
         const MountedSource& s = world.suit.sources[static_cast<size_t>(source)];
         if (k % kFine == 1) {
