@@ -12,7 +12,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "FBX is little-endian");
 
 constexpr uint32_t kFbxVersion = 7400;
-constexpr size_t kNullRecord = 13;  ///< closes a list of records
+constexpr size_t kNullRecord = 13;  ///< closes a list of records; every record begins with as many bytes
+constexpr size_t kMostFoot = 176;   ///< what stands behind the last record
 
 /// Readers of the format's owner look for these constants.
 constexpr std::string_view kMagic("Kaydara FBX Binary  \0\x1a\0", 23);
@@ -113,32 +114,45 @@ void FbxNode::put(const std::vector<double>& values) {
     appendArray(properties_, 'd', values);
 }
 
-void FbxNode::appendTo(std::string& file) const {
-    const size_t begin = file.size();
-    appendRaw(file, uint32_t{0});  // where the record ends; not yet known
+size_t FbxNode::size() const {
+    size_t size = kNullRecord + name_.size() + properties_.size() + (isList() ? kNullRecord : 0);
+    for (const FbxNode& child : children_)
+        size += child.size();
+    return size;
+}
+
+void FbxNode::moveTo(std::string& file) && {
+    appendRaw(file, static_cast<uint32_t>(file.size() + size()));  // where the record ends
     appendRaw(file, property_count_);
     appendRaw(file, static_cast<uint32_t>(properties_.size()));
     file += static_cast<char>(name_.size());
     file += name_;
     file += properties_;
-    for (const FbxNode& child : children_)
-        child.appendTo(file);
-    if (!children_.empty() || property_count_ == 0)
+    const bool is_list = isList();
+    properties_ = {};
+    for (FbxNode& child : children_) {
+        std::move(child).moveTo(file);
+        child.children_ = {};
+    }
+    if (is_list)
         file.append(kNullRecord, '\0');
-    const auto end = static_cast<uint32_t>(file.size());
-    std::memcpy(file.data() + begin, &end, sizeof end);
 }
 
-Result<std::string> fbxFile(const std::vector<FbxNode>& top, const std::string& where) {
-    std::string file(kMagic);
-    appendRaw(file, kFbxVersion);
+Result<std::string> fbxFile(std::vector<FbxNode> top, const std::string& where) {
+    size_t size = kMagic.size() + sizeof kFbxVersion + kNullRecord + kMostFoot;
     for (const FbxNode& node : top)
-        node.appendTo(file);
-    file.append(kNullRecord, '\0');
-    appendFoot(file);
-    if (file.size() > std::numeric_limits<uint32_t>::max())
+        size += node.size();
+    if (size > std::numeric_limits<uint32_t>::max())
         return Error{ErrorKind::kUnusable, where + ": the motion is too long for one FBX file",
                      "Export it in parts, or at fewer frames per second"};
+    std::string file;
+    file.reserve(size);
+    file += kMagic;
+    appendRaw(file, kFbxVersion);
+    for (FbxNode& node : top)
+        std::move(node).moveTo(file);
+    file.append(kNullRecord, '\0');
+    appendFoot(file);
     return file;
 }
 

@@ -29,10 +29,14 @@ public:
     FbxNode& add(FbxNode child);
     const std::vector<FbxNode>& children() const { return children_; }
 
-    /// At the end of a file whose beginning stands in `file`: offsets count from there.
-    void appendTo(std::string& file) const;
+    /// Bytes that it takes in a file.
+    size_t size() const;
+    /// To the end of a file whose beginning stands in `file` (offsets count from there). What has been
+    /// written is given back at once, so that no two copies of a large file stand in memory.
+    void moveTo(std::string& file) &&;
 
 private:
+    bool isList() const { return !children_.empty() || property_count_ == 0; }
     void put(bool value);
     void put(int32_t value);
     void put(int64_t value);
@@ -55,7 +59,7 @@ private:
 std::vector<FbxNode> fbxFileIdentity();
 
 /// A whole file. kUnusable when it would grow beyond the 4 GiB that the format can address; `where` names it.
-Result<std::string> fbxFile(const std::vector<FbxNode>& top, const std::string& where);
+Result<std::string> fbxFile(std::vector<FbxNode> top, const std::string& where);
 
 /// "Hips" of class "Model" as binary files spell it.
 std::string fbxObjectName(const std::string& name, const std::string& of_class);

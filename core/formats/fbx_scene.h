@@ -23,9 +23,10 @@ public:
     void connect(int64_t child, int64_t parent);
     void connect(int64_t child, int64_t parent, const std::string& property);
 
-    FbxNode objects() const { return objects_; }
-    FbxNode connections() const { return connections_; }
     FbxNode definitions() const;
+    /// Out of the scene, which is used up then.
+    FbxNode takeObjects() { return std::move(objects_); }
+    FbxNode takeConnections() { return std::move(connections_); }
 
 private:
     FbxNode objects_{"Objects"}, connections_{"Connections"};

@@ -51,23 +51,14 @@ FbxNode fbxHeader() {
     return header;
 }
 
-/// Of the longest motion.
-int64_t fbxStop(std::span<const Figure> figures) {
-    int64_t stop = 0;
-    for (const Figure& figure : figures)
-        stop = std::max(stop, fbxLastTime(figure.clip));
-    return stop;
-}
-
-FbxNode fbxSettings(std::span<const Figure> figures, const FbxOptions& options) {
+FbxNode fbxSettings(double frames_per_second, int64_t stop, const FbxOptions& options) {
     const auto whole = [](const char* name, int32_t value) {
         return fbxProperty(name, "int", "Integer", "", value);
     };
     const auto number = [](const char* name, double value) {
         return fbxProperty(name, "double", "Number", "", value);
     };
-    const double units_cm = options.metres_per_unit * 100,
-                 frames_per_second = 1 / figures[0].clip.frame_time_s;
+    const double units_cm = options.metres_per_unit * 100;
     FbxNode settings("GlobalSettings");
     settings.add(FbxNode("Version", int32_t{1000}))
         .add(fbxProperties({whole("UpAxis", 1), whole("UpAxisSign", 1), whole("FrontAxis", 2),
@@ -76,102 +67,131 @@ FbxNode fbxSettings(std::span<const Figure> figures, const FbxOptions& options) 
                             number("UnitScaleFactor", units_cm), number("OriginalUnitScaleFactor", units_cm),
                             fbxProperty("TimeMode", "enum", "", "", fbxTimeMode(frames_per_second)),
                             fbxProperty("TimeSpanStart", "KTime", "Time", "", int64_t{0}),
-                            fbxProperty("TimeSpanStop", "KTime", "Time", "", fbxStop(figures)),
+                            fbxProperty("TimeSpanStop", "KTime", "Time", "", stop),
                             number("CustomFrameRate", frames_per_second)}));
     return settings;
 }
 
-FbxNode fbxDocuments(const MotionClip& clip) {
+FbxNode fbxDocuments(const std::string& first_motion) {
     FbxNode document("Document", int64_t{999}, "Scene", "Scene");
     document
         .add(fbxProperties({fbxProperty("SourceObject", "object", "", ""),
-                            fbxProperty("ActiveAnimStackName", "KString", "", "", clip.name)}))
+                            fbxProperty("ActiveAnimStackName", "KString", "", "", first_motion)}))
         .add(FbxNode("RootNode", FbxScene::kTop));
     FbxNode documents("Documents");
     documents.add(FbxNode("Count", int32_t{1})).add(std::move(document));
     return documents;
 }
 
-FbxNode fbxTakes(std::span<const Figure> figures) {
-    FbxNode takes("Takes");
-    takes.add(FbxNode("Current", figures[0].clip.name));
-    for (const Figure& figure : figures) {
-        if (figure.clip.frames.empty())
-            continue;
-        FbxNode take("Take", figure.clip.name);
-        take.add(FbxNode("FileName", figure.clip.name + ".tak"))
-            .add(FbxNode("LocalTime", int64_t{0}, fbxLastTime(figure.clip)))
-            .add(FbxNode("ReferenceTime", int64_t{0}, fbxLastTime(figure.clip)));
-        takes.add(std::move(take));
-    }
-    return takes;
+FbxNode fbxTake(const MotionClip& clip) {
+    FbxNode take("Take", clip.name);
+    take.add(FbxNode("FileName", clip.name + ".tak"))
+        .add(FbxNode("LocalTime", int64_t{0}, fbxLastTime(clip)))
+        .add(FbxNode("ReferenceTime", int64_t{0}, fbxLastTime(clip)));
+    return take;
 }
 
-bool isSameFigure(const Figure& a, const Figure& b) {
-    const auto &joints = a.clip.skeleton.joints(), &others = b.clip.skeleton.joints();
-    return std::equal(joints.begin(), joints.end(), others.begin(), others.end(),
+bool areSameJoints(const Skeleton& a, const Skeleton& b) {
+    return std::equal(a.joints().begin(), a.joints().end(), b.joints().begin(), b.joints().end(),
                       [](const Joint& joint, const Joint& other) {
                           return joint.name == other.name && joint.parent == other.parent &&
                                  (joint.offset_m - other.offset_m).norm() < kSameJoint_m;
                       });
 }
 
-/// Whether the figures' motions can stand in one file.
-Status checkTogether(std::span<const Figure> figures, const std::string& where) {
-    const MotionClip& first = figures[0].clip;
-    std::set<std::string> names;
-    for (const Figure& figure : figures) {
+/// Takes figure after figure; keeps of each what stands in the file.
+class FbxCollector {
+public:
+    FbxCollector(const FbxOptions& options, const std::string& where) : options_(options), where_(where) {}
+
+    Status add(const Figure& figure) {
         const MotionClip& clip = figure.clip;
+        if (models_.empty()) {
+            first_.name = clip.name;
+            first_.skeleton = clip.skeleton;
+            first_.frame_time_s = clip.frame_time_s;
+            models_ = addFbxSkeleton(scene_, figure, options_);
+            addFbxBody(scene_, figure, options_, models_);
+        }
+        if (const Status together = checkTogether(clip); !together)
+            return together;
+        addFbxAnimation(scene_, figure, options_, models_);
+        stop_ = std::max(stop_, fbxLastTime(clip));
+        if (!clip.frames.empty())
+            takes_.push_back(fbxTake(clip));
+        return Done{};
+    }
+
+    /// Once, after the last figure.
+    Result<std::string> file() {
+        require(!models_.empty(), "an FBX file needs a figure");
+        std::vector<FbxNode> top{fbxHeader()};
+        for (FbxNode& node : fbxFileIdentity())
+            top.push_back(std::move(node));
+        FbxNode takes("Takes");
+        takes.add(FbxNode("Current", first_.name));
+        for (FbxNode& take : takes_)
+            takes.add(std::move(take));
+        top.push_back(FbxNode("Creator", kCreator));
+        top.push_back(fbxSettings(1 / first_.frame_time_s, stop_, options_));
+        top.push_back(fbxDocuments(first_.name));
+        top.push_back(FbxNode("References"));
+        top.push_back(scene_.definitions());
+        top.push_back(scene_.takeObjects());
+        top.push_back(scene_.takeConnections());
+        top.push_back(std::move(takes));
+        return fbxFile(std::move(top), where_);
+    }
+
+private:
+    /// Whether the motion can stand in one file with those before it.
+    Status checkTogether(const MotionClip& clip) {
         const auto refuse = [&](const std::string& why) {
-            return Error{ErrorKind::kUnusable, where + ": " + clip.name + why,
+            return Error{ErrorKind::kUnusable, where_ + ": " + clip.name + why,
                          "Write it to a file of its own"};
         };
-        if (!names.insert(clip.name).second)
+        if (!names_.insert(clip.name).second)
             return refuse(" is the name of two motions");
-        if (!isSameFigure(figure, figures[0]))
-            return refuse(" has other bones than " + first.name);
-        if (std::abs(clip.frame_time_s / first.frame_time_s - 1) > 1e-9)
-            return refuse(" has another frame rate than " + first.name);
+        if (!areSameJoints(clip.skeleton, first_.skeleton))
+            return refuse(" has other bones than " + first_.name);
+        if (std::abs(clip.frame_time_s / first_.frame_time_s - 1) > 1e-9)
+            return refuse(" has another frame rate than " + first_.name);
+        return Done{};
     }
-    return Done{};
+
+    const FbxOptions& options_;
+    const std::string& where_;
+    FbxScene scene_;
+    MotionClip first_;  ///< without its frames
+    std::vector<int64_t> models_;
+    std::vector<FbxNode> takes_;
+    std::set<std::string> names_;
+    int64_t stop_ = 0;  ///< of the longest motion
+};
+
+Result<std::string> formatFbx(const FigureSource& figures, const FbxOptions& options,
+                              const std::string& where, const JobContext& job) {
+    FbxCollector collector(options, where);
+    const Status collected = figures([&](const Figure& figure) -> Status {
+        return job.cancelled() ? JobContext::cancelledError() : collector.add(figure);
+    });
+    if (!collected)
+        return collected.error();
+    return job.cancelled() ? JobContext::cancelledError() : collector.file();
 }
 
 }  // namespace
 
-Result<std::string> formatFbx(std::span<const Figure> figures, const FbxOptions& options,
-                              const std::string& where) {
-    require(!figures.empty(), "formatFbx() needs a figure");
-    if (const Status together = checkTogether(figures, where); !together)
-        return together.error();
-    const Figure& first = figures[0];
-    FbxScene scene;
-    const std::vector<int64_t> models = addFbxSkeleton(scene, first, options);
-    addFbxBody(scene, first, options, models);
-    for (const Figure& figure : figures)
-        addFbxAnimation(scene, figure, options, models);
-    std::vector<FbxNode> top{fbxHeader()};
-    for (FbxNode& node : fbxFileIdentity())
-        top.push_back(std::move(node));
-    top.push_back(FbxNode("Creator", kCreator));
-    top.push_back(fbxSettings(figures, options));
-    top.push_back(fbxDocuments(first.clip));
-    top.push_back(FbxNode("References"));
-    top.push_back(scene.definitions());
-    top.push_back(scene.objects());
-    top.push_back(scene.connections());
-    top.push_back(fbxTakes(figures));
-    return fbxFile(top, where);
-}
-
-Status writeFbx(const std::string& path, std::span<const Figure> figures, const FbxOptions& options,
-                bool overwrite) {
+Status writeFbx(const std::string& path, const FigureSource& figures, const FbxOptions& options,
+                bool overwrite, const JobContext& job) {
     if (Status free = checkOutputPath(path, overwrite); !free)
         return free;
-    const auto bytes = formatFbx(figures, options, path);
+    auto bytes = formatFbx(figures, options, path, job);
     if (!bytes)
         return bytes.error();
     return writeFileAtomically(path, *bytes, overwrite, [&](const std::string& aside) {
-        return checkScene(aside, path, SceneFormat::kFbx, figures);
+        *bytes = {};  // they stand on the disk, and reading them back takes memory of its own
+        return checkScene(aside, path, SceneFormat::kFbx, figures, job);
     });
 }
 

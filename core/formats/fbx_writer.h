@@ -6,25 +6,27 @@
 // files other programs write.
 #pragma once
 
-#include <span>
 #include <string>
 
 #include "core/formats/fbx_scene.h"
+#include "core/job/job.h"
 
 namespace noctule {
 
-/// The file's bytes: joints, body and rest of the first figure, a stack for the motion of each. kUnusable
-/// when the others do not have its joints, places of joints and frame rate, when two have one name, and
-/// beyond 4 GiB; `where` names the file.
-Result<std::string> formatFbx(std::span<const Figure> figures, const FbxOptions& options,
-                              const std::string& where);
-
-/// Writes aside, reads back through assimp, compares (scene_check.h) and only then gives the file its name.
-Status writeFbx(const std::string& path, std::span<const Figure> figures, const FbxOptions& options,
-                bool overwrite);
+/// Joints, body and rest of the first figure, a stack for the motion of each. Written aside, read back
+/// through assimp, compared with what `figures` gives when it is asked again (scene_check.h), and only then
+/// given its name. kUnusable when the others do not have the joints, places of joints and frame rate of the
+/// first, when two have one name, and beyond 4 GiB. A cancel is seen between figures, and between frames of
+/// the check.
+///
+/// In memory at once: the bytes of the file (12 to a key) and one figure; while it is read back, in their
+/// place what assimp makes of it, about ten times as much.
+Status writeFbx(const std::string& path, const FigureSource& figures, const FbxOptions& options,
+                bool overwrite, const JobContext& job = {});
+/// A file of one motion.
 inline Status writeFbx(const std::string& path, const Figure& figure, const FbxOptions& options,
-                       bool overwrite) {
-    return writeFbx(path, {&figure, 1}, options, overwrite);
+                       bool overwrite, const JobContext& job = {}) {
+    return writeFbx(path, sourceOf({&figure, 1}), options, overwrite, job);
 }
 
 }  // namespace noctule

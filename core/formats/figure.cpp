@@ -22,6 +22,15 @@ SkinnedMesh onJointsOf(const Skeleton& skeleton, const SkinnedMesh& body) {
 
 }  // namespace
 
+FigureSource sourceOf(std::span<const Figure> figures) {
+    return [figures](const FigureVisit& visit) -> Status {
+        for (const Figure& figure : figures)
+            if (Status visited = visit(figure); !visited)
+                return visited;
+        return Done{};
+    };
+}
+
 Status checkFinite(const MotionClip& clip) {
     for (size_t f = 0; f < clip.frames.size(); ++f) {
         const GlobalPose global = globalPose(clip, f);

@@ -3,7 +3,9 @@
 // skeleton is wanted, the skin that hangs on them. Metres, Y up, facing +Z.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,15 @@ struct Figure {
     /// Per frame one value per joint, 0..1: how far its rotation can be trusted. Empty: not known.
     std::vector<std::vector<float>> confidence;
 };
+
+/// The figures of one file, for writers and checks that look at one after the other: hands each to `visit`,
+/// the same ones in the same order whenever it is called, and ends with the first Error, its own or the
+/// visitor's. So nobody has to hold more than one at a time.
+using FigureVisit = std::function<Status(const Figure&)>;
+using FigureSource = std::function<Status(const FigureVisit& visit)>;
+
+/// Of figures that are there, and stay so.
+FigureSource sourceOf(std::span<const Figure> figures);
 
 /// Whose names joints carry in a file.
 enum class JointNames {

@@ -195,12 +195,12 @@ Status writeScene(const std::string& path, const aiScene& scene, bool overwrite,
 
 }  // namespace
 
-Status writeGlb(const std::string& path, const Figure& figure, bool overwrite) {
+Status writeGlb(const std::string& path, const Figure& figure, bool overwrite, const JobContext& job) {
     if (Status free = checkOutputPath(path, overwrite); !free)
         return free;
     const auto scene = sceneOf(figure.body ? &*figure.body : nullptr, figure.clip);
     return writeScene(path, *scene, overwrite, [&](const std::string& aside) {
-        return checkScene(aside, path, SceneFormat::kGlb, figure);
+        return checkScene(aside, path, SceneFormat::kGlb, figure, job);
     });
 }
 

@@ -6,11 +6,12 @@
 #include <string>
 
 #include "core/formats/figure.h"
+#include "core/job/job.h"
 
 namespace noctule {
 
 /// Writes aside, reads back through assimp, compares (scene_check.h) and only then gives the file its name.
-Status writeGlb(const std::string& path, const Figure& figure, bool overwrite);
+Status writeGlb(const std::string& path, const Figure& figure, bool overwrite, const JobContext& job = {});
 
 /// A body alone in its bind pose, which is the zero pose of `skeleton`. kUsage when the file exists and may
 /// not be replaced, kDisk when it cannot be written.

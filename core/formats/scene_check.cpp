@@ -80,8 +80,8 @@ double largestVertex_m(const Figure& figure, const SceneMotion& file, size_t fra
     return largest_m;
 }
 
-Result<SceneDifference> compareMotion(const SceneFile& scene, const std::string& where,
-                                      const Figure& figure) {
+Result<SceneDifference> compareMotion(const SceneFile& scene, const std::string& where, const Figure& figure,
+                                      const JobContext& job) {
     const auto file = scene.read(jointNamesOf(figure.clip.skeleton), figure.clip.name);
     if (!file)
         return file.error();
@@ -92,6 +92,8 @@ Result<SceneDifference> compareMotion(const SceneFile& scene, const std::string&
     difference.frames_per_second = difference.frames > 1 ? 1 / file->clip.frame_time_s : 0;
     const size_t frames = figure.clip.frames.size(), step = std::max<size_t>(1, frames / kSkinFrames);
     for (size_t f = 0; f < frames; ++f) {
+        if (job.cancelled())
+            return JobContext::cancelledError();
         difference.joint_m = std::max(difference.joint_m, largestJoint_m(figure, *file, f));
         if (figure.body && f % step == 0)
             difference.vertex_m = std::max(difference.vertex_m, largestVertex_m(figure, *file, f));
@@ -109,22 +111,24 @@ Error notTheSame(const std::string& where, const std::string& why) {
 Result<SceneDifference> compareScene(const std::string& path, const std::string& where, SceneFormat format,
                                      const Figure& figure) {
     const auto scene = SceneFile::open(path, where, format);
-    return scene ? compareMotion(*scene, where, figure) : Result<SceneDifference>(scene.error());
+    return scene ? compareMotion(*scene, where, figure, {}) : Result<SceneDifference>(scene.error());
 }
 
 Status checkScene(const std::string& path, const std::string& where, SceneFormat format,
-                  std::span<const Figure> figures) {
+                  const FigureSource& figures, const JobContext& job) {
     const auto scene = SceneFile::open(path, where, format);
     if (!scene)
         return notTheSame(where, " (" + scene.error().message + ")");
-    for (const Figure& figure : figures) {
-        const auto difference = compareMotion(*scene, where, figure);
+    return figures([&](const Figure& figure) -> Status {
+        const auto difference = compareMotion(*scene, where, figure, job);
         if (!difference)
-            return notTheSame(where, " (" + difference.error().message + ")");
+            return difference.error().kind == ErrorKind::kCancelled
+                       ? difference.error()
+                       : notTheSame(where, " (" + difference.error().message + ")");
         if (!(difference->joint_m <= kSceneLimit_m && difference->vertex_m <= kSceneLimit_m))
             return notTheSame(where, "");
-    }
-    return Done{};
+        return Done{};
+    });
 }
 
 }  // namespace noctule

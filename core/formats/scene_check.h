@@ -3,11 +3,11 @@
 // hold: every joint in every frame, the skin in some. A file of several motions against a figure of each.
 #pragma once
 
-#include <span>
 #include <string>
 
 #include "core/formats/figure.h"
 #include "core/formats/scene_reader.h"
+#include "core/job/job.h"
 
 namespace noctule {
 
@@ -26,12 +26,13 @@ inline constexpr double kSceneLimit_m = 5e-5;
 Result<SceneDifference> compareScene(const std::string& path, const std::string& where, SceneFormat format,
                                      const Figure& figure);
 
-/// The same as a verdict: kDisk when anything is further off than kSceneLimit_m.
+/// The same as a verdict: kDisk when anything is further off than kSceneLimit_m. The file is read once,
+/// however many motions it holds. kCancelled, seen between frames but not while the file is being read.
 Status checkScene(const std::string& path, const std::string& where, SceneFormat format,
-                  std::span<const Figure> figures);
+                  const FigureSource& figures, const JobContext& job = {});
 inline Status checkScene(const std::string& path, const std::string& where, SceneFormat format,
-                         const Figure& figure) {
-    return checkScene(path, where, format, {&figure, 1});
+                         const Figure& figure, const JobContext& job = {}) {
+    return checkScene(path, where, format, sourceOf({&figure, 1}), job);
 }
 
 }  // namespace noctule

@@ -6,7 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -88,15 +90,30 @@ private:
     bool published_ = false;
 };
 
+/// This computer's, as far as it fits into a file's name: a process number says nothing of another computer's
+/// process, and a folder may be shared.
+std::string hostName() {
+    std::array<char, 33> name{};
+    if (::gethostname(name.data(), name.size() - 1) != 0 && errno != ENAMETOOLONG)
+        return "unnamed";
+    std::string host = name.data();
+    for (char& c : host)
+        if (!std::isalnum(static_cast<unsigned char>(c)))
+            c = '-';
+    return host.empty() ? "unnamed" : host;
+}
+
+/// What the names of all files aside of `path` begin with that processes of this computer write.
+std::string asideBegin(const std::string& path) {
+    return "." + std::filesystem::path(path).filename().string() + "." + hostName() + ".";
+}
+
 /// A name that no other writer, here or in another process, uses at this moment. The files stand beside their
 /// targets, hidden, and are told from finished ones by their ending.
 std::string asideName(const std::string& path) {
     static std::atomic<unsigned> count{0};
-    const std::filesystem::path target(path);
-    std::string name = ".";
-    name += target.filename().string() + "." + std::to_string(::getpid()) + "-" + std::to_string(count++);
-    name += kAsideEnding;
-    return (target.parent_path() / name).string();
+    const std::string name = asideBegin(path) + std::to_string(::getpid()) + "-" + std::to_string(count++);
+    return (std::filesystem::path(path).parent_path() / (name + kAsideEnding)).string();
 }
 
 bool writeAll(int fd, std::string_view content) {
@@ -160,8 +177,7 @@ std::string asidePath(const std::string& path) {
 }
 
 void removeAbandoned(const std::string& path) {
-    const std::filesystem::path target(path);
-    const std::string begin = "." + target.filename().string() + ".";
+    const std::string begin = asideBegin(path);
     std::error_code ignored;
     std::filesystem::directory_iterator entry(folderOf(path), ignored);
     for (; entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {

@@ -16,7 +16,8 @@ namespace noctule {
 /// `overwrite`, or something that is no regular file, is kUsage; a missing or read-only folder is kDisk.
 Status checkOutputPath(const std::string& path, bool overwrite);
 
-/// Looks at the file written aside before it gets its name; an Error abandons it.
+/// Looks at the file written aside before it gets its name; an Error abandons it. The content that was
+/// written is not needed any more by then.
 using AsideCheck = std::function<Status(const std::string& aside_path)>;
 
 /// Writes `content` to `path` in whole or not at all (kUsage as above, kDisk when the system refuses).
@@ -27,7 +28,8 @@ Status writeFileAtomically(const std::string& path, std::string_view content, bo
 /// or in another process, uses it.
 std::string asidePath(const std::string& path);
 
-/// Removes what writers of `path` left beside it when they were killed; what a living process writes stays.
+/// Removes what writers of `path` left beside it when they were killed; what a living process writes stays,
+/// and what another computer does in a shared folder (its host name stands in the file's).
 void removeAbandoned(const std::string& path);
 
 /// Syncs a finished file and renames it to `path` in the same folder; for files that something else writes,

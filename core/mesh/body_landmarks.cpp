@@ -10,10 +10,16 @@
 
 #include "core/body/actor.h"
 #include "core/math/json.h"
+#include "core/mesh/skinned_mesh.h"
 #include "core/mesh/surface_graph.h"
 
 namespace noctule {
 namespace {
+
+/// "LeftHandEnd" -> "LeftHand"
+std::string jointOfTip(const std::string& tip) {
+    return tip.substr(0, tip.size() - std::string_view("End").size());
+}
 
 constexpr double kAdult_m = 1.75;  ///< the height that lengths below belong to
 
@@ -264,8 +270,53 @@ std::vector<std::string> landmarkNames() {
     return names;
 }
 
+std::vector<std::pair<std::string, std::string>> landmarkBones() {
+    const Skeleton skeleton = defaultActor().skeleton;
+    std::vector<std::pair<std::string, std::string>> bones;
+    for (const std::string& name : landmarkNames()) {
+        const int joint = skeleton.find(name);
+        if (joint < 0)
+            bones.emplace_back(jointOfTip(name), name);
+        else if (const int parent = skeleton.joint(joint).parent; parent >= 0)
+            bones.emplace_back(skeleton.joint(parent).name, name);
+    }
+    return bones;
+}
+
 Result<Landmarks> findLandmarks(const TriangleMesh& figure, const std::string& where) {
     return LandmarkFinder(figure, where).find();
+}
+
+Landmarks typicalLandmarks(double height_m) {
+    const Actor actor = defaultActor();
+    const Skeleton& skeleton = actor.skeleton;
+    const GlobalPose pose = globalPose(skeleton, bindPose(skeleton));
+    const double scale = height_m / actor.height_m;
+    Landmarks landmarks;
+    for (const std::string& name : landmarkNames()) {
+        const bool is_tip = skeleton.find(name) < 0;
+        const int joint = skeleton.find(is_tip ? jointOfTip(name) : name);
+        const auto index = static_cast<size_t>(joint);
+        const Vector3d tip_m = is_tip ? skeleton.joint(joint).end_m.value() : Vector3d::Zero();
+        landmarks[name] = scale * (pose.p_world_joint[index] + pose.q_world_joint[index] * tip_m);
+    }
+    return landmarks;
+}
+
+std::string otherSideOf(const std::string& landmark) {
+    if (landmark.starts_with("Left"))
+        return "Right" + landmark.substr(4);
+    return landmark.starts_with("Right") ? "Left" + landmark.substr(5) : std::string();
+}
+
+void putLandmark(Landmarks& landmarks, const std::string& name, const Vector3d& p_m, bool both_sides_alike) {
+    const double middle_m = landmarks.at("Hips").x();
+    Vector3d& place = landmarks.at(name);
+    const std::string other = otherSideOf(name);
+    const double x_m = both_sides_alike && other.empty() ? place.x() : p_m.x();
+    place = {x_m, p_m.y(), p_m.z()};
+    if (both_sides_alike && !other.empty())
+        landmarks.at(other) = {2 * middle_m - p_m.x(), p_m.y(), p_m.z()};
 }
 
 nlohmann::json toJson(const Landmarks& landmarks) {

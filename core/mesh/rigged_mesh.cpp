@@ -72,6 +72,16 @@ std::vector<Eigen::Matrix4f> skinMatrices(const RiggedMesh& mesh, const RigPose&
     return matrices;
 }
 
+SkinnedMesh standingSurface(const SkinnedMesh& skin) {
+    SkinnedMesh surface = skin;
+    surface.bones = {SkinBone{"Hips"}};
+    for (SkinnedVertex& vertex : surface.vertices) {
+        vertex.bones = {};
+        vertex.weights = {1, 0, 0, 0};
+    }
+    return surface;
+}
+
 RiggedMesh withParts(const RiggedMesh& mesh, const std::vector<bool>& keep) {
     require(keep.size() == mesh.parts.size(), "withParts() needs a word for each part");
     RiggedMesh kept = mesh;

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/job/result.h"
@@ -62,14 +63,20 @@ struct MeshLimits {
     static constexpr size_t kVertices = 2'000'000, kTriangles = 4'000'000, kNodes = 8192, kBones = 4096;
     static constexpr size_t kParts = 65'536, kClips = 1024, kKeys = 20'000'000, kNameBytes = 512;
     static constexpr size_t kTextureBytes = 64'000'000;
-    static constexpr int kTextureSide_px = 2048;  ///< decoded ones are made smaller
-    static constexpr double kCoordinate = 1e6;    ///< metres
+    static constexpr int kTextureSide_px = 2048;    ///< decoded ones are made smaller
+    static constexpr double kCoordinate = 1e6;      ///< metres
+    static constexpr float kTextureRepeats = 1e4F;  ///< how far from the texture its coordinates may lie
 };
 
-/// Everything the other functions of this room rely on: indices within range, parents first, finite numbers,
-/// weights that sum to 1, times that increase. `where` names the file. kUnreadable: damaged; kUnusable: too
-/// large.
+/// Everything the other functions of this room and the formats rely on: indices within range, parents first,
+/// finite numbers, weights that sum to 1, times that increase, colours from 0 to 1, a texture that is a
+/// picture of the size it says. `where` names the file. kUnreadable: damaged; kUnusable: too large.
 Status checkRiggedMesh(const RiggedMesh& mesh, const std::string& where);
+
+/// Whether bytes begin as PNG or JPEG and are no more than MeshLimits::kTextureBytes.
+bool isPictureFile(std::string_view bytes);
+/// Whether texture coordinates are numbers within MeshLimits::kTextureRepeats.
+bool isOnTexture(const Eigen::Vector2f& uv);
 
 /// World transform of every node.
 using RigPose = std::vector<Eigen::Affine3d>;
@@ -83,6 +90,9 @@ RigPose posed(const RiggedMesh& mesh, const RigClip& clip, double t_s);
 
 /// Per bone the matrix mesh -> world.
 std::vector<Eigen::Matrix4f> skinMatrices(const RiggedMesh& mesh, const RigPose& pose);
+
+/// The surface alone on one bone that stands still (skin matrix: identity), for looking at it.
+SkinnedMesh standingSurface(const SkinnedMesh& skin);
 
 /// The parts that `keep` wants; vertices that nothing uses any more go too.
 RiggedMesh withParts(const RiggedMesh& mesh, const std::vector<bool>& keep);

@@ -54,20 +54,30 @@ Status checkSizes(const RiggedMesh& mesh, const std::string& where) {
     return Done{};
 }
 
-/// A decoded texture must hold the pixels that it says.
+/// The picture goes into exported files as it is, decoded pixels to the graphics card.
+Status checkTexture(const SurfaceTexture& texture, const std::string& where) {
+    if (texture.file.size() > MeshLimits::kTextureBytes)
+        return tooLarge(where, "bytes of texture", texture.file.size(), MeshLimits::kTextureBytes);
+    if (!isPictureFile(texture.file))
+        return damagedMesh(where, "its texture is neither PNG nor JPEG");
+    const bool is_decoded = !texture.rgba.empty();
+    const auto isSide = [&](int px) {
+        return px >= (is_decoded ? 1 : 0) && px <= MeshLimits::kTextureSide_px;
+    };
+    if (!isSide(texture.width_px) || !isSide(texture.height_px) ||
+        (is_decoded && texture.rgba.size() != 4 * static_cast<size_t>(texture.width_px) *
+                                                  static_cast<size_t>(texture.height_px)))
+        return damagedMesh(where, "its texture has another size than it says");
+    return Done{};
+}
+
 Status checkLook(const RiggedMesh& mesh, const std::string& where) {
     if (!mesh.skin.look)
         return Done{};
-    if (!mesh.skin.look->base_color.allFinite())
-        return damagedMesh(where, "its colour is no number");
-    const auto& texture = mesh.skin.look->texture;
-    if (!texture || texture->rgba.empty())
-        return Done{};
-    const bool fits = texture->width_px > 0 && texture->width_px <= MeshLimits::kTextureSide_px &&
-                      texture->height_px > 0 && texture->height_px <= MeshLimits::kTextureSide_px &&
-                      texture->rgba.size() == 4 * static_cast<size_t>(texture->width_px) *
-                                                  static_cast<size_t>(texture->height_px);
-    return fits ? Status(Done{}) : Status(damagedMesh(where, "its texture has another size than it says"));
+    const Eigen::Vector3f& color = mesh.skin.look->base_color;
+    if (!color.allFinite() || color.minCoeff() < 0 || color.maxCoeff() > 1)
+        return damagedMesh(where, "its colour is none");
+    return mesh.skin.look->texture ? checkTexture(*mesh.skin.look->texture, where) : Status(Done{});
 }
 
 Status checkNodes(const RiggedMesh& mesh, const std::string& where) {
@@ -100,6 +110,8 @@ Status checkVertex(const RiggedMesh& mesh, size_t v, const std::string& where) {
     const std::string name = "vertex " + std::to_string(v);
     if (!isPlace(vertex.p_m.cast<double>()) || !vertex.normal.allFinite())
         return damagedMesh(where, name + " stands nowhere");
+    if (!isOnTexture(vertex.uv))
+        return damagedMesh(where, name + " has no place on its texture");
     float sum = 0;
     for (size_t i = 0; i < vertex.bones.size(); ++i) {
         if (!(vertex.weights[i] >= 0 && vertex.weights[i] <= 1.001F))
@@ -148,6 +160,15 @@ Status checkTrack(const RiggedMesh& mesh, const RigTrack& track, const std::stri
 }
 
 }  // namespace
+
+bool isPictureFile(std::string_view bytes) {
+    return bytes.size() <= MeshLimits::kTextureBytes &&
+           (bytes.starts_with("\x89PNG\r\n\x1a\n") || bytes.starts_with("\xff\xd8\xff"));
+}
+
+bool isOnTexture(const Eigen::Vector2f& uv) {
+    return uv.allFinite() && uv.cwiseAbs().maxCoeff() <= MeshLimits::kTextureRepeats;
+}
 
 Status checkRiggedMesh(const RiggedMesh& mesh, const std::string& where) {
     for (const auto check : {checkSizes, checkNodes, checkSurface, checkLook})

@@ -23,11 +23,6 @@ int mainMaterial(const aiScene& scene) {
     return most;
 }
 
-bool isPictureFile(std::string_view bytes) {
-    return bytes.size() <= MeshLimits::kTextureBytes &&
-           (bytes.starts_with("\x89PNG\r\n\x1a\n") || bytes.starts_with("\xff\xd8\xff"));
-}
-
 /// What the file names, within it or in its own folder; wherever else the path may point is not looked at.
 std::string textureFile(const aiScene& scene, const std::string& mesh_path, const aiString& named) {
     if (const aiTexture* embedded = scene.GetEmbeddedTexture(named.C_Str()))

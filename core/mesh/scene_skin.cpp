@@ -110,7 +110,7 @@ private:
             if (normal.norm() > 0)
                 vertex.normal = normal.normalized().cast<float>();
         }
-        if (const aiVector3D* uv = object_.mTextureCoords[0]; uv && std::isfinite(uv[v].x + uv[v].y))
+        if (const aiVector3D* uv = object_.mTextureCoords[0]; uv && isOnTexture({uv[v].x, uv[v].y}))
             vertex.uv = {uv[v].x, uv[v].y};
         if (rigged) {
             if (influences_[v].empty())

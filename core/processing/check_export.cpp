@@ -3,10 +3,12 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
 
 #include "core/film/video_file.h"
 #include "core/math/rotation.h"
+#include "core/processing/contacts_in_force.h"
 #include "core/processing/export_comparison.h"
 #include "core/processing/export_motion.h"
 #include "core/processing/pose_runs.h"
@@ -45,8 +47,12 @@ Result<ExpectedMotion> expectedMotion(const Take& take, const ExportRequest& req
                 expected.begin_s = static_cast<double>(time_ns) * 1e-9;
             expected.frames.push_back(std::move(*pose));
         }
-    if (locksFeet(request))
-        expected.plants = footPlants(*motion, expected.begin_s);
+    if (!locksFeet(request))
+        return expected;
+    const auto contacts = contactsInForce(take, *run, *motion);
+    if (!contacts)
+        return contacts.error();
+    expected.plants = footPlants(contacts->feet, expected.begin_s);
     return expected;
 }
 
@@ -102,22 +108,32 @@ void judge(ExportCheck& check, double expected_frames_per_second) {
           "Joints in the file are elsewhere than in the take.");
 }
 
+/// FBX or GLB.
+Status compareScene(const SceneFile& scene, const ExpectedMotion& expected, const ExportRequest& request,
+                    ExportCheck& check) {
+    check.position_limit_m = kExportScenePosition_m;
+    if (request.with_body && request.worn)
+        return compareRiggedFile(scene, expected, request, check);
+    ExpectedMotion named = expected;
+    named.skeleton = renamed(expected.skeleton, request.names);
+    return compareSceneFile(scene, named, check);
+}
+
 Status compareFile(const std::string& path, const ExpectedMotion& expected, const ExportRequest& request,
                    ExportCheck& check) {
     const ExportFormat format = formatOf(request, path);
-    const bool is_fbx = format == ExportFormat::kFbx;
     if (format == ExportFormat::kCsv)
         return compareCsv(path, request.angles, expected, check);
     if (format == ExportFormat::kMot || format == ExportFormat::kSto)
         return compareTable(path, format == ExportFormat::kMot, expected, check);
-    ExpectedMotion named = expected;
-    named.skeleton = renamed(expected.skeleton, request.names);
-    if (format == ExportFormat::kBvh)
+    if (format == ExportFormat::kBvh) {
+        ExpectedMotion named = expected;
+        named.skeleton = renamed(expected.skeleton, request.names);
         return compareBvh(path, request.metres_per_unit, named, check);
-    check.position_limit_m = kExportScenePosition_m;
-    const SceneFormat scene = is_fbx ? SceneFormat::kFbx : SceneFormat::kGlb;
-    return request.with_body && request.worn ? compareRiggedFile(path, scene, expected, request, check)
-                                             : compareSceneFile(path, scene, named, check);
+    }
+    const auto scene =
+        SceneFile::open(path, path, format == ExportFormat::kFbx ? SceneFormat::kFbx : SceneFormat::kGlb);
+    return scene ? compareScene(*scene, expected, request, check) : Status(scene.error());
 }
 
 /// Of a picture or film only what its file tells: number of frames, size and rate. `film_frames`: expected.
@@ -156,19 +172,45 @@ Result<size_t> filmFrames(const Take& take, ExportRequest request) {
     return expected ? expected->frames.size() : Result<size_t>(expected.error());
 }
 
-ExportCheck checkFile(const std::string& path, const ExpectedMotion& expected, size_t film_frames,
-                      const ExportRequest& request) {
+/// What files of a request are held against.
+struct CheckedTake {
+    std::string run;
+    ExpectedMotion expected;
+    std::vector<SilentBoard> silent;
+    size_t film_frames = 0;
+};
+
+Result<CheckedTake> checkedTake(const ExportRequest& request) {
+    const auto take = Take::open(request.take_path);
+    if (!take)
+        return take.error();
+    CheckedTake checked;
+    auto expected = expectedMotion(*take, request, checked.run);
+    if (!expected)
+        return expected.error();
+    auto silent = silentBoards(*take, *expected);
+    const auto film_frames = filmFrames(*take, request);
+    if (!silent || !film_frames)
+        return !silent ? silent.error() : film_frames.error();
+    checked.expected = std::move(*expected);
+    checked.silent = std::move(*silent);
+    checked.film_frames = *film_frames;
+    return checked;
+}
+
+/// `compare` reads the file and fills in what it holds.
+ExportCheck checkFile(const std::string& path, const CheckedTake& take, const ExportRequest& request,
+                      const std::function<Status(ExportCheck&)>& compare) {
     ExportCheck check;
     check.path = path;
-    check.expected_frames = expected.frames.size();
-    check.expected_joints = expected.skeleton.size();
+    check.run = take.run;
+    check.silent = take.silent;
+    check.expected_frames = take.expected.frames.size();
+    check.expected_joints = take.expected.skeleton.size();
     check.position_limit_m = kExportPosition_m;
     std::error_code ignored;
     check.bytes = static_cast<int64_t>(std::filesystem::file_size(path, ignored));
-    const Status compared = isPicture(formatOf(request, path))
-                                ? comparePicture(path, request, film_frames, check)
-                                : compareFile(path, expected, request, check);
-    if (compared)
+    if (const Status compared = compare(check); compared)
         judge(check, check.is_picture ? request.film.frames_per_second : request.frames_per_second);
     else
         check.faults.push_back(compared.error().text() + ".");
@@ -178,17 +220,9 @@ ExportCheck checkFile(const std::string& path, const ExpectedMotion& expected, s
 }  // namespace
 
 Result<std::vector<ExportCheck>> checkExport(const ExportRequest& request, const JobContext& job) {
-    const auto take = Take::open(request.take_path);
+    const auto take = checkedTake(request);
     if (!take)
         return take.error();
-    std::string run_name;
-    const auto expected = expectedMotion(*take, request, run_name);
-    if (!expected)
-        return expected.error();
-    const auto silent = silentBoards(*take, *expected);
-    const auto film_frames = filmFrames(*take, request);
-    if (!silent || !film_frames)
-        return !silent ? silent.error() : film_frames.error();
     std::vector<ExportCheck> checks;
     const std::vector<std::string> paths = outputsOf(request);
     for (const std::string& path : paths) {
@@ -196,9 +230,31 @@ Result<std::vector<ExportCheck>> checkExport(const ExportRequest& request, const
             return JobContext::cancelledError();
         job.progress(static_cast<double>(checks.size()) / static_cast<double>(paths.size()),
                      "Reading " + path + " again");
-        checks.push_back(checkFile(path, *expected, *film_frames, request));
-        checks.back().run = run_name;
-        checks.back().silent = *silent;
+        checks.push_back(checkFile(path, *take, request, [&](ExportCheck& check) {
+            return isPicture(formatOf(request, path))
+                       ? comparePicture(path, request, take->film_frames, check)
+                       : compareFile(path, take->expected, request, check);
+        }));
+    }
+    return checks;
+}
+
+Result<std::vector<ExportCheck>> checkStacks(const std::vector<ExportRequest>& takes, const JobContext& job) {
+    require(!takes.empty(), "checkStacks() needs a take");
+    const std::string& path = takes.front().fbx_path;
+    job.progress(0, "Reading " + path + " again");
+    const auto scene = SceneFile::open(path, path, SceneFormat::kFbx);
+    std::vector<ExportCheck> checks;
+    for (const ExportRequest& request : takes) {
+        if (job.cancelled())
+            return JobContext::cancelledError();
+        const auto take = checkedTake(request);
+        if (!take)
+            return take.error();
+        checks.push_back(checkFile(path, *take, request, [&](ExportCheck& check) {
+            return scene ? compareScene(*scene, take->expected, request, check) : Status(scene.error());
+        }));
+        job.progress(static_cast<double>(checks.size()) / static_cast<double>(takes.size()), "Comparing");
     }
     return checks;
 }

@@ -52,4 +52,7 @@ inline constexpr double kExportScenePosition_m = 5e-5;  ///< FBX and GLB hold fl
 /// cannot be read is a check with that as its fault; an Error means that the take could not be read.
 Result<std::vector<ExportCheck>> checkExport(const ExportRequest& request, const JobContext& job);
 
+/// The same of exportStacks(): one check per take, of a file that is read once.
+Result<std::vector<ExportCheck>> checkStacks(const std::vector<ExportRequest>& takes, const JobContext& job);
+
 }  // namespace noctule

@@ -296,8 +296,8 @@ std::vector<Quaterniond> boundTurns(const SceneMotion& file) {
 
 }  // namespace
 
-Status compareRiggedFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
-                         const ExportRequest& request, ExportCheck& check) {
+Status compareRiggedFile(const SceneFile& scene, const ExpectedMotion& expected, const ExportRequest& request,
+                         ExportCheck& check) {
     const WearableBody& body = *request.worn;
     const auto moving = MovingBody::of(request.worn, expected.skeleton);
     if (!moving)
@@ -316,10 +316,7 @@ Status compareRiggedFile(const std::string& path, SceneFormat format, const Expe
     for (const Joint& joint : figure->clip.skeleton.joints())
         bones.push_back(joint.name);
     check.expected_joints = static_cast<int>(bones.size());
-    const auto scene = SceneFile::open(path, path, format);
-    if (!scene)
-        return scene.error();
-    const auto file = scene->read(bones, expected.name);
+    const auto file = scene.read(bones, expected.name);
     if (!file)
         return file.error();
     const auto joint_of_ours = figureJoints(body);
@@ -338,15 +335,11 @@ Status compareRiggedFile(const std::string& path, SceneFormat format, const Expe
     return Done{};
 }
 
-Status compareSceneFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
-                        ExportCheck& check) {
+Status compareSceneFile(const SceneFile& scene, const ExpectedMotion& expected, ExportCheck& check) {
     std::vector<std::string> names;
     for (const Joint& joint : expected.skeleton.joints())
         names.push_back(joint.name);
-    const auto scene = SceneFile::open(path, path, format);
-    if (!scene)
-        return scene.error();
-    auto file = scene->read(names, expected.name);
+    auto file = scene.read(names, expected.name);
     if (!file)
         return file.error();
     file->clip.skeleton = withTips(file->clip.skeleton, expected.skeleton);

@@ -23,11 +23,10 @@ struct ExpectedMotion {
 /// An Error when the file cannot be read.
 Status compareBvh(const std::string& path, double metres_per_unit, const ExpectedMotion& expected,
                   ExportCheck& check);
-Status compareSceneFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
-                        ExportCheck& check);
+Status compareSceneFile(const SceneFile& scene, const ExpectedMotion& expected, ExportCheck& check);
 /// The take's motion on the body of another program.
-Status compareRiggedFile(const std::string& path, SceneFormat format, const ExpectedMotion& expected,
-                         const ExportRequest& request, ExportCheck& check);
+Status compareRiggedFile(const SceneFile& scene, const ExpectedMotion& expected, const ExportRequest& request,
+                         ExportCheck& check);
 /// OpenSim's .mot (angles) or .sto (orientations).
 Status compareTable(const std::string& path, bool is_angles, const ExpectedMotion& expected,
                     ExportCheck& check);

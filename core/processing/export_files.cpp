@@ -27,17 +27,17 @@ Status writeBvhFile(const ExportRequest& request, const ExportedMotion& motion) 
     return writeBvh(request.bvh_path, clip, options, request.overwrite);
 }
 
-Status writeFbxFile(const ExportRequest& request, const ExportedMotion& motion) {
+Status writeFbxFile(const ExportRequest& request, const ExportedMotion& motion, const JobContext& job) {
     const auto figure = figureOf(request, motion);
     if (!figure)
         return figure.error();
     return writeFbx(request.fbx_path, *figure, {request.metres_per_unit, request.root_name},
-                    request.overwrite);
+                    request.overwrite, job);
 }
 
-Status writeGlbFile(const ExportRequest& request, const ExportedMotion& motion) {
+Status writeGlbFile(const ExportRequest& request, const ExportedMotion& motion, const JobContext& job) {
     const auto figure = figureOf(request, motion);
-    return figure ? writeGlb(request.glb_path, *figure, request.overwrite) : Status(figure.error());
+    return figure ? writeGlb(request.glb_path, *figure, request.overwrite, job) : Status(figure.error());
 }
 
 Result<MovingBody> movingBodyOf(const ExportRequest& request, const Skeleton& skeleton) {
@@ -99,8 +99,8 @@ std::vector<ExportWriter> exportWriters(const ExportRequest& request, const Expo
             writers.push_back({path, std::move(write)});
     };
     add(request.bvh_path, [&](const JobContext&) { return writeBvhFile(request, motion); });
-    add(request.fbx_path, [&](const JobContext&) { return writeFbxFile(request, motion); });
-    add(request.glb_path, [&](const JobContext&) { return writeGlbFile(request, motion); });
+    add(request.fbx_path, [&](const JobContext& job) { return writeFbxFile(request, motion, job); });
+    add(request.glb_path, [&](const JobContext& job) { return writeGlbFile(request, motion, job); });
     add(request.csv_path, [&](const JobContext&) {
         return writePositionsCsv(request.csv_path, motion.clip, request.angles, request.overwrite);
     });

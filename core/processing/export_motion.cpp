@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "core/math/rotation.h"
-#include "core/motion/foot_contacts.h"
 #include "core/processing/bone_confidence.h"
+#include "core/processing/contacts_in_force.h"
 #include "core/processing/pose_runs.h"
 
 namespace noctule {
@@ -34,8 +34,15 @@ void holdRoot(MotionClip& clip, RootMotion root) {
     }
 }
 
-Result<ExportedMotion> cut(const Take& take, const TimedMotion& motion, const ExportRequest& request,
+/// A run's motion, and when its feet stood; nobody asks for these when they are not locked.
+struct RunMotion {
+    TimedMotion motion;
+    std::vector<FootContacts> feet;
+};
+
+Result<ExportedMotion> cut(const Take& take, const RunMotion& from, const ExportRequest& request,
                            double frames_per_second) {
+    const TimedMotion& motion = from.motion;
     ExportedMotion exported;
     MotionClip& clip = exported.clip;
     double begin_s = 0;
@@ -64,7 +71,7 @@ Result<ExportedMotion> cut(const Take& take, const TimedMotion& motion, const Ex
         return Error{ErrorKind::kUnusable, take.path() + ": there is no pose in the part to export",
                      "Choose --from and --to within the take's duration"};
     if (locksFeet(request))
-        exported.feet = {clip.frames, clip.frame_time_s, footPlants(motion, begin_s)};
+        exported.feet = {clip.frames, clip.frame_time_s, footPlants(from.feet, begin_s)};
     holdRoot(clip, request.root);
     const auto is_empty = [](const std::vector<float>& row) { return row.empty(); };
     if (std::any_of(exported.confidence.begin(), exported.confidence.end(), is_empty))
@@ -78,12 +85,23 @@ bool locksFeet(const ExportRequest& request) {
     return request.worn && request.with_body && request.lock_feet;
 }
 
-FootPlants footPlants(const TimedMotion& motion, double begin_s) {
+FootPlants footPlants(const std::vector<FootContacts>& feet, double begin_s) {
     FootPlants plants;
-    for (const FootContacts& foot : findFootContacts(motion))
+    for (const FootContacts& foot : feet) {
+        if (foot.foot != "LeftFoot" && foot.foot != "RightFoot")
+            continue;
+        std::vector<FootPlant>& stands = plants[foot.foot == "LeftFoot" ? 0 : 1];
         for (const FootContact& contact : foot.contacts)
-            plants[foot.foot == "LeftFoot" ? 0 : 1].push_back(
-                {contact.from_s - begin_s, contact.to_s - begin_s});
+            stands.push_back({contact.from_s - begin_s, contact.to_s - begin_s});
+        std::ranges::sort(stands, {}, &FootPlant::from_s);
+        size_t kept = 0;
+        for (size_t i = 1; i < stands.size(); ++i)
+            if (stands[i].from_s <= stands[kept].to_s)
+                stands[kept].to_s = std::max(stands[kept].to_s, stands[i].to_s);
+            else
+                stands[++kept] = stands[i];
+        stands.resize(std::min(stands.size(), kept + 1));
+    }
     return plants;
 }
 
@@ -94,16 +112,23 @@ Result<ExportedMotion> exportedMotion(const ExportRequest& request) {
     const auto run = choosePoseRun(*take, request.run);
     if (!run)
         return run.error();
-    const auto motion = take->poses(run->run);
-    if (!motion)
-        return motion.error();
-    auto exported = cut(*take, *motion, request, request.frames_per_second);
+    auto poses = take->poses(run->run);
+    if (!poses)
+        return poses.error();
+    RunMotion motion{std::move(*poses), {}};
+    if (locksFeet(request)) {
+        auto contacts = contactsInForce(*take, *run, motion.motion);
+        if (!contacts)
+            return contacts.error();
+        motion.feet = std::move(contacts->feet);
+    }
+    auto exported = cut(*take, motion, request, request.frames_per_second);
     if (!exported)
         return exported;
     exported->run = run->name;
     if (request.png_path.empty() && request.video_path.empty())
         return exported;
-    auto filmed = cut(*take, *motion, request, request.film.frames_per_second);
+    auto filmed = cut(*take, motion, request, request.film.frames_per_second);
     if (!filmed)
         return filmed.error();
     exported->filmed = std::move(filmed->clip);

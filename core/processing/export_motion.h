@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/mesh/foot_lock.h"
+#include "core/motion/foot_contacts.h"
 #include "core/motion/timed_poses.h"
 #include "core/processing/export_take.h"
 
@@ -22,8 +23,8 @@ struct ExportedMotion {
 
 /// Whether feet of its body keep their place.
 bool locksFeet(const ExportRequest& request);
-/// When feet stand in a motion, in seconds from `begin_s` of its clock.
-FootPlants footPlants(const TimedMotion& motion, double begin_s);
+/// When feet stand, in seconds from `begin_s` of the take's clock; what overlaps is one stand.
+FootPlants footPlants(const std::vector<FootContacts>& feet, double begin_s);
 
 /// kUnusable without a pose in the wanted part; errors of opening the take are passed on.
 Result<ExportedMotion> exportedMotion(const ExportRequest& request);

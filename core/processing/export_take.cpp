@@ -82,36 +82,68 @@ Result<ExportSummary> exportTake(const ExportRequest& request, const JobContext&
     return summary;
 }
 
+namespace {
+
+/// The motions of several takes, each read when its turn comes and forgotten after it. Counts them once.
+class StackedTakes {
+public:
+    StackedTakes(const std::vector<ExportRequest>& takes, const JobContext& job) : takes_(takes), job_(job) {}
+
+    Status visit(const FigureVisit& visitor) {
+        for (size_t i = 0; i < takes_.size(); ++i) {
+            if (job_.cancelled())
+                return JobContext::cancelledError();
+            const bool is_first_round = done_ < takes_.size();
+            job_.progress(static_cast<double>(done_) / static_cast<double>(2 * takes_.size()),
+                          is_first_round ? "Writing" : "Checking");
+            auto figure = figureAt(i, is_first_round);
+            if (!figure)
+                return figure.error();
+            if (Status visited = visitor(*figure); !visited)
+                return visited;
+            ++done_;
+        }
+        return Done{};
+    }
+    const ExportSummary& summary() const { return summary_; }
+
+private:
+    Result<Figure> figureAt(size_t take, bool is_first_round) {
+        const auto exported = exportedMotion(takes_[take]);
+        if (!exported)
+            return exported.error();
+        if (is_first_round) {
+            summary_.run = exported->run;
+            summary_.frames += exported->clip.frames.size();
+            summary_.duration_s += exported->clip.duration_s();
+        }
+        auto figure = figureOf(takes_[take], *exported);
+        if (figure && take > 0)
+            figure->body.reset();  // that of the first is written
+        return figure;
+    }
+
+    const std::vector<ExportRequest>& takes_;
+    const JobContext& job_;
+    size_t done_ = 0;  ///< of both rounds: what is written is read again to be compared
+    ExportSummary summary_;
+};
+
+}  // namespace
+
 Result<ExportSummary> exportStacks(const std::vector<ExportRequest>& takes, const JobContext& job) {
     require(!takes.empty(), "exportStacks() needs a take");
     const ExportRequest& first = takes.front();
     if (Status free = checkOutputPath(first.fbx_path, first.overwrite); !free)
         return free.error();
     removeAbandoned(first.fbx_path);
-    ExportSummary summary;
-    std::vector<Figure> figures;
-    for (const ExportRequest& take : takes) {
-        if (job.cancelled())
-            return JobContext::cancelledError();
-        job.progress(0.5 * static_cast<double>(figures.size()) / static_cast<double>(takes.size()),
-                     "Reading poses");
-        const auto exported = exportedMotion(take);
-        if (!exported)
-            return exported.error();
-        auto figure = figureOf(take, *exported);
-        if (!figure)
-            return figure.error();
-        summary.run = exported->run;
-        summary.frames += exported->clip.frames.size();
-        summary.duration_s += exported->clip.duration_s();
-        figures.push_back(std::move(*figure));
-        if (figures.size() > 1)
-            figures.back().body.reset();  // that of the first is written
-    }
-    job.progress(0.5, "Writing");
-    const FbxOptions options{first.metres_per_unit, first.root_name};
-    if (const Status written = writeFbx(first.fbx_path, figures, options, first.overwrite); !written)
+    StackedTakes stacked(takes, job);
+    const Status written = writeFbx(
+        first.fbx_path, [&](const FigureVisit& visitor) { return stacked.visit(visitor); },
+        {first.metres_per_unit, first.root_name}, first.overwrite, job);
+    if (!written)
         return written.error();
+    ExportSummary summary = stacked.summary();
     summary.files.push_back(first.fbx_path);
     job.progress(1, "Done");
     return summary;

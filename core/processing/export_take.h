@@ -40,9 +40,10 @@ struct ExportRequest {
     bool with_body = true;                ///< FBX and GLB: with skin, not the skeleton alone
     /// The body of FBX, GLB, picture and film; null: the default body in the performer's measures.
     std::shared_ptr<const WearableBody> worn;
-    bool lock_feet = true;  ///< of `worn`: feet that stand keep their place (mesh/foot_lock.h)
-    FilmSettings film;      ///< of picture and film; a picture shows from_s, without it the middle
-    bool angles = false;    ///< named degrees of freedom in the CSV file too
+    bool lock_feet =
+        true;  ///< of `worn`: feet that stand keep their place (mesh/foot_lock.h), by contactsInForce()
+    FilmSettings film;    ///< of picture and film; a picture shows from_s, without it the middle
+    bool angles = false;  ///< named degrees of freedom in the CSV file too
     bool overwrite = false;
 };
 
@@ -79,7 +80,8 @@ Result<ExportSummary> exportTake(const ExportRequest& request, const JobContext&
 /// Several takes in one FBX file, that of the first request: a stack for each under its motion's name, on the
 /// body of the first. Only FBX files are written; the requests differ in take, run, part and name alone. Of
 /// the summary, frames and duration are sums and `run` is that of the last. kUnusable, and says of which,
-/// when a take's bones are longer or shorter or two motions have one name.
+/// when a take's bones are longer or shorter or two motions have one name. Takes are read one after the
+/// other, twice; what is held is the file and one of them (writeFbx()). A cancel leaves no file.
 Result<ExportSummary> exportStacks(const std::vector<ExportRequest>& takes, const JobContext& job);
 
 }  // namespace noctule

@@ -61,8 +61,7 @@ Result<TakeOverview> overviewTake(const std::string& path, const JobContext& job
 /// The motion of a pose run, or the reference when `run` is absent.
 Result<TimedMotion> loadPoses(const std::string& path, std::optional<int64_t> run, const JobContext& job);
 
-/// When the feet stood while `motion` came out of `run`: as an operator has set it, as the run found it in
-/// the readings, and for runs that did not look as the motion shows it.
+/// When the feet stood while `motion` came out of `run` (processing/contacts_in_force.h).
 Result<std::vector<FootContacts>> loadContacts(const std::string& path, const ReviewRun& run,
                                                const TimedMotion& motion);
 

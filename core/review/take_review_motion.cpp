@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/processing/contacts_in_force.h"
 #include "core/review/review_file.h"
 #include "core/review/take_review.h"
 
@@ -28,16 +29,10 @@ Result<std::vector<FootContacts>> loadContacts(const std::string& path, const Re
     const auto take = Take::open(path);
     if (!take)
         return take.error();
-    const auto edited = take->editedContacts();
-    if (!edited)
-        return edited.error();
-    const bool looked = !run.settings.ground.empty() && run.settings.ground != "none";
-    if (!*edited && !looked)
-        return findFootContacts(motion);
-    auto feet = *edited ? Result<std::vector<FootContacts>>(**edited) : take->contacts(run.run.run);
-    if (feet)
-        measureSlides(motion, *feet);
-    return feet;
+    auto contacts = contactsInForce(*take, run.run, motion);
+    if (!contacts)
+        return contacts.error();
+    return std::move(contacts->feet);
 }
 
 }  // namespace noctule

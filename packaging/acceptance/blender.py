@@ -16,8 +16,8 @@ INSIDE = pathlib.Path(__file__).with_name("inside_blender.py")
 MOTIONS = {"Boxing_Toes": 60, "01_01": 90, "01_03": 45}  # and frames per second; Blender rounds broken ones
 SCALES = {"blender": 1.0, "motionbuilder": 0.01}  # presets, and the scale that Blender must be told for BVH
 EXPORTS = (("bvh", "blender", "mannequin"), ("bvh", "motionbuilder", "mannequin"), ("fbx", "blender", "mannequin"),
-           ("fbx", "motionbuilder", "mannequin"), ("fbx", "unreal", "mannequin"), ("fbx", "blender", "none"),
-           ("glb", "blender", "mannequin"))
+           ("fbx", "motionbuilder", "mannequin"), ("fbx", "unity", "mannequin"), ("fbx", "unreal", "mannequin"),
+           ("fbx", "blender", "none"), ("glb", "blender", "mannequin"))
 HEAD_M = (1.2, 1.8)  # of a performer of 1.75 m who stands, and of grown bodies of others
 OUR_BONES = "Head,LeftUpLeg,RightUpLeg"
 MESHES = {"CesiumMan": studio.ROOT.parent / "shared/data/mesh/gltf/CesiumMan.glb",
@@ -80,8 +80,8 @@ def rows_of(motion, fps, folder):
     for export in EXPORTS:
         extension, preset, mesh = export
         file = folder / f"{motion}_{preset}_{mesh}.{extension}"
-        studio.batch("export", take, f"--{extension}", file, "--preset", preset, "--mesh", mesh, "--fps", fps,
-                     "--overwrite")
+        body = [] if extension == "bvh" else ["--mesh", mesh]
+        studio.batch("export", take, f"--{extension}", file, "--preset", preset, *body, "--fps", fps, "--overwrite")
         has_skin = extension != "bvh" and mesh != "none"
         picture = [folder / "picture.png", round(PICTURE_SECOND * fps)] if (motion, *export) == PICTURE else []
         seen = seen_in_blender(file, table, skin if has_skin else "-", fps, SCALES.get(preset, 1), STEP, OUR_BONES, "",

@@ -1801,10 +1801,6 @@
 <context>
     <name>noctule::ui::BodyDialog</name>
     <message>
-        <source>%1, tip</source>
-        <translation>%1, Spitze</translation>
-    </message>
-    <message>
         <source>Body of the view</source>
         <translation>Körper der Ansicht</translation>
     </message>
@@ -1823,10 +1819,6 @@
     <message>
         <source>Noctule&apos;s own</source>
         <translation>Noctules eigener</translation>
-    </message>
-    <message>
-        <source>Find by itself</source>
-        <translation>Selbst finden</translation>
     </message>
     <message>
         <source>Body</source>
@@ -1855,10 +1847,6 @@
     <message>
         <source>Bone of %1</source>
         <translation>Knochen von %1</translation>
-    </message>
-    <message>
-        <source> cm</source>
-        <translation> cm</translation>
     </message>
     <message>
         <source>Noctule&apos;s own, in the performer&apos;s measures</source>
@@ -1891,6 +1879,10 @@
     <message>
         <source>The mesh was not read.</source>
         <translation>Das Netz wurde nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>Find again</source>
+        <translation>Neu finden</translation>
     </message>
 </context>
 <context>
@@ -3115,6 +3107,72 @@
     <message>
         <source>Share of the time in which ranges backed the joint; in between it follows its gyroscope</source>
         <translation>Anteil der Zeit, in dem Entfernungen das Gelenk stützten; dazwischen folgt es seinem Gyroskop</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::LandmarkEditor</name>
+    <message>
+        <source>Keep both sides alike</source>
+        <translation>Beide Seiten gleich halten</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>What is moved on one side moves on the other; the middle stays in the middle</source>
+        <translation>Was auf einer Seite bewegt wird, bewegt sich auf der anderen; die Mitte bleibt in der Mitte</translation>
+    </message>
+    <message>
+        <source>Nothing was moved.</source>
+        <translation>Nichts wurde bewegt.</translation>
+    </message>
+    <message>
+        <source>Nothing was undone.</source>
+        <translation>Nichts wurde rückgängig gemacht.</translation>
+    </message>
+    <message>
+        <source>%1, cm</source>
+        <translation>%1, cm</translation>
+    </message>
+    <message>
+        <source>%1, %2 in centimetres</source>
+        <translation>%1, %2 in Zentimetern</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::LandmarkPicture</name>
+    <message>
+        <source>%1, tip</source>
+        <translation>%1, Spitze</translation>
+    </message>
+    <message>
+        <source>%1: %2 to its left, %3 up, %4 forward</source>
+        <translation>%1: %2 nach links, %3 nach oben, %4 nach vorn</translation>
+    </message>
+    <message>
+        <source>Where the joints are in the mesh</source>
+        <translation>Wo die Gelenke im Netz sind</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the chosen joint, with Shift by a centimetre; Page Up and Page Down move it backward and forward; comma and full stop choose another.</source>
+        <translation>Pfeiltasten bewegen das gewählte Gelenk, mit Umschalt um einen Zentimeter; Bild auf und Bild ab bewegen es nach hinten und nach vorn; Komma und Punkt wählen ein anderes.</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>From its left</source>
+        <translation>Von seiner Linken</translation>
+    </message>
+    <message>
+        <source>its left</source>
+        <translation>seine Linke</translation>
     </message>
 </context>
 <context>

@@ -2,11 +2,29 @@
 #include "ui/models/shown_body.h"
 
 #include <QFileInfo>
+#include <algorithm>
 
 #include "core/mesh/mesh_reader.h"
+#include "core/mesh/surface_graph.h"
 
 namespace noctule::ui {
 namespace {
+
+StandingMesh standingMesh(const ReadBody& read, const WearingChoices& choices) {
+    const RiggedMesh placed = placedForRigging(*read.mesh);
+    StandingMesh standing{std::make_shared<const SkinnedMesh>(standingSurface(placed.skin)), {}};
+    if (read.body && !choices.landmarks) {
+        standing.found = *read.body->landmarks;
+    } else if (auto found = findLandmarks(welded(placed.skin).mesh, read.path); found) {
+        standing.found = std::move(*found);
+    } else {
+        float height_m = 0;
+        for (const SkinnedVertex& vertex : placed.skin.vertices)
+            height_m = std::max(height_m, vertex.p_m.y());
+        standing.found = typicalLandmarks(static_cast<double>(height_m));
+    }
+    return standing;
+}
 
 Result<ReadBody> readBodyFrom(const std::string& path, const WearingChoices& choices,
                               std::shared_ptr<const RiggedMesh> known, const JobContext& job) {
@@ -31,6 +49,8 @@ Result<ReadBody> readBodyFrom(const std::string& path, const WearingChoices& cho
         return body.error();
     else
         read.problem = body.error();
+    if (!read.mesh->isRigged())
+        read.standing = standingMesh(read, choices);
     return read;
 }
 

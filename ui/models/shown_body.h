@@ -21,12 +21,19 @@ struct BodyLook {
     Blending blending = Blending::kLinear;
 };
 
+/// An unrigged mesh as its landmarks know it.
+struct StandingMesh {
+    std::shared_ptr<const SkinnedMesh> surface;  ///< standingSurface()
+    Landmarks found;                             ///< by themselves; where that failed, of a typical body
+};
+
 /// A file's mesh, and the body made from it or why there is none.
 struct ReadBody {
     std::string path;
     std::shared_ptr<const RiggedMesh> mesh;
     std::shared_ptr<const WearableBody> body;
-    std::optional<Error> problem;  ///< of the body; without a mesh of the file
+    std::optional<Error> problem;            ///< of the body; without a mesh of the file
+    std::optional<StandingMesh> standing{};  ///< of a mesh without bones
 };
 
 class ShownBody : public QObject {

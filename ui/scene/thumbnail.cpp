@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "core/render/offscreen.h"
 #include "ui/scene/dressed_body.h"
 #include "ui/scene/scene_view.h"
+#include "ui/scene/surface_picture.h"
 
 namespace noctule::ui {
 
@@ -29,10 +29,7 @@ QImage drawn(const std::shared_ptr<const SkinnedMesh>& body, const Skeleton& ske
     if (!offscreen)
         return {};
     const auto picture = (*offscreen)->render(scene, camera, size);
-    if (!picture)
-        return {};
-    return QImage(picture->rgba.data(), picture->width_px, picture->height_px, QImage::Format_RGBA8888)
-        .convertToFormat(QImage::Format_RGB32);
+    return picture ? imageOf(*picture) : QImage();
 }
 
 }  // namespace

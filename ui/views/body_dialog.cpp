@@ -2,7 +2,6 @@
 #include "ui/views/body_dialog.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include "core/body/actor.h"
 #include "ui/models/part_names.h"
 #include "ui/views/job_progress.h"
+#include "ui/views/landmark_editor.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/form_rows.h"
@@ -20,15 +20,8 @@ namespace noctule::ui {
 namespace {
 
 constexpr int kBodyLabels = 120, kBoneWidth = 220, kRowsHeight = 300;
+constexpr int kDialogWidth = 560, kLandmarksWidth = 1040;
 constexpr const char* kFolderKey = "folders/meshes";
-
-/// "Left hand", "Head, tip"
-QString landmarkName(const std::string& landmark) {
-    const std::string end = "End";
-    if (landmark.ends_with(end) && landmark != end)
-        return BodyDialog::tr("%1, tip").arg(segmentName(landmark.substr(0, landmark.size() - end.size())));
-    return segmentName(landmark);
-}
 
 bool isMain(const std::string& joint) {
     const auto& main = mainJoints();
@@ -43,14 +36,14 @@ BodyDialog::BodyDialog(Studio& studio, QWidget* parent)
                   tr("Use it"), parent),
       choose(makeButton(ButtonKind::kOutlined, tr("Choose a mesh"), "folder")),
       ours(makeButton(ButtonKind::kText, tr("Noctule's own"))),
-      find_again(makeButton(ButtonKind::kText, tr("Find by itself"))),
+      find_again(makeButton(ButtonKind::kText, tr("Find again"))),
       blending(new QComboBox),
       studio_(studio),
       draft_(studio.session().session().body),
       name_(new Label),
       heading_(new Label({}, TextRole::kSection, Ink::kValue, true)),
       progress_(new JobProgress) {
-    keepSize(*this, 560, 0);
+    keepSize(*this, kDialogWidth, 0);
     auto* form = new FormRows(kBodyLabels);
     form->addRow(tr("Body"), name_);
     auto* buttons = new QWidget;
@@ -77,10 +70,7 @@ BodyDialog::BodyDialog(Studio& studio, QWidget* parent)
             [this] { draft_.blending = static_cast<Blending>(blending->currentData().toInt()); });
     connect(choose, &QPushButton::clicked, this, &BodyDialog::chooseFile);
     connect(ours, &QPushButton::clicked, this, [this] { setMesh({}); });
-    connect(find_again, &QPushButton::clicked, this, [this] {
-        draft_.choices = {};
-        readMesh();
-    });
+    connect(find_again, &QPushButton::clicked, this, &BodyDialog::findAgain);
     connect(progress_, &JobProgress::ended, this, &BodyDialog::refresh);
     readMesh();
 }
@@ -125,8 +115,9 @@ void BodyDialog::present(const ReadBody& read) {
     if (mesh_ && mesh_->isRigged()) {
         found_ = findBoneMap(*mesh_);
         makeBoneRows();
-    } else if (read.body && read.body->landmarks) {
-        makeLandmarkRows(*read.body->landmarks);
+    } else if (read.standing) {
+        problem_of_found_ = draft_.choices.landmarks ? std::nullopt : read.problem;
+        makeLandmarks(*read.standing);
     }
     refresh();
 }
@@ -134,8 +125,8 @@ void BodyDialog::present(const ReadBody& read) {
 void BodyDialog::clearRows() {
     delete rows_;
     rows_ = nullptr;
+    landmarks_ = nullptr;
     bones_.clear();
-    places_.clear();
 }
 
 void BodyDialog::makeBoneRows() {
@@ -164,38 +155,23 @@ void BodyDialog::makeBoneRows() {
         connect(bone, qOverload<int>(&QComboBox::currentIndexChanged), this, &BodyDialog::takeBones);
     }
     grid->setColumnStretch(2, 1);
-    rows_ = new ScrollArea(list);
-    keepSize(*rows_, 0, kRowsHeight);
-    rows_column_->addWidget(rows_);
+    auto* area = new ScrollArea(list);
+    keepSize(*area, 0, kRowsHeight);
+    showRows(area, kDialogWidth);
 }
 
-void BodyDialog::makeLandmarkRows(const Landmarks& landmarks) {
-    auto* list = new QWidget;
-    auto* grid = makeGrid(list, {0, 0, 8, 0}, 6);
-    int row = 0;
-    for (const std::string& landmark : landmarkNames()) {
-        const auto at = landmarks.find(landmark);
-        if (at == landmarks.end())
-            continue;
-        grid->addWidget(new Label(landmarkName(landmark), TextRole::kBody, Ink::kLabel), row, 0);
-        for (int axis = 0; axis < 3; ++axis) {
-            auto* place = new QDoubleSpinBox;
-            place->setRange(-500, 500);
-            place->setDecimals(1);
-            place->setPrefix(QString("%1 ").arg(QChar('X' + axis)));
-            place->setSuffix(tr(" cm"));
-            place->setValue(100 * at->second[axis]);
-            place->setAccessibleName(QString("%1 %2").arg(landmarkName(landmark), QChar('x' + axis)));
-            grid->addWidget(place, row, 1 + axis);
-            places_[landmark][static_cast<size_t>(axis)] = place;
-            connect(place, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-                    &BodyDialog::takeLandmarks);
-        }
-        ++row;
-    }
-    rows_ = new ScrollArea(list);
-    keepSize(*rows_, 0, kRowsHeight);
-    rows_column_->addWidget(rows_);
+void BodyDialog::makeLandmarks(const StandingMesh& standing) {
+    landmarks_ = new LandmarkEditor(standing.surface, standing.found,
+                                    draft_.choices.landmarks.value_or(standing.found));
+    connect(landmarks_, &LandmarkEditor::changed, this, &BodyDialog::takeLandmarks);
+    showRows(landmarks_, kLandmarksWidth);
+}
+
+void BodyDialog::showRows(QWidget* rows, int dialog_width) {
+    rows_ = rows;
+    rows_column_->addWidget(rows);
+    keepSize(*this, dialog_width, 0);
+    adjustSize();
 }
 
 BoneMap BodyDialog::shownBones() const {
@@ -214,12 +190,19 @@ void BodyDialog::takeBones() {
     refresh();
 }
 
+/// Places that were set by hand may cure what was wrong with those found.
 void BodyDialog::takeLandmarks() {
-    Landmarks landmarks;
-    for (const auto& [name, place] : places_)
-        landmarks[name] = Vector3d(place[0]->value(), place[1]->value(), place[2]->value()) / 100;
-    draft_.choices.landmarks = landmarks;
+    const bool is_found = landmarks_->isAsFound();
+    draft_.choices.landmarks = is_found ? std::nullopt : std::optional(landmarks_->places());
+    problem_ = is_found ? problem_of_found_ : std::nullopt;
     refresh();
+}
+
+void BodyDialog::findAgain() {
+    if (landmarks_)
+        return landmarks_->findAgain();
+    draft_.choices = {};
+    readMesh();
 }
 
 void BodyDialog::refresh() {
@@ -229,7 +212,7 @@ void BodyDialog::refresh() {
                                    : QFileInfo(path).fileName());
     name_->setToolTip(draft_.isOurs() ? QString() : path);
     ours->setVisible(!draft_.isOurs());
-    heading_->setText(places_.empty() ? tr("Our joints and its bones") : tr("Where its joints are"));
+    heading_->setText(landmarks_ ? tr("Where its joints are") : tr("Our joints and its bones"));
     heading_->setVisible(rows_);
     find_again->setVisible(rows_ && (draft_.choices.bones || draft_.choices.landmarks));
     for (const auto& [joint, row] : bones_) {
@@ -250,11 +233,6 @@ void BodyDialog::refresh() {
 QComboBox* BodyDialog::boneOf(const std::string& joint) const {
     const auto row = bones_.find(joint);
     return row == bones_.end() ? nullptr : row->second.bone;
-}
-
-QDoubleSpinBox* BodyDialog::placeOf(const std::string& landmark, int axis) const {
-    const auto row = places_.find(landmark);
-    return row == places_.end() ? nullptr : row->second[static_cast<size_t>(axis)];
 }
 
 void BodyDialog::accept() {

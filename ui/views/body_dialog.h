@@ -10,13 +10,13 @@
 #include "ui/views/dialog_frame.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 
 namespace noctule::ui {
 
 class Button;
 class JobProgress;
 class Label;
+class LandmarkEditor;
 
 class BodyDialog : public DialogFrame {
     Q_OBJECT
@@ -33,8 +33,8 @@ public:
     QComboBox* blending;
     /// The bone of a joint; null while no rigged mesh is read.
     QComboBox* boneOf(const std::string& joint) const;
-    /// Of a landmark along an axis (0: x), centimetres; null while no mesh without bones is read.
-    QDoubleSpinBox* placeOf(const std::string& landmark, int axis) const;
+    /// Null while no mesh without bones is read.
+    LandmarkEditor* landmarks() const { return landmarks_; }
 
 public slots:
     void accept() override;
@@ -49,9 +49,11 @@ private:
     void present(const ReadBody& read);
     void clearRows();
     void makeBoneRows();
-    void makeLandmarkRows(const Landmarks& landmarks);
+    void makeLandmarks(const StandingMesh& standing);
+    void showRows(QWidget* rows, int dialog_width);
     void takeBones();
     void takeLandmarks();
+    void findAgain();
     void refresh();
     BoneMap shownBones() const;
 
@@ -59,11 +61,12 @@ private:
     SessionBody draft_;
     std::shared_ptr<const RiggedMesh> mesh_;
     std::optional<Error> problem_;
+    std::optional<Error> problem_of_found_;  ///< of landmarks that were not set by hand
     BoneMap found_;
     std::map<std::string, BoneRow> bones_;
-    std::map<std::string, std::array<QDoubleSpinBox*, 3>> places_;
     Label *name_, *heading_;
     QWidget* rows_ = nullptr;
+    LandmarkEditor* landmarks_ = nullptr;
     QBoxLayout* rows_column_;
     JobProgress* progress_;
     QPointer<Job> reading_;

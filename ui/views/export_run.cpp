@@ -25,34 +25,32 @@ struct RunWords {
     Q_DECLARE_TR_FUNCTIONS(noctule::ui::ExportRun)
 };
 
-ExportOutcome checkOf(const ExportJob& job, const JobContext& context) {
-    ExportOutcome outcome{job.take, job.path(), {}, {}, job.in_one_file};
-    auto checks = checkExport(job.request, {nullptr, context.cancel});
-    if (checks)
-        outcome.check = std::move(checks->front());
-    else
-        outcome.error = checks.error();
-    return outcome;
-}
-
-Result<ExportSummary> writeFile(std::span<const ExportJob> takes, const JobContext& context) {
-    if (!takes.front().in_one_file)
-        return exportTake(takes.front().request, context);
+std::vector<ExportRequest> requestsOf(std::span<const ExportJob> takes) {
     std::vector<ExportRequest> requests;
     for (const ExportJob& take : takes)
         requests.push_back(take.request);
-    return exportStacks(requests, context);
+    return requests;
 }
 
 /// One file, then the check of each take in it.
 std::vector<ExportOutcome> writeAndCheck(std::span<const ExportJob> takes, const JobContext& context) {
     const ExportJob& first = takes.front();
-    if (const auto written = writeFile(takes, context); !written)
+    const JobContext silent{nullptr, context.cancel};
+    const auto written =
+        first.in_one_file ? exportStacks(requestsOf(takes), context) : exportTake(first.request, context);
+    if (!written)
         return {{first.in_one_file ? QString() : first.take, first.path(), {}, written.error(), false}};
+    const auto checks =
+        first.in_one_file ? checkStacks(requestsOf(takes), silent) : checkExport(first.request, silent);
     std::vector<ExportOutcome> outcomes;
-    for (const ExportJob& take : takes)
-        if (!context.cancelled())
-            outcomes.push_back(checkOf(take, context));
+    for (size_t i = 0; i < takes.size() && !context.cancelled(); ++i) {
+        ExportOutcome outcome{takes[i].take, first.path(), {}, {}, first.in_one_file};
+        if (checks)
+            outcome.check = (*checks)[i];
+        else
+            outcome.error = checks.error();
+        outcomes.push_back(std::move(outcome));
+    }
     return outcomes;
 }
 

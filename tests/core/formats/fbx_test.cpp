@@ -113,7 +113,7 @@ TEST_F(Fbx, SeveralMotionsAreStacks) {
     std::reverse(figures[1].clip.frames.begin(), figures[1].clip.frames.end());
     figures[2].clip.name = "walk_003";
     figures[2].clip.frames.resize(17);
-    const Status written = writeFbx(path(), figures, {}, false);
+    const Status written = writeFbx(path(), sourceOf(figures), {}, false);
     ASSERT_TRUE(written) << written.error().text();
     for (const Figure& figure : figures) {
         EXPECT_EQ(differenceTo(figure).frames, figure.clip.frames.size());
@@ -136,7 +136,7 @@ TEST_F(Fbx, MotionsOfOtherBonesRatesOrTheSameNameGoIntoNoFile) {
     longer.clip.skeleton = Skeleton::make(joints).value();
     faster.clip.frame_time_s *= 0.5;
     for (const Figure& wrong : {same, longer, faster}) {
-        const Status refused = writeFbx(path(), std::vector{figure, wrong}, {}, false);
+        const Status refused = writeFbx(path(), sourceOf(std::vector{figure, wrong}), {}, false);
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().kind, ErrorKind::kUnusable);
         EXPECT_NE(refused.error().message.find(wrong.clip.name), std::string::npos);

@@ -155,6 +155,39 @@ TEST(BodyLandmarks, AreNotFoundInABox) {
     EXPECT_NE(lying.error().message.find("upright"), std::string::npos);
 }
 
+TEST(BodyLandmarks, TypicalOnesStandOnTheGroundAsTallAsAsked) {
+    const Landmarks landmarks = typicalLandmarks(0.9);
+    EXPECT_EQ(landmarks.size(), landmarkNames().size());
+    double low = 1, high = 0;
+    for (const auto& [name, p_m] : landmarks) {
+        low = std::min(low, p_m.y());
+        high = std::max(high, p_m.y());
+        const std::string other = otherSideOf(name);
+        EXPECT_NEAR(p_m.x(), other.empty() ? 0 : -landmarks.at(other).x(), 1e-9) << name;
+    }
+    EXPECT_NEAR(low, 0, 1e-9);
+    EXPECT_NEAR(high, 0.9, 0.03);
+    EXPECT_GT(landmarks.at("LeftHandEnd").x(), 0.3) << "arms stretched out, its left to +X";
+    EXPECT_EQ(landmarkBones().size(), landmarks.size() - 1) << "all hang together";
+}
+
+TEST(BodyLandmarks, SetByHandKeepBothSidesAlikeWhenWanted) {
+    Landmarks landmarks = typicalLandmarks(1.8);
+    for (auto& [name, p_m] : landmarks)
+        p_m.x() += 0.1;  // beside the origin
+    const Landmarks before = landmarks;
+    putLandmark(landmarks, "RightHand", {-0.5, 1.2, 0.3}, true);
+    EXPECT_EQ(landmarks.at("RightHand"), Vector3d(-0.5, 1.2, 0.3));
+    EXPECT_NEAR((landmarks.at("LeftHand") - Vector3d(0.7, 1.2, 0.3)).norm(), 0, 1e-12);
+    putLandmark(landmarks, "Chest", {0.4, 1.3, 0.05}, true);
+    EXPECT_EQ(landmarks.at("Chest"), Vector3d(before.at("Chest").x(), 1.3, 0.05)) << "stays in the middle";
+    putLandmark(landmarks, "LeftFoot", {0.4, 0.1, 0}, false);
+    putLandmark(landmarks, "Chest", {0.4, 1.3, 0.05}, false);
+    EXPECT_EQ(landmarks.at("LeftFoot"), Vector3d(0.4, 0.1, 0));
+    EXPECT_EQ(landmarks.at("Chest"), Vector3d(0.4, 1.3, 0.05));
+    EXPECT_EQ(landmarks.at("RightFoot"), before.at("RightFoot"));
+}
+
 TEST(BodyLandmarks, AreKeptAsJson) {
     Landmarks landmarks;
     for (const std::string& name : landmarkNames())

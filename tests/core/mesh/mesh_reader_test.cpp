@@ -113,6 +113,22 @@ TEST(MeshReader, HasLimitsOfMemory) {
     EXPECT_EQ(mesh.error().kind, ErrorKind::kUnreadable) << mesh.error().text();
 }
 
+/// A PNG of two by one pixels as far as its signature tells.
+const std::string kPicture = std::string("\x89PNG\r\n\x1a\n", 8) + "not looked at";
+
+/// With everything that a reader can hand over, and unrigged.
+RiggedMesh texturedTriangle() {
+    RiggedMesh mesh;
+    for (const Eigen::Vector3f& p : {Eigen::Vector3f(0, 0, 0), {1, 0, 0}, {0, 1.7F, 0}})
+        mesh.skin.vertices.push_back({p, {0, 0, 1}, {}, {}, {0.5F, -1.5F}});
+    mesh.skin.triangles.push_back({0, 1, 2});
+    mesh.parts.push_back({"triangle", 0, 1});
+    mesh.skin.look = SurfaceLook{
+        {0.2F, 0.4F, 1},
+        std::make_shared<const SurfaceTexture>(SurfaceTexture{kPicture, 2, 1, std::vector<uint8_t>(8, 200)})};
+    return mesh;
+}
+
 /// Examples for the fuzzer: a small figure of ours, text formats with a rig, and what others made.
 std::vector<std::pair<std::string, std::string>> examples(const test::Folder& folder) {
     std::vector<std::pair<std::string, std::string>> found = {{".obj", kTriangle}};
@@ -126,6 +142,7 @@ std::vector<std::pair<std::string, std::string>> examples(const test::Folder& fo
     for (const Eigen::Vector3f& p : {Eigen::Vector3f(0, 0, 0), {1, 0, 0}, {0, 1.7F, 0}})
         mesh.vertices.push_back({p, {0, 0, 1}, {0, 1, 0, 0}, {0.5F, 0.5F, 0, 0}});
     mesh.triangles.push_back({0, 1, 2});
+    mesh.look = texturedTriangle().skin.look;
     if (writeSkinnedMesh(folder.file("ours.glb"), mesh, skeleton, true))
         found.emplace_back(".glb", test::readBytes(folder.file("ours.glb")));
     for (const std::string name :
@@ -135,6 +152,92 @@ std::vector<std::pair<std::string, std::string>> examples(const test::Folder& fo
             found.emplace_back(std::filesystem::path(name).extension().string(),
                                test::readBytes(test::sharedPath(name)));
     return found;
+}
+
+using Lie = std::pair<const char*, std::function<void(RiggedMesh&)>>;
+
+/// What a reader that somebody has taken over could say of the look.
+std::vector<Lie> lies() {
+    const auto texture = [](std::function<void(SurfaceTexture&)> change) {
+        return [change](RiggedMesh& mesh) {
+            auto changed = std::make_shared<SurfaceTexture>(*mesh.skin.look->texture);
+            change(*changed);
+            mesh.skin.look->texture = changed;
+        };
+    };
+    std::vector<Lie> lies;
+    for (const float odd : {NAN, INFINITY, -INFINITY, 3e38F, -2e4F}) {
+        lies.emplace_back("uv", [=](RiggedMesh& mesh) { mesh.skin.vertices[1].uv.y() = odd; });
+        lies.emplace_back("colour", [=](RiggedMesh& mesh) { mesh.skin.look->base_color.z() = odd; });
+    }
+    lies.emplace_back("brighter", [](RiggedMesh& mesh) { mesh.skin.look->base_color.x() = 1.01F; });
+    lies.emplace_back("gif", texture([](SurfaceTexture& t) { t.file = "GIF89a"; }));
+    lies.emplace_back("script", texture([](SurfaceTexture& t) { t.file = "#!/bin/sh"; }));
+    lies.emplace_back("no pixels", texture([](SurfaceTexture& t) { t.rgba.pop_back(); }));
+    lies.emplace_back("many pixels", texture([](SurfaceTexture& t) { t.rgba.resize(1000); }));
+    lies.emplace_back("negative", texture([](SurfaceTexture& t) { t.width_px = t.height_px = -1; }));
+    lies.emplace_back("wide", texture([](SurfaceTexture& t) { t.width_px = 1 << 30; }));
+    lies.emplace_back("wide, undecoded", texture([](SurfaceTexture& t) {
+                          t.width_px = 1 << 30;
+                          t.rgba.clear();
+                      }));
+    return lies;
+}
+
+TEST(MeshReader, ALookThatIsNoneIsRefused) {
+    ASSERT_TRUE(meshFromBytes(toBytes(texturedTriangle()), "lie.glb"));
+    for (const auto& [what, tell] : lies()) {
+        RiggedMesh mesh = texturedTriangle();
+        tell(mesh);
+        const auto read = meshFromBytes(toBytes(mesh), "lie.glb");
+        ASSERT_FALSE(read) << what;
+        EXPECT_EQ(read.error().kind, ErrorKind::kUnreadable) << what;
+        EXPECT_NE(read.error().message.find("lie.glb"), std::string::npos);
+    }
+    RiggedMesh mesh = texturedTriangle();
+    mesh.skin.look->texture = std::make_shared<const SurfaceTexture>(
+        SurfaceTexture{kPicture + std::string(MeshLimits::kTextureBytes, ' ')});
+    const auto large = checkRiggedMesh(mesh, "large.glb");
+    ASSERT_FALSE(large);
+    EXPECT_EQ(large.error().kind, ErrorKind::kUnusable);
+}
+
+/// What may be drawn and written into files; in words of its own, not checkRiggedMesh()'s.
+bool looksHarmless(const RiggedMesh& mesh) {
+    const auto within = [](double value, double low, double high) { return low <= value && value <= high; };
+    for (const SkinnedVertex& vertex : mesh.skin.vertices)
+        for (const float part : vertex.uv)
+            if (!within(part, -1e4, 1e4))
+                return false;
+    if (!mesh.skin.look)
+        return true;
+    for (const float part : mesh.skin.look->base_color)
+        if (!within(part, 0, 1))
+            return false;
+    const auto& texture = mesh.skin.look->texture;
+    return !texture || ((texture->file.starts_with("\x89PNG") || texture->file.starts_with("\xff\xd8")) &&
+                        texture->file.size() <= 64'000'000 && within(texture->width_px, 0, 2048) &&
+                        within(texture->height_px, 0, 2048) &&
+                        (texture->rgba.empty() || static_cast<int64_t>(texture->rgba.size()) ==
+                                                      int64_t{4} * texture->width_px * texture->height_px));
+}
+
+TEST(FuzzMesh, DamagedAnswersOfTheReaderAreHarmless) {
+    std::vector<std::string> answers(8, toBytes(texturedTriangle()));
+    for (const auto& [what, tell] : lies()) {
+        RiggedMesh mesh = texturedTriangle();
+        tell(mesh);
+        answers.push_back(toBytes(mesh));
+    }
+    int64_t read = 0, refused = 0;
+    test::feedDamaged(answers, 20'000, 64 * 1024, [&](const std::string& damaged, int64_t) {
+        const auto mesh = meshFromBytes(damaged, "damaged.glb");
+        mesh ? ++read : ++refused;
+        EXPECT_TRUE(!mesh || looksHarmless(*mesh));
+    });
+    EXPECT_GT(read, 0) << "wounds that change nothing that matters";
+    std::printf("%lld answers were meshes, %lld refused\n", static_cast<long long>(read),
+                static_cast<long long>(refused));
 }
 
 TEST(FuzzMesh, DamagedFilesGiveAMeshOrAnError) {
@@ -155,6 +258,7 @@ TEST(FuzzMesh, DamagedFilesGiveAMeshOrAnError) {
         if (mesh) {
             ++read;
             EXPECT_TRUE(checkRiggedMesh(*mesh, path));
+            EXPECT_TRUE(looksHarmless(*mesh));
             return;
         }
         ++refused;

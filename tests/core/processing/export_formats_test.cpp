@@ -138,13 +138,58 @@ TEST_F(ExportFormats, TakesInOneFileAreEachHeldAgainstTheirs) {
         EXPECT_TRUE(checks->front().ok()) << checks->front().faults.front();
         EXPECT_EQ(checks->front().frames, take.motion_name == "late" ? 32U : 55U);
     }
+    const auto together = checkStacks({first, second}, {});
+    ASSERT_TRUE(together);
+    ASSERT_EQ(together->size(), 2U);
+    EXPECT_TRUE((*together)[0].ok() && (*together)[1].ok());
+    EXPECT_EQ((*together)[1].frames, 32U);
     second.motion_name = "early";
     EXPECT_FALSE(checkExport(second, {})->front().ok()) << "another take's stack";
+    const auto exchanged = checkStacks({first, second}, {});
+    ASSERT_TRUE(exchanged);
+    EXPECT_TRUE((*exchanged)[0].ok());
+    EXPECT_FALSE((*exchanged)[1].ok());
     second.motion_name = "nobody's";
     EXPECT_FALSE(checkExport(second, {})->front().ok());
     const auto kept = exportStacks({first, second}, {});
     ASSERT_FALSE(kept);
     EXPECT_EQ(kept.error().kind, ErrorKind::kUsage) << "nothing is overwritten";
+}
+
+/// Cancels when its words of that number come.
+struct CancelsAt : ProgressSink {
+    explicit CancelsAt(size_t number) : left(number) {}
+    void progress(double fraction, const std::string& words) override {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        told.push_back(words);
+        if (left-- == 0)
+            flag.cancel();
+    }
+    size_t left;
+    double last = 0;
+    std::vector<std::string> told;
+    CancelFlag flag;
+};
+
+TEST_F(ExportFormats, TakesInOneFileCanBeCancelledAtAnyTime) {
+    ExportRequest first = request_, second = request_;
+    first.fbx_path = second.fbx_path = file("both.fbx");
+    first.with_body = second.with_body = false;
+    first.motion_name = "early";
+    second.motion_name = "late";
+    CancelsAt never(1000);
+    ASSERT_TRUE(exportStacks({first, second}, {&never, &never.flag}));
+    EXPECT_EQ(never.told, (std::vector<std::string>{"Writing", "Writing", "Checking", "Checking", "Done"}));
+    std::filesystem::remove(first.fbx_path);
+    for (size_t number = 0; number + 1 < never.told.size(); ++number) {
+        CancelsAt cancels(number);
+        const auto summary = exportStacks({first, second}, {&cancels, &cancels.flag});
+        ASSERT_FALSE(summary) << number;
+        EXPECT_EQ(summary.error().kind, ErrorKind::kCancelled) << number;
+        for (const auto& entry : std::filesystem::directory_iterator(folder_.file("")))
+            EXPECT_EQ(entry.path().filename(), "made_001.noctule") << "nothing is left";
+    }
 }
 
 TEST_F(ExportFormats, AFileOfAnotherRunOfTimeIsFound) {

@@ -161,14 +161,18 @@ TEST_F(WornExport, ASkeletonAloneIsDrawnAsLines) {
 
 TEST_F(WornExport, WhatAKilledFilmLeftGoesWithTheNext) {
     request_.png_path = file("p.png");
-    const std::string mine = file(".p.png." + std::to_string(::getpid()) + "-77.partial"),
-                      dead = file(".p.png.999999999-0.partial.png"),
-                      other = file(".q.png.999999999-0.partial");
-    for (const std::string& path : {mine, dead, other})
+    const std::string aside = asidePath(request_.png_path);  // FOLDER/.p.png.HOST.NUMBER-0.partial
+    const std::string ours = aside.substr(0, aside.find("." + std::to_string(::getpid()) + "-"));
+    const std::string mine = ours + "." + std::to_string(::getpid()) + "-77.partial",
+                      dead = ours + ".999999999-0.partial.png",
+                      elsewhere = file(".p.png.another-computer.999999999-0.partial"),
+                      other = file(".q.png" + ours.substr(ours.rfind('.')) + ".999999999-0.partial");
+    for (const std::string& path : {mine, dead, elsewhere, other})
         ASSERT_TRUE(writeFileAtomically(path, "half", false));
     ASSERT_TRUE(exportTake(request_, {}));
     EXPECT_TRUE(std::filesystem::exists(mine)) << "somebody writes it";
     EXPECT_FALSE(std::filesystem::exists(dead));
+    EXPECT_TRUE(std::filesystem::exists(elsewhere)) << "its process may live on that computer";
     EXPECT_TRUE(std::filesystem::exists(other)) << "of another name";
 }
 

@@ -3,10 +3,13 @@
 #include "ui/views/body_dialog.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
+#include <fstream>
 
 #include "core/job/atomic_file.h"
+#include "tests/ui/support/mouse.h"
 #include "tests/ui/views/reviewed_session.h"
+#include "ui/views/landmark_editor.h"
+#include "ui/views/landmark_picture.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {
@@ -63,6 +66,68 @@ TEST_F(BodyDialogTest, AMeshIsChosenMappedKeptAndUndone) {
     EXPECT_EQ(studio_->look().blending, Blending::kLinear);
     studio_->session().undoStack().redo();
     EXPECT_TRUE(waitFor([&] { return shown.worn() != nullptr; }));
+}
+
+/// The surface of a body of ours as a file without bones.
+QString writtenSurface(const SkinnedMesh& mesh, const QString& path) {
+    std::ofstream file(path.toStdString());
+    for (const SkinnedVertex& vertex : mesh.vertices)
+        file << "v " << vertex.p_m.x() << ' ' << vertex.p_m.y() << ' ' << vertex.p_m.z() << '\n';
+    for (const auto& corners : mesh.triangles)
+        file << "f " << corners[0] + 1 << ' ' << corners[1] + 1 << ' ' << corners[2] + 1 << '\n';
+    return path;
+}
+
+void drag(LandmarkPicture& picture, const std::string& landmark, const QPoint& by) {
+    const QPoint from = picture.pointOf(LandmarkPicture::kFront, landmark).toPoint();
+    test::dragMouse(picture, from, from + by);
+}
+
+TEST_F(BodyDialogTest, LandmarksOfAMeshWithoutBonesAreDraggedAndKept) {
+    ASSERT_TRUE(waitFor([&] { return studio_->look().ours != nullptr; }));
+    BodyDialog dialog(*studio_);
+    dialog.show();
+    dialog.setMesh(writtenSurface(*studio_->look().ours, outsideFile("bare.obj")));
+    ASSERT_TRUE(waitFor([&] { return dialog.landmarks() && jobsAreDone(); }));
+    ASSERT_TRUE(dialog.actionButton()->isEnabled());
+    const Landmarks found = dialog.landmarks()->places();
+    EXPECT_FALSE(dialog.find_again->isVisible()) << "all are as found";
+    drag(*dialog.landmarks()->picture, "LeftForeArm", {0, 6});
+    ASSERT_TRUE(dialog.draft().choices.landmarks);
+    EXPECT_LT(dialog.draft().choices.landmarks->at("LeftForeArm").y(), found.at("LeftForeArm").y());
+    EXPECT_TRUE(dialog.find_again->isVisible());
+    dialog.find_again->click();
+    EXPECT_FALSE(dialog.draft().choices.landmarks) << "as found";
+    dialog.landmarks()->undo();
+    const Landmarks set = dialog.draft().choices.landmarks.value();
+    dialog.accept();
+    const ShownBody& shown = studio_->shownBody();
+    ASSERT_TRUE(waitFor([&] { return shown.worn() != nullptr; }));
+    EXPECT_EQ(shown.worn()->landmarks, set);
+
+    BodyDialog again(*studio_);
+    again.show();
+    ASSERT_TRUE(waitFor([&] { return again.landmarks() && jobsAreDone(); }));
+    EXPECT_EQ(again.landmarks()->places(), set);
+    again.landmarks()->findAgain();
+    EXPECT_EQ(again.landmarks()->places(), found) << "also after it was kept";
+}
+
+TEST_F(BodyDialogTest, WhereNoJointsAreFoundTheyAreSetByHand) {
+    const QString box = outsideFile("box.obj");
+    std::ofstream(box.toStdString())
+        << "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    BodyDialog dialog(*studio_);
+    dialog.show();
+    dialog.setMesh(box);
+    ASSERT_TRUE(waitFor([&] { return dialog.landmarks() && jobsAreDone(); }));
+    EXPECT_FALSE(dialog.actionButton()->isEnabled()) << "nothing was found in it";
+    EXPECT_NEAR(dialog.landmarks()->places().at("HeadEnd").y(), 2, 0.1)
+        << "a typical body as tall as the box";
+    drag(*dialog.landmarks()->picture, "LeftForeArm", {0, 6});
+    EXPECT_TRUE(dialog.actionButton()->isEnabled());
+    dialog.landmarks()->undo();
+    EXPECT_FALSE(dialog.actionButton()->isEnabled());
 }
 
 TEST_F(BodyDialogTest, WhatCannotBeWornIsSaid) {
