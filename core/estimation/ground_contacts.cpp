@@ -66,6 +66,16 @@ ChainMotion::Point lowestPoint(const ChainMotion& chain, const Vector3d& p_link_
     return chain.point(p_link_ball_m + on_heel * (p_link_heel_m - p_link_ball_m));
 }
 
+/// What is given of this joint, under whatever name.
+std::vector<FootContact> givenOf(const Skeleton& actor, int joint, const GroundParameters& parameters) {
+    std::vector<FootContact> contacts;
+    if (parameters.given)
+        for (const FootContacts& feet : *parameters.given)
+            if (findByAnyName(actor, feet.foot) == joint)
+                contacts.insert(contacts.end(), feet.contacts.begin(), feet.contacts.end());
+    return contacts;
+}
+
 /// How a point's velocity (rows 0 to 2) and height (row 3) follow all coordinates but the root's
 /// translations.
 ObservationBlock byTheBody(const ChainMotion& chain, const ChainMotion::Point& point,
@@ -86,12 +96,26 @@ ObservationBlock byTheBody(const ChainMotion& chain, const ChainMotion::Point& p
     return block;
 }
 
+/// By how much an error that lasts weighs more than one that is drawn anew with every update (first-order
+/// autoregression, as in ExcessNoise).
+double whitening(double lasts_s, double interval_s) {
+    const double r = lasts_s > 0 ? std::exp(-interval_s / lasts_s) : 0;
+    return (1 + r) / (1 - r);
+}
+
 /// The root's translation alone is observed: where a foot that rolls or slips is believed to stand, it must
 /// not bend the body, which other sensors know far better. What is not known of the body is noise here.
 ObservationBlock ofRoot(const std::vector<int>& columns, const Eigen::VectorXd& residual, double sigma,
                         const Eigen::VectorXd& body_variance) {
     const Eigen::Index rows = residual.size();
     return {columns, Eigen::MatrixXd::Identity(rows, rows), residual, body_variance.array() + sigma * sigma};
+}
+
+/// Too fast for a foot that stands, unless an operator says that it does. On a belt that moves a foot that
+/// stands moves, too.
+bool isSwung(const GroundParameters& parameters, const Vector3d& v_m_per_s, const Eigen::VectorXd& variance) {
+    return !parameters.given && parameters.ground != Ground::kTreadmill &&
+           v_m_per_s.norm() > parameters.fastest_m_per_s + parameters.swing_sigma * std::sqrt(variance.sum());
 }
 
 }  // namespace
@@ -129,8 +153,21 @@ GroundContacts::GroundContacts(const Skeleton& actor, const KinematicTree& tree,
         const Vector3d p_board_contact_m =
             board.R_link_board.transpose() * (p_link_contact_m - board.p_link_board);
         const double floor_m = pointOn(chain, tree, rest, board.link, p_link_contact_m).y();
-        feet_.push_back({actor.joint(joint).name, b, board.link, p_link_contact_m,
-                         StanceDetector(parameters.stance, p_board_contact_m), floor_m});
+        feet_.push_back({actor.joint(joint).name, givenOf(actor, joint, parameters), b, board.link,
+                         p_link_contact_m, StanceDetector(parameters.stance, p_board_contact_m), floor_m});
+    }
+}
+
+void GroundContacts::rest(double begin_s, double end_s, ContactLog& log) {
+    for (Foot& foot : feet_) {
+        if (!parameters_.given) {
+            foot.detector.standsFrom(begin_s, end_s);
+            log.note(foot.name, begin_s, end_s);
+            continue;
+        }
+        for (const FootContact& contact : foot.given)
+            if (contact.from_s < end_s && contact.to_s > begin_s)
+                log.note(foot.name, contact.from_s, std::min(contact.to_s, end_s));
     }
 }
 
@@ -146,17 +183,15 @@ void GroundContacts::listen(const std::vector<InertialMeasurement>& measurements
 std::optional<double> GroundContacts::standsSince_s(const Foot& foot, double now_s) const {
     if (!parameters_.given)
         return foot.detector.standsSince_s(now_s);
-    for (const FootContacts& feet : *parameters_.given)
-        if (feet.foot == foot.name)
-            for (const FootContact& contact : feet.contacts)
-                if (contact.from_s <= now_s && now_s <= contact.to_s)
-                    return contact.from_s;
+    for (const FootContact& contact : foot.given)
+        if (contact.from_s <= now_s && now_s <= contact.to_s)
+            return contact.from_s;
     return std::nullopt;
 }
 
 std::vector<ObservationBlock> GroundContacts::observe(const KinematicTree& tree, const StateLayout& layout,
-                                                      const BodyState& state, const Covariance& P,
-                                                      double now_s, ContactLog& log) {
+                                                      const BodyState& state, Covariance& P, double now_s,
+                                                      ContactLog& log) {
     std::vector<ObservationBlock> blocks;
     ChainMotion chain;
     for (Foot& foot : feet_) {
@@ -177,35 +212,39 @@ std::vector<ObservationBlock> GroundContacts::observe(const KinematicTree& tree,
                                                    parameters_.pivot_m * chain.end().omega_rad_per_s.norm()),
                                         body_variance.head<3>());
         const Eigen::VectorXd variance = P.innovationVariance(still);
-        // On a belt that moves a foot that stands moves, too.
-        foot.swings = !parameters_.given && parameters_.ground != Ground::kTreadmill &&
-                      point.v_m_per_s.norm() >
-                          parameters_.fastest_m_per_s + parameters_.swing_sigma * std::sqrt(variance.sum());
+        foot.swings = isSwung(parameters_, point.v_m_per_s, variance);
         if (foot.swings) {
             foot.swung_s = now_s;
             continue;
         }
         log.note(foot.name, std::max(*since_s, foot.swung_s), now_s);
-        if (!parameters_.holds_feet)
+        if (!parameters_.holds_feet || parameters_.ground == Ground::kTreadmill)
             continue;
-        if (parameters_.ground != Ground::kTreadmill) {
-            limitPull(still, variance, parameters_.huber_sigma);
-            blocks.push_back(std::move(still));
-        }
+        limitPull(still, variance, parameters_.huber_sigma);
+        still.variance *= whitening(parameters_.slip_lasts_s, parameters_.interval_s);
+        blocks.push_back(std::move(still));
         if (parameters_.ground != Ground::kLevel)
             continue;
-        ObservationBlock floor =
-            ofRoot({layout.theta(1)}, Eigen::VectorXd::Constant(1, foot.floor_m - point.p_m.y()),
-                   parameters_.height_m, body_variance.tail<1>());
-        const Eigen::VectorXd height_variance = P.innovationVariance(floor);
-        const double known_m =
-            std::sqrt(std::max(0.0, height_variance[0] - floor.variance[0] + body_variance[3]));
-        if (std::abs(floor.residual[0]) > parameters_.height_gate_m + parameters_.height_gate_sigma * known_m)
-            continue;
-        limitPull(floor, height_variance, parameters_.huber_sigma);
-        blocks.push_back(std::move(floor));
+        if (auto floor = onFloor(foot, point.p_m.y(), body_variance[3], layout.theta(1), P))
+            blocks.push_back(std::move(*floor));
     }
     return blocks;
+}
+
+/// `height_m` of the point of contact, `column` of the root's height; nothing where the foot stands on
+/// something else.
+std::optional<ObservationBlock> GroundContacts::onFloor(const Foot& foot, double height_m,
+                                                        double body_variance_m2, int column,
+                                                        Covariance& P) const {
+    P.dense()(column, column) += parameters_.sole_m * parameters_.sole_m;
+    ObservationBlock floor = ofRoot({column}, Eigen::VectorXd::Constant(1, foot.floor_m - height_m),
+                                    parameters_.height_m, Eigen::VectorXd::Constant(1, body_variance_m2));
+    const Eigen::VectorXd variance = P.innovationVariance(floor);
+    const double known_m = std::sqrt(std::max(0.0, variance[0] - floor.variance[0] + body_variance_m2));
+    if (std::abs(floor.residual[0]) > parameters_.height_gate_m + parameters_.height_gate_sigma * known_m)
+        return std::nullopt;
+    limitPull(floor, variance, parameters_.huber_sigma);
+    return floor;
 }
 
 }  // namespace noctule

@@ -36,10 +36,17 @@ struct GroundParameters {
     StanceParameters stance;
     std::optional<std::vector<FootContacts>> given;  ///< instead of those found
 
-    /// Feet roll and shoes give, for tenths of a second each: as noise of updates that far apart.
-    double interval_s = 1.0 / 35;
-    double velocity_m_per_s = 0.07, pivot_m = 0.05;  ///< pivot: times the foot's rate
+    double interval_s = 1.0 / 35;  ///< of updates
+    double velocity_m_per_s = 0.07,
+           pivot_m = 0.05;  ///< feet roll and shoes give; pivot: times the foot's rate
     double height_m = 0.05;
+    /// A slip stays for a while, and so do the errors of the leg above: updates so close to each other share
+    /// them, and each counts as one of white noise with the same effect on their mean. Larger: the root is
+    /// less sure of its place along the floor.
+    double slip_lasts_s = 0.05;
+    /// By how much the place of the sole under the root changes from one update to the next: how high a root
+    /// stands is never known better than that adds up to.
+    double sole_m = 0.014;
     double huber_sigma = 2.5;
     /// Farther from the floor, beyond height_gate_sigma of where the body may be, it stands on something
     /// else: a stair is 0.17 m.
@@ -66,16 +73,19 @@ public:
     GroundContacts(const Skeleton& actor, const KinematicTree& tree, const SuitModel& suit,
                    const MotionState& rest, const GroundParameters& parameters);
 
+    /// The feet have stood during the rest pose, which ends now.
+    void rest(double begin_s, double end_s, ContactLog& log);
     /// Readings of all boards, in order of time for each.
     void listen(const std::vector<InertialMeasurement>& measurements, const BodyState& state);
-    /// What the feet that stand now tell; notes them in `log`.
+    /// What the feet that stand now tell; notes them in `log`. Widens the height of the root in `P`.
     std::vector<ObservationBlock> observe(const KinematicTree& tree, const StateLayout& layout,
-                                          const BodyState& state, const Covariance& P, double now_s,
+                                          const BodyState& state, Covariance& P, double now_s,
                                           ContactLog& log);
 
 private:
     struct Foot {
         std::string name;
+        std::vector<FootContact> given;
         int board = 0, link = 0;
         Vector3d p_link_contact_m;
         StanceDetector detector;
@@ -85,6 +95,8 @@ private:
         double swung_s = -1e9;     ///< when that was last
     };
     std::optional<double> standsSince_s(const Foot& foot, double now_s) const;
+    std::optional<ObservationBlock> onFloor(const Foot& foot, double height_m, double body_variance_m2,
+                                            int column, Covariance& P) const;
 
     GroundParameters parameters_;
     std::vector<Foot> feet_;

@@ -131,6 +131,7 @@ public:
 
     const StateLayout& layout() const { return layout_; }
     const BodyState& state() const { return now_.state; }
+    double seconds() const { return nowSeconds(); }  ///< time of state()
     const Eigen::MatrixXd& covariance() const { return now_.P.dense(); }
     const KinematicTree& tree() const { return tree_; }
 

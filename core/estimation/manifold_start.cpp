@@ -46,6 +46,8 @@ void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, cons
     now_.step_index = static_cast<int64_t>(std::ceil(rest.end_s / step_s_ - 1e-9));
     settle(rest, root);
     now_.ground = GroundContacts(skeleton_, tree_, suit_, now_.state.motion, groundParameters());
+    if (rest.end_s > rest.begin_s)
+        now_.ground.rest(rest.begin_s, rest.end_s, contacts_);
     const int n = layout_.freedoms;
     now_.P.dense().diagonal().segment(n, n).array() += std::pow(parameters_.initial_rate_rad_per_s, 2);
     now_.P.dense().diagonal().segment(2 * n, n).array() += std::pow(parameters_.initial_accel_rad_per_s2, 2);

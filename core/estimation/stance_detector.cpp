@@ -2,7 +2,6 @@
 #include "core/estimation/stance_detector.h"
 
 #include <Eigen/LU>
-#include <limits>
 
 namespace noctule {
 namespace {
@@ -31,13 +30,19 @@ double meanVariance(const TriadReading& triad) {
 
 }  // namespace
 
+void StanceDetector::standsFrom(double since_s, double now_s) {
+    window_.clear();
+    still_since_s_ = since_s;
+    heard_s_ = now_s;
+}
+
 void StanceDetector::begin() {
     window_.clear();
     still_since_s_.reset();
 }
 
 void StanceDetector::add(const InertialMeasurement& measurement, const Vector3d& gyro_bias) {
-    if (!window_.empty() && measurement.time_s - window_.back().time_s > parameters_.longest_silence_s)
+    if (measurement.time_s - heard_s_ > parameters_.longest_silence_s)
         begin();
     const auto rate = sensedVector(measurement.gyro);
     const auto force = parameters_.uses_accelerometers ? sensedVector(measurement.accel) : Vector3d::Zero();
@@ -47,8 +52,11 @@ void StanceDetector::add(const InertialMeasurement& measurement, const Vector3d&
         return;
     }
     window_.push_back(sampleOf(measurement, *rate - gyro_bias, *force));
+    heard_s_ = measurement.time_s;
     std::erase_if(window_,
                   [&](const Sample& old) { return old.time_s < measurement.time_s - parameters_.window_s; });
+    if (window_.size() < kLeastReadings)
+        return;
     if (statistic() > (still_since_s_ ? parameters_.leave : parameters_.touch))
         still_since_s_.reset();
     else if (!still_since_s_)
@@ -72,8 +80,6 @@ StanceDetector::Sample StanceDetector::sampleOf(const InertialMeasurement& measu
 }
 
 double StanceDetector::statistic() const {
-    if (window_.size() < kLeastReadings)
-        return std::numeric_limits<double>::infinity();
     Vector3d mean_force = Vector3d::Zero();
     for (const Sample& sample : window_)
         mean_force += sample.force_m_per_s2;
@@ -91,8 +97,8 @@ double StanceDetector::statistic() const {
 }
 
 std::optional<double> StanceDetector::standsSince_s(double now_s) const {
-    const bool stands = still_since_s_ && now_s - window_.back().time_s <= parameters_.longest_silence_s &&
-                        window_.back().time_s - *still_since_s_ >= parameters_.least_contact_s;
+    const bool stands = still_since_s_ && now_s - heard_s_ <= parameters_.longest_silence_s &&
+                        heard_s_ - *still_since_s_ >= parameters_.least_contact_s;
     return stands ? still_since_s_ : std::nullopt;
 }
 

@@ -34,6 +34,8 @@ public:
     StanceDetector(const StanceParameters& parameters, const Vector3d& p_board_contact_m)
         : parameters_(parameters), p_board_contact_m_(p_board_contact_m) {}
 
+    /// What is known without readings: it has stood since then, and does until they say otherwise.
+    void standsFrom(double since_s, double now_s);
     /// Readings of the foot's board in order of time; `gyro_bias` as far as it is known.
     void add(const InertialMeasurement& measurement, const Vector3d& gyro_bias);
 
@@ -54,6 +56,7 @@ private:
     StanceParameters parameters_;
     Vector3d p_board_contact_m_;
     std::vector<Sample> window_;
+    double heard_s_ = -1e9;  ///< when something was last known
     std::optional<double> still_since_s_;
 };
 

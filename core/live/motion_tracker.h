@@ -69,6 +69,7 @@ public:
     Status finishPortion(const JobContext& job) { return estimator_->finishPortion(job); }
 
     std::vector<FootContacts> contacts() const { return estimator_->contacts(); }
+    const Estimator& estimator() const { return *estimator_; }
     int resets() const { return estimator_->resets(); }
     int64_t clippedReadings(int board) const { return calibrator_.clippedReadings(board); }
 

@@ -22,10 +22,11 @@ struct ContactSettings {
 };
 
 struct FootContact {
-    double from_s = 0, to_s = 0;
+    double from_s = 0, to_s = 0;  ///< of the take's clock
     /// How far the point that stood longest wandered along the ground from its mean, at most, within the
     /// middle three fifths of the contact.
     double slide_m = 0;
+    bool by_hand = false;  ///< an operator has set or changed it; else it was found
 };
 
 struct FootContacts {

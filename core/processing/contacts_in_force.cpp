@@ -12,8 +12,8 @@ Result<ContactsInForce> contactsInForce(const Take& take, const DerivedRun& run,
     ContactsInForce contacts;
     if (*edited) {
         contacts = {std::move(**edited), ContactsFrom::kOperator};
-    } else if (const std::string ground = runSettings(run, {}, take.level()).ground;
-               !ground.empty() && ground != "none") {
+    } else if (const RunSettings settings = runSettings(run, {}, take.level());
+               !settings.ground.empty() && settings.ground != "none" && !settings.contacts_edited) {
         auto found = take.contacts(run.run);
         if (!found)
             return found.error();

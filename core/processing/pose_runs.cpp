@@ -36,6 +36,7 @@ RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun
     settings.smoother = json::text(read, "smooth").value_or(settings.smoother);
     settings.detector = json::text(read, "detector").value_or("");
     settings.ground = json::text(read, "ground").value_or("");
+    settings.contacts_edited = json::text(read, "contacts").value_or("") == kContactsEdited;
     settings.root_given = json::text(read, "root") == "given";
     settings.process_sigma_rad_per_s2 = json::number(read, "process_sigma_rad_per_s2");
     settings.inertial_run = runNumber(read, "inertial_run");

@@ -110,8 +110,10 @@ struct SkippedRows {
     std::string first;  ///< the first of them and why: "row 7: sample is negative"
 };
 
-/// Meta `contacts`: whose word on the feet holds.
-inline constexpr const char* kContactsKey = "contacts";
+/// Meta `contacts` (`contacts_2` of suit 2 and so on): whose word on the feet holds.
+inline std::string contactsKey(int suit) {
+    return suit == 1 ? "contacts" : "contacts_" + std::to_string(suit);
+}
 inline constexpr const char* kContactsEdited = "edited";
 inline constexpr const char* kContactsDetected = "detected";
 

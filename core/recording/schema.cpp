@@ -86,7 +86,7 @@ std::vector<TableDefinition> derivedTables() {
           blob("q")},
          "PRIMARY KEY(run, suit, time_ns)"},
         {"contact",
-         {integer("run"), kSuit, text("foot"), integer("from_ns"), integer("to_ns")},
+         {integer("run"), kSuit, text("foot"), integer("from_ns"), integer("to_ns"), integer("by_hand")},
          "PRIMARY KEY(run, suit, foot, from_ns)"},
     };
 }

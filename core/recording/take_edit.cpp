@@ -99,7 +99,7 @@ Status TakeEdit::setContacts(const std::optional<std::vector<FootContacts>>& con
                               schema().expression("contact", "suit") + "=" + std::to_string(suit);
     if (Status removed = removeRows("contact", where); !removed)
         return removed;
-    if (Status noted = setMeta(kContactsKey, contacts ? kContactsEdited : kContactsDetected); !noted)
+    if (Status noted = setMeta(contactsKey(suit), contacts ? kContactsEdited : kContactsDetected); !noted)
         return noted;
     return contacts ? addContacts(kPrimaryRun, *contacts, suit) : Done{};
 }

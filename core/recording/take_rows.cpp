@@ -264,16 +264,17 @@ Result<std::vector<FootContacts>> Take::contacts(int64_t run, int suit) const {
     std::vector<FootContacts> feet;
     const auto rows = collectRows<FootContact>(
         *database_, *log_, rowsOfSuit("contact", suit),
-        schema_->select("contact", {"foot", "from_ns", "to_ns"}) + ofSuit("contact", suit) +
+        schema_->select("contact", {"foot", "from_ns", "to_ns", "by_hand"}) + ofSuit("contact", suit) +
             " AND run=" + std::to_string(run) + " ORDER BY 1,2",
-        [&feet](const Statement& row, FootContact& contact) -> RowVerdict {
+        [&feet, run](const Statement& row, FootContact& contact) -> RowVerdict {
             const auto foot = row.text(0);
             const auto from_ns = row.integer(1), to_ns = row.integer(2);
             if (!foot || !from_ns || !to_ns || *to_ns < *from_ns)
                 return "a value is missing, or it ends before it begins";
             if (feet.empty() || feet.back().foot != *foot)
                 feet.push_back({*foot, {}});
-            contact = {static_cast<double>(*from_ns) * 1e-9, static_cast<double>(*to_ns) * 1e-9, 0};
+            contact = {static_cast<double>(*from_ns) * 1e-9, static_cast<double>(*to_ns) * 1e-9, 0,
+                       row.integer(3).value_or(run == kPrimaryRun) != 0};
             feet.back().contacts.push_back(contact);
             return "";
         });
@@ -284,7 +285,7 @@ Result<std::vector<FootContacts>> Take::contacts(int64_t run, int suit) const {
 
 Result<std::optional<std::vector<FootContacts>>> Take::editedContacts(int suit) const {
     std::optional<std::vector<FootContacts>> edited;
-    const auto whose = meta_.find(kContactsKey);
+    const auto whose = meta_.find(contactsKey(suit));
     if (whose == meta_.end() || whose->second != kContactsEdited)
         return edited;
     auto stored = contacts(kPrimaryRun, suit);

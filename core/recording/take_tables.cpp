@@ -203,7 +203,8 @@ Status TakeTables::addContacts(int64_t run, const std::vector<FootContacts>& fee
         for (const FootContact& contact : foot.contacts) {
             (*insert)->bind(0, run).bind(1, int64_t{suit}).bind(2, std::string_view(foot.foot));
             (*insert)->bind(3, int64_t{std::llround(contact.from_s * 1e9)});
-            if (Status done = (*insert)->bind(4, int64_t{std::llround(contact.to_s * 1e9)}).run(); !done)
+            (*insert)->bind(4, int64_t{std::llround(contact.to_s * 1e9)});
+            if (Status done = (*insert)->bind(5, int64_t{contact.by_hand}).run(); !done)
                 return done;
         }
     return Done{};

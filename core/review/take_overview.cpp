@@ -87,6 +87,7 @@ private:
     }
 
     void readAttachments() {
+        view_.contacts_edited = problems_.keep(take_.editedContacts()).value_or(std::nullopt).has_value();
         view_.has_reference = problems_.keep(take_.hasRows("reference")).value_or(false);
         view_.has_external_root = problems_.keep(take_.hasRows("external_root")).value_or(false);
         if (view_.has_reference)

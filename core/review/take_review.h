@@ -53,6 +53,7 @@ struct TakeOverview {
     std::vector<NoteRow> notes;
     bool has_reference = false;
     bool has_external_root = false;
+    bool contacts_edited = false;  ///< by an operator: they hold for all runs
     std::string reference_kind;
     std::vector<std::string> problems;  ///< whole sentences
 };

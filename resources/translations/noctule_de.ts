@@ -52,6 +52,58 @@
     </message>
 </context>
 <context>
+    <name>ContactBars</name>
+    <message>
+        <source>%1 stands from %2 to %3, set by hand</source>
+        <comment>a foot, two times</comment>
+        <translation>%1 steht von %2 bis %3, von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>%1 stands from %2 to %3, found</source>
+        <comment>a foot, two times</comment>
+        <translation>%1 steht von %2 bis %3, gefunden</translation>
+    </message>
+    <message>
+        <source>%1 does not stand here. Double-click to set a contact.</source>
+        <comment>a foot</comment>
+        <translation>%1 steht hier nicht. Ein Doppelklick setzt einen Kontakt.</translation>
+    </message>
+    <message>
+        <source>Set a contact at the cursor</source>
+        <translation>Kontakt am Zeiger setzen</translation>
+    </message>
+    <message>
+        <source>Begin at the cursor</source>
+        <translation>Am Zeiger beginnen</translation>
+    </message>
+    <message>
+        <source>End at the cursor</source>
+        <translation>Am Zeiger enden</translation>
+    </message>
+    <message>
+        <source>Delete contact</source>
+        <translation>Kontakt löschen</translation>
+    </message>
+    <message>
+        <source>Back to what was found</source>
+        <translation>Zurück zu dem, was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>L foot</source>
+        <comment>left foot, short</comment>
+        <translation>L Fuß</translation>
+    </message>
+    <message>
+        <source>R foot</source>
+        <comment>right foot, short</comment>
+        <translation>R Fuß</translation>
+    </message>
+    <message>
+        <source>The contacts are yours now. Reprocess the take to hold the body by them.</source>
+        <translation>Die Kontakte sind jetzt von Hand gesetzt. Die Aufnahme neu verarbeiten, damit sie den Körper halten.</translation>
+    </message>
+</context>
+<context>
     <name>CurveNames</name>
     <message>
         <source>flexion</source>
@@ -2119,6 +2171,25 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::ContactEditor</name>
+    <message>
+        <source>Move a contact</source>
+        <translation>Kontakt verschieben</translation>
+    </message>
+    <message>
+        <source>Set a contact</source>
+        <translation>Kontakt setzen</translation>
+    </message>
+    <message>
+        <source>Delete a contact</source>
+        <translation>Kontakt löschen</translation>
+    </message>
+    <message>
+        <source>Back to the contacts that were found</source>
+        <translation>Zurück zu den gefundenen Kontakten</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::DeviceCard</name>
     <message>
         <source>Rename</source>
@@ -3600,10 +3671,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Delete the marker %1</source>
         <translation>Die Marke %1 löschen</translation>
-    </message>
-    <message>
-        <source>Writing a marker into %1</source>
-        <translation>Eine Marke wird in %1 geschrieben</translation>
     </message>
 </context>
 <context>
@@ -5495,6 +5562,13 @@ keine Lücken</translation>
             <numerusform>%n gefunden</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n, set by hand</source>
+        <translation>
+            <numerusform>%n, von Hand gesetzt</numerusform>
+            <numerusform>%n, von Hand gesetzt</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ReportView</name>
@@ -5926,6 +6000,14 @@ keine Lücken</translation>
     <message>
         <source>Delete marker</source>
         <translation>Marke löschen</translation>
+    </message>
+    <message>
+        <source>Foot contact here</source>
+        <translation>Fußkontakt hier</translation>
+    </message>
+    <message>
+        <source>Back to the contacts that were found</source>
+        <translation>Zurück zu den gefundenen Kontakten</translation>
     </message>
 </context>
 <context>
@@ -6712,6 +6794,38 @@ keine Lücken</translation>
         <source>Wheel</source>
         <translation>Mausrad</translation>
     </message>
+    <message>
+        <source>On the timeline, contacts of the feet</source>
+        <translation>Auf der Zeitleiste, Kontakte der Füße</translation>
+    </message>
+    <message>
+        <source>The left or right foot&apos;s contact at the cursor</source>
+        <translation>Kontakt des linken oder rechten Fußes am Zeiger</translation>
+    </message>
+    <message>
+        <source>Up, Down</source>
+        <translation>Auf, Ab</translation>
+    </message>
+    <message>
+        <source>The contact before or after it</source>
+        <translation>Der Kontakt davor oder danach</translation>
+    </message>
+    <message>
+        <source>Ctrl+Left, Ctrl+Right</source>
+        <translation>Strg+Links, Strg+Rechts</translation>
+    </message>
+    <message>
+        <source>It begins or ends at the cursor</source>
+        <translation>Er beginnt oder endet am Zeiger</translation>
+    </message>
+    <message>
+        <source>Delete it, let go of it</source>
+        <translation>Löschen, loslassen</translation>
+    </message>
+    <message>
+        <source>Del, Esc</source>
+        <translation>Entf, Esc</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ShotList</name>
@@ -7165,6 +7279,17 @@ Drehen, beide Richtungen x3</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::TakeChanges</name>
+    <message>
+        <source>Writing a marker into %1</source>
+        <translation>Eine Marke wird in %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing contacts into %1</source>
+        <translation>Kontakte werden in %1 geschrieben</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::TakeClock</name>
     <message>
         <source>On disk up to %1</source>
@@ -7356,20 +7481,6 @@ Drehen, beide Richtungen x3</translation>
         <translation>Ende, %1</translation>
     </message>
     <message>
-        <source>L foot</source>
-        <comment>left foot, short</comment>
-        <translation>L Fuß</translation>
-    </message>
-    <message>
-        <source>R foot</source>
-        <comment>right foot, short</comment>
-        <translation>R Fuß</translation>
-    </message>
-    <message>
-        <source>Left and Right step a frame, with Shift a second; Home and End go to in and out; F2 names the chosen marker, Del deletes it</source>
-        <translation>Links und Rechts gehen ein Bild, mit Umschalt eine Sekunde; Pos1 und Ende gehen zu Anfang und Ende; F2 benennt die gewählte Marke, Entf löscht sie</translation>
-    </message>
-    <message>
         <source>Name marker</source>
         <translation>Marke benennen</translation>
     </message>
@@ -7380,6 +7491,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Name of the marker</source>
         <translation>Name der Marke</translation>
+    </message>
+    <message>
+        <source>Left and Right step a frame, with Shift a second; Home and End go to in and out; F2 names the chosen marker, Del deletes it. Up and Down choose the contact of the left or right foot at the cursor, with Ctrl Left and Right the one before or after; I and O let it begin or end at the cursor, Ins sets one, Del deletes it</source>
+        <translation>Links und Rechts gehen ein Bild weiter, mit Umschalt eine Sekunde; Pos1 und Ende zu Anfang und Ende des Bereichs; F2 benennt die gewählte Marke, Entf löscht sie. Auf und Ab wählen den Kontakt des linken oder rechten Fußes am Zeiger, mit Strg Links und Rechts den davor oder danach; mit I und O beginnt oder endet er am Zeiger, Einfg setzt einen, Entf löscht ihn</translation>
     </message>
 </context>
 <context>

@@ -340,6 +340,13 @@
             <numerusform>%n found</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n, set by hand</source>
+        <translation>
+            <numerusform>%n, set by hand</numerusform>
+            <numerusform>%n, set by hand</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ReviewWords</name>

@@ -17,6 +17,7 @@ struct SimulatedTake {
     double duration_s = 0;                                   ///< 0: the motion once
     std::optional<double> rest_seconds{};                    ///< none: the scenario's
     simulation::Scenario scenario = simulation::Scenario::nominal();
+    uint64_t seed = 1;
 };
 
 /// Named as its file.
@@ -27,6 +28,7 @@ inline Status writeSimulatedTake(const std::string& path, SimulatedTake wanted, 
     request.scenario = wanted.scenario;
     request.rest_seconds = wanted.rest_seconds;
     request.duration_s = wanted.duration_s;
+    request.seed = wanted.seed;
     const auto stage = simulation::prepareStage(request);
     if (!stage)
         return stage.error();

@@ -64,6 +64,7 @@ ShortcutsDialog::ShortcutsDialog(const QList<ShortcutGroup>& groups, QWidget* pa
                 rows.append({textOf(*action), keysOf(*action)});
         addGroup(group.title, rows);
     }
+    addTimeline();
     addView3d();
     resize(Theme::get().px(620), Theme::get().px(640));
     search_->setFocus();
@@ -79,6 +80,15 @@ void ShortcutsDialog::addGroup(const QString& title, const QList<QPair<QString, 
     for (const auto& [text, keys] : rows)
         new QTreeWidgetItem(group, {text, keys});
     group->setExpanded(true);
+}
+
+/// Taken by the timeline itself while it has the keyboard.
+void ShortcutsDialog::addTimeline() {
+    addGroup(tr("On the timeline, contacts of the feet"),
+             {{tr("The left or right foot's contact at the cursor"), tr("Up, Down")},
+              {tr("The contact before or after it"), tr("Ctrl+Left, Ctrl+Right")},
+              {tr("It begins or ends at the cursor"), QStringLiteral("I, O")},
+              {tr("Delete it, let go of it"), tr("Del, Esc")}});
 }
 
 /// The picture takes its keys and the mouse by itself, so there are no actions to ask.

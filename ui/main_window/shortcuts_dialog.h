@@ -29,6 +29,7 @@ public:
 private:
     void addGroup(const QString& title, const QList<QPair<QString, QString>>& rows);
     void addView3d();
+    void addTimeline();
 
     SearchField* search_;
     QTreeWidget* table_;

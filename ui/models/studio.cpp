@@ -51,7 +51,9 @@ Studio::Studio(StudioParts parts, QObject* parent)
       session_(jobs_),
       shown_body_(jobs_, session_),
       take_(jobs_, time_),
-      markers_(jobs_, session_, take_),
+      changes_(jobs_, session_, take_),
+      markers_(changes_, take_),
+      contacts_(changes_, take_, time_),
       finder_(settings_),
       suit_(jobs_, session_, {parts_.software, parts_.utc_now, [this] { return sessionsFolder(); }}),
       calibrations_(session_, suit_),
@@ -71,7 +73,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
             take_.followMove(now);
     });
     connect(&shown_body_, &ShownBody::failed, this, &Studio::failed);
-    connect(&markers_, &MarkerEditor::failed, this, &Studio::failed);
+    connect(&changes_, &TakeChanges::failed, this, &Studio::failed);
     connect(&suit_, &LiveSuit::failed, this, &Studio::failed);
     connect(&suit_, &LiveSuit::warned, this, &Studio::warned);
     connect(&calibrations_, &CalibrationShelf::warned, this, &Studio::warned);

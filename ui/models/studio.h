@@ -17,6 +17,7 @@
 #include "core/processing/process_take.h"
 #include "ui/jobs/jobs.h"
 #include "ui/models/calibration_shelf.h"
+#include "ui/models/contact_editor.h"
 #include "ui/models/live_suit.h"
 #include "ui/models/marker_editor.h"
 #include "ui/models/remote_start.h"
@@ -55,7 +56,9 @@ public:
     SessionModel& session() { return session_; }
     ShownBody& shownBody() { return shown_body_; }
     TakeDocument& take() { return take_; }
+    TakeChanges& changes() { return changes_; }
     MarkerEditor& markers() { return markers_; }
+    ContactEditor& contacts() { return contacts_; }
     SuitFinder& finder() { return finder_; }
     LiveSuit& suit() { return suit_; }
     CalibrationShelf& calibrations() { return calibrations_; }
@@ -123,7 +126,9 @@ private:
     SessionModel session_;
     ShownBody shown_body_;
     TakeDocument take_;
+    TakeChanges changes_;
     MarkerEditor markers_;
+    ContactEditor contacts_;
     SuitFinder finder_;
     LiveSuit suit_;
     CalibrationShelf calibrations_;

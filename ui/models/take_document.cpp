@@ -179,7 +179,7 @@ void TakeDocument::forgetUnshown() {
 }
 
 void TakeDocument::forgetOutdated(const TakeOverview& earlier) {
-    // The reference may be another one, and the report depends on it.
+    // The reference may be another one, and the report depends on it; contacts may be an operator's now.
     const auto gone = [&](int64_t number) {
         const auto was = std::find_if(earlier.runs.begin(), earlier.runs.end(),
                                       [&](const ReviewRun& run) { return run.run.run == number; });
@@ -187,7 +187,7 @@ void TakeDocument::forgetOutdated(const TakeOverview& earlier) {
     };
     drop(motions_, gone);
     drop(motion_curves_, [&](const MotionCurveKey& key) { return gone(key.run); });
-    drop(contacts_, gone);
+    drop(contacts_, [](int64_t) { return true; });
     drop(reports_, [](int64_t) { return true; });
     forEachKind([](auto& parts) {
         std::erase_if(parts, [](const auto& entry) { return entry.second.ended && !entry.second.value; });

@@ -112,6 +112,14 @@ void TimeCursor::stepFrames(int frames) {
     setTime(first_frame_s_ + target * frame_step_s_);
 }
 
+double TimeCursor::frameAt(double t_s) const {
+    const double first = std::ceil(-first_frame_s_ / frame_step_s_ - kOnFrame);
+    const double last = std::floor((duration_s_ - first_frame_s_) / frame_step_s_ + kOnFrame);
+    const double frame =
+        std::clamp(std::round((t_s - first_frame_s_) / frame_step_s_), first, std::max(first, last));
+    return std::clamp(first_frame_s_ + frame * frame_step_s_, 0.0, duration_s_);
+}
+
 void TimeCursor::stepSeconds(double seconds) {
     pause();
     setTime(time_s_ + seconds);

@@ -26,6 +26,8 @@ public:
     void setExtent(double duration_s, double frame_step_s);
     /// The frames that stepFrames() stops at.
     void setFrames(double first_s, double frame_step_s);
+    /// The nearest of them within the take.
+    double frameAt(double t_s) const;
 
 public slots:
     void setTime(double t_s);  ///< clamped

@@ -25,23 +25,27 @@ constexpr double kAbove = 4, kFoot = 9, kFootRow = 16, kBetweenRows = 8, kRuler 
 }  // namespace
 
 Timeline::Timeline(Studio& studio, TimeWindow& window, QWidget* parent)
-    : QWidget(parent), studio_(studio), window_(window), repaint_([this] { showTime(); }) {
+    : QWidget(parent), studio_(studio), window_(window), bars_(studio), repaint_([this] { showTime(); }) {
     TimelineAccessible::install();
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAccessibleName(tr("Timeline"));
     setAccessibleDescription(
         tr("Left and Right step a frame, with Shift a second; Home and End go to in and out; F2 names the "
-           "chosen marker, Del deletes it"));
+           "chosen marker, Del deletes it. Up and Down choose the contact of the left or right foot at the "
+           "cursor, with Ctrl Left and Right the one before or after; I and O let it begin or end at the "
+           "cursor, Ins sets one, Del deletes it"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     TakeDocument& take = studio.take();
     for (const auto signal :
          {&TakeDocument::opened, &TakeDocument::runsChanged, &TakeDocument::motionChanged})
         connect(&take, signal, this, &Timeline::readTake);
-    connect(&studio.markers(), &MarkerEditor::written, this,
-            [this](const QString& path, const MarkerChange& change) {
-                if (path == studio_.take().path())
-                    chooseWritten(change);
+    connect(&studio.contacts(), &ContactEditor::changed, this, qOverload<>(&QWidget::update));
+    connect(&studio.changes(), &TakeChanges::written, this,
+            [this](const QString& path, const TakeChange& change) {
+                if (const auto* marker = std::get_if<MarkerChange>(&change);
+                    marker && path == studio_.take().path())
+                    chooseWritten(*marker);
             });
     connect(&window, &TimeWindow::changed, this, [this] { repaint_.ask(); });
     connect(&studio.time(), &TimeCursor::timeChanged, this, [this] { repaint_.ask(); });
@@ -56,7 +60,7 @@ Timeline::Timeline(Studio& studio, TimeWindow& window, QWidget* parent)
 
 void Timeline::readTake() {
     overview_ = studio_.take().overview();
-    contacts_ = overview_ ? studio_.take().contacts() : nullptr;
+    studio_.contacts().contacts();  // asked for, they are loaded
     followChosenMarker();
     update();
 }
@@ -70,8 +74,9 @@ void Timeline::showTime() {
 }
 
 QString Timeline::valueText() const {
-    return tr("%1 of %2", "time of the cursor, length of the take")
-        .arg(timeText(studio_.time().time(), 2), timeText(studio_.time().duration(), 2));
+    const QString time = tr("%1 of %2", "time of the cursor, length of the take")
+                             .arg(timeText(studio_.time().time(), 2), timeText(studio_.time().duration(), 2));
+    return bars_.hasChosen() ? time + QStringLiteral("; ") + bars_.chosenWords() : time;
 }
 
 QSize Timeline::sizeHint() const {
@@ -124,6 +129,25 @@ QPoint Timeline::rulerPoint(double t_s) const {
     return {qRound(xOf(t_s)), rows().ruler.center().y()};
 }
 
+QPoint Timeline::footPoint(int foot, double t_s) const {
+    return {qRound(xOf(t_s)), rows().feet[static_cast<size_t>(foot)].center().y()};
+}
+
+ContactLanes Timeline::contactLanes() const {
+    const Rows r = rows();
+    const double px_per_s = (r.right - r.left) / std::max(window_.span(), TimeWindow::kShortest_s);
+    return {r.feet, Theme::get().px((kFootRow - kFoot) / 2), window_.from(), px_per_s};
+}
+
+/// One thing is chosen at a time.
+void Timeline::contactChosen() {
+    if (bars_.hasChosen() && chosen_) {
+        chosen_.reset();
+        followChosenMarker();
+    }
+    showTime();
+}
+
 Timeline::Grip Timeline::gripAt(const QPoint& position) const {
     const Rows r = rows();
     const int reach = Theme::get().px(kGripReach);
@@ -150,6 +174,8 @@ QString Timeline::tooltipAt(const QPoint& position) const {
         for (const auto& [from_s, to_s] : overview_->gaps_s)
             if (t_s >= from_s && t_s <= to_s)
                 return tr("Gap of %1: nothing arrived").arg(secondsText(to_s - from_s, 2));
+    if (const QString contact = bars_.tooltipAt(contactLanes(), position); !contact.isEmpty())
+        return contact;
     switch (gripAt(position)) {
         case Grip::kIn:
             return tr("In, %1").arg(timeText(studio_.time().in(), 2));
@@ -191,6 +217,10 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
         chooseMarker(marker);
         return;
     }
+    const bool on_bar = bars_.press(contactLanes(), event->pos());
+    contactChosen();
+    if (on_bar)
+        return setFocus(Qt::MouseFocusReason);
     grip_ = gripAt(event->pos());
     grip_offset_px_ = 0;
     if (grip_ == Grip::kIn || grip_ == Grip::kOut) {  // a press alone moves nothing
@@ -202,16 +232,21 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
 }
 
 void Timeline::mouseMoveEvent(QMouseEvent* event) {
+    if (bars_.drag(contactLanes(), event->pos()))
+        return update();
     if (grip_ != Grip::kNone) {
         dragTo(event->localPos().x() + grip_offset_px_);
         return;
     }
     const Grip grip = gripAt(event->pos());
-    setCursor(grip == Grip::kIn || grip == Grip::kOut ? Qt::SplitHCursor : Qt::ArrowCursor);
+    const bool on_end = bars_.isOnEnd(contactLanes(), event->pos());
+    setCursor(grip == Grip::kIn || grip == Grip::kOut || on_end ? Qt::SplitHCursor : Qt::ArrowCursor);
 }
 
 void Timeline::mouseReleaseEvent(QMouseEvent*) {
     grip_ = Grip::kNone;
+    if (bars_.release())
+        contactChosen();
 }
 
 void Timeline::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -220,6 +255,8 @@ void Timeline::mouseDoubleClickEvent(QMouseEvent* event) {
     if (const int marker = markerAt(event->pos()); marker >= 0) {
         chooseMarker(marker);
         nameMarker();
+    } else if (bars_.doubleClick(contactLanes(), event->pos())) {
+        contactChosen();
     } else {
         window_.showAll();
     }
@@ -236,6 +273,10 @@ void Timeline::wheelEvent(QWheelEvent* event) {
 
 void Timeline::keyPressEvent(QKeyEvent* event) {
     TimeCursor& time = studio_.time();
+    if (bars_.key(*event)) {
+        contactChosen();
+        return window_.reveal(time.time());
+    }
     if (editMarker(*event))
         return;
     if (stepTime(time, *event))

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of the take: contacts of both feet, ruler, in and out as grips, markers as flags, gaps hatched, and
-// the time cursor with its label. A click or drag moves the cursor, grips move in and out; a click on a flag
-// chooses its marker, a double click or F2 names it, Del deletes it. To a screen reader and to the keyboard
-// it is a slider.
+// Time of the take: contacts of both feet (ContactBars), ruler, in and out as grips, markers as flags, gaps
+// hatched, and the time cursor with its label. A click or drag moves the cursor, grips move in and out; a
+// click on a flag chooses its marker, a double click or F2 names it, Del deletes it. To a screen reader and
+// to the keyboard it is a slider.
 #pragma once
 
 #include <QWidget>
 
 #include "ui/models/studio.h"
+#include "ui/plots/contact_bars.h"
 #include "ui/plots/repaint_limit.h"
 #include "ui/plots/time_window.h"
 
@@ -21,7 +22,7 @@ public:
 
     int chosenMarker() const { return chosen_marker_; }  ///< index into overview()->markers, -1: none
     bool canEditMarker() const;                          ///< the chosen one
-    /// "0:17.40 of 0:36": value for screen readers.
+    /// "0:17.40 of 0:36", and the contact that is chosen: value for screen readers.
     QString valueText() const;
     TimeCursor& time() const { return studio_.time(); }
 
@@ -33,8 +34,10 @@ public:
     QPoint outGrip() const;
     QPoint rulerPoint(double t_s) const;
     QPoint flagPoint(double t_s) const;
-    /// F2 and Del on the chosen marker; false: not that key, or none is chosen.
-    bool editMarker(const QKeyEvent& event);
+    QPoint footPoint(int foot, double t_s) const;
+    /// F2 and Del on the chosen marker, Del on the chosen contact; false: not that key, or none is chosen.
+    bool editChosen(const QKeyEvent& event);
+    ContactBars& contactBars() { return bars_; }
 
 public slots:
     /// Moves the cursor to the next marker after it (1) or the last before it (-1).
@@ -76,12 +79,15 @@ private:
     int indexOf(const UserMarker& marker) const;
     void followChosenMarker();
     QString tooltipAt(const QPoint& position) const;
+    ContactLanes contactLanes() const;
+    void contactChosen();
+    bool editMarker(const QKeyEvent& event);
+    bool markerMenu(QMenu& menu, int marker);
     void dragTo(double x_px);
     void readTake();
     void showTime();
     QRect labelRect(const Rows& rows) const;
 
-    void paintFeet(QPainter& painter, const Rows& rows) const;
     void paintRuler(QPainter& painter, const Rows& rows) const;
     void paintGaps(QPainter& painter, const Rows& rows) const;
     void paintMarkers(QPainter& painter, const Rows& rows) const;
@@ -92,7 +98,7 @@ private:
     Studio& studio_;
     TimeWindow& window_;
     std::shared_ptr<const TakeOverview> overview_;
-    std::shared_ptr<const std::vector<FootContacts>> contacts_;
+    ContactBars bars_;
     RepaintLimit repaint_;
     Grip grip_ = Grip::kNone;
     double grip_offset_px_ = 0;

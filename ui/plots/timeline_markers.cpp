@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Markers on the timeline: chosen, walked, named and deleted.
+// Markers on the timeline: chosen, walked, named and deleted; its menu.
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMenu>
@@ -39,6 +39,7 @@ QPoint Timeline::flagPoint(double t_s) const {
 
 void Timeline::chooseMarker(int marker) {
     const ReviewMarker& chosen = overview_->markers[static_cast<size_t>(marker)];
+    bars_.letGo();
     chosen_marker_ = marker;
     chosen_ = UserMarker{chosen.t_s, chosen.label};
     studio_.time().setTime(chosen.t_s);
@@ -94,6 +95,14 @@ void Timeline::deleteMarker() {
         studio_.markers().remove(chosen_marker_);
 }
 
+bool Timeline::editChosen(const QKeyEvent& event) {
+    if (event.key() != Qt::Key_Delete || !bars_.hasChosen())
+        return editMarker(event);
+    bars_.removeChosen();
+    contactChosen();
+    return true;
+}
+
 bool Timeline::editMarker(const QKeyEvent& event) {
     if (!canEditMarker() || event.modifiers() != Qt::NoModifier)
         return false;
@@ -107,20 +116,33 @@ bool Timeline::editMarker(const QKeyEvent& event) {
 }
 
 void Timeline::contextMenuEvent(QContextMenuEvent* event) {
+    const ContactLanes lanes = contactLanes();
     const bool by_keyboard = event->reason() == QContextMenuEvent::Keyboard;
-    const int marker = by_keyboard ? chosen_marker_ : markerAt(event->pos());
-    if (marker < 0)
-        return;
-    chooseMarker(marker);
+    QPoint position = event->pos();
+    if (by_keyboard && chosen_)
+        position = flagPoint(chosen_->t_s);
+    else if (by_keyboard)
+        position = bars_.chosenPoint(lanes).value_or(QPoint(-1, -1));
     QMenu menu(this);
+    if (!markerMenu(menu, by_keyboard ? chosen_marker_ : markerAt(position)) &&
+        !bars_.fillMenu(menu, lanes, position))
+        return;
+    contactChosen();
+    menu.exec(by_keyboard ? mapToGlobal(position) : event->globalPos());
+    contactChosen();
+}
+
+bool Timeline::markerMenu(QMenu& menu, int marker) {
+    if (marker < 0)
+        return false;
+    chooseMarker(marker);
     QAction* name = menu.addAction(tr("Name marker"), this, &Timeline::nameMarker);
     name->setShortcut(Qt::Key_F2);
     QAction* remove = menu.addAction(tr("Delete marker"), this, &Timeline::deleteMarker);
     remove->setShortcut(QKeySequence::Delete);
     for (QAction* action : {name, remove})
         action->setEnabled(canEditMarker());
-    menu.exec(by_keyboard ? mapToGlobal(flagPoint(overview_->markers[static_cast<size_t>(marker)].t_s))
-                          : event->globalPos());
+    return true;
 }
 
 void Timeline::goToMarker(int direction) {

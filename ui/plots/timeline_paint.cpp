@@ -12,8 +12,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr double kGrip = 5, kFlagWidth = 9, kFlagHeight = 7, kRowTitleLeft = 16,
-                 kLeastName = 24;  // pixels at 100 percent
+constexpr double kGrip = 5, kFlagWidth = 9, kFlagHeight = 7, kLeastName = 24;  // pixels at 100 percent
 
 /// A flag that flies to the right of its time.
 QPolygonF flagAt(double x, double y) {
@@ -28,7 +27,7 @@ QPolygonF flagAt(double x, double y) {
 void Timeline::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const Rows r = rows();
-    paintFeet(painter, r);
+    bars_.paint(painter, contactLanes());
     paintRuler(painter, r);
     if (!overview_)
         return;
@@ -36,46 +35,6 @@ void Timeline::paintEvent(QPaintEvent*) {
     paintMarkers(painter, r);
     paintOverview(painter, r);
     paintCursor(painter, r);
-}
-
-void Timeline::paintFeet(QPainter& painter, const Rows& rows) const {
-    const Theme& theme = Theme::get();
-    painter.setFont(theme.font(TextRole::kCaption));
-    const std::array names{tr("L foot", "left foot, short"), tr("R foot", "right foot, short")};
-    for (size_t foot = 0; foot < 2; ++foot) {
-        const QRect& row = rows.feet[foot];
-        painter.setPen(theme.tokens().t2);
-        painter.drawText(QRect(theme.px(kRowTitleLeft), row.top() - theme.px(4),
-                               row.left() - theme.px(kRowTitleLeft), row.height() + theme.px(8)),
-                         Qt::AlignLeft | Qt::AlignVCenter, names[foot]);
-    }
-    if (!contacts_)
-        return;
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme.tokens().edge);
-    const double in_x = xOf(studio_.time().in()), out_x = xOf(studio_.time().out());
-    for (const FootContacts& feet : *contacts_) {
-        const QRect& row = rows.feet[feet.foot.starts_with("Right") ? 1 : 0];
-        for (const FootContact& contact : feet.contacts) {
-            const double left = std::max<double>(xOf(contact.from_s), row.left());
-            const double right = std::min<double>(xOf(contact.to_s), row.right() + 1);
-            const auto part = [&](double from, double to, double opacity) {
-                if (to <= from)
-                    return;
-                painter.save();
-                painter.setClipRect(QRectF(from, row.top(), to - from, row.height()));
-                painter.setOpacity(opacity);
-                painter.drawRoundedRect(QRectF(left, row.top(), right - left, row.height()), theme.px(2),
-                                        theme.px(2));
-                painter.restore();
-            };
-            part(left, std::min(right, in_x), TimeWindow::kOutside);
-            part(std::max(left, in_x), std::min(right, out_x), 1);
-            part(std::max(left, out_x), right, TimeWindow::kOutside);
-        }
-    }
-    painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
 void Timeline::paintRuler(QPainter& painter, const Rows& rows) const {

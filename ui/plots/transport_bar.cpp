@@ -201,7 +201,7 @@ bool TransportBar::handleKey(const QKeyEvent& event) {
     else if (event.key() == Qt::Key_M)
         addMarker();
     else
-        return timeline_.editMarker(event);
+        return timeline_.editChosen(event);
     return true;
 }
 

@@ -166,7 +166,11 @@ void ReportPanel::showFeet() {
         for (const FootContacts& foot : *feet)
             found += foot.contacts.size();
     slide_->setText(found > 0 ? tr("%1 per step").arg(millimetresText(meanSlide_m(*feet), 0)) : kNoFigure);
-    contacts_->setText(feet ? tr("%n found", nullptr, static_cast<int>(found)) : kNoFigure);
+    const int count = static_cast<int>(found);
+    const bool by_hand = feet && studio_.take().overview()->contacts_edited;
+    contacts_->setText(!feet     ? kNoFigure
+                       : by_hand ? tr("%n, set by hand", nullptr, count)
+                                 : tr("%n found", nullptr, count));
 }
 
 void ReportPanel::goTo(const ProblemWords& problem) {

@@ -24,6 +24,7 @@ ReviewActions::ReviewActions(Studio& studio, ReviewPage& page)
     connect(&studio.take(), &TakeDocument::opened, this, &ReviewActions::refresh);
     connect(&studio.take(), &TakeDocument::runsChanged, this, &ReviewActions::refresh);
     connect(&page.center().timeline(), &Timeline::chosenMarkerChanged, this, &ReviewActions::refresh);
+    connect(&studio.contacts(), &ContactEditor::changed, this, &ReviewActions::refresh);
     connect(&page.center().scenes(), &SceneArea::sideBySideChanged, this, &ReviewActions::refresh);
     refresh();
 }
@@ -70,6 +71,9 @@ void ReviewActions::addRange() {
     Timeline& timeline = page_.center().timeline();
     name_marker_ = add(tr("Name marker"), Qt::Key_F2, [&timeline] { timeline.nameMarker(); });
     delete_marker_ = add(tr("Delete marker"), Qt::Key_Delete, [&timeline] { timeline.deleteMarker(); });
+    add(tr("Foot contact here"), Qt::Key_Insert, [&timeline] { timeline.contactBars().addAtCursor(); });
+    found_contacts_ = add(tr("Back to the contacts that were found"), {},
+                          [&timeline] { timeline.contactBars().restoreFound(); });
 }
 
 void ReviewActions::addTake() {
@@ -88,6 +92,7 @@ void ReviewActions::refresh() {
         action->setEnabled(is_open);
     for (QAction* action : {name_marker_, delete_marker_})
         action->setEnabled(page_.center().timeline().canEditMarker());
+    found_contacts_->setEnabled(studio_.contacts().areEdited());
     play_->setText(studio_.time().isPlaying() ? tr("Pause") : tr("Play"));
     loop_->setChecked(studio_.time().loops());
     side_by_side_->setChecked(page_.center().scenes().isSideBySide());

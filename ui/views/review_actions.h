@@ -31,7 +31,7 @@ private:
     ReviewPage& page_;
     QList<QAction*> all_;
     QAction *play_ = nullptr, *loop_ = nullptr, *side_by_side_ = nullptr;
-    QAction *name_marker_ = nullptr, *delete_marker_ = nullptr;
+    QAction *name_marker_ = nullptr, *delete_marker_ = nullptr, *found_contacts_ = nullptr;
 };
 
 }  // namespace noctule::ui

@@ -93,6 +93,7 @@ ShotList::ShotList(Studio& studio, RecordRun& run, QWidget* parent)
     }
     buttons->addStretch();
     rows_->setItemDelegate(new ShotDelegate(rows_));
+    rows_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);  // else the page's free height is ours
     rows_->setFrameShape(QFrame::NoFrame);
     rows_->setMouseTracking(true);
     rows_->setFocusPolicy(Qt::TabFocus);

@@ -110,7 +110,9 @@ TEST(GroundContacts, theRootIsObservedAndTheBodyIsNoise) {
         const Eigen::MatrixXd P = kVariance * (A * A.transpose() / body.layout.size);
         body.P = Covariance(P.diagonal());
         body.P.dense() = P;  // correlated, so that signs count
-        const auto blocks = body.observe();
+        GroundParameters parameters;
+        parameters.slip_lasts_s = 0;
+        const auto blocks = body.observe(parameters);
         ASSERT_EQ(blocks.size(), 2U);
         Eigen::MatrixXd rest = differences(body);
         int row = 0;
@@ -127,12 +129,68 @@ TEST(GroundContacts, theRootIsObservedAndTheBodyIsNoise) {
     }
 }
 
+TEST(GroundContacts, aSlipThatLastsTellsLess) {
+    OneLeg body;
+    GroundParameters parameters;
+    parameters.slip_lasts_s = 0;
+    const auto alone = body.observe(parameters);
+    parameters.slip_lasts_s = 0.1;
+    const auto lasting = body.observe(parameters);
+    // Of many updates that share an error of correlation r the mean has (1 + r) / (1 - r) times the variance.
+    Gaussian random(4);
+    const double r = std::exp(-parameters.interval_s / parameters.slip_lasts_s);
+    double error = random(1.0), sum = 0, sum_of_squares = 0;
+    constexpr int kMeans = 4000, kEach = 400;
+    for (int mean = 0; mean < kMeans; ++mean) {
+        sum = 0;
+        for (int k = 0; k < kEach; ++k, error = r * error + random(std::sqrt(1 - r * r)))
+            sum += error;
+        sum_of_squares += sum * sum / kEach / kMeans;
+    }
+    EXPECT_NEAR(lasting[0].variance[0] / alone[0].variance[0], sum_of_squares, 0.08 * sum_of_squares);
+    EXPECT_EQ(lasting[1].variance, alone[1].variance);
+}
+
+TEST(GroundContacts, anotherProgramsNameOfAFootIsKnown) {
+    OneLeg body;
+    std::vector<Joint> joints = body.skeleton.joints();
+    joints[3].aliases["mixamo"] = "mixamorig:LeftFoot";
+    const Skeleton named = Skeleton::make(joints).value();
+    for (const char* name : {"LeftFoot", "mixamorig:LeftFoot", "RightFoot"}) {
+        GroundParameters parameters;
+        parameters.given = {{name, {{0, 10, 0}}}};
+        body.log = {};
+        GroundContacts ground(named, body.tree, body.suit, body.rest, parameters);
+        ground.observe(body.tree, body.layout, body.state, body.P, 1, body.log);
+        EXPECT_EQ(body.log.feet().size(), std::string(name) == "RightFoot" ? 0U : 1U) << name;
+    }
+}
+
+TEST(GroundContacts, theFeetStandInTheRestPose) {
+    OneLeg body;
+    GroundContacts found(body.skeleton, body.tree, body.suit, body.rest, {});
+    found.rest(0.5, 2, body.log);
+    ASSERT_EQ(body.log.feet().size(), 1U);
+    EXPECT_EQ(body.log.feet()[0].contacts.front().from_s, 0.5);
+    EXPECT_EQ(body.log.feet()[0].contacts.front().to_s, 2);
+    found.observe(body.tree, body.layout, body.state, body.P, 2.01, body.log);
+    ASSERT_EQ(body.log.feet()[0].contacts.size(), 1U) << "it goes on";
+    EXPECT_EQ(body.log.feet()[0].contacts.front().to_s, 2.01);
+    // An operator who has cleared it is believed.
+    GroundParameters parameters;
+    parameters.given = {{"LeftFoot", {{1.5, 3, 0}}}};
+    body.log = {};
+    GroundContacts given(body.skeleton, body.tree, body.suit, body.rest, parameters);
+    given.rest(0.5, 2, body.log);
+    EXPECT_EQ(body.log.feet()[0].contacts.front().from_s, 1.5);
+}
+
 TEST(GroundContacts, updatesStopTheFootAndPutItOnTheFloor) {
     OneLeg body;
     body.state.motion.rate[0] = 0.2;
     body.state.motion.p_world_root.y() += 0.04;
     const int n = body.layout.freedoms;
-    for (int k = 0; k < 60; ++k) {
+    for (int k = 0; k < 240; ++k) {
         const Eigen::VectorXd delta = body.P.update(body.observe());
         body.tree.retract(body.state.motion, delta.head(n));
         body.state.motion.rate += delta.segment(n, n);

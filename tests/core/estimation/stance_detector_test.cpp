@@ -117,6 +117,55 @@ TEST(StanceDetector, aFootThatTurnsAboutTheContactStands) {
     EXPECT_TRUE(hear(elsewhere, 1).stands_s.empty());
 }
 
+TEST(StanceDetector, theForceIsCarriedToTheContactWithItsSign) {
+    // Rocks about the contact ten times a second, hardly turning: the board is pushed to and fro by 5 m/s^2.
+    constexpr double kRate_rad_per_s = 0.8, kPhase_rad_per_s = 20 * std::numbers::pi;
+    const auto rocking = [](const Vector3d& p_board_pivot_m) {
+        return [=](double t) {
+            const Vector3d omega(kRate_rad_per_s * std::sin(kPhase_rad_per_s * t), 0, 0);
+            const Vector3d alpha(kRate_rad_per_s * kPhase_rad_per_s * std::cos(kPhase_rad_per_s * t), 0, 0);
+            return Sensed{
+                omega, gravity() - alpha.cross(p_board_pivot_m) - omega.cross(omega.cross(p_board_pivot_m))};
+        };
+    };
+    EXPECT_GT(hear(rocking(kContact_m), 1).share(0.1, 1), 0.97);
+    EXPECT_TRUE(hear(rocking(Vector3d::Zero()), 1).stands_s.empty()) << "about the board the contact moves";
+    EXPECT_TRUE(hear(rocking(-kContact_m), 1).stands_s.empty());
+    // Turns fast and evenly, were that allowed: the pull to the middle, too.
+    StanceParameters turns;
+    turns.rolling_rad_per_s = 40;
+    EXPECT_GT(hear(turningAboutContact({12, 0, 0}), 1, turns).share(0.1, 1), 0.97);
+    const auto outward = [](double) {
+        const Vector3d omega(12, 0, 0);
+        return Sensed{omega, gravity() - omega.cross(omega.cross(-kContact_m))};
+    };
+    EXPECT_TRUE(hear(outward, 1, turns).stands_s.empty());
+}
+
+TEST(StanceDetector, whatIsKnownHoldsUntilReadingsSayOtherwise) {
+    StanceDetector detector({}, kContact_m);
+    detector.standsFrom(0, 1);
+    EXPECT_EQ(detector.standsSince_s(1.01), 0);
+    EXPECT_FALSE(detector.standsSince_s(1.2)) << "nothing has been heard";
+    detector.standsFrom(0, 1);
+    const auto add = [&](double t, const Vector3d& force) {
+        InertialMeasurement m{0, t, {}, {}};
+        for (int i = 0; i < 3; ++i) {
+            m.gyro.add({Vector3d::Unit(i), 0, kGyroNoise});
+            m.accel.add({Vector3d::Unit(i), force[i], kAccelNoise});
+        }
+        detector.add(m, Vector3d::Zero());
+    };
+    double t = 1;
+    for (; t < 1.5; t += kFrame_s) {
+        add(t, gravity());
+        EXPECT_EQ(detector.standsSince_s(t), 0);
+    }
+    for (; t < 1.6; t += kFrame_s)
+        add(t, 2 * gravity());
+    EXPECT_FALSE(detector.standsSince_s(t));
+}
+
 TEST(StanceDetector, whatIsNotHeardDoesNotStand) {
     const auto lost = [](double t) { return t >= 0.5 && t < 0.8; };
     const StanceParameters parameters;

@@ -53,36 +53,46 @@ protected:
     test::Folder folder_;
 };
 
-/// Of all the time a foot was said to stand: how much of it its toes really moved; and of the time in which
-/// it really stood flat and still, how much was found.
+/// Of all the time a foot was said to stand: how much of it its toes really moved, and how much of it both
+/// its toes and its ankle, which a foot that rolls does not; and of the time in which it really stood flat
+/// and still, or rolled slowly, how much was found.
 struct Truth {
-    double false_share = 0, found_share = 0;
+    double false_share = 0, carried_share = 0, found_share = 0, rolling_found_share = 0;
 };
 
 Truth judge(const TimedMotion& reference, const std::vector<FootContacts>& feet) {
     constexpr double kMoves_m_per_s = 0.5, kStill_m_per_s = 0.05;
-    double said = 0, wrong = 0, still = 0, found = 0;
+    constexpr double kCarried_m_per_s = 0.25, kRolls_m_per_s = 0.15;
+    double said = 0, wrong = 0, carried = 0, still = 0, found = 0, rolling = 0, rolling_found = 0;
     for (const FootContacts& foot : feet) {
         const int toes = reference.skeleton.find(foot.foot.substr(0, foot.foot.size() - 4) + "ToeBase");
-        const auto place = [&](size_t i) {
-            return globalPose(reference.skeleton, *reference.frames[i].pose)
-                .p_world_joint[static_cast<size_t>(toes)];
+        const int ankle = reference.skeleton.find(foot.foot);
+        const auto way = [&](size_t i, int joint) {
+            const auto place = [&](size_t frame) {
+                return globalPose(reference.skeleton, *reference.frames[frame].pose)
+                    .p_world_joint[static_cast<size_t>(joint)];
+            };
+            return (place(i + 1) - place(i - 1)).norm();
         };
         for (size_t i = 1; i + 1 < reference.frames.size(); ++i) {
             const double t_s = static_cast<double>(reference.frames[i].time_ns) * 1e-9;
             const double step_s =
                 static_cast<double>(reference.frames[i + 1].time_ns - reference.frames[i - 1].time_ns) * 1e-9;
-            const double speed = (place(i + 1) - place(i - 1)).norm() / step_s;
+            const double speed = way(i, toes) / step_s, slowest = std::min(speed, way(i, ankle) / step_s);
             const bool stands = std::ranges::any_of(foot.contacts, [&](const FootContact& contact) {
                 return contact.from_s <= t_s && t_s <= contact.to_s;
             });
             said += stands;
             wrong += stands && speed > kMoves_m_per_s;
+            carried += stands && slowest > kCarried_m_per_s;
+            const bool rolls = t_s > 4 && speed >= kStill_m_per_s && speed < kRolls_m_per_s;
+            rolling += rolls;
+            rolling_found += rolls && stands;
             still += t_s > 4 && speed < kStill_m_per_s;
             found += t_s > 4 && speed < kStill_m_per_s && stands;
         }
     }
-    return {wrong / said, found / still};
+    return {wrong / said, carried / said, found / still, rolling_found / rolling};
 }
 
 TEST_F(Contacts, OfStepsAreTrueAndHoldAFreeRoot) {
@@ -100,8 +110,17 @@ TEST_F(Contacts, OfStepsAreTrueAndHoldAFreeRoot) {
     EXPECT_EQ(feet[0].foot, "LeftFoot");
     EXPECT_EQ(feet[1].foot, "RightFoot");
     EXPECT_TRUE(take.contacts(none.pose_run).value().empty());
+    const auto rest = take.restInterval().value();
+    const double rate_hz = static_cast<double>(take.header().sample_rate_hz);
+    for (const FootContacts& foot : feet) {
+        EXPECT_NEAR(foot.contacts[0].from_s, static_cast<double>(rest->first) / rate_hz, 1e-6);
+        EXPECT_GT(foot.contacts[0].to_s, static_cast<double>(rest->last) / rate_hz)
+            << "the rest pose is standing";
+    }
     const Truth truth = judge(take.reference().value(), feet);
     EXPECT_LT(truth.false_share, 0.01);
+    EXPECT_LT(truth.carried_share, 0.01);
+    EXPECT_GT(truth.rolling_found_share, 0.65);
     EXPECT_GT(truth.found_share, 0.9);
 
     const double held_m = rootError_m(path, level.pose_run);
@@ -118,6 +137,8 @@ TEST_F(Contacts, AreNotFoundInTheFlightOfAHop) {
     const Take take = Take::open(path).value();
     const Truth truth = judge(take.reference().value(), take.contacts(level.pose_run).value());
     EXPECT_LT(truth.false_share, 0.02);
+    EXPECT_LT(truth.carried_share, 0.03);
+    EXPECT_GT(truth.rolling_found_share, 0.75);
     EXPECT_GT(truth.found_share, 0.7);
 }
 

@@ -31,6 +31,7 @@
 #include "ui/widgets/button.h"
 #include "ui/widgets/problem_card.h"
 #include "ui/widgets/record_button.h"
+#include "ui/widgets/section_header.h"
 
 namespace noctule::ui {
 namespace {
@@ -279,6 +280,12 @@ TEST_F(RecordPageTest, TheShotListCountsAndGoesOn) {
     QListWidget& rows = page_->sidebar().shots().rows();
     ASSERT_EQ(rows.count(), 2);
     EXPECT_EQ(run().shot(), 0) << "the first one is due";
+    QApplication::processEvents();
+    const auto* heading = page_->sidebar().shots().findChild<SectionHeader*>();
+    EXPECT_LE(rows.mapTo(&page_->sidebar(), QPoint()).y() -
+                  heading->mapTo(&page_->sidebar(), QPoint(0, heading->height())).y(),
+              Theme::get().px(8))
+        << "right below its heading";
     EXPECT_EQ(run().takeName(), "walk_001");
     ASSERT_TRUE(recordFor(0.2));
     run().stop();

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/take_changes.h"
+
+#include <QFileInfo>
+#include <QUndoCommand>
+
+namespace noctule::ui {
+namespace {
+
+TakeChange reversed(const TakeChange& change) {
+    return std::visit([](const auto& one) { return TakeChange(one.reversed()); }, change);
+}
+
+Status write(const std::string& path, const TakeChange& change, const JobContext& job) {
+    if (const auto* marker = std::get_if<MarkerChange>(&change))
+        return changeMarker(path, *marker, job);
+    return changeContacts(path, std::get<ContactsChange>(change), job);
+}
+
+QString titleOf(const TakeChange& change, const QString& take) {
+    return std::holds_alternative<MarkerChange>(change)
+               ? TakeChanges::tr("Writing a marker into %1").arg(take)
+               : TakeChanges::tr("Writing contacts into %1").arg(take);
+}
+
+}  // namespace
+
+/// Remembers the change and the file, also when the file gets another name.
+class TakeCommand : public QObject, public QUndoCommand {
+public:
+    TakeCommand(TakeChanges& changes, const QString& what, const TakeChange& change)
+        : QUndoCommand(what), changes_(&changes), path_(changes.take_.path()), change_(change) {
+        connect(&changes.session_, &SessionModel::takeRenamed, this,
+                [this](const QString& before, const QString& now) {
+                    if (path_ == before)
+                        path_ = now;
+                });
+    }
+
+    void redo() override { order({path_, change_, true, step_}); }
+    /// A step that never came to the take leaves the stack.
+    void undo() override {
+        setObsolete(*step_ == TakeChanges::Written::kNever);
+        if (!isObsolete())
+            order({path_, reversed(change_), false, step_});
+    }
+
+private:
+    void order(const TakeChanges::Order& order) {
+        if (changes_)
+            changes_->enqueue(order);
+    }
+
+    QPointer<TakeChanges> changes_;
+    QString path_;
+    TakeChange change_;
+    std::shared_ptr<TakeChanges::Written> step_ =
+        std::make_shared<TakeChanges::Written>(TakeChanges::Written::kNotYet);
+};
+
+TakeChanges::TakeChanges(Jobs& jobs, SessionModel& session, TakeDocument& take, QObject* parent)
+    : QObject(parent), jobs_(jobs), session_(session), take_(take) {}
+
+void TakeChanges::push(const QString& what, const TakeChange& change) {
+    session_.undoStack().push(new TakeCommand(*this, what, change));
+}
+
+void TakeChanges::enqueue(Order order) {
+    order.kept = session_.keepInPlace(order.path);
+    orders_.push_back(std::move(order));
+    const Order latest = orders_.back();
+    if (orders_.size() == 1)
+        startNext();
+    emit ordered(latest.path, latest.change);
+}
+
+void TakeChanges::startNext() {
+    while (!orders_.empty() && !orders_.front().isNeeded())
+        orders_.pop_front();
+    if (orders_.empty())
+        return;
+    const Order& order = orders_.front();
+    jobs_.start<Done>(
+        titleOf(order.change, QFileInfo(order.path).completeBaseName()),
+        [path = order.path.toStdString(), change = order.change](const JobContext& job) {
+            return write(path, change, job);
+        },
+        [changes = QPointer(this), order](const Status& status) -> QString {
+            if (changes)
+                changes->finish(order, status);
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+void TakeChanges::finish(const Order& order, const Status& status) {
+    orders_.pop_front();
+    if (!status) {
+        if (*order.step == Written::kNotYet)
+            *order.step = Written::kNever;
+        emit failed(QString::fromStdString(status.error().message),
+                    QString::fromStdString(status.error().remedy));
+    } else {
+        *order.step = order.to_do ? Written::kDone : Written::kUndone;
+        emit written(order.path, order.change);
+        if (take_.path() == order.path)
+            take_.reload(false);
+    }
+    startNext();
+}
+
+}  // namespace noctule::ui
