@@ -174,9 +174,9 @@ void ManifoldFilter::step(const StepInput& input) {
     if (now_.step_index % parameters_.steps_per_frame != 0)
         return;
     if (tape_)
-        tape_->push_back(frame({nanoseconds(nowSeconds())}));
+        tape_->push_back(frame({nanoseconds(seconds())}));
     else
-        poses_.push_back(estimateAt(nowSeconds()));
+        poses_.push_back(estimateAt(seconds()));
 }
 
 /// What a gyroscope at the end of its range did not see may have been anything.
@@ -199,7 +199,7 @@ void ManifoldFilter::predict(double dt_s) {
 void ManifoldFilter::updateRoot(const std::vector<RootMeasurement>& measurements) {
     std::vector<ObservationBlock> blocks;
     for (const RootMeasurement& measurement : measurements)
-        blocks.push_back(observations_.root(now_.state, measurement, measurement.time_s - nowSeconds()));
+        blocks.push_back(observations_.root(now_.state, measurement, measurement.time_s - seconds()));
     for (size_t i = 0; i < blocks.size(); ++i)
         blocks[i].origin = {ObservationOrigin::Kind::kRoot, static_cast<int>(i), {}};
     observe(std::move(blocks));
@@ -208,7 +208,7 @@ void ManifoldFilter::updateRoot(const std::vector<RootMeasurement>& measurements
 void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measurements, bool gyro) {
     std::vector<ObservationBlock> blocks;
     for (const InertialMeasurement& measurement : measurements) {
-        const double offset_s = measurement.time_s - nowSeconds();
+        const double offset_s = measurement.time_s - seconds();
         const int reading = static_cast<int>(&measurement - measurements.data());
         const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
         BoardNoise& noise = now_.board_noise[static_cast<size_t>(measurement.board)];
@@ -237,7 +237,7 @@ void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measur
 
 void ManifoldFilter::updateDistances(const std::vector<DistanceMeasurement>& measurements) {
     std::vector<ObservationBlock> blocks;
-    const double now_s = nowSeconds();
+    const double now_s = seconds();
     for (const DistanceMeasurement& measurement : measurements) {
         DistanceDecision decision{measurement.id, measurement.board, RangeFate::kNoConfidence, 1, 0, 0};
         if (measurement.arrival_s < now_s - 0.5 * step_s_ - 1e-9) {  // before the first step
@@ -333,7 +333,7 @@ void ManifoldFilter::widen(int first, int count, double sigma) {
 
 void ManifoldFilter::updateGround(const std::vector<InertialMeasurement>& measurements) {
     now_.ground.listen(measurements, now_.state);
-    observe(now_.ground.observe(tree_, layout_, now_.state, now_.P, nowSeconds(), contacts_));
+    observe(now_.ground.observe(tree_, layout_, now_.state, now_.P, seconds(), contacts_));
 }
 
 void ManifoldFilter::updatePriors() {

@@ -135,7 +135,8 @@ public:
 
     const StateLayout& layout() const { return layout_; }
     const BodyState& state() const { return now_.state; }
-    double seconds() const { return nowSeconds(); }  ///< time of state()
+    /// Time of state().
+    double seconds() const { return static_cast<double>(now_.step_index) * step_s_; }
     const Eigen::MatrixXd& covariance() const { return now_.P.dense(); }
     const KinematicTree& tree() const { return tree_; }
 
@@ -159,7 +160,6 @@ private:
     void widen(int first, int count, double sigma);
     void noteGating(bool gated);
     void beginAnew(const Link& link);
-    double nowSeconds() const { return static_cast<double>(now_.step_index) * step_s_; }
     TimedPose estimateAt(double time_s) const;
     void emitRestPoses(const RestReadings& rest);
 

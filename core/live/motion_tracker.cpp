@@ -26,9 +26,11 @@ Result<std::unique_ptr<Estimator>> manifoldEstimator(const Skeleton& skeleton, S
     parameters.ground.ground = settings.ground;
     parameters.ground.given = settings.contacts;
     std::unique_ptr<Estimator> estimator;
-    const bool whole = settings.smoother == Smoother::kFull || settings.smoother == Smoother::kBatch;
+    const size_t wanted = settings.smoother == Smoother::kBatch  ? 3
+                          : settings.smoother == Smoother::kFull ? 1
+                                                                 : 0;
     std::vector<UnnamedFile> files;
-    for (int i = 0; i < (whole ? settings.smoother == Smoother::kBatch ? 3 : 1 : 0); ++i) {
+    while (files.size() < wanted) {
         auto file = UnnamedFile::make(settings.spool_folder, "what smoothing puts aside",
                                       "Check that you may write there, or process without smoothing");
         if (!file)

@@ -155,7 +155,8 @@ template <int kRows>
 void bestTileSum(const double* panel, const double* factors, long stride, long m, double* sum) {
 #ifdef NOCTULE_AVX2
     if constexpr (kRows % 8 == 0)
-        return avx512::tileSum<kRows / 8>(panel, factors, stride, m, sum);
+        if (hasAvx512())
+            return avx512::tileSum<kRows / 8>(panel, factors, stride, m, sum);
     if (hasAvx2())
         return avx2::tileSum<kRows / 4>(panel, factors, stride, m, sum);
 #endif

@@ -24,6 +24,7 @@ NotesPanel::NotesPanel(Studio& studio, QWidget* parent)
     auto* column = makeColumn(this, {12, 0, 12, 0}, 4);
     column->addWidget(of_take_->wrapped()->selectable());
     column->addWidget(editor_);
+    editor_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);  // else the panel takes free height
     editor_->setTabChangesFocus(true);
     editor_->setAccessibleName(tr("Notes of this take"));
     editor_->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);

@@ -8,6 +8,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <array>
 
 #include "core/processing/outside_files.h"
 #include "ui/style/words.h"
@@ -59,22 +60,22 @@ ReprocessDialog::ReprocessDialog(Studio& studio, const TakeOverview& overview, Q
     auto* row = makeRow(sides, {0, 8, 0, 0}, 32);
     content()->addWidget(sides);
     content()->addStretch();
-    std::vector<QBoxLayout*> halves;
-    for (int side = 0; side < 2; ++side) {
-        auto* half = new QWidget;
-        keepSize(*half, 300, 0);
-        halves.push_back(makeColumn(half, {}, 20));
-        row->addWidget(half);
+    std::array<QBoxLayout*, 3> columns;  // two would be higher than the smallest screen
+    for (QBoxLayout*& column : columns) {
+        auto* part = new QWidget;
+        keepSize(*part, 300, 0);
+        column = makeColumn(part, {}, 20);
+        row->addWidget(part);
     }
-    addSensors(*halves[0]);
-    addRoot(*halves[0]);
-    addDetector(*halves[0]);
-    addFilter(*halves[1]);
-    addSmoothing(*halves[1]);
-    addCalibration(*halves[1]);
-    addName(*halves[1]);
-    for (QBoxLayout* half : halves)
-        half->addStretch();
+    addSensors(*columns[0]);
+    addRoot(*columns[0]);
+    addFilter(*columns[1]);
+    addSmoothing(*columns[1]);
+    addDetector(*columns[2]);
+    addCalibration(*columns[2]);
+    addName(*columns[2]);
+    for (QBoxLayout* column : columns)
+        column->addStretch();
     if (!overview.runs.empty())
         startFrom(overview.runs.back().settings);
     refresh();

@@ -7,6 +7,7 @@
 
 #include "devices/live/record_take.h"
 #include "tests/devices/live/fake_device.h"
+#include "tests/devices/support/udp_port.h"
 
 namespace noctule {
 namespace {
@@ -19,17 +20,6 @@ constexpr int kBoardsOfBox = 2;
 /// Another program, with the port that it sends to.
 class OtherProgram {
 public:
-    OtherProgram() {
-        // Beside other tests the system at times offers a port that has just been taken.
-        for (int attempt = 0; attempt < 100 && port_ == 0; ++attempt) {
-            QUdpSocket probe;
-            if (probe.bind(QHostAddress::AnyIPv4))
-                port_ = probe.localPort();
-            else
-                std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        }
-        EXPECT_NE(port_, 0);
-    }
     uint16_t port() const { return port_; }
     void send(const std::string& text) {
         QUdpSocket socket;
@@ -37,7 +27,7 @@ public:
     }
 
 private:
-    uint16_t port_ = 0;
+    uint16_t port_ = test::freeUdpPort();
 };
 
 FakeDevice::Script boxThatStreams() {

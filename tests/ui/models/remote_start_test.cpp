@@ -5,6 +5,7 @@
 
 #include <QSignalSpy>
 
+#include "tests/devices/support/udp_port.h"
 #include "tests/ui/support/wait.h"
 
 namespace noctule::ui {
@@ -14,9 +15,7 @@ class RemoteStartTest : public testing::Test {
 protected:
     RemoteStartTest() {
         settings_.clear();
-        QUdpSocket probe;  // a port that is free right now
-        probe.bind(QHostAddress(QHostAddress::LocalHost), 0);
-        remote_.setPort(probe.localPort());
+        remote_.setPort(noctule::test::freeUdpPort());
     }
     void send(const QByteArray& message) {
         sender_.writeDatagram(message, QHostAddress(QHostAddress::LocalHost),

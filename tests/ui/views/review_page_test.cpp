@@ -98,6 +98,16 @@ TEST_F(ReviewPageTest, ReprocessedResultIsShownAndComparedWithTheEarlierOne) {
     EXPECT_EQ(take.shownRun(), 1) << "one is always shown";
 }
 
+TEST_F(ReviewPageTest, ReprocessingFitsTheSmallestScreen) {
+    constexpr int kScreen = 800, kTitleBar = 40;
+    ReprocessDialog dialog(*studio_, *studio_->take().overview());
+    dialog.paper->setChecked(true);
+    dialog.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+    EXPECT_LE(dialog.height(), kScreen - kTitleBar);
+    EXPECT_LE(dialog.minimumSizeHint().height(), kScreen - kTitleBar);
+}
+
 TEST_F(ReviewPageTest, AProcessingNeedsSensors) {
     ReprocessDialog dialog(*studio_, *studio_->take().overview());
     for (ChoiceRow* sensor : {dialog.accelerometers, dialog.gyroscopes, dialog.distances})
