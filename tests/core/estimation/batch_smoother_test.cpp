@@ -23,7 +23,7 @@ std::unique_ptr<BatchSmoother> batchOf(const ManifoldParameters& parameters, con
 /// Where the filter begins far off and linearises its first readings there.
 ManifoldParameters farOff() {
     ManifoldParameters parameters = testing::fittingParameters({true, true, true}, true);
-    parameters.initial_pose_rad = 0.35;
+    parameters.initial_pose_rad = 0.2;
     return parameters;
 }
 
