@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/estimation/covariance.h"
+#include "core/estimation/heading_shift.h"
 #include "core/estimation/prediction.h"
 
 namespace noctule {
@@ -27,6 +28,7 @@ public:
 
     /// To before the step, to before the observation.
     void back(const MotionTransition& transition) { transition.carryBack(lambda_); }
+    void back(const HeadingShift& shift) { shift.carryBack(lambda_); }
     void back(const ObservedUpdate& update);
     const Eigen::VectorXd& lambda() const { return lambda_; }
 
@@ -41,6 +43,7 @@ public:
 
     /// To before the step, to before the observation.
     void back(const MotionTransition& transition);
+    void back(const HeadingShift& shift);
     void back(const ObservedUpdate& update);
 
     struct Smoothed {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/estimation/covariance.h"
+#include "core/estimation/heading_shift.h"
 #include "core/estimation/prediction.h"
 
 namespace noctule {
@@ -26,6 +27,7 @@ struct Widening {
     Eigen::VectorXd variance;
 };
 
-using FilterTape = std::deque<std::variant<MotionTransition, ObservedUpdate, TapedFrame, Widening>>;
+using FilterTape =
+    std::deque<std::variant<MotionTransition, HeadingShift, ObservedUpdate, TapedFrame, Widening>>;
 
 }  // namespace noctule

@@ -77,17 +77,20 @@ std::vector<FootContact> givenOf(const Skeleton& actor, int joint, const GroundP
 }
 
 /// How a point's velocity (rows 0 to 2) and height (row 3) follow all coordinates but the root's
-/// translations.
+/// translations and heading, with which the root's velocity turns as well.
 ObservationBlock byTheBody(const ChainMotion& chain, const ChainMotion::Point& point,
-                           const StateLayout& layout) {
+                           const Vector3d& root_v_m_per_s, const StateLayout& layout) {
     ObservationBlock block;
     block.H = Eigen::MatrixXd::Zero(4, 2 * std::ssize(chain.coordinates()));
+    const Vector3d by_heading = Vector3d::UnitY().cross(point.v_m_per_s - root_v_m_per_s);
     for (const auto& c : chain.coordinates()) {
         if (c.translation)
             continue;
         const auto d = chain.pointDerivative(c, point);
         const Eigen::Index column = std::ssize(block.columns);
         block.H.col(column) << d.v_theta, d.p_theta.y();
+        if (c.frame == 0)
+            block.H.col(column).head<3>() -= c.axis.y() * by_heading;
         block.H.col(column + 1).head<3>() = d.v_rate;
         block.columns.insert(block.columns.end(), {layout.theta(c.index), layout.rate(c.index)});
     }
@@ -206,11 +209,13 @@ std::vector<ObservationBlock> GroundContacts::observe(const KinematicTree& tree,
         foot.observed_s = now_s;
         chain.evaluate(tree, state.motion, foot.link, 0);
         const ChainMotion::Point point = lowestPoint(chain, foot.p_link_contact_m);
-        const Eigen::VectorXd body_variance = P.innovationVariance(byTheBody(chain, point, layout));
-        ObservationBlock still = ofRoot({layout.rate(0), layout.rate(1), layout.rate(2)}, -point.v_m_per_s,
-                                        std::hypot(parameters_.velocity_m_per_s,
-                                                   parameters_.pivot_m * chain.end().omega_rad_per_s.norm()),
-                                        body_variance.head<3>());
+        const Vector3d root_v_m_per_s = state.motion.rate.head<3>();
+        const Eigen::VectorXd body_variance =
+            P.innovationVariance(byTheBody(chain, point, root_v_m_per_s, layout));
+        const double sigma = std::hypot(parameters_.velocity_m_per_s,
+                                        parameters_.pivot_m * chain.end().omega_rad_per_s.norm());
+        ObservationBlock still = velocityOfRoot(layout, state.motion, -point.v_m_per_s,
+                                                body_variance.head<3>().array() + sigma * sigma);
         const Eigen::VectorXd variance = P.innovationVariance(still);
         foot.swings = isSwung(parameters_, point.v_m_per_s, variance);
         if (foot.swings) {

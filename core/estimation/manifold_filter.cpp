@@ -189,11 +189,22 @@ void ManifoldFilter::allowForClipping(const std::vector<InertialMeasurement>& me
 }
 
 void ManifoldFilter::predict(double dt_s) {
+    if (isFree())
+        shiftHeading();
     MotionTransition transition = predictMotion(tree_, now_.state.motion, now_.P.dense(), dt_s,
                                                 acceleration_decay_, now_.motion_noise.variance());
     if (tape_)
         tape_->push_back(std::move(transition));
     now_.P.dense().diagonal() += wander_;
+    now_.predicted = now_.state.motion;
+}
+
+void ManifoldFilter::shiftHeading() {
+    const HeadingShift shift(now_.predicted, now_.state.motion);
+    shift.carry(now_.P.dense());
+    if (tape_)
+        tape_->push_back(shift);
+    now_.predicted = now_.state.motion;
 }
 
 void ManifoldFilter::updateRoot(const std::vector<RootMeasurement>& measurements) {
@@ -333,6 +344,8 @@ void ManifoldFilter::widen(int first, int count, double sigma) {
 
 void ManifoldFilter::updateGround(const std::vector<InertialMeasurement>& measurements) {
     now_.ground.listen(measurements, now_.state);
+    if (isFree())
+        shiftHeading();
     observe(now_.ground.observe(tree_, layout_, now_.state, now_.P, seconds(), contacts_));
 }
 
@@ -345,10 +358,12 @@ void ManifoldFilter::updatePriors() {
                           Eigen::VectorXd::Constant(1, residual),
                           Eigen::VectorXd::Constant(1, sigma * sigma)});
     };
-    const bool free_root = tree_.link(0).type == LinkType::kFree && !parameters_.root_given;
-    if (free_root)
-        for (int i = 0; i < 3; ++i)
-            pull(layout_.rate(i), -now_.state.motion.rate[i], parameters_.root_velocity_prior_m_per_s);
+    if (isFree()) {
+        const Vector3d still = -now_.state.motion.rate.head<3>();
+        const double sigma = parameters_.root_velocity_prior_m_per_s;
+        blocks.push_back(
+            velocityOfRoot(layout_, now_.state.motion, still, Vector3d::Constant(sigma * sigma)));
+    }
     for (size_t i = 0; i < tree_.links().size(); ++i) {
         const Link& link = tree_.links()[i];
         if (!isBlind(link) || (i == 0 && parameters_.root_given))

@@ -87,6 +87,7 @@ public:
         JointGive give;
         Covariance P;
         MotionNoise motion_noise;
+        MotionState predicted;  ///< state.motion as it was before the updates of the last step
         int64_t step_index = 0;
         std::vector<BoardNoise> board_noise;
         GroundContacts ground;
@@ -160,6 +161,9 @@ private:
     void widen(int first, int count, double sigma);
     void noteGating(bool gated);
     void beginAnew(const Link& link);
+    /// Nobody else knows the root.
+    bool isFree() const { return tree_.link(0).type == LinkType::kFree && !parameters_.root_given; }
+    void shiftHeading();
     TimedPose estimateAt(double time_s) const;
     void emitRestPoses(const RestReadings& rest);
 

@@ -22,7 +22,10 @@ ObservationBlock ManifoldFilter::again(const ObservationBlock& taped, const Step
     ObservationBlock block;
     switch (origin.kind) {
         case ObservationOrigin::Kind::kPull:
+            // What turns with the heading is left out: the target stands along the world's axes.
             block = taped;
+            block.columns.resize(static_cast<size_t>(block.rows()));
+            block.H.conservativeResize(Eigen::NoChange, block.rows());
             block.residual = origin.target;
             for (Eigen::Index i = 0; i < block.rows(); ++i)
                 block.residual[i] -= valueOf(state, block.columns[static_cast<size_t>(i)]);

@@ -47,6 +47,18 @@ void limitPull(ObservationBlock& block, const Eigen::VectorXd& innovation_varian
     block.variance.array() += (ratio - 1).max(0) * innovation_variance.array();
 }
 
+ObservationBlock velocityOfRoot(const StateLayout& layout, const MotionState& motion,
+                                const Vector3d& residual, const Vector3d& variance) {
+    const Vector3d up_root = motion.q_parent_link[0].conjugate() * Vector3d::UnitY();
+    ObservationBlock block{
+        {layout.rate(0), layout.rate(1), layout.rate(2), layout.theta(3), layout.theta(4), layout.theta(5)},
+        Eigen::MatrixXd(3, 6),
+        residual,
+        variance};
+    block.H << Matrix3d::Identity(), -Vector3d::UnitY().cross(motion.rate.head<3>()) * up_root.transpose();
+    return block;
+}
+
 ObservationBlock ObservationModel::triad(const BodyState& state, const InertialMeasurement& measurement,
                                          double offset_s, bool is_gyro) {
     const MountedBoard& board = suit_.boards[static_cast<size_t>(measurement.board)];

@@ -56,6 +56,11 @@ struct ObservationBlock {
     Eigen::Index rows() const { return residual.size(); }
 };
 
+/// What is known of the root's velocity without knowing the heading: `residual` along the world's axes, but
+/// turned about the vertical together with the velocity the body would be as likely.
+ObservationBlock velocityOfRoot(const StateLayout& layout, const MotionState& motion,
+                                const Vector3d& residual, const Vector3d& variance);
+
 /// Huber: an innovation beyond `huber_sigma` of what is expected of it pulls no further, by more variance.
 void limitPull(ObservationBlock& block, const Eigen::VectorXd& innovation_variance, double huber_sigma);
 

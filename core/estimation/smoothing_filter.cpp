@@ -20,6 +20,8 @@ bool goBackOver(const FilterTape& tape, BackwardPass& backward, const EachSmooth
     for (auto event = tape.rbegin(); event != tape.rend(); ++event) {
         if (const auto* transition = std::get_if<MotionTransition>(&*event)) {
             backward.back(*transition);
+        } else if (const auto* shift = std::get_if<HeadingShift>(&*event)) {
+            backward.back(*shift);
         } else if (const auto* update = std::get_if<ObservedUpdate>(&*event)) {
             backward.back(*update);
         } else if (const TapedFrame* frame = frameOf(*event); frame && frame->times_ns.back() <= last_ns) {

@@ -14,10 +14,11 @@ namespace noctule::test {
 
 /// Normalised estimation errors squared, means over time and per freedom: 1 where the covariance is honest.
 struct RootConsistency {
-    double nees_horizontal = 0, nees_vertical = 0, nees_velocity = 0;
+    double nees_horizontal = 0, nees_vertical = 0, nees_velocity = 0, nees_yaw = 0;
     double path_m = 0, end_m = 0;              ///< along the floor; the error at the end
     double rms_m = 0, height_rms_m = 0;        ///< errors all the way, along the floor and up
     double yaw_at_most_rad = 0, tilt_rad = 0;  ///< since the first look; of the vertical, mean
+    double yaw_sigma_rad = 0;                  ///< at the end, as the filter believes
     int count = 0;
 };
 
@@ -45,8 +46,7 @@ public:
             last_m_ = p_true_m;
             cov_begin_m2_ = filter.covariance()({0, 2}, {0, 2});
         }
-        judgeRotation(before->pose->q_parent_joint[0].slerp(share, after->pose->q_parent_joint[0]),
-                      filter.state().motion.q_parent_link[0]);
+        judgeRotation(before->pose->q_parent_joint[0].slerp(share, after->pose->q_parent_joint[0]), filter);
         judge(filter, off_m - begin_off_m_, v_true_m_per_s - filter.state().motion.rate.head<3>());
         judged.path_m += Vector3d(p_true_m.x() - last_m_.x(), 0, p_true_m.z() - last_m_.z()).norm();
         last_m_ = p_true_m;
@@ -54,7 +54,8 @@ public:
 
     RootConsistency mean() const {
         RootConsistency mean = judged;
-        for (double* sum : {&mean.nees_horizontal, &mean.nees_vertical, &mean.nees_velocity, &mean.tilt_rad})
+        for (double* sum : {&mean.nees_horizontal, &mean.nees_vertical, &mean.nees_velocity, &mean.nees_yaw,
+                            &mean.tilt_rad})
             *sum /= std::max(1, judged.count);
         for (double* sum : {&mean.rms_m, &mean.height_rms_m})
             *sum = std::sqrt(*sum / std::max(1, judged.count));
@@ -62,14 +63,21 @@ public:
     }
 
 private:
-    void judgeRotation(const Quaterniond& truth, const Quaterniond& estimate) {
+    void judgeRotation(const Quaterniond& truth, const ManifoldFilter& filter) {
+        const Quaterniond& estimate = filter.state().motion.q_parent_link[0];
         // What turns the one to the other, seen in the world: about the vertical, and what remains.
         const Quaterniond off = truth * estimate.conjugate();
         const double yaw_rad = 2 * std::atan2(off.y(), off.w());
-        if (judged.count == 0)
+        const Vector3d up_root = estimate.conjugate() * Vector3d::UnitY();
+        const double variance = up_root.dot(filter.covariance().block<3, 3>(3, 3) * up_root);
+        if (judged.count == 0) {
             begin_yaw_rad_ = yaw_rad;
-        judged.yaw_at_most_rad = std::max(
-            judged.yaw_at_most_rad, std::abs(std::remainder(yaw_rad - begin_yaw_rad_, 2 * std::numbers::pi)));
+            begin_yaw_variance_ = variance;
+        }
+        const double turned = std::remainder(yaw_rad - begin_yaw_rad_, 2 * std::numbers::pi);
+        judged.yaw_at_most_rad = std::max(judged.yaw_at_most_rad, std::abs(turned));
+        judged.nees_yaw += turned * turned / (variance - begin_yaw_variance_ + 1e-6);
+        judged.yaw_sigma_rad = std::sqrt(variance);
         judged.tilt_rad += std::acos(std::clamp((off * Vector3d::UnitY()).y(), -1.0, 1.0));
     }
     void judge(const ManifoldFilter& filter, const Vector3d& off_m, const Vector3d& off_m_per_s) {
@@ -92,7 +100,7 @@ private:
     const TimedMotion& truth_;
     RootConsistency judged{};
     Vector3d begin_off_m_ = Vector3d::Zero(), last_m_ = Vector3d::Zero();
-    double begin_yaw_rad_ = 0;
+    double begin_yaw_rad_ = 0, begin_yaw_variance_ = 0;
     Eigen::Matrix2d cov_begin_m2_ = Eigen::Matrix2d::Zero();
 };
 

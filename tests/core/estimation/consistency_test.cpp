@@ -18,6 +18,7 @@ struct Outcome {
     double mean_deg = 0;   ///< joint error at the end
     double sigma_deg = 0;  ///< as the filter believes
     int resets = 0;
+    double heading_sigma_deg = 0;  ///< at the end, as the filter believes
 };
 
 /// `truth` draws the world, `parameters` is what the filter believes.
@@ -36,10 +37,7 @@ Outcome run(const ManifoldParameters& truth, const ManifoldParameters& parameter
             return;
         filter.advanceTo(t + testing::kUntilSure_s);
         const VectorXd error = coordinateError(world.tree, filter.state().motion, truth_before);
-        // With a free root its yaw and position are unobservable, and an EKF that holds velocity in the
-        // world's frame gains false knowledge of them as its linearisation point moves; the joints are judged
-        // alone there.
-        const Eigen::Index n = error.size(), judged = parameters.root_given ? n : n - 6;
+        const Eigen::Index n = error.size(), judged = parameters.root_given ? n : n - 3;  // not the place
         const Eigen::MatrixXd P = filter.covariance().topLeftCorner(n, n);
         outcome.nees +=
             error.tail(judged).dot(P.bottomRightCorner(judged, judged).ldlt().solve(error.tail(judged))) /
@@ -49,6 +47,9 @@ Outcome run(const ManifoldParameters& truth, const ManifoldParameters& parameter
         ++counted;
     });
     outcome.nees /= counted;
+    const Vector3d up_root = filter.state().motion.q_parent_link[0].conjugate() * Vector3d::UnitY();
+    outcome.heading_sigma_deg =
+        degrees(std::sqrt(up_root.dot(filter.covariance().block<3, 3>(3, 3) * up_root)));
     outcome.resets = filter.resets();
     return outcome;
 }
@@ -83,6 +84,15 @@ TEST(Consistency, AllSensorsRootGiven) {
 }
 TEST(Consistency, AllSensorsRootFree) {
     expectConsistent(true, true, true, false, 0.7, 1.3);
+}
+
+TEST(Consistency, NothingTellsTheHeading) {
+    for (const bool distances : {false, true}) {
+        const ManifoldParameters parameters = testing::fittingParameters({true, true, distances}, false);
+        for (unsigned seed = 1; seed <= 3; ++seed)
+            EXPECT_GE(run(parameters, parameters, seed, 8).heading_sigma_deg,
+                      degrees(parameters.initial_pose_rad));
+    }
 }
 
 TEST(Consistency, OverconfidenceIsNoticed) {

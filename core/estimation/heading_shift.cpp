@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/heading_shift.h"
+
+namespace noctule {
+namespace {
+
+constexpr Eigen::Index kRotation = 3;  // of the root, after its place
+
+}  // namespace
+
+HeadingShift::HeadingShift(const MotionState& before, const MotionState& after)
+    : n_(before.rate.size()),
+      turn_((after.q_parent_link[0].conjugate() * before.q_parent_link[0]).toRotationMatrix()),
+      up_root_(before.q_parent_link[0].conjugate() * Vector3d::UnitY()),
+      velocity_(Vector3d::UnitY().cross(after.rate.head<3>() - before.rate.head<3>())),
+      acceleration_(Vector3d::UnitY().cross(after.accel.head<3>() - before.accel.head<3>())) {}
+
+void HeadingShift::carry(Eigen::MatrixXd& P) const {
+    const auto left = [&](auto&& X) {
+        const Eigen::RowVectorXd heading = up_root_.transpose() * X.template middleRows<3>(kRotation);
+        X.template middleRows<3>(n_) += velocity_ * heading;
+        X.template middleRows<3>(2 * n_) += acceleration_ * heading;
+        X.template middleRows<3>(kRotation) = (turn_ * X.template middleRows<3>(kRotation)).eval();
+    };
+    left(P);
+    left(P.transpose());
+}
+
+void HeadingShift::carryBack(Eigen::VectorXd& lambda) const {
+    const double heading =
+        velocity_.dot(lambda.segment<3>(n_)) + acceleration_.dot(lambda.segment<3>(2 * n_));
+    lambda.segment<3>(kRotation) = turn_.transpose() * lambda.segment<3>(kRotation) + heading * up_root_;
+}
+
+void HeadingShift::carryBack(Eigen::MatrixXd& Lambda) const {
+    const auto left = [&](auto&& X) {
+        const Eigen::RowVectorXd heading = velocity_.transpose() * X.template middleRows<3>(n_) +
+                                           acceleration_.transpose() * X.template middleRows<3>(2 * n_);
+        X.template middleRows<3>(kRotation) =
+            (turn_.transpose() * X.template middleRows<3>(kRotation)).eval() + up_root_ * heading;
+    };
+    left(Lambda);
+    left(Lambda.transpose());
+}
+
+}  // namespace noctule
