@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <filesystem>
 
 #include "app/batch/files.h"
 #include "app/batch/takes.h"
@@ -99,6 +101,21 @@ Status checkPictures(const Arguments& arguments, const ExportRequest& request) {
     return Done{};
 }
 
+/// Programs go by how a name ends, and would refuse an FBX file that is called .glb.
+Status checkEndings(const ExportRequest& request) {
+    for (const ExportFormatEntry& format : exportFormats()) {
+        const std::string& path = request.*format.path;
+        std::string ending = std::filesystem::path(path).extension().string();
+        std::transform(ending.begin(), ending.end(), ending.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        const std::string wanted = std::string(".") + format.extension;
+        if (format.format != ExportFormat::kVideo && !ending.empty() && ending != wanted)
+            return Error{ErrorKind::kUsage, path + ": --" + format.option + " writes no file of this kind",
+                         "End its name with " + wanted};
+    }
+    return Done{};
+}
+
 /// One FBX file and nothing else.
 Status checkStacks(const Arguments& arguments, const std::vector<ExportRequest>& requests) {
     if (!arguments.given("stacks"))
@@ -129,8 +146,8 @@ Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest
         return Error{
             ErrorKind::kUsage, "export has nothing to write",
             "Give any of --bvh F, --fbx F, --glb F, --csv F, --mot F, --sto F, --png F and --video F"};
-    for (const Status& sensible :
-         {checkPictures(arguments, requests.front()), checkStacks(arguments, requests)})
+    for (const Status& sensible : {checkEndings(requests.front()), checkPictures(arguments, requests.front()),
+                                   checkStacks(arguments, requests)})
         if (!sensible)
             return sensible;
     if (arguments.given("angles") && !arguments.given("csv"))

@@ -126,6 +126,14 @@ Error notTheSame(const std::string& where, const std::string& what) {
             "Check the disk and try again"};
 }
 
+/// Encoders do not say what stopped them.
+bool isDiskFull(const std::string& path) {
+    constexpr uintmax_t kNoRoom_bytes = 65536;
+    std::error_code failed;
+    const auto space = std::filesystem::space(path, failed);
+    return !failed && space.available < kNoRoom_bytes;
+}
+
 /// Mean over all numbers; pictures of another size differ by all.
 double difference(const Picture& a, const Picture& b) {
     if (a.rgba.size() != b.rgba.size())
@@ -254,7 +262,10 @@ Status writeFilm(const std::string& path, const FilmSubject& subject, const Film
     FilmSettings expected = settings;
     expected.frames_per_second = 1 / clip.frame_time_s;
     if (const Status same = checkPictures(aside.path, path, count, expected, compared); !same)
-        return same;
+        return isDiskFull(aside.path)
+                   ? Error{ErrorKind::kDisk, path + ": cannot be written: No space left on device",
+                           "Free some space there or choose another folder"}
+                   : same.error();
     return publishFile(aside.path, path, overwrite);
 }
 

@@ -104,6 +104,8 @@ constexpr Convention kConventions[] = {
     // VRM and Unity, Xsens, VRoid
     {"hips pelvis", "spine l5", "neck", "head", "shoulder", "upperarm", "lowerarm forearm", "hand",
      "upperleg", "lowerleg", "foot", "toes toe toebase"},
+    // Xsens' BVH and others of Biovision's kind
+    {"hips", "chest", "neck", "head", "collar", "shoulder", "elbow", "wrist", "hip", "knee", "ankle", "toe"},
     // Rigify; its chain of "spine" begins at the hips and ends in the head
     {"spine", "spine001", "spine004", "spine006 spine005", "shoulder", "upperarm", "forearm", "hand", "thigh",
      "shin", "foot", "toe"},

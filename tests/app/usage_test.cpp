@@ -124,6 +124,8 @@ TEST(Usage, ValuesAreChecked) {
     expectRefusal({"export", "t", "--glb", "x", "--feet", "free"}, 2, {"--feet", "--mesh FILE"});
     expectRefusal({"export", "t", "--png", "x", "--size", "640"}, 2, {"640", "1280x720"});
     expectRefusal({"export", "t", "--video", "x.gif"}, 2, {"x.gif", ".mp4"});
+    expectRefusal({"export", "t", "--png", "x.jpg"}, 2, {"x.jpg", ".png"});
+    expectRefusal({"export", "t", "--fbx", "x.GLB"}, 2, {"x.GLB", ".fbx"});
     expectRefusal({"export", "t", "--glb", "x", "--mesh", "nowhere.glb"}, 3, {"nowhere.glb"});
     const std::vector<std::string> record = {"record", "--device", "replay:" + kTinyTake, "--out-dir", "d"};
     const auto recordWith = [&](std::vector<std::string> words) {
