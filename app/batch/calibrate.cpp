@@ -10,6 +10,8 @@
 namespace noctule::batch {
 namespace {
 
+constexpr int kReasonsNamed = 3;  // in the message; the report has them all
+
 /// One of these verbs.
 struct Plan {
     std::string verb;
@@ -71,9 +73,12 @@ Status write(const CalibrationResult& result, const Outputs& outputs, bool refus
 
 Error refusal(const CalibrationResult& result, const Plan& plan) {
     std::string reasons;
+    int count = 0;
     for (const Finding& finding : result.document.findings)
-        if (finding.grade == Grade::kNotUsable)
+        if (finding.grade == Grade::kNotUsable && ++count <= kReasonsNamed)
             reasons += (reasons.empty() ? "" : "; ") + finding.what;
+    if (count > kReasonsNamed)
+        reasons += "; and " + std::to_string(count - kReasonsNamed) + " more";
     return {ErrorKind::kUnusable, plan.verb + ": not usable: " + reasons,
             plan.checks_only ? "Put right what is named, or calibrate again"
                              : "Nothing is written; repeat what is named, or add --force"};

@@ -203,7 +203,7 @@ private:
                      "Measure it too, so that the other boards need not stand for it");
             else if (std::ranges::find(data_.measurements, b, &JigMeasurement::board) ==
                      data_.measurements.end())
-                find(Grade::kUsable, id, jigBoard(data_.suit, b) + " heard no source in any placement",
+                find(Grade::kNotUsable, id, jigBoard(data_.suit, b) + " heard no source in any placement",
                      "See that its plug sits and that its microphone's opening is free");
         }
     }

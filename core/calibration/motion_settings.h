@@ -20,8 +20,10 @@ struct MotionSettings {
     double sigma_gyro_zero_rad_per_s = 0.005, sigma_gyro_drift_rad_per_s2 = 1e-4;
     double sigma_accel_zero_m_per_s2 = 0.04;
 
-    /// By which joints turn otherwise than their freedoms allow.
-    double sigma_give_rad = radians(3);
+    /// By which joints seem to turn otherwise than their freedoms allow: their own give, and what of the
+    /// flesh under the boards above and below is not solved for. Half as much makes every mounting err by a
+    /// quarter more on realistic performers, and its sigma too small.
+    double sigma_give_rad = radians(6);
     /// Of soft tissue, per unit of a feature (half the sine of a joint's turn).
     double sigma_tilt_rad = 0.04, sigma_shift_m = 0.009;
     double sigma_twist_lag = 0.1;  ///< share of its segment's axial turn that a board misses

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kMuchSway_rad = radians(2);
 constexpr double kFarFromG_m_per_s2 = 0.5;  // ten times what a calibrated accelerometer drifts
+constexpr size_t kPairsNamed = 3;           // of more that nothing tells apart one stands for all
 const char* const kHoldAgain = "Hold the rest pose again";
 
 std::string clockText(double time_s) {
@@ -45,11 +46,17 @@ void addSwap(const Observations& take, const RestPoseReport& report, std::vector
                         pair.plugs ? "Exchange their two plugs at the box, then hold the rest pose again"
                                    : "Exchange the two boards, then hold the rest pose again"});
     }
-    for (const SwappedBoards& pair : report.untold)
-        into.push_back({Grade::kUsable, idOf(take, pair.first),
-                        "Nothing in this take tells boards " + pairText(take.suit, pair) +
-                            " apart: gravity is alike on both and no sound decides",
-                        "Look whether each sits where it belongs"});
+    const bool many = report.untold.size() > kPairsNamed;
+    for (const SwappedBoards& pair : report.untold) {
+        into.push_back(
+            {Grade::kUsable, many ? "" : idOf(take, pair.first),
+             "Nothing in this take tells boards " + pairText(take.suit, pair) + " apart" +
+                 (many ? ", nor " + std::to_string(report.untold.size() - 1) + " other pairs" : "") +
+                 ": gravity is alike on both and no sound decides",
+             "Look whether each sits where it belongs"});
+        if (many)
+            break;
+    }
 }
 
 void addAskew(const Observations& take, const RestPoseSettings& settings, const BoardAtRest& board, int index,
@@ -98,7 +105,7 @@ void addStandingFindings(const Observations& take, const StillStretch& still, st
     for (int b = 0; b < static_cast<int>(still.boards.size()); ++b) {
         const StillBoard& board = still.boards[static_cast<size_t>(b)];
         if (!board.heard())
-            into.push_back({Grade::kUsable, idOf(take, b),
+            into.push_back({Grade::kNotUsable, idOf(take, b),
                             boardName(take.suit, b) + ", is silent in the rest pose and keeps its old values",
                             "Push its plug in until it clicks, then hold the rest pose again"});
         if (board.clipped)

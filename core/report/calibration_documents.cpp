@@ -129,8 +129,9 @@ CalibrationTable distanceErrorTable(const SourceOffsetReport& report) {
                            {"which", "distances", "mean, mm", "deviation, mm", "worst, mm"},
                            {}};
     const auto add = [&table](const char* which, const DistanceErrors& errors) {
-        table.rows.push_back({which, std::to_string(errors.count), millimetres(errors.mean_m),
-                              millimetres(errors.deviation_m), millimetres(errors.worst_m)});
+        table.rows.push_back({which, std::to_string(errors.count)});
+        for (const double error_m : {errors.mean_m, errors.deviation_m, errors.worst_m})
+            table.rows.back().push_back(errors.count > 0 ? millimetres(error_m) : "–");
     };
     add("used", report.leave_one_out);
     add("with outliers", report.all_left_out);
@@ -140,9 +141,11 @@ CalibrationTable distanceErrorTable(const SourceOffsetReport& report) {
 }  // namespace
 
 CalibrationDocument documentOf(const SourceOffsetReport& report) {
-    const std::string summary = "Offsets of " + counted(report.sources, &SourceOffset::calibrated) +
-                                " sources; a distance is right within " +
-                                millimetres(report.leave_one_out.mean_m) + " mm in the mean";
+    std::string summary = "Offsets of " + counted(report.sources, &SourceOffset::calibrated) + " sources; ";
+    summary +=
+        report.leave_one_out.count > 0
+            ? "a distance is right within " + millimetres(report.leave_one_out.mean_m) + " mm in the mean"
+            : "no distance could be judged";
     CalibrationDocument found = document("Source offsets", summary, report.findings,
                                          {offsetTable(report), distanceErrorTable(report)});
     double worst_sigma_s = 0;

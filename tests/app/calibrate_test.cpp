@@ -160,6 +160,8 @@ TEST_F(CalibrateByCommand, WhatCannotBeUsedIsRefusedWithItsReasonAndNothingIsWri
     const Ran refused = calibrate(words);
     EXPECT_EQ(refused.exit_code, 4);
     EXPECT_NE(refused.err.find("millimetres"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.out.find("no distance could be judged"), std::string::npos) << refused.out;
+    EXPECT_EQ(refused.out.find("0.00"), std::string::npos) << "nothing was measured: " << refused.out;
     EXPECT_FALSE(std::filesystem::exists(file("c.json")));
     std::vector<std::string> forced = words;
     forced.push_back("--force");
@@ -168,6 +170,8 @@ TEST_F(CalibrateByCommand, WhatCannotBeUsedIsRefusedWithItsReasonAndNothingIsWri
     EXPECT_EQ(calibrate(forced).exit_code, 2) << "it is there already";
     const Ran no_sides = calibrate({"accelerometers", takeOf("jig"), "--out", file("a.json")});
     EXPECT_EQ(no_sides.exit_code, 4) << no_sides.err;
+    EXPECT_NE(no_sides.err.find("; and 15 more"), std::string::npos)
+        << "every board for the same reason: " << no_sides.err;
     EXPECT_FALSE(std::filesystem::exists(file("a.json")));
 }
 

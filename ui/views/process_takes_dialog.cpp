@@ -5,9 +5,15 @@
 #include <QVBoxLayout>
 
 #include "ui/style/words.h"
+#include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {
+namespace {
+
+constexpr int kTakesWide = 440, kTakesHigh = 240;
+
+}  // namespace
 
 ProcessTakesDialog::ProcessTakesDialog(Studio& studio, std::optional<Actor> actor, QWidget* parent)
     : DialogFrame(tr("Process takes again"),
@@ -19,6 +25,7 @@ ProcessTakesDialog::ProcessTakesDialog(Studio& studio, std::optional<Actor> acto
       actor_(std::move(actor)),
       takes_(new QListWidget) {
     takes_->setAccessibleName(tr("Takes to process"));
+    keepSize(*takes_, kTakesWide, kTakesHigh);
     content()->addWidget(takes_);
     if (studio_.session().isOpen())
         for (const SessionTake& take : studio_.session().session().takes) {

@@ -85,7 +85,6 @@ Button* CalibratePage::startButton(WizardTask task) {
 QWidget* CalibratePage::makeOverview() {
     auto* tasks = new QWidget;
     auto* column = makeColumn(tasks, {}, 12);
-    column->addStretch();
     for (const WizardTask task : kWizardTasks) {
         auto* card = new TaskCard(task);
         connect(card->button(), &QPushButton::clicked, this, [this, task] { open(task); });

@@ -95,7 +95,7 @@ WizardWords restPose() {
 WizardWords movement() {
     return {
         TaskText::tr("Movement"),
-        "check",
+        "skeleton",
         TaskText::tr("How each board sits on the moving body; lengths of bones and places of sources too."),
         TaskText::tr("Six exercises, about 2 minutes; after the rest pose, each time the suit is put on"),
         {TaskText::tr("The performer with the suit on, all straps tight, the rest pose calibrated"),

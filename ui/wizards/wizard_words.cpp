@@ -25,6 +25,24 @@ QString rpmText(double rpm) {
     return numberText(std::abs(rpm), 1);
 }
 
+QString silentOthers(const Guidance& now) {
+    return now.hindering > 1 ? LiveText::tr("%n other(s) are silent too.", nullptr, now.hindering - 1)
+                             : QString();
+}
+
+QString turnedOthers(const Guidance& now) {
+    return now.hindering > 1 ? LiveText::tr("So are %n other(s).", nullptr, now.hindering - 1) : QString();
+}
+
+LiveSentence ofMoving(const WizardRun& run, const QString& board, const QString& place,
+                      const QString& others) {
+    if (isWorn(run.task()))
+        return {Tone::kNeutral, LiveText::tr("Wait: %1 still moves").arg(place),
+                LiveText::tr("Let the arms hang and breathe calmly. %1").arg(others)};
+    return {Tone::kNeutral, LiveText::tr("Wait: board %1 still moves").arg(board),
+            LiveText::tr("Let go of it and wait until it lies still. %1").arg(others)};
+}
+
 LiveSentence ofBoards(const WizardRun& run, const Guidance& now) {
     const QString board = QString::number(now.board + 1);
     const QString place = boardName(run.suit().boards[static_cast<size_t>(now.board)], NameCase::kInside);
@@ -36,15 +54,9 @@ LiveSentence ofBoards(const WizardRun& run, const Guidance& now) {
                 Tone::kError, LiveText::tr("Board %1, %2, is silent").arg(board, place),
                 LiveText::tr("Push its plug in until it clicks; if the light stays dark, change the cable. "
                              "Or skip it. %1")
-                    .arg(now.hindering > 1
-                             ? LiveText::tr("%n other(s) are silent too.", nullptr, now.hindering - 1)
-                             : QString())};
+                    .arg(silentOthers(now))};
         case Hindrance::kMoves:
-            if (isWorn(run.task()))
-                return {Tone::kNeutral, LiveText::tr("Wait: %1 still moves").arg(place),
-                        LiveText::tr("Let the arms hang and breathe calmly. %1").arg(others)};
-            return {Tone::kNeutral, LiveText::tr("Wait: board %1 still moves").arg(board),
-                    LiveText::tr("Let go of it and wait until it lies still. %1").arg(others)};
+            return ofMoving(run, board, place, others);
         case Hindrance::kIdle:
             return {Tone::kWarn, LiveText::tr("Once more: %1 hardly moved").arg(place),
                     LiveText::tr("Stand still in the rest pose, then: %1. %2")
@@ -54,9 +66,7 @@ LiveSentence ofBoards(const WizardRun& run, const Guidance& now) {
                 Tone::kWarn, LiveText::tr("Not yet: board %1 lies on another side").arg(board),
                 LiveText::tr("Board %1, %2, is turned in its slot. Turn it as its neighbours are and press "
                              "it in. %3")
-                    .arg(board, place,
-                         now.hindering > 1 ? LiveText::tr("So are %n other(s).", nullptr, now.hindering - 1)
-                                           : QString())};
+                    .arg(board, place, turnedOthers(now))};
         default:
             return {
                 Tone::kWarn,
@@ -141,6 +151,52 @@ QString rightDetail(const WizardRun& run, const Guidance& now) {
     return LiveText::tr("All %n board(s) are in place. Nothing touches them.", nullptr, now.asked_boards);
 }
 
+LiveMeasure levelness(const Guidance& now) {
+    if (!now.worst_askew_rad)
+        return {LiveText::tr("Plate level"), LiveText::tr("from the second side on"), 0, true};
+    const double limit_rad = std::max(now.askew_limit_rad, SideGuide::kAskew_rad);
+    return {LiveText::tr("Plate level"),
+            LiveText::tr("%1, limit %2").arg(askewText(*now.worst_askew_rad), askewText(limit_rad)),
+            *now.worst_askew_rad / limit_rad, *now.worst_askew_rad <= limit_rad};
+}
+
+LiveMeasure stillness(WizardTask task, const Guidance& now) {
+    const double limit = isWorn(task) ? StandGuide::kSway_m_per_s2 : HealthSettings{}.still_accel_m_per_s2;
+    const double deviation = now.worst_accel_deviation_m_per_s2;
+    return {LiveText::tr("Still"),
+            LiveText::tr("%1 m/s², limit %2").arg(numberText(deviation, 2), numberText(limit, 2)),
+            deviation / limit, deviation <= limit};
+}
+
+/// What only this task looks at.
+std::vector<LiveMeasure> ownMeasures(WizardTask task, const Guidance& now) {
+    switch (task) {
+        case WizardTask::kSources: {
+            const double share = now.heard_share.value_or(0);
+            return {{LiveText::tr("Pairs heard"), percentText(share), share,
+                     share >= PlacementGuide::kEnoughShare}};
+        }
+        case WizardTask::kAccelerometers:
+            return {levelness(now)};
+        case WizardTask::kGyroscopes: {
+            const double rpm = now.rpm.value_or(0);
+            return {{LiveText::tr("Table"), LiveText::tr("%1 rpm").arg(rpmText(rpm)), std::abs(rpm) / 78,
+                     rpm != 0}};
+        }
+        case WizardTask::kMovement:
+            if (now.isRight())
+                return {
+                    {LiveText::tr("Movement"),
+                     LiveText::tr("%1 of %2").arg(secondsText(now.held_s, 0), secondsText(holdOf(task), 1)),
+                     now.held_s / holdOf(task), true}};
+            return {};
+        case WizardTask::kRestPose:
+        case WizardTask::kCheck:
+            break;
+    }
+    return {};
+}
+
 }  // namespace
 
 LiveSentence sentenceOf(const WizardRun& run) {
@@ -165,44 +221,18 @@ LiveSentence sentenceOf(const WizardRun& run) {
 }
 
 std::vector<LiveMeasure> measuresOf(const WizardRun& run) {
-    std::vector<LiveMeasure> measures;
     if (!run.guide())
-        return measures;
+        return {};
     const Guidance& now = run.guide()->guidance();
-    const auto add = [&](const QString& name, const QString& value, double share, bool is_right) {
-        measures.push_back({name, value, std::clamp(share, 0.0, 1.0), is_right});
-    };
-    const bool worn = isWorn(run.task());
-    if (run.task() == WizardTask::kAccelerometers) {
-        const double limit_rad = std::max(now.askew_limit_rad, SideGuide::kAskew_rad);
-        if (now.worst_askew_rad)
-            add(LiveText::tr("Plate level"),
-                LiveText::tr("%1, limit %2").arg(askewText(*now.worst_askew_rad), askewText(limit_rad)),
-                *now.worst_askew_rad / limit_rad, *now.worst_askew_rad <= limit_rad);
-        else
-            add(LiveText::tr("Plate level"), LiveText::tr("from the second side on"), 0, true);
-    }
-    if (run.task() == WizardTask::kGyroscopes)
-        add(LiveText::tr("Table"), LiveText::tr("%1 rpm").arg(rpmText(now.rpm.value_or(0))),
-            std::abs(now.rpm.value_or(0)) / 78, now.rpm.value_or(0) != 0);
-    if (run.task() == WizardTask::kSources)
-        add(LiveText::tr("Pairs heard"), percentText(now.heard_share.value_or(0)),
-            now.heard_share.value_or(0), now.heard_share.value_or(0) >= PlacementGuide::kEnoughShare);
-    const bool moving = run.task() == WizardTask::kMovement && now.isRight();
-    if (moving)
-        add(LiveText::tr("Movement"),
-            LiveText::tr("%1 of %2").arg(secondsText(now.held_s, 0), secondsText(holdOf(run.task()), 1)),
-            now.held_s / holdOf(run.task()), true);
-    const double still_limit = worn ? StandGuide::kSway_m_per_s2 : HealthSettings{}.still_accel_m_per_s2;
-    if (!moving)
-        add(LiveText::tr("Still"),
-            LiveText::tr("%1 m/s², limit %2")
-                .arg(numberText(now.worst_accel_deviation_m_per_s2, 2), numberText(still_limit, 2)),
-            now.worst_accel_deviation_m_per_s2 / still_limit,
-            now.worst_accel_deviation_m_per_s2 <= still_limit);
-    const int asked = std::max(1, now.asked_boards);
-    add(LiveText::tr("Boards in place"), LiveText::tr("%1 of %2").arg(now.right_boards).arg(now.asked_boards),
-        static_cast<double>(now.right_boards) / asked, now.right_boards == now.asked_boards);
+    std::vector<LiveMeasure> measures = ownMeasures(run.task(), now);
+    if (run.task() != WizardTask::kMovement || !now.isRight())
+        measures.push_back(stillness(run.task(), now));
+    measures.push_back({LiveText::tr("Boards in place"),
+                        LiveText::tr("%1 of %2").arg(now.right_boards).arg(now.asked_boards),
+                        static_cast<double>(now.right_boards) / std::max(1, now.asked_boards),
+                        now.right_boards == now.asked_boards});
+    for (LiveMeasure& measure : measures)
+        measure.share = std::clamp(measure.share, 0.0, 1.0);
     return measures;
 }
 

@@ -115,6 +115,11 @@ TEST(RestPoseCalibration, SigmasOfUpAndOfGyroscopesAreHonest) {
     EXPECT_LT(gyro_square / boards, 2.0);
 }
 
+bool isUntold(const RestPoseReport& report, int a, int b) {
+    return std::ranges::any_of(
+        report.untold, [&](const SwappedBoards& pair) { return pair.first == a && pair.second == b; });
+}
+
 /// Of random pairs in a suit that is put on badly.
 int namedOf(int64_t trials, bool plugs) {
     int named = 0;
@@ -150,8 +155,10 @@ TEST(RestPoseCalibration, NamesTwoBoardsPluggedInTheOneAsTheOther) {
     EXPECT_EQ(namedOf(trials, true), trials);
 }
 
+/// Sound alone decides; where too little of it is heard the report says that nothing tells the two apart.
 TEST(RestPoseCalibration, NamesLeftAndRightThatGravityCannotTell) {
     const int64_t trials = restTrials(1);
+    int64_t named = 0;
     for (int64_t trial = 0; trial < trials; ++trial)
         for (const int left : {4, 8, 9, 10}) {
             const auto take = test::standing(static_cast<uint64_t>(trial + 2000), [&](StageRequest& request) {
@@ -161,9 +168,14 @@ TEST(RestPoseCalibration, NamesLeftAndRightThatGravityCannotTell) {
             });
             ASSERT_TRUE(take) << take.error().text();
             const RestPoseReport report = restReport(take->observations);
-            EXPECT_TRUE(namesSwap(report, left, left + 7)) << trial << ", " << left + 1 << "\n"
-                                                           << findingsText(report);
+            const bool is_named = namesSwap(report, left, left + 7);
+            named += is_named;
+            EXPECT_TRUE(is_named || isUntold(report, left, left + 7)) << trial << ", " << left + 1 << "\n"
+                                                                      << findingsText(report);
         }
+    std::printf("%lld of %lld pairs named that only sound can tell, the others said to be untold\n",
+                static_cast<long long>(named), static_cast<long long>(4 * trials));
+    EXPECT_GE(named, 4 * trials * 4 / 5);
 }
 
 TEST(RestPoseCalibration, SaysWhichBoardsNothingTellsApart) {
@@ -172,14 +184,10 @@ TEST(RestPoseCalibration, SaysWhichBoardsNothingTellsApart) {
     take->observations.flights.clear();
     const RestPoseReport report = restReport(take->observations);
     EXPECT_TRUE(report.swapped.empty());
-    const auto isUntold = [&](int a, int b) {
-        return std::ranges::any_of(
-            report.untold, [&](const SwappedBoards& pair) { return pair.first == a && pair.second == b; });
-    };
-    EXPECT_TRUE(isUntold(8, 15)) << findingsText(report);
-    EXPECT_TRUE(isUntold(9, 16)) << findingsText(report);
-    EXPECT_TRUE(isUntold(10, 17)) << findingsText(report);
-    EXPECT_FALSE(isUntold(4, 10)) << findingsText(report);
+    EXPECT_TRUE(isUntold(report, 8, 15)) << findingsText(report);
+    EXPECT_TRUE(isUntold(report, 9, 16)) << findingsText(report);
+    EXPECT_TRUE(isUntold(report, 10, 17)) << findingsText(report);
+    EXPECT_FALSE(isUntold(report, 4, 10)) << findingsText(report);
 }
 
 TEST(RestPoseCalibration, SwappedBoardsAreWorded) {
@@ -296,6 +304,7 @@ TEST(RestPoseCalibration, BadInputIsAReport) {
     const RestPoseReport report = restReport(seen);
     ASSERT_EQ(report.findings.size(), 2U) << findingsText(report);
     EXPECT_EQ(report.findings[0].part, "chest");
+    EXPECT_EQ(report.findings[0].grade, Grade::kNotUsable) << "a board is missing";
     EXPECT_EQ(report.findings[1].part, "head");
     EXPECT_FALSE(report.boards[2].measured);
     EXPECT_FALSE(report.applied(seen.calibration, seen.suit).findBoard("chest")->q_segment_board);

@@ -185,7 +185,7 @@ TEST(SourceOffsetMistakes, PartsThatAreMissingAreNamed) {
     std::erase_if(silent.observations.flights,
                   [](const FlightTime& flight) { return flight.board == 5 || flight.source == 0; });
     const SourceOffsetReport deaf = silent.solve();
-    expectFinding(deaf, Grade::kUsable, {"Board 6, l_arm heard no source"});
+    expectFinding(deaf, Grade::kNotUsable, {"Board 6, l_arm heard no source"});
     expectFinding(deaf, Grade::kUsable, {"Source 1, chest_l could not be calibrated", "no board heard it"});
 }
 

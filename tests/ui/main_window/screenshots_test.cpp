@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "core/job/atomic_file.h"
 #include "tests/support/shared_meshes.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/about_dialog.h"
@@ -16,6 +17,7 @@
 #include "ui/style/theme.h"
 #include "ui/views/body_dialog.h"
 #include "ui/views/new_session_dialog.h"
+#include "ui/views/process_takes_dialog.h"
 #include "ui/views/reprocess_dialog.h"
 
 namespace noctule::ui {
@@ -150,6 +152,35 @@ TEST_F(Screenshots, OfProcessingATakeAgain) {
     dialog<ReprocessDialog>("dialog-reprocess", *studio_, *studio_->take().overview());
     Theme::get().setScheme(Scheme::kLight);
     dialog<ReprocessDialog>("dialog-reprocess-light", *studio_, *studio_->take().overview());
+    Theme::get().setScheme(Scheme::kDark);
+}
+
+TEST_F(Screenshots, OfProcessingTakesAgain) {
+    openTakeToShow();
+    const QString take = studio_->take().path();
+    const SessionModel& session = studio_->session();
+    if (!session.isOpen()) {
+        ASSERT_TRUE(studio_->session().create(QDir(home()).filePath("Stage tests"), "Stage tests"));
+    }
+    const size_t before = session.session().takes.size();
+    QStringList more;
+    for (const char* name : {"fight_001", "fight_002", "turn_003"}) {
+        more << folder_.filePath(QString(name) + ".noctule");
+        ASSERT_TRUE(QFile::copy(take, more.back()));
+    }
+    const Calibration of_take = studio_->take().overview()->calibration;
+    studio_->session().importTakes(more);
+    ASSERT_TRUE(waitFor([&] { return session.session().takes.size() == before + 3; }));
+    const std::string calibration =
+        (session.session().calibrationFolder() / "motion-2026-01-01.json").string();
+    ASSERT_TRUE(writeFileAtomically(calibration, toJson(of_take).dump(), false));
+    studio_->calibrations().use("motion-2026-01-01.json", "Use it");
+    for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
+        Theme::get().setScheme(scheme);
+        dialog<ProcessTakesDialog>(
+            QStringLiteral("dialog-process-takes-%1").arg(scheme == Scheme::kDark ? "dark" : "light"),
+            *studio_, std::nullopt);
+    }
     Theme::get().setScheme(Scheme::kDark);
 }
 

@@ -10,6 +10,7 @@
 #include "tests/ui/wizards/rig_program.h"
 #include "ui/widgets/button.h"
 #include "ui/wizards/calibrate_page.h"
+#include "ui/wizards/compare_dialog.h"
 #include "ui/wizards/wizard_intro.h"
 #include "ui/wizards/wizard_page.h"
 
@@ -27,6 +28,16 @@ protected:
     }
     CalibratePage& page() { return dynamic_cast<CalibratePage&>(window_->page(Step::kCalibrate)); }
     WizardRun& run() { return *page().wizard().run(); }
+    void saveComparison(const ShelvedCalibration& other) {
+        for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
+            Theme::get().setScheme(scheme);
+            CompareDialog shown(*studio_, other, window_.get());
+            shown.show();
+            QTest::qWait(300);
+            saveAs(shown, QString("dialog-compare-") + (scheme == Scheme::kDark ? "dark" : "light"));
+        }
+        Theme::get().setScheme(Scheme::kDark);
+    }
     bool reach(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 60'000); }
 
     std::unique_ptr<test::RigProgram> rig_;
@@ -63,7 +74,14 @@ TEST_F(WizardPictures, AccelerometersFromOverviewToResult) {
     save("calibrate-accelerometers-result", {{1440, 900}, {1920, 1080}});
     run().save();
     page().closeWizard();
-    save("calibrate-overview-later", {{1440, 900}});
+    save("calibrate-overview-later", {{1440, 900}, {1280, 800}});
+    ShelvedCalibration other = studio_->calibrations().all().front();
+    for (BoardCalibration& board : other.calibration.boards) {  // a warmer day
+        board.gyro.zero_counts += Vector3d(0.8, -0.5, 0.2);
+        board.accel.matrix *= 1.0004;
+    }
+    other.file = "accelerometers-2025-12-01.json";
+    saveComparison(other);
 }
 
 TEST_F(WizardPictures, OtherTasks) {
