@@ -123,7 +123,8 @@ TEST_F(ExportPageTest, AllTakesGoIntoOneFile) {
     for (const ExportOutcome& outcome : results.outcomes) {
         ASSERT_FALSE(outcome.error) << outcome.error->text();
         EXPECT_TRUE(outcome.check.ok()) << outcome.check.faults.front();
-        EXPECT_EQ(outcome.check.frames, outcome.take == "kick_002" ? 61U : 269U);  // of 4.5 s, up to the last readings
+        EXPECT_EQ(outcome.check.frames,
+                  outcome.take == "kick_002" ? 61U : 269U);  // of 4.5 s, up to the last readings
         EXPECT_EQ(outcome.path, exported("Stage tests_60.fbx"));
     }
     EXPECT_EQ(page_->resultsPanel().cardCount(), 2);
