@@ -4389,8 +4389,8 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Aufnahmen neu verarbeiten</translation>
     </message>
     <message>
-        <source>With the calibration in use, %1, all sensors and a free root. Every processing adds a result; nothing is replaced.</source>
-        <translation>Mit der benutzten Kalibrierung, %1, allen Sensoren und freier Wurzel. Jede Verarbeitung fügt ein Ergebnis hinzu; nichts wird ersetzt.</translation>
+        <source>Uses the calibration %1, all sensors and a free root. Every processing adds a result; nothing is replaced.</source>
+        <translation>Benutzt die Kalibrierung %1, alle Sensoren und eine freie Wurzel. Jede Verarbeitung fügt ein Ergebnis hinzu; nichts wird ersetzt.</translation>
     </message>
     <message>
         <source>Process</source>

@@ -17,8 +17,8 @@ constexpr int kTakesWide = 440, kTakesHigh = 240;
 
 ProcessTakesDialog::ProcessTakesDialog(Studio& studio, std::optional<Actor> actor, QWidget* parent)
     : DialogFrame(tr("Process takes again"),
-                  tr("With the calibration in use, %1, all sensors and a free root. Every processing adds a "
-                     "result; nothing is replaced.")
+                  tr("Uses the calibration %1, all sensors and a free root. Every processing adds a result; "
+                     "nothing is replaced.")
                       .arg(studio.calibrations().fileInForce().section('.', 0, 0)),
                   tr("Process"), parent),
       studio_(studio),
