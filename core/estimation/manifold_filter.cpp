@@ -163,7 +163,9 @@ void ManifoldFilter::step(const StepInput& input) {
         updateTriads(input.inertial, false);
     if (parameters_.sensors.gyroscopes)
         updateTriads(input.inertial, true);
-    if (!input.inertial.empty() && parameters_.sensors.gyroscopes)
+    // Gyroscopes alone would lose at every onset of a motion what nothing gives back to them.
+    const SensorSelection& sensors = parameters_.sensors;
+    if (!input.inertial.empty() && sensors.gyroscopes && (sensors.accelerometers || sensors.distances))
         now_.motion_noise.learn(now_.state.motion.accel - predicted, variances - accel_variances(),
                                 1.0 / kInertialFramesPerSecond, now_.give.fleshShare());
     updateDistances(input.distances);
