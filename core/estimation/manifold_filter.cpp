@@ -163,9 +163,7 @@ void ManifoldFilter::step(const StepInput& input) {
         updateTriads(input.inertial, false);
     if (parameters_.sensors.gyroscopes)
         updateTriads(input.inertial, true);
-    // Gyroscopes alone would lose at every onset of a motion what nothing gives back to them.
-    const SensorSelection& sensors = parameters_.sensors;
-    if (!input.inertial.empty() && sensors.gyroscopes && (sensors.accelerometers || sensors.distances))
+    if (!input.inertial.empty() && learnsMotion())
         now_.motion_noise.learn(now_.state.motion.accel - predicted, variances - accel_variances(),
                                 1.0 / kInertialFramesPerSecond, now_.give.fleshShare());
     updateDistances(input.distances);
@@ -183,6 +181,8 @@ void ManifoldFilter::step(const StepInput& input) {
 
 /// What a gyroscope at the end of its range did not see may have been anything.
 void ManifoldFilter::allowForClipping(const std::vector<InertialMeasurement>& measurements) {
+    if (!measurements.empty() && !learnsMotion())
+        now_.motion_noise.restart();
     for (const InertialMeasurement& measurement : measurements) {
         const int board_link = suit_.boards[static_cast<size_t>(measurement.board)].link;
         if (board_link > 0 && parameters_.sensors.gyroscopes && measurement.gyro.isClipped())

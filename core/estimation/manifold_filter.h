@@ -8,7 +8,6 @@
 // is predicted at its own.
 #pragma once
 
-#include <algorithm>
 #include <utility>
 
 #include "core/estimation/board_noise.h"
@@ -109,9 +108,7 @@ public:
 
     /// For smoothers, which drive the filter by steps: advanceTo() is `while (isDue(t)) step(nextInput())`.
     bool isDue(double time_s) const {
-        return static_cast<double>(now_.step_index + 1) * step_s_ +
-                   std::max(0.5 * step_s_, ReadingGrid::kReach_s) <=
-               time_s;
+        return static_cast<double>(now_.step_index + 1) * step_s_ + ReadingGrid::kReach_s <= time_s;
     }
     double stepSeconds() const { return step_s_; }
     StepInput nextInput();
@@ -161,6 +158,11 @@ private:
     void widen(int first, int count, double sigma);
     void noteGating(bool gated);
     void beginAnew(const Link& link);
+    /// Gyroscopes alone would lose at every onset of a motion what nothing gives back to them.
+    bool learnsMotion() const {
+        const SensorSelection& sensors = parameters_.sensors;
+        return sensors.gyroscopes && (sensors.accelerometers || sensors.distances);
+    }
     /// Nobody else knows the root.
     bool isFree() const { return tree_.link(0).type == LinkType::kFree && !parameters_.root_given; }
     void shiftHeading();

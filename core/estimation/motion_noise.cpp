@@ -8,7 +8,7 @@ namespace noctule {
 
 MotionNoise::MotionNoise(const KinematicTree& tree, Eigen::VectorXd variance, const std::vector<bool>& adapts,
                          const MotionNoiseParameters& parameters)
-    : parameters_(parameters), variance_(std::move(variance)) {
+    : parameters_(parameters), first_variance_(std::move(variance)), variance_(first_variance_) {
     for (size_t i = 0; i < tree.links().size(); ++i) {
         const Link& link = tree.links()[i];
         const int turning = link.type == LinkType::kFree ? 3 : link.count;

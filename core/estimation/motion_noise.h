@@ -38,6 +38,8 @@ public:
                double flesh_share);
     /// What a gyroscope at the end of its range did not see may have been anything.
     void allowMost(const Link& link);
+    /// As it was to begin with, where nothing is learnt.
+    void restart() { variance_ = first_variance_; }
 
 private:
     struct Turning {
@@ -45,7 +47,7 @@ private:
     };
     MotionNoiseParameters parameters_;
     std::vector<Turning> turning_;
-    Eigen::VectorXd variance_;
+    Eigen::VectorXd first_variance_, variance_;
 };
 
 }  // namespace noctule

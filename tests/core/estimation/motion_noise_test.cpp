@@ -53,5 +53,15 @@ TEST(MotionNoise, BelievesNoQuietOnFlesh) {
     EXPECT_NEAR(learntBy(tree, 3, 1), MotionNoiseParameters{}.flesh_rad_per_s2, 40);
 }
 
+TEST(MotionNoise, WhatClippingAllowedPasses) {
+    const KinematicTree tree(testing::smallSkeleton(), BallCoordinates::kManifold);
+    const Eigen::VectorXd first = Eigen::VectorXd::Constant(tree.freedoms(), 25);
+    MotionNoise noise(tree, first, std::vector<bool>(tree.links().size(), true), {});
+    noise.allowMost(tree.link(1));
+    EXPECT_EQ(noise.variance()[tree.link(1).first], std::pow(MotionNoiseParameters{}.most_rad_per_s2, 2));
+    noise.restart();
+    EXPECT_EQ(noise.variance(), first);
+}
+
 }  // namespace
 }  // namespace noctule
