@@ -107,6 +107,8 @@ bool ArrowheadSystem::eliminate(int index) {
 }
 
 void ArrowheadSystem::shrinkCorner() {
+    if (waiting_rows_ == 0)
+        return;  // Eigen divides by the number of rows
     corner_.selfadjointView<Eigen::Lower>().rankUpdate(waiting_.topRows(waiting_rows_).transpose(), -1);
     waiting_rows_ = 0;
 }
