@@ -95,7 +95,8 @@ TEST_P(ArrowheadSystemTest, SolvesAsOneDenseMatrixDoes) {
     EXPECT_LT((system.borderCovariance() - dense.borderCovariance()).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Nodes, ArrowheadSystemTest, testing::Range(1, 18), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Nodes, ArrowheadSystemTest, testing::Range(1, 18),
+                         testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace noctule
