@@ -240,6 +240,7 @@ void SessionModel::recover(int take) {
     const std::string name = session_->takes[static_cast<size_t>(take)].name;
     if (!recovering_.insert(name).second)
         return;
+    emit recoveryChanged(take);
     const QString title = tr("Recovering %1").arg(QString::fromStdString(name));
     jobs_.start<Session>(
         title,
@@ -252,19 +253,20 @@ void SessionModel::recover(int take) {
             if (!model || !model->session_)
                 return {};
             model->recovering_.erase(name);
+            const auto tell_ended = [&] { emit model->recoveryChanged(model->session_->findTake(name)); };
             if (!copy) {
                 model->tell(tr("%1 could not be recovered; its file stays as it is")
                                 .arg(QString::fromStdString(name)),
                             copy.error());
                 emit model->changed();
+                tell_ended();
                 return {};
             }
             if (copy->folder != model->session_->folder)
                 return {};
             for (const SessionTake& known : copy->takes)
                 model->refresh(QString::fromStdString(copy->pathOf(known).string()));
-            emit model->recovered(
-                QString::fromStdString((copy->takesFolder() / (name + kTakeExtension)).string()));
+            tell_ended();
             return tr("%1 is recovered").arg(QString::fromStdString(name));
         });
 }

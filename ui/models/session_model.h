@@ -89,7 +89,8 @@ signals:
     /// Opening failed in a way that rebuild() may mend; instead of failed(). `problem` is a sentence without
     /// its stop and says which takes are safe.
     void damaged(const QString& folder, const QString& problem);
-    void recovered(const QString& take_path);  ///< another file stands there now
+    /// Its file is replaced from here on, or that has ended.
+    void recoveryChanged(int take);
     /// Comes before changed().
     void takeRenamed(const QString& old_path, const QString& new_path);
 

@@ -64,9 +64,9 @@ Studio::Studio(StudioParts parts, QObject* parent)
       remote_start_(settings_),
       processing_(std::make_shared<std::timed_mutex>()) {
     connect(&session_, &SessionModel::currentTakeChanged, this, &Studio::openTakeUnderReview);
-    connect(&session_, &SessionModel::recovered, this, [this](const QString& path) {
-        if (take_.path() == path)
-            take_.open(path);
+    connect(&session_, &SessionModel::recoveryChanged, this, [this](int take) {
+        if (take >= 0 && take == session_.currentTake())
+            openTakeUnderReview(take);
     });
     connect(&session_, &SessionModel::takeRenamed, this, [this](const QString& before, const QString& now) {
         if (take_.path() == before)
@@ -118,7 +118,8 @@ QString Studio::takesFolder() const {
 /// The take chosen in the session is the one under review; a damaged one is listed only.
 void Studio::openTakeUnderReview(int index) {
     const SessionTake* chosen = index < 0 ? nullptr : &session_.session().takes[static_cast<size_t>(index)];
-    if (!chosen || chosen->state == TakeState::kDamaged) {
+    // Read while its file is replaced it would not be there.
+    if (!chosen || chosen->state == TakeState::kDamaged || session_.isRecovering(chosen->name)) {
         take_.close();
         return;
     }
