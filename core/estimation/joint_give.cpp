@@ -21,6 +21,20 @@ double square(double x) {
     return x * x;
 }
 
+/// t / sin(t) and its derivative by cos(t).
+struct AngleBySine {
+    explicit AngleBySine(double cosine) {
+        const double sine2 = 1 - cosine * cosine;
+        if (sine2 < 1e-6 && cosine > 0) {
+            ratio = 1 + sine2 / 6;
+            return;
+        }
+        ratio = std::acos(std::clamp(cosine, -1.0, 1.0)) / std::sqrt(std::max(sine2, 1e-6));
+        ratio_by_cosine = (cosine * ratio - 1) / std::max(sine2, 1e-6);
+    }
+    double ratio = 1, ratio_by_cosine = -1.0 / 3;
+};
+
 }  // namespace
 
 Skeleton givingSkeleton(const Skeleton& actor, const std::vector<bool>& gives) {
@@ -43,27 +57,45 @@ JointGive::JointGive(const Skeleton& actor, const KinematicTree& tree, const std
         const int link = tree.linkOfJoint(j), first = tree.link(link).first;
         const Vector3d axis = joint.dof[0].axis, across = axis.unitOrthogonal();
         if (joint.type == JointType::kUniversal) {
-            constrain(link, first, axis, joint.dof[1].axis);
+            constraints_.push_back({link, first, false, axis, joint.dof[1].axis});
         } else {
-            constrain(link, first, across, axis);
-            constrain(link, first, axis.cross(across), axis);
+            constraints_.push_back({link, first, true, across, axis});
+            constraints_.push_back({link, first, true, axis.cross(across), axis});
         }
     }
+    for (Constraint& constraint : constraints_)
+        constraint.variance_rad2 = square(parameters_.initial_rad);
 }
 
-void JointGive::constrain(int link, int first, const Vector3d& fixed_parent, const Vector3d& moving_link) {
-    constraints_.push_back({link, first, fixed_parent, moving_link, square(parameters_.initial_rad), 0});
-}
-
-/// With zero variance. h = fixed^T R moving, and R exp(d) changes it by d^T (moving x R^T fixed).
+/// With zero variance. h = fixed^T R moving, and R exp(d) changes it by d^T (moving x R^T fixed). Of a hinge
+/// h = sin(t) times a direction, t the angle between the axis and where it was, whose cosine changes
+/// likewise.
 ObservationBlock JointGive::blockOf(const Constraint& constraint, const MotionState& motion) const {
     const Matrix3d R = motion.q_parent_link[static_cast<size_t>(constraint.link)].toRotationMatrix();
     const Vector3d fixed_link = R.transpose() * constraint.fixed_parent;
+    Vector3d slope = constraint.moving_link.cross(fixed_link);
+    double deviation =
+        fixed_link.dot(constraint.moving_link) - constraint.fixed_parent.dot(constraint.moving_link);
+    if (constraint.hinge) {
+        const Vector3d axis_before = R.transpose() * constraint.moving_link;
+        const AngleBySine by_sine(constraint.moving_link.dot(axis_before));
+        slope = by_sine.ratio * slope +
+                deviation * by_sine.ratio_by_cosine * constraint.moving_link.cross(axis_before);
+        deviation *= by_sine.ratio;
+    }
     return {{constraint.first, constraint.first + 1, constraint.first + 2},
-            constraint.moving_link.cross(fixed_link).transpose(),
-            Eigen::VectorXd::Constant(1, constraint.fixed_parent.dot(constraint.moving_link) -
-                                             fixed_link.dot(constraint.moving_link)),
+            slope.transpose(),
+            Eigen::VectorXd::Constant(1, -deviation),
             Eigen::VectorXd::Zero(1)};
+}
+
+std::vector<int> JointGive::lostLinks(const MotionState& motion) const {
+    std::vector<int> lost;
+    for (const Constraint& constraint : constraints_)
+        if (isLost(constraint, blockOf(constraint, motion)) &&
+            (lost.empty() || lost.back() != constraint.link))
+            lost.push_back(constraint.link);
+    return lost;
 }
 
 std::vector<ObservationBlock> JointGive::initial(const MotionState& motion) const {
@@ -98,12 +130,14 @@ std::vector<ObservationBlock> JointGive::observe(const MotionState& motion, cons
     double share = 0, variance = 0;
     for (Constraint& constraint : constraints_) {
         ObservationBlock block = blockOf(constraint, motion);
-        learn(constraint, -block.residual[0], P.innovationVariance(block)[0], interval_s);
+        const bool is_lost = isLost(constraint, block);
+        if (!is_lost)
+            learn(constraint, -block.residual[0], P.innovationVariance(block)[0], interval_s);
         const double given =
             std::max(square(parameters_.least_rad), relevance(constraint) * constraint.variance_rad2);
         const double whitened =
             2 * (parameters_.trembles_s + relevance(constraint) * parameters_.lasts_s) / interval_s;
-        block.variance[0] = whitened * given;
+        block.variance[0] = is_lost ? square(parameters_.most_rad) : whitened * given;
         block.origin = {ObservationOrigin::Kind::kGive, static_cast<int>(std::ssize(blocks)), {}};
         share += relevance(constraint);
         variance += given;

@@ -6,6 +6,7 @@
 // determination). What joints give together tells how much the boards ride on flesh.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "core/body/kinematics.h"
@@ -15,6 +16,7 @@ namespace noctule {
 
 struct GiveParameters {
     double initial_rad = 0.01, least_rad = 0.0003, most_rad = 0.15;  ///< deviations from the actor's joint
+    double lost_rad = 0.7;             ///< no hinge gives so much: the estimate has lost it
     double relevant_rad = 0.02;        ///< below it a joint soon counts as rigid
     double first_s = 1, memory_s = 3;  ///< of learning
     double constant_s = 1;  ///< what stays longer is an error of the estimate, not a joint that gives
@@ -39,6 +41,8 @@ public:
     std::vector<ObservationBlock> initial(const MotionState& motion) const;
     /// The same once per `interval_s`, after learning how much the joints give.
     std::vector<ObservationBlock> observe(const MotionState& motion, const Covariance& P, double interval_s);
+    /// Links on hinges that the state has turned farther than any hinge gives.
+    std::vector<int> lostLinks(const MotionState& motion) const;
     /// One of those again, elsewhere; of zero variance.
     ObservationBlock again(int constraint, const MotionState& motion) const {
         return blockOf(constraints_[static_cast<size_t>(constraint)], motion);
@@ -51,17 +55,21 @@ public:
 
 private:
     /// One direction in which the actor's joint would not turn: `fixed_parent` (in the joint's zero frame)
-    /// and `moving_link` (in the link's) keep the angle they have in the zero pose.
+    /// and `moving_link` (in the link's) keep the angle they have in the zero pose. Of a hinge `moving_link`
+    /// is its axis, and the deviation counts by angle, not by its sine: turned right round it is not back.
     struct Constraint {
         int link = 0, first = 0;  ///< velocity index
+        bool hinge = false;
         Vector3d fixed_parent, moving_link;
         double variance_rad2 = 0, constant_rad = 0;  ///< of the deviations
     };
-    void constrain(int link, int first, const Vector3d& fixed_parent, const Vector3d& moving_link);
     ObservationBlock blockOf(const Constraint& constraint, const MotionState& motion) const;
     void learn(Constraint& constraint, double deviation_rad, double estimate_variance,
                double interval_s) const;
     double relevance(const Constraint& constraint) const;
+    bool isLost(const Constraint& constraint, const ObservationBlock& block) const {
+        return constraint.hinge && std::abs(block.residual[0]) > parameters_.lost_rad;
+    }
 
     GiveParameters parameters_;
     std::vector<Constraint> constraints_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/estimation/carrier_cycle.h"
+#include "core/estimation/censoring.h"
 #include "core/estimation/prediction.h"
 #include "core/inertial/reading.h"
 #include "core/math/rotation.h"
@@ -231,6 +232,7 @@ void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measur
             // Flesh under the board turns against a root that another system knows.
             if (blocks.back().rows() > 0 && parameters_.root_given && link == 0)
                 noise.adaptGyro(blocks.back(), measurement.gyro, now_.P);
+            believeBeyond(blocks.back(), measurement.gyro);
             continue;
         }
         auto [block, motion_m_per_s2] = observations_.accel(now_.state, measurement, offset_s);
@@ -242,10 +244,16 @@ void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measur
             beginAnew(movingLink(tree_, link));
         noise.adaptAccel(block, measurement.accel, motion_m_per_s2, now_.give.fleshShare(), now_.P);
         block.origin = {ObservationOrigin::Kind::kAccel, reading, {}};
+        believeBeyond(block, measurement.accel);
         blocks.push_back(std::move(block));
     }
     std::erase_if(blocks, [](const ObservationBlock& block) { return block.rows() == 0; });
     observe(std::move(blocks));
+}
+
+void ManifoldFilter::believeBeyond(ObservationBlock& block, const TriadReading& reading) const {
+    if (block.rows() > 0 && reading.isClipped())
+        censor(block, reading, now_.P.innovationVariance(block));
 }
 
 void ManifoldFilter::updateDistances(const std::vector<DistanceMeasurement>& measurements) {

@@ -146,6 +146,7 @@ private:
     void allowForClipping(const std::vector<InertialMeasurement>& measurements);
     void updateRoot(const std::vector<RootMeasurement>& measurements);
     void updateTriads(const std::vector<InertialMeasurement>& measurements, bool gyro);
+    void believeBeyond(ObservationBlock& block, const TriadReading& reading) const;
     void updateDistances(const std::vector<DistanceMeasurement>& measurements);
     bool judgeDistance(const DistanceMeasurement& known, ObservationBlock& block, DistanceDecision& decision);
     void useCarrier(DistanceMeasurement& measurement, ObservationBlock& block) const;

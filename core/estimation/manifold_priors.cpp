@@ -8,6 +8,8 @@
 namespace noctule {
 
 void ManifoldFilter::updatePriors() {
+    for (const int link : now_.give.lostLinks(now_.state.motion))
+        beginAnew(tree_.link(link));
     std::vector<ObservationBlock> blocks =
         now_.give.observe(now_.state.motion, now_.P, parameters_.prior_interval_s);
     const auto pull = [&](int index, double residual, double sigma) {

@@ -54,8 +54,9 @@ ObservationBlock ManifoldFilter::again(const ObservationBlock& taped, const Step
     }
     const bool is_triad =
         origin.kind == ObservationOrigin::Kind::kGyro || origin.kind == ObservationOrigin::Kind::kAccel;
-    // An axis at the end of its range from which nothing is learnt about this state says so by its variance.
-    block.variance = is_triad ? block.variance.cwiseMax(taped.variance) : taped.variance;
+    if (is_triad && origin.target.size() > 0)
+        block.residual += origin.target;
+    block.variance = taped.variance;
     return block;
 }
 

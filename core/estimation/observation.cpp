@@ -8,8 +8,6 @@
 namespace noctule {
 namespace {
 
-constexpr double kNothingLearnt = 1e8;  // a variance
-
 void resize(ChainMotion::Columns& columns, Eigen::Index rows, size_t count) {
     const Eigen::Index n = static_cast<Eigen::Index>(count);
     columns.theta.setZero(rows, n);
@@ -87,10 +85,6 @@ ObservationBlock ObservationModel::triad(const BodyState& state, const InertialM
         block.residual[i] =
             axis.value - axes_world.row(i).dot(sensed) - axes_board.row(i).dot(bias + own_turn_board);
         block.variance[i] = axis.sigma * axis.sigma;
-        if (axis.beyond * block.residual[i] < 0) {  // expected beyond the end as well: nothing new
-            block.residual[i] = 0;
-            block.variance[i] = kNothingLearnt;
-        }
     }
 
     resize(columns_, triad.count, chain_.coordinates().size());

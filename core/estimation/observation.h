@@ -40,8 +40,10 @@ struct ObservationOrigin {
     /// kPull: single states that are pulled to known values.
     enum class Kind { kPull, kGyro, kAccel, kDistance, kRoot, kGive };
     Kind kind = Kind::kPull;
-    int index = 0;           ///< of the reading in its step; of the joint's constraint
-    Eigen::VectorXd target;  ///< kDistance: the distance that was believed; kPull: the values
+    int index = 0;  ///< of the reading in its step; of the joint's constraint
+    /// kDistance: the distance that was believed; kPull: the values; kGyro, kAccel: what the readings' ends
+    /// of ranges stood for, less those ends, empty when there were none.
+    Eigen::VectorXd target;
 };
 
 /// Linearised measurements: residual = measured - expected = H * error + noise, H given by its non-zero

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/estimation/censoring.h"
 #include "core/estimation/manifold_filter.h"
 #include "core/estimation/prediction.h"
 #include "core/inertial/reading.h"
@@ -105,6 +106,7 @@ void PaperFilter::updateTriads(const std::vector<InertialMeasurement>& readings,
     for (const InertialMeasurement& reading : readings) {
         blocks.push_back(gyro ? observations_.gyro(state_, reading, 0)
                               : observations_.accel(state_, reading, 0).block);
+        leaveOutBeyond(blocks.back(), gyro ? reading.gyro : reading.accel);
         blocks.back().variance.setConstant(sigma * sigma);
     }
     correct(P_.update(blocks));

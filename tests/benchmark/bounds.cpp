@@ -28,6 +28,7 @@
 #include <filesystem>
 
 #include "core/estimation/backward_pass.h"
+#include "core/estimation/censoring.h"
 #include "core/estimation/filter_tape.h"
 #include "tests/benchmark/bound_scene.h"
 #include "tests/benchmark/judged_take.h"
@@ -164,10 +165,15 @@ private:
             for (const RootMeasurement& root : instant.roots)
                 roots.push_back(observations_.root(instant.truth, root, root.time_s - now_s));
         for (const InertialMeasurement& reading : instant.inertial) {
-            if (setting_.sensors.gyroscopes)
-                triads.push_back(observations_.gyro(instant.truth, reading, reading.time_s - now_s));
-            if (setting_.sensors.accelerometers)
-                triads.push_back(observations_.accel(instant.truth, reading, reading.time_s - now_s).block);
+            const double offset_s = reading.time_s - now_s;
+            if (setting_.sensors.gyroscopes) {
+                triads.push_back(observations_.gyro(instant.truth, reading, offset_s));
+                leaveOutBeyond(triads.back(), reading.gyro);
+            }
+            if (setting_.sensors.accelerometers) {
+                triads.push_back(observations_.accel(instant.truth, reading, offset_s).block);
+                leaveOutBeyond(triads.back(), reading.accel);
+            }
         }
         if (setting_.sensors.distances)
             for (const DistanceMeasurement& distance : instant.distances)

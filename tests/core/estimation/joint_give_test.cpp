@@ -61,8 +61,10 @@ TEST_F(JointGiveTest, WhatTheActorsJointsCanDoIsNoDeviation) {
     EXPECT_NEAR(largestResidual(give.initial(at(0.8, 0.05))), 0.05, 0.001);
 }
 
-TEST_F(JointGiveTest, JacobiansEqualDifferences) {
-    const MotionState state = at(0.8, 0.07);
+class JointGiveFarOff : public JointGiveTest, public ::testing::WithParamInterface<double> {};
+
+TEST_P(JointGiveFarOff, JacobiansEqualDifferences) {
+    const MotionState state = at(0.8, GetParam());
     const auto blocks = give.initial(state);
     for (size_t i = 0; i < blocks.size(); ++i) {
         Eigen::MatrixXd full = Eigen::MatrixXd::Zero(1, tree.freedoms());
@@ -76,6 +78,19 @@ TEST_F(JointGiveTest, JacobiansEqualDifferences) {
             },
             full, "constraint " + std::to_string(i));
     }
+}
+
+INSTANTIATE_TEST_SUITE_P(Deviations, JointGiveFarOff, ::testing::Values(0.0, 1e-4, 0.07, 1.5, 2.8));
+
+TEST_F(JointGiveTest, AHingeTurnedNearlyRoundIsFarOffAndLost) {
+    const auto turned = give.initial(at(0.8, 2.8));
+    EXPECT_NEAR(std::hypot(turned[1].residual[0], turned[2].residual[0]), 2.8, 1e-9)
+        << "and not the sine of it, 0.33";
+    EXPECT_TRUE(give.lostLinks(at(0.8, 0.3)).empty());
+    const int forearm = tree.linkOfJoint(3);
+    EXPECT_EQ(give.lostLinks(at(0.8, 2.8)), std::vector<int>{forearm});
+    const auto blocks = give.observe(at(0.8, 2.8), P, 0.1);
+    EXPECT_LT(blocks[1].variance[0] + blocks[2].variance[0], 0.1) << "it is to come back at once";
 }
 
 TEST_F(JointGiveTest, JointsThatNeverGiveBecomeRigid) {

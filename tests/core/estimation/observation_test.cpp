@@ -84,23 +84,6 @@ TEST_P(Observation, GyroscopeAndAccelerometerJacobians) {
         }
 }
 
-TEST_P(Observation, AClippedReadingTellsOnlyOfWhatLiesBeyond) {
-    ObservationModel model(tree, suit, layout);
-    InertialMeasurement within = reading(2);
-    const double expected = within.gyro.axes[0].value - model.gyro(state, within, 0).residual[0];
-    for (const int end : {1, -1}) {
-        InertialMeasurement m = within;
-        m.gyro.axes[0].beyond = end;
-        m.gyro.axes[0].value = expected + end * 0.5;
-        EXPECT_NEAR(model.gyro(state, m, 0).residual[0], end * 0.5, 1e-9) << "pulled to the end of the range";
-        m.gyro.axes[0].value = expected - end * 0.5;
-        const ObservationBlock block = model.gyro(state, m, 0);
-        EXPECT_EQ(block.residual[0], 0) << "expected beyond the end as well";
-        EXPECT_GT(block.variance[0], 1e6);
-        EXPECT_LT(block.variance[1], 1) << "the other axes are as they were";
-    }
-}
-
 TEST_P(Observation, DistanceJacobians) {
     ObservationModel model(tree, suit, layout);
     for (int board = 0; board < 4; ++board)

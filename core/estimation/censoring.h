@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Readings at the end of a sensor's range: all they say is that the truth lies there or beyond.
+#pragma once
+
+#include "core/estimation/observation.h"
+
+namespace noctule {
+
+/// Makes of each such axis the plain reading with the same effect: the expected reading is a Gaussian, cut
+/// off at the end of the range, and an update with the new residual and variance gives its mean and variance
+/// (the moments of the Tobit Kalman filter: Allik et al. 2016, "The Tobit Kalman filter: an estimator for
+/// censored measurements"). Taken as it stands the end of the range would be believed to the last digit, and
+/// a limb that turns at twice that rate would be lost without the filter knowing. `reading` made `block`;
+/// `innovation_variance` by row, before. Into the block's origin, as `target`, goes what was added to
+/// residuals.
+void censor(ObservationBlock& block, const TriadReading& reading, const Eigen::VectorXd& innovation_variance);
+
+/// For who asks only once what readings tell: axes that are expected beyond the end as well tell nothing.
+void leaveOutBeyond(ObservationBlock& block, const TriadReading& reading);
+
+}  // namespace noctule

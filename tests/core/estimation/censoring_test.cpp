@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/estimation/censoring.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/estimation/covariance.h"
+
+namespace noctule {
+namespace {
+
+struct Moments {
+    double mean = 0, variance = 0;
+};
+
+/// Of a standard normal state whose reading, with noise of variance R, is known to be `end` or more (`beyond`
+/// 1) or less (-1): summed over the state's values, each as likely as it and such a reading are.
+Moments momentsBySum(double end, int beyond, double R) {
+    double weights = 0, sum = 0, squares = 0;
+    for (double x = -12; x <= 12; x += 1e-4) {
+        const double reading_beyond = 0.5 * std::erfc(beyond * (end - x) / std::sqrt(2 * R));
+        const double weight = std::exp(-0.5 * x * x) * reading_beyond;
+        weights += weight;
+        sum += weight * x;
+        squares += weight * x * x;
+    }
+    const double mean = sum / weights;
+    return {mean, squares / weights - mean * mean};
+}
+
+TriadReading readingOf(int beyond) {
+    TriadReading reading;
+    AxisReading axis;
+    axis.beyond = beyond;
+    reading.add(axis);
+    return reading;
+}
+
+/// The same by an update with the censored reading.
+Moments momentsByUpdate(double end, int beyond, double R) {
+    Covariance P(Eigen::VectorXd::Ones(1));
+    ObservationBlock block{
+        {0}, Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Constant(1, end), Eigen::VectorXd::Constant(1, R)};
+    censor(block, readingOf(beyond), P.innovationVariance(block));
+    EXPECT_NEAR(block.residual[0], end + block.origin.target[0], 1e-12);
+    const double mean = P.update({block})[0];
+    return {mean, P.dense()(0, 0)};
+}
+
+class Censoring : public ::testing::TestWithParam<double> {};
+
+TEST_P(Censoring, GivesTheMomentsOfTheGaussianCutOff) {
+    for (const int beyond : {1, -1})
+        for (const double R : {0.01, 0.5}) {
+            const double end = beyond * GetParam();
+            const Moments expected = momentsBySum(end, beyond, R), found = momentsByUpdate(end, beyond, R);
+            EXPECT_NEAR(found.mean, expected.mean, 1e-5) << "end " << end << ", noise " << R;
+            EXPECT_NEAR(found.variance, expected.variance, 1e-5) << "end " << end << ", noise " << R;
+        }
+}
+
+// From expected far beyond the end, where nothing is learnt, to far within the range.
+INSTANTIATE_TEST_SUITE_P(Ends, Censoring, ::testing::Values(-5.0, -1.0, 0.0, 0.5, 2.0, 5.0));
+
+TEST(CensoringLimits, FarWithinTheRangeTheEndIsBelievedAndFarBeyondNothing) {
+    EXPECT_NEAR(momentsByUpdate(300, 1, 1e-6).mean, 300, 0.01);
+    const Moments beyond = momentsByUpdate(-300, 1, 1e-6);
+    EXPECT_NEAR(beyond.mean, 0, 1e-5);
+    EXPECT_NEAR(beyond.variance, 1, 1e-6);
+}
+
+TEST(CensoringLimits, OtherAxesAreAsTheyWere) {
+    TriadReading reading = readingOf(1);
+    reading.add(AxisReading{});
+    ObservationBlock block{
+        {0, 1}, Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(0.3, 0.4), Eigen::Vector2d(0.1, 0.2)};
+    censor(block, reading, Eigen::Vector2d(1.1, 1.2));
+    EXPECT_EQ(block.residual[1], 0.4);
+    EXPECT_EQ(block.variance[1], 0.2);
+    EXPECT_EQ(block.origin.target[1], 0);
+}
+
+TEST(CensoringLimits, LeftOutIsOnlyWhatIsExpectedBeyond) {
+    const TriadReading reading = readingOf(-1);
+    ObservationBlock within{{0},
+                            Eigen::MatrixXd::Ones(1, 1),
+                            Eigen::VectorXd::Constant(1, -0.3),
+                            Eigen::VectorXd::Constant(1, 0.1)};
+    ObservationBlock beyond = within;
+    beyond.residual = -within.residual;
+    leaveOutBeyond(within, reading);
+    EXPECT_EQ(within.residual[0], -0.3);
+    EXPECT_EQ(within.variance[0], 0.1);
+    leaveOutBeyond(beyond, reading);
+    EXPECT_EQ(beyond.residual[0], 0);
+    EXPECT_GT(beyond.variance[0], 1e6);
+}
+
+}  // namespace
+}  // namespace noctule
