@@ -48,25 +48,4 @@ double BoardNoise::learnDistance(const ObservationBlock& block, int source, cons
     return variance;
 }
 
-bool BoardNoise::isLost(const InertialMeasurement& measurement, const ObservationBlock& block,
-                        double g_m_per_s2) {
-    if (measurement.accel.count < 3)
-        return false;
-    double force = 0;
-    for (const AxisReading& axis : measurement.accel.axes)
-        force = std::hypot(force, axis.value);
-    if (std::abs(force - g_m_per_s2) > parameters_.calm_m_per_s2) {
-        calm_s_ = 0;
-        level_m_per_s2_.setZero();
-        return false;
-    }
-    calm_s_ += 1.0 / kInertialFramesPerSecond;
-    const double learning = 1 / (parameters_.lost_time_s * kInertialFramesPerSecond);
-    level_m_per_s2_ += learning * (block.residual - level_m_per_s2_);
-    if (level_m_per_s2_.norm() < parameters_.lost_m_per_s2 || calm_s_ < parameters_.lost_time_s)
-        return false;
-    level_m_per_s2_.setZero();
-    return true;
-}
-
 }  // namespace noctule

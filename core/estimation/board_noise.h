@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far one board's readings are believed beyond its data sheet: what its innovations teach, what flesh
-// adds to an accelerometer, and whether the estimate has lost the board.
+// How far one board's readings are believed beyond its data sheet: what its innovations teach, and what
+// flesh adds to an accelerometer.
 #pragma once
 
 #include <cmath>
@@ -22,10 +22,6 @@ struct BoardNoiseParameters {
     /// Microphones shift with the pose and stay so for a while: what a filter follows is no innovation, so it
     /// is not learnt. Per distance, as white noise with the same effect.
     double flesh_distance_m = 0.005;
-
-    /// A board that has been calm for a while and reads gravity from elsewhere, beyond what mountings and
-    /// flesh explain, is lost.
-    double lost_m_per_s2 = 3, calm_m_per_s2 = 2, lost_time_s = 0.3;
 };
 
 class BoardNoise {
@@ -43,9 +39,6 @@ public:
         return distance_.whitenedVariance() + std::pow(flesh_share * parameters_.flesh_distance_m, 2);
     }
 
-    /// True once when `block`, the innovation of this reading, shows that the board is elsewhere.
-    bool isLost(const InertialMeasurement& measurement, const ObservationBlock& block, double g_m_per_s2);
-
 private:
     void adapt(ObservationBlock& block, const TriadReading& reading, ExcessNoise& noise,
                Eigen::VectorXd& before, const Covariance& P) const;
@@ -55,8 +48,6 @@ private:
     Eigen::VectorXd accel_before_, gyro_before_;
     std::vector<Eigen::VectorXd> distance_before_;  ///< per source
     double shaken_m_per_s2_ = 0;
-    double calm_s_ = 0;                                         ///< for how long it has been
-    Eigen::Vector3d level_m_per_s2_ = Eigen::Vector3d::Zero();  ///< mean innovation while calm
 };
 
 }  // namespace noctule

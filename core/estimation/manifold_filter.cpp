@@ -106,6 +106,7 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
     if (parameters_.joints_give)
         now_.give = JointGive(skeleton_, tree_, givingJoints(skeleton_, gyroscope_joints_), parameters_.give);
     now_.board_noise.assign(suit_.boards.size(), BoardNoise(parameters_.board_noise, suit_.sources.size()));
+    now_.alignments.assign(suit_.boards.size(), LimbAlignment(parameters_.alignment));
     Eigen::VectorXd variance = Eigen::VectorXd::Constant(n, std::pow(parameters_.joint_accel_rad_per_s2, 2));
     std::vector<bool> adapts;
     for (const Link& link : tree_.links()) {
@@ -167,6 +168,8 @@ void ManifoldFilter::step(const StepInput& input) {
     if (!input.inertial.empty() && learnsMotion())
         now_.motion_noise.learn(now_.state.motion.accel - predicted, variances - accel_variances(),
                                 1.0 / kInertialFramesPerSecond, now_.give.fleshShare());
+    if (parameters_.sensors.accelerometers && parameters_.sensors.gyroscopes)
+        alignLimbs(input.inertial);
     updateDistances(input.distances);
     updateGround(input.inertial);
     const auto prior_steps = std::max<int64_t>(1, std::llround(parameters_.prior_interval_s / step_s_));
@@ -224,13 +227,13 @@ void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measur
     for (const InertialMeasurement& measurement : measurements) {
         const double offset_s = measurement.time_s - seconds();
         const int reading = static_cast<int>(&measurement - measurements.data());
-        const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
         BoardNoise& noise = now_.board_noise[static_cast<size_t>(measurement.board)];
         if (gyro) {
             blocks.push_back(observations_.gyro(now_.state, measurement, offset_s));
             blocks.back().origin = {ObservationOrigin::Kind::kGyro, reading, {}};
             // Flesh under the board turns against a root that another system knows.
-            if (blocks.back().rows() > 0 && parameters_.root_given && link == 0)
+            if (blocks.back().rows() > 0 && parameters_.root_given &&
+                suit_.boards[static_cast<size_t>(measurement.board)].link == 0)
                 noise.adaptGyro(blocks.back(), measurement.gyro, now_.P);
             believeBeyond(blocks.back(), measurement.gyro);
             continue;
@@ -240,8 +243,6 @@ void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measur
             continue;
         if (!parameters_.sensors.gyroscopes)
             block.variance.array() += std::pow(parameters_.blind.accel_floor_m_per_s2, 2);
-        else if (link > 0 && noise.isLost(measurement, block, parameters_.g_m_per_s2))
-            beginAnew(movingLink(tree_, link));
         noise.adaptAccel(block, measurement.accel, motion_m_per_s2, now_.give.fleshShare(), now_.P);
         block.origin = {ObservationOrigin::Kind::kAccel, reading, {}};
         believeBeyond(block, measurement.accel);
@@ -335,13 +336,6 @@ void ManifoldFilter::noteGating(bool gated) {
     ++now_.resets;
     widen(0, layout_.freedoms, 0.1);
     widen(layout_.freedoms, layout_.freedoms, 1);
-}
-
-/// One limb has been lost, most often while its gyroscope was at the end of its range.
-void ManifoldFilter::beginAnew(const Link& link) {
-    ++now_.resets;
-    const int turning = std::min(link.count, 3);
-    widen(link.first + link.count - turning, turning, 0.5);
 }
 
 void ManifoldFilter::widen(int first, int count, double sigma) {

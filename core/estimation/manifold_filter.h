@@ -17,6 +17,7 @@
 #include "core/estimation/filter_tape.h"
 #include "core/estimation/ground_contacts.h"
 #include "core/estimation/joint_give.h"
+#include "core/estimation/limb_alignment.h"
 #include "core/estimation/motion_noise.h"
 #include "core/estimation/reading_grid.h"
 
@@ -42,6 +43,7 @@ struct ManifoldParameters {
     double gyro_bias_rad_per_s = 0.01, gyro_bias_walk = 0.0003;  ///< walk: per sqrt(s)
     double accel_bias_m_per_s2 = 0.05, accel_bias_walk = 0.001;
     BoardNoiseParameters board_noise;
+    LimbAlignmentParameters alignment;
     double source_offset_m = 0.0008;  ///< 1.5 us of offset error, and what the detector adds per source
     double sound_scale = 0.0015;
 
@@ -89,6 +91,7 @@ public:
         MotionState predicted;  ///< state.motion as it was before the updates of the last step
         int64_t step_index = 0;
         std::vector<BoardNoise> board_noise;
+        std::vector<LimbAlignment> alignments;  ///< per board
         GroundContacts ground;
         double gated_share = 0;  ///< running, over about 60 distances
         int resets = 0;
@@ -147,6 +150,10 @@ private:
     void updateRoot(const std::vector<RootMeasurement>& measurements);
     void updateTriads(const std::vector<InertialMeasurement>& measurements, bool gyro);
     void believeBeyond(ObservationBlock& block, const TriadReading& reading) const;
+    void alignLimbs(const std::vector<InertialMeasurement>& measurements);
+    void turnLimb(int link, const LimbAlignment::Found& found);
+    /// That a limb turns like this against its parent; of zero variance.
+    ObservationBlock turnOf(int link, const Quaterniond& q_parent_limb, const MotionState& motion) const;
     void updateDistances(const std::vector<DistanceMeasurement>& measurements);
     bool judgeDistance(const DistanceMeasurement& known, ObservationBlock& block, DistanceDecision& decision);
     void useCarrier(DistanceMeasurement& measurement, ObservationBlock& block) const;

@@ -30,6 +30,9 @@ ObservationBlock ManifoldFilter::again(const ObservationBlock& taped, const Step
             for (Eigen::Index i = 0; i < block.rows(); ++i)
                 block.residual[i] -= valueOf(state, block.columns[static_cast<size_t>(i)]);
             return block;
+        case ObservationOrigin::Kind::kTurn:
+            block = turnOf(origin.index, Quaterniond(Eigen::Vector4d(origin.target)), state.motion);
+            break;
         case ObservationOrigin::Kind::kGyro:
             block = observations_.gyro(state, input.inertial[index], input.inertial[index].time_s - at_s);
             break;

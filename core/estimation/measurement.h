@@ -39,6 +39,9 @@ struct TriadReading {
     }
 };
 
+/// The vector that three axes within their ranges sensed, in the board's frame; nothing otherwise.
+std::optional<Vector3d> sensedVector(const TriadReading& triad);
+
 struct InertialMeasurement {
     int board = 0;
     double time_s = 0;  ///< instant of the reading

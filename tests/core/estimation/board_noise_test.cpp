@@ -55,12 +55,6 @@ protected:
             measurement.accel.add({Vector3d::Unit(i), force_m_per_s2[i], 0.1});
         return measurement;
     }
-    bool isLostWithin(double seconds, const Vector3d& force_m_per_s2, const Vector3d& residual) {
-        for (int i = 0; i < seconds * kInertialFramesPerSecond; ++i)
-            if (noise.isLost(reading(force_m_per_s2), innovation(residual), kStandardGravity_m_per_s2))
-                return true;
-        return false;
-    }
 
     Covariance P{VectorXd::Ones(1)};
     BoardNoise noise{{}, 1};
@@ -95,23 +89,6 @@ TEST_F(BoardNoiseTest, AClippedReadingTeachesNothing) {
     EXPECT_GT(before, 1);
     adapted(true);
     EXPECT_NEAR(adapted(false), before, 0.1 * before);
-}
-
-TEST_F(BoardNoiseTest, ACalmBoardThatReadsGravityFromElsewhereIsLost) {
-    EXPECT_TRUE(isLostWithin(1, {0, 9.8, 0}, {0, 5, 0}));
-}
-
-TEST_F(BoardNoiseTest, ASwungBoardThatPassesThroughGravityIsNotLost) {
-    // A tenth of a second in which its force happens to be as large as gravity, then none for as long.
-    for (int swing = 0; swing < 30; ++swing) {
-        EXPECT_FALSE(isLostWithin(0.1, {0, 9.8, 0}, {0, 12, 0}));
-        EXPECT_FALSE(isLostWithin(0.1, {0, 25, 0}, {0, 15, 0}));
-    }
-}
-
-TEST_F(BoardNoiseTest, NeitherMountingsNorMotionMakeABoardLost) {
-    EXPECT_FALSE(isLostWithin(5, {0, 9.8, 0}, {0, 1.5, 0}));
-    EXPECT_FALSE(isLostWithin(5, {0, 25, 0}, {0, 15, 0}));
 }
 
 }  // namespace
