@@ -25,12 +25,12 @@ std::string fixedPoint(double value, int decimals) {
     return digits;
 }
 
-/// Parts of canonical names: the joint above a segment, and the segment.
+/// Parts of canonical names: the joint above a segment, and the segment; the studio's names in English.
 const std::map<std::string, std::pair<std::string, std::string>>& partNames() {
     static const std::map<std::string, std::pair<std::string, std::string>> names = {
-        {"Hips", {"hips", "hips"}},         {"Spine", {"lower back", "lower back"}},
-        {"Chest", {"upper back", "chest"}}, {"Neck", {"lower neck", "neck"}},
-        {"Head", {"neck", "head"}},         {"Shoulder", {"collarbone", "collarbone"}},
+        {"Hips", {"pelvis", "pelvis"}},     {"Spine", {"lower back", "abdomen"}},
+        {"Chest", {"upper back", "chest"}}, {"Neck", {"base of the neck", "neck"}},
+        {"Head", {"neck", "head"}},         {"Shoulder", {"clavicle", "clavicle"}},
         {"Arm", {"shoulder", "upper arm"}}, {"ForeArm", {"elbow", "forearm"}},
         {"Hand", {"wrist", "hand"}},        {"UpLeg", {"hip", "thigh"}},
         {"Leg", {"knee", "shin"}},          {"Foot", {"ankle", "foot"}},

@@ -53,7 +53,7 @@ void addSwap(const Observations& take, const RestPoseReport& report, std::vector
              "Nothing in this take tells boards " + pairText(take.suit, pair) + " apart" +
                  (many ? ", nor " + std::to_string(report.untold.size() - 1) + " other pairs" : "") +
                  ": gravity is alike on both and no sound decides",
-             "Look whether each sits where it belongs"});
+             "Check whether each sits where it belongs"});
         if (many)
             break;
     }

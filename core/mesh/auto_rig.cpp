@@ -12,7 +12,7 @@ namespace {
 constexpr float kLeastWeight = 0.01F;  ///< what weighs less is dropped
 
 /// From each joint to its children, and to the tips. The pelvis and the shoulders' girdle are warmed by the
-/// lines to the limbs as well; collarbones are too short to be warmed by anything else.
+/// lines to the limbs as well; clavicles are too short to be warmed by anything else.
 std::vector<BoneLine> boneLines(const Skeleton& skeleton, const Landmarks& landmarks) {
     std::vector<BoneLine> lines;
     for (int j = 0; j < skeleton.size(); ++j) {

@@ -98,7 +98,7 @@ std::string jointsSection(const ReportData& data) {
     body += html::note(
         "NEES compares the errors with what the filter says about them: 1 is honest, more is too sure. "
         "Position "
-        "is that of the joint in the hips' frame, so it gathers the errors of all joints above.");
+        "is that of the joint in the frame of the pelvis, so it gathers the errors of all joints above.");
     for (const JointCurve& curve : c.curves) {
         body +=
             html::heading(text::jointLabel(curve.name) + " against the reference") + "<div class=\"scroll\">";

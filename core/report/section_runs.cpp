@@ -51,13 +51,13 @@ std::string table1(const std::vector<const ReportRun*>& runs, const ReportRun* s
                       {{"Sensors", false},
                        {"Run", false},
                        {"Estimator", false},
-                       {"Mean", true, "Neck °"},
-                       {"Deviation", true, "Neck °"},
-                       {"Mean", true, "Right shoulder °"},
-                       {"Deviation", true, "Right shoulder °"},
-                       {"Mean", true, "Left hip °"},
-                       {"Deviation", true, "Left hip °"},
-                       {"Mean", true, "All joints °"}},
+                       {"Mean", true, "Neck\u00A0°"},
+                       {"Deviation", true, "Neck\u00A0°"},
+                       {"Mean", true, "Right shoulder\u00A0°"},
+                       {"Deviation", true, "Right shoulder\u00A0°"},
+                       {"Mean", true, "Left hip\u00A0°"},
+                       {"Deviation", true, "Left hip\u00A0°"},
+                       {"Mean", true, "All joints\u00A0°"}},
                       {}};
     for (size_t i = 0; i < runs.size(); ++i) {
         table.rows.push_back(ownRow(*runs[i], runs[i] == shown));

@@ -32,7 +32,7 @@ std::string cards(const ReportData& data, const ReportRun* run) {
         c && c->end_effector_mm ? text::number(*c->end_effector_mm, 1) + " mm" : "–";
     return "<div class=\"cards\">" +
            card(c ? text::degrees(c->mean_deg) : "–", "mean joint error against the reference") +
-           card(millimetres, "hands, feet and head, mean position error in the hips' frame") +
+           card(millimetres, "hands, feet and head, mean position error in the frame of the pelvis") +
            card(backedShare(data), "of frames backed by ranges, mean over joints") +
            card(residual_m ? text::number(1000 * *residual_m, 1) + " mm" : "–",
                 "range residual, root mean square of the ranges used") +

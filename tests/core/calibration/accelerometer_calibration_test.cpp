@@ -193,7 +193,7 @@ TEST(AccelerometerCalibration, NamesTheSideThatIsMissing) {
     test::removeReadings(all, 1, test::whileUp(test::plateTake(), "+x"));
     const AccelerometerReport report = calibrateOne(all);
     const Finding finding = test::onlyFinding(report.findings, all.suit.boards[1].id);
-    EXPECT_EQ(finding.what, "board 2, lower back: never lay still with its +x side up");
+    EXPECT_EQ(finding.what, "board 2, abdomen: never lay still with its +x side up");
     EXPECT_EQ(finding.grade, Grade::kNotUsable);
     EXPECT_FALSE(report.boards[1].axes);
     EXPECT_TRUE(report.boards[0].axes && report.boards[2].axes);
@@ -224,7 +224,7 @@ TEST(AccelerometerCalibration, FewPositionsAreNotEnough) {
     test::removeReadings(all, 0, {9, 1e9, ""});
     const AccelerometerReport report = calibrateOne(all);
     EXPECT_EQ(test::onlyFinding(report.findings, all.suit.boards[0].id).what,
-              "board 1, hips: six sides are needed, but it lay still 2 times");
+              "board 1, pelvis: six sides are needed, but it lay still 2 times");
     EXPECT_FALSE(report.boards[0].axes);
 }
 
@@ -263,7 +263,7 @@ TEST(AccelerometerCalibration, SixSidesTellThatTwoAreNotOpposite) {
     const AccelerometerReport report = calibrateOne(all);
     const Finding finding = test::onlyFinding(report.findings, all.suit.boards[0].id);
     EXPECT_EQ(finding.grade, Grade::kUsable);
-    EXPECT_TRUE(finding.what.starts_with("board 1, hips: its +x and -x sides are ")) << finding.what;
+    EXPECT_TRUE(finding.what.starts_with("board 1, pelvis: its +x and -x sides are ")) << finding.what;
     EXPECT_NEAR(degrees(report.boards[0].positions[2].off_level_rad), 3, 0.25);
     const AccelErrors errors = errorsOf(report, test::plateTake().stage);
     EXPECT_LT(errors.zero_m_per_s2, kZeroLimit_m_per_s2) << "gravity is as long as ever";
@@ -275,7 +275,7 @@ TEST(AccelerometerCalibration, TiltedPositionsTellWhichSideWasAskew) {
     const AccelerometerReport report =
         calibrateAccelerometers({all, test::tiltedTake(test::plateTake(), test::tiltedDirections())});
     const Finding finding = test::onlyFinding(report.findings, all.suit.boards[0].id);
-    EXPECT_TRUE(finding.what.starts_with("board 1, hips: lay ")) << finding.what;
+    EXPECT_TRUE(finding.what.starts_with("board 1, pelvis: lay ")) << finding.what;
     EXPECT_TRUE(finding.what.ends_with("° askew with its +x side up")) << finding.what;
 }
 
@@ -288,8 +288,8 @@ TEST(AccelerometerCalibration, LeavesOutClippedReadings) {
     const AccelerometerReport report = calibrateOne(all);
     ASSERT_EQ(report.findings.size(), 2U);
     EXPECT_EQ(report.findings[0].what,
-              "board 2, lower back: its accelerometer reached the end of its range while it lay still");
-    EXPECT_EQ(report.findings[1].what, "board 2, lower back: never lay still with its +y side up");
+              "board 2, abdomen: its accelerometer reached the end of its range while it lay still");
+    EXPECT_EQ(report.findings[1].what, "board 2, abdomen: never lay still with its +y side up");
     EXPECT_FALSE(report.boards[1].axes);
 }
 
@@ -298,7 +298,7 @@ TEST(AccelerometerCalibration, MissesABoardThatIsUnplugged) {
     all.boards[1].clear();
     const AccelerometerReport report = calibrateOne(all);
     EXPECT_EQ(test::onlyFinding(report.findings, all.suit.boards[1].id).what,
-              "board 2, lower back: sent no readings");
+              "board 2, abdomen: sent no readings");
     EXPECT_EQ(report.findings.size(), 1U);
     EXPECT_FALSE(report.boards[1].axes);
     EXPECT_EQ(report.grade(), Grade::kNotUsable);

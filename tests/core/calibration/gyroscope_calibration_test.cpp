@@ -230,7 +230,7 @@ TEST(GyroscopeCalibration, NamesTheTurnThatIsMissing) {
     const GyroscopeReport one_way = withoutTurns({"-x"});
     const Finding finding = test::onlyFinding(one_way.findings, id);
     EXPECT_EQ(finding.what,
-              "board 2, lower back: turned about its x axis in one direction only, with its +x side up");
+              "board 2, abdomen: turned about its x axis in one direction only, with its +x side up");
     EXPECT_EQ(finding.remedy, "Turn it with its -x side up as well, the table turning as before");
     EXPECT_EQ(finding.grade, Grade::kNotUsable);
     EXPECT_FALSE(one_way.boards[1].axes);
@@ -238,7 +238,7 @@ TEST(GyroscopeCalibration, NamesTheTurnThatIsMissing) {
 
     const GyroscopeReport no_axis = withoutTurns({"+z", "-z"});
     EXPECT_EQ(test::onlyFinding(no_axis.findings, id).what,
-              "board 2, lower back: was never turned evenly about its z axis");
+              "board 2, abdomen: was never turned evenly about its z axis");
 
     const Calibration base = nominalCalibration(test::tableTake().observations.suit),
                       applied = one_way.applied(base);
@@ -276,9 +276,9 @@ TEST(GyroscopeCalibration, LeavesOutClippedTurns) {
     const GyroscopeReport report = calibrateGyroscopes({all}, 45);
     ASSERT_EQ(report.findings.size(), 2U);
     EXPECT_EQ(report.findings[0].what,
-              "board 1, hips: its gyroscope reached the end of its range in a turn, which was left out");
+              "board 1, pelvis: its gyroscope reached the end of its range in a turn, which was left out");
     EXPECT_EQ(report.findings[1].what,
-              "board 1, hips: turned about its y axis in one direction only, with its -y side up");
+              "board 1, pelvis: turned about its y axis in one direction only, with its -y side up");
 }
 
 TEST(GyroscopeCalibration, MissesABoardThatIsUnplugged) {
@@ -286,7 +286,7 @@ TEST(GyroscopeCalibration, MissesABoardThatIsUnplugged) {
     all.boards[1].clear();
     const GyroscopeReport report = calibrateGyroscopes({all}, 0);
     EXPECT_EQ(test::onlyFinding(report.findings, all.suit.boards[1].id).what,
-              "board 2, lower back: sent no readings");
+              "board 2, abdomen: sent no readings");
     EXPECT_TRUE(report.speed_measured);
     all.boards.clear();
     EXPECT_EQ(calibrateGyroscopes({all}, 0).findings.size(), 3U);

@@ -24,7 +24,7 @@ TEST(BoardSide, HasItsNameAndItsAxis) {
 TEST(BoardWords, NameABoardAsTheOperatorSeesIt) {
     Suit suit = defaultSuit();
     EXPECT_EQ(boardWords(suit, 6), "board 7, left forearm");
-    EXPECT_EQ(boardWords(suit, 0), "board 1, hips");
+    EXPECT_EQ(boardWords(suit, 0), "board 1, pelvis");
     suit.boards[2].segment = "Tail";
     EXPECT_EQ(boardWords(suit, 2), "board 3, Tail");
     EXPECT_EQ(text::number(-0.04, 1), "0.0");
