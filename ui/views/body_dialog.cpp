@@ -19,7 +19,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kBodyLabels = 120, kBoneWidth = 220, kRowsHeight = 300;
+constexpr int kBodyLabels = 120, kBoneWidth = 220;
 constexpr int kDialogWidth = 560, kLandmarksWidth = 1040;
 constexpr const char* kFolderKey = "folders/meshes";
 
@@ -31,9 +31,10 @@ bool isMain(const std::string& joint) {
 }  // namespace
 
 BodyDialog::BodyDialog(Studio& studio, QWidget* parent)
-    : DialogFrame(tr("Body of the view"),
-                  tr("Views, pictures and films of this session show this body. Its bones follow ours."),
-                  tr("Use it"), parent),
+    : DialogFrame(
+          tr("Body of the view"),
+          tr("Views, pictures and films of this session show this body, moved by the captured motion."),
+          tr("Use it"), parent),
       choose(makeButton(ButtonKind::kOutlined, tr("Choose a mesh"), "folder")),
       ours(makeButton(ButtonKind::kText, tr("Noctule's own"))),
       find_again(makeButton(ButtonKind::kText, tr("Find again"))),
@@ -71,7 +72,10 @@ BodyDialog::BodyDialog(Studio& studio, QWidget* parent)
     connect(choose, &QPushButton::clicked, this, &BodyDialog::chooseFile);
     connect(ours, &QPushButton::clicked, this, [this] { setMesh({}); });
     connect(find_again, &QPushButton::clicked, this, &BodyDialog::findAgain);
-    connect(progress_, &JobProgress::ended, this, &BodyDialog::refresh);
+    connect(progress_, &JobProgress::ended, this, [this] {
+        refresh();
+        fitHeight();
+    });
     readMesh();
 }
 
@@ -91,6 +95,8 @@ void BodyDialog::setMesh(const QString& path) {
     draft_.mesh = path.isEmpty() ? std::string() : meshNameIn(session.folder, path.toStdString());
     draft_.choices = {};
     readMesh();
+    if (draft_.isOurs())
+        fitHeight();
 }
 
 void BodyDialog::readMesh() {
@@ -120,6 +126,7 @@ void BodyDialog::present(const ReadBody& read) {
         makeLandmarks(*read.standing);
     }
     refresh();
+    fitHeight();
 }
 
 void BodyDialog::clearRows() {
@@ -155,9 +162,7 @@ void BodyDialog::makeBoneRows() {
         connect(bone, qOverload<int>(&QComboBox::currentIndexChanged), this, &BodyDialog::takeBones);
     }
     grid->setColumnStretch(2, 1);
-    auto* area = new ScrollArea(list);
-    keepSize(*area, 0, kRowsHeight);
-    showRows(area, kDialogWidth);
+    showRows(new ScrollArea(list), kDialogWidth);
 }
 
 void BodyDialog::makeLandmarks(const StandingMesh& standing) {
@@ -170,8 +175,16 @@ void BodyDialog::makeLandmarks(const StandingMesh& standing) {
 void BodyDialog::showRows(QWidget* rows, int dialog_width) {
     rows_ = rows;
     rows_column_->addWidget(rows);
+    rows->show();  // at once, not with the next event: the dialog's height counts it
     keepSize(*this, dialog_width, 0);
-    adjustSize();
+}
+
+/// Ends below a whole row: a half one looks as if the list ended there.
+void BodyDialog::fitHeight() {
+    DialogFrame::fitHeight();
+    layout()->activate();
+    for (const ScrollArea* area : findChildren<ScrollArea*>())
+        resize(width(), height() - area->cutRow_px());
 }
 
 BoneMap BodyDialog::shownBones() const {
@@ -212,7 +225,7 @@ void BodyDialog::refresh() {
                                    : QFileInfo(path).fileName());
     name_->setToolTip(draft_.isOurs() ? QString() : path);
     ours->setVisible(!draft_.isOurs());
-    heading_->setText(landmarks_ ? tr("Where its joints are") : tr("Our joints and its bones"));
+    heading_->setText(landmarks_ ? tr("Where its joints are") : tr("Which of its bones is which"));
     heading_->setVisible(rows_);
     find_again->setVisible(rows_ && (draft_.choices.bones || draft_.choices.landmarks));
     for (const auto& [joint, row] : bones_) {
@@ -225,7 +238,7 @@ void BodyDialog::refresh() {
     const bool unread = !draft_.isOurs() && !mesh_ && !problem_;
     setProblem(problem_ ? QString::fromStdString(problem_->text()) : QString());
     actionButton()->setDisabledBecause(reading    ? tr("The mesh is being read.")
-                                       : problem_ ? tr("This mesh cannot be worn as it is.")
+                                       : problem_ ? tr("This mesh cannot be used as it is.")
                                        : unread   ? tr("The mesh was not read.")
                                                   : QString());
 }

@@ -39,6 +39,9 @@ public:
 public slots:
     void accept() override;
 
+protected:
+    void fitHeight() override;
+
 private:
     struct BoneRow {
         QComboBox* bone;

@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/dialog_frame.h"
 
+#include <QEvent>
+#include <QScreen>
+#include <algorithm>
+
+#include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/label.h"
+#include "ui/widgets/scroll_area.h"
 
 namespace noctule::ui {
+namespace {
+
+constexpr int kTitleBar = 40;
+
+}  // namespace
 
 DialogFrame::DialogFrame(const QString& title, const QString& about, const QString& action, QWidget* parent)
     : QDialog(parent),
@@ -43,6 +54,38 @@ DialogFrame::DialogFrame(const QString& title, const QString& about, const QStri
 void DialogFrame::setProblem(const QString& problem) {
     problem_->setText(problem);
     problem_->setVisible(!problem.isEmpty());
+}
+
+void DialogFrame::showEvent(QShowEvent* event) {
+    fitHeight();
+    QDialog::showEvent(event);
+}
+
+bool DialogFrame::event(QEvent* event) {
+    const bool handled = QDialog::event(event);
+    if (event->type() == QEvent::LayoutRequest && isVisible())
+        keepLeastHeight();
+    return handled;
+}
+
+/// Qt's own least height is what wrapped texts would need at another width. Lists that scroll may be lower.
+void DialogFrame::keepLeastHeight() {
+    int least = layout()->totalHeightForWidth(width());
+    for (const ScrollArea* list : findChildren<ScrollArea*>())
+        if (list->isVisibleTo(this))
+            least -= list->sizeHint().height() - list->minimumSizeHint().height();
+    setMinimumHeight(least);
+}
+
+void DialogFrame::fitHeight() {
+    layout()->activate();
+    keepLeastHeight();
+    const QRect free = screen()->availableGeometry();
+    const int room = free.height() - Theme::get().px(kTitleBar);
+    resize(width(), std::min(layout()->totalHeightForWidth(width()), room));
+    if (isVisible())  // grown, it stays on the screen
+        move(std::max(free.left(), std::min(x(), free.right() - frameGeometry().width())),
+             std::max(free.top(), std::min(y(), free.bottom() - frameGeometry().height())));
 }
 
 }  // namespace noctule::ui

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A dialog of the studio: title, what it is about, content, and at the bottom Cancel and one primary button.
+// It is as high as its texts and lists ask for at its width, as far as the screen has room.
 #pragma once
 
 #include <QDialog>
@@ -22,7 +23,15 @@ public:
     /// In place, above the buttons; empty: none.
     void setProblem(const QString& problem);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+    bool event(QEvent* event) override;
+    /// After what it shows became another thing.
+    virtual void fitHeight();
+
 private:
+    void keepLeastHeight();
+
     QBoxLayout* content_;
     Label* problem_;
     Button* action_;

@@ -3,7 +3,9 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QLayout>
 #include <QScrollBar>
+#include <algorithm>
 
 #include "ui/style/theme.h"
 
@@ -35,10 +37,42 @@ QSize ScrollArea::minimumSizeHint() const {
     return {content + verticalScrollBar()->sizeHint().width(), Theme::get().px(48)};
 }
 
+int ScrollArea::cutRow_px() const {
+    QLayout* rows = widget() ? widget()->layout() : nullptr;
+    if (!rows)
+        return 0;
+    rows->activate();
+    const int seen = viewport()->height();
+    int end = seen;
+    for (int i = 0; i < rows->count(); ++i)
+        if (const QRect part = rows->itemAt(i)->geometry(); part.top() < seen && part.bottom() >= seen)
+            end = std::min(end, part.top());
+    return seen - end;
+}
+
 bool ScrollArea::eventFilter(QObject* object, QEvent* event) {
-    if (object == widget() && event->type() == QEvent::LayoutRequest)
+    if (object == widget() && event->type() == QEvent::LayoutRequest) {
         updateGeometry();
+        fitContent();
+    }
     return QScrollArea::eventFilter(object, event);
+}
+
+void ScrollArea::resizeEvent(QResizeEvent* event) {
+    fitContent();
+    QScrollArea::resizeEvent(event);
+}
+
+/// Qt never makes the content lower than its texts would be at another width, and scrolls over nothing.
+void ScrollArea::fitContent() {
+    const QLayout* layout = widget() ? widget()->layout() : nullptr;
+    if (!layout || !layout->hasHeightForWidth())
+        return;
+    const QSize room = maximumViewportSize();
+    const int without_bar = widget()->heightForWidth(room.width());
+    const int bar = verticalScrollBar()->sizeHint().width();
+    widget()->setMinimumHeight(without_bar <= room.height() ? without_bar
+                                                            : widget()->heightForWidth(room.width() - bar));
 }
 
 }  // namespace noctule::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scrolls up and down and never sideways: the content keeps to the width and the area is never narrower than
-// the content can be, so that nothing clips at large type. Keyboard focus scrolls into view.
+// the content can be, so that nothing clips at large type. Wrapped texts take the height that they need at
+// that width, and no more. Keyboard focus scrolls into view.
 #pragma once
 
 #include <QScrollArea>
@@ -14,9 +15,16 @@ public:
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
+    /// How much of a row of the content stands in view at the lower edge, cut; 0: none is. Scrolled to the
+    /// top.
+    int cutRow_px() const;
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void fitContent();
 };
 
 }  // namespace noctule::ui

@@ -3,6 +3,7 @@
 #include "ui/views/body_dialog.h"
 
 #include <QComboBox>
+#include <QScrollBar>
 #include <fstream>
 
 #include "core/job/atomic_file.h"
@@ -11,6 +12,7 @@
 #include "ui/views/landmark_editor.h"
 #include "ui/views/landmark_picture.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/scroll_area.h"
 
 namespace noctule::ui {
 namespace {
@@ -81,6 +83,35 @@ QString writtenSurface(const SkinnedMesh& mesh, const QString& path) {
 void drag(LandmarkPicture& picture, const std::string& landmark, const QPoint& by) {
     const QPoint from = picture.pointOf(LandmarkPicture::kFront, landmark).toPoint();
     test::dragMouse(picture, from, from + by);
+}
+
+/// The smallest screen, and one on which all rows have room; the list never ends within a row.
+TEST_F(BodyDialogTest, ListsTakeTheRoomThatThereIsInWholeRows) {
+    constexpr int kScreen = 800, kTitleBar = 40;
+    for (const bool bare : {false, true}) {
+        ASSERT_TRUE(waitFor([&] { return studio_->look().ours != nullptr; }));
+        BodyDialog dialog(*studio_);
+        dialog.setMaximumHeight(kScreen - kTitleBar);
+        dialog.show();
+        dialog.setMesh(bare ? writtenSurface(*studio_->look().ours, outsideFile("rows.obj")) : mesh_);
+        ASSERT_TRUE(waitFor([&] { return (bare ? dialog.landmarks() : nullptr) || dialog.boneOf("Hips"); }));
+        ASSERT_TRUE(waitFor([this] { return jobsAreDone(); }));
+        QTest::qWait(50);
+        EXPECT_LE(dialog.height(), kScreen - kTitleBar);
+        EXPECT_GT(dialog.height(), kScreen - kTitleBar - 40) << "the list takes what room there is";
+        const auto* list =
+            bare ? dialog.landmarks()->findChild<ScrollArea*>() : dialog.findChild<ScrollArea*>();
+        ASSERT_TRUE(list);
+        EXPECT_GT(list->verticalScrollBar()->maximum(), 0);
+        EXPECT_EQ(list->cutRow_px(), 0);
+        const int seen = list->viewport()->height();
+        for (const QWidget* part :
+             list->widget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+            const QRect place = part->geometry();
+            EXPECT_FALSE(part->isVisible() && place.top() < seen && place.bottom() >= seen)
+                << part->accessibleName().toStdString() << " is cut";
+        }
+    }
 }
 
 TEST_F(BodyDialogTest, LandmarksOfAMeshWithoutBonesAreDraggedAndKept) {
