@@ -11,12 +11,13 @@
 namespace noctule::ui {
 
 namespace {
-constexpr int kMargin = 32, kWidestPage = 1080, kResize_ms = 120;
+constexpr int kMargin = 32, kNarrowMargin = 16, kNarrowPage = 640, kWidestPage = 1080, kResize_ms = 120;
 }
 
 ReportBrowser::ReportBrowser(QWidget* parent) : QTextBrowser(parent) {
     setFrameShape(NoFrame);
     setOpenLinks(false);
+    setWordWrapMode(QTextOption::WordWrap);  // columns of tables are as wide as their longest word
     setAccessibleName(tr("Report"));
     resized_.setSingleShot(true);
     resized_.setInterval(kResize_ms);
@@ -38,9 +39,13 @@ void ReportBrowser::setZoom(double zoom) {
     emit zoomChanged();
 }
 
+int ReportBrowser::margin() const {
+    return Theme::get().px(width() < Theme::get().px(kNarrowPage) ? kNarrowMargin : kMargin);
+}
+
 int ReportBrowser::pageWidth() const {
     const Theme& theme = Theme::get();
-    const int room = width() - verticalScrollBar()->sizeHint().width() - 2 * theme.px(kMargin);
+    const int room = width() - verticalScrollBar()->sizeHint().width() - 2 * margin();
     return std::clamp(room, theme.px(400), theme.px(kWidestPage));
 }
 
@@ -53,18 +58,19 @@ void ReportBrowser::layOut() {
     QPalette colors = palette();
     colors.setColor(QPalette::Base, Theme::get().tokens().panel);
     setPalette(colors);
-    const int text_width = static_cast<int>(laid_out_width_ * zoom_) + 2 * Theme::get().px(kMargin);
-    setHorizontalScrollBarPolicy(text_width > width() ? Qt::ScrollBarAsNeeded : Qt::ScrollBarAlwaysOff);
+    const int text_width = static_cast<int>(laid_out_width_ * zoom_) + 2 * margin();
     setLineWrapMode(QTextEdit::FixedPixelWidth);
     setLineWrapColumnOrWidth(text_width);
     report_ = reportDocument(parts_, static_cast<int>(laid_out_width_ * zoom_));
     document()->clear();
     document()->setDefaultStyleSheet(reportStyle(zoom_));
-    document()->setDocumentMargin(Theme::get().px(kMargin));
+    document()->setDocumentMargin(margin());
     QFont font = Theme::get().font(TextRole::kBody);
     font.setPixelSize(qRound(QFontInfo(font).pixelSize() * zoom_));
     document()->setDefaultFont(font);
     setHtml("<body>" + report_.html + "</body>");
+    setHorizontalScrollBarPolicy(document()->size().width() > width() ? Qt::ScrollBarAsNeeded
+                                                                      : Qt::ScrollBarAlwaysOff);
     verticalScrollBar()->setValue(qRound(place * verticalScrollBar()->maximum()));
 }
 

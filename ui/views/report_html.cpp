@@ -149,7 +149,7 @@ QString reportStyle(double zoom) {
                "h3{font-size:%5px;font-weight:500;margin-top:16px;margin-bottom:4px}"
                ".lead{color:%6}.note,.key,.nothing,small{color:%7;font-size:%8px}"
                "p{margin-top:4px;margin-bottom:8px}.figure{margin-top:8px}.gap{font-size:4px;margin:0}"
-               "td{padding:4px 6px}.columnhead{color:%7;font-size:%8px}"
+               "td{padding:4px 4px}.columnhead{color:%7;font-size:%8px}"
                ".dt{color:%6}.dd{color:%1}.look{color:%9}.value{font-size:%3px}"
                ".card{background-color:%10}")
         .arg(t.t1.name(), px(13), px(26), px(20), px(15), t.t2.name(), t.t3.name(), px(12), t.warn.name(),

@@ -42,6 +42,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
+    int margin() const;
     int pageWidth() const;
     void layOut();
 
