@@ -4,10 +4,6 @@
 <context>
     <name>CalibrationState</name>
     <message>
-        <source>Not yet made in this calibration</source>
-        <translation>In dieser Kalibrierung noch nicht gemacht</translation>
-    </message>
-    <message>
         <source>good</source>
         <translation>gut</translation>
     </message>
@@ -26,6 +22,10 @@
     <message>
         <source>%1 of %2 parts, %3, since %4</source>
         <translation>%1 von %2 Teilen, %3, Stand: %4</translation>
+    </message>
+    <message>
+        <source>Not calibrated yet</source>
+        <translation>Noch nicht kalibriert</translation>
     </message>
 </context>
 <context>
@@ -469,13 +469,6 @@
 </context>
 <context>
     <name>LiveText</name>
-    <message numerus="yes">
-        <source>So do %n other(s).</source>
-        <translation>
-            <numerusform>%n weitere Platine ebenso.</numerusform>
-            <numerusform>%n weitere Platinen ebenso.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Board %1, %2, is silent</source>
         <translation>Platine %1, %2, ist stumm</translation>
@@ -563,10 +556,6 @@
         <translation>Keine Platine ist zu hören</translation>
     </message>
     <message>
-        <source>Look at step Connect, which board is missing and why.</source>
-        <translation>Im Schritt Verbinden nachsehen, welche Platine fehlt und warum.</translation>
-    </message>
-    <message>
         <source>None of the measured placements is heard</source>
         <translation>Keine der gemessenen Aufstellungen ist zu hören</translation>
     </message>
@@ -593,14 +582,6 @@
     <message>
         <source>%1 is done</source>
         <translation>Fertig: %1</translation>
-    </message>
-    <message>
-        <source>Go on as above.</source>
-        <translation>Weitermachen wie oben.</translation>
-    </message>
-    <message>
-        <source>Stay like that, all boards are calm.</source>
-        <translation>So bleiben, alle Platinen sind ruhig.</translation>
     </message>
     <message>
         <source>%1 rpm, even. Nothing touches the table.</source>
@@ -685,13 +666,6 @@
         <source>%1 is left out: how it sits today stays unknown.</source>
         <translation>%1 wird ausgelassen: wie sie heute sitzt, bleibt unbekannt.</translation>
     </message>
-    <message numerus="yes">
-        <source>So are %n other(s).</source>
-        <translation>
-            <numerusform>So liegt auch eine weitere.</numerusform>
-            <numerusform>So liegen auch %n weitere.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Once more: %1 hardly moved</source>
         <translation>Noch einmal: %1 hat sich kaum bewegt</translation>
@@ -735,6 +709,39 @@
     <message>
         <source>Movement</source>
         <translation>Bewegung</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other(s) are turned too.</source>
+        <translation>
+            <numerusform>Eine weitere ist auch verdreht.</numerusform>
+            <numerusform>%n weitere sind auch verdreht.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other(s) move too.</source>
+        <translation>
+            <numerusform>Eine weitere bewegt sich auch.</numerusform>
+            <numerusform>%n weitere bewegen sich auch.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other(s) hardly moved either.</source>
+        <translation>
+            <numerusform>Eine weitere hat sich auch kaum bewegt.</numerusform>
+            <numerusform>%n weitere haben sich auch kaum bewegt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Step Connect shows which board is missing and why.</source>
+        <translation>Der Schritt Verbinden zeigt, welche Platine fehlt und warum.</translation>
+    </message>
+    <message>
+        <source>Go on with what is asked above.</source>
+        <translation>Weiter mit dem, was oben steht.</translation>
+    </message>
+    <message>
+        <source>Stay like that, all boards are still.</source>
+        <translation>So bleiben, alle Platinen sind ruhig.</translation>
     </message>
 </context>
 <context>
@@ -1857,10 +1864,6 @@
         <translation>Körper der Ansicht</translation>
     </message>
     <message>
-        <source>Views, pictures and films of this session show this body. Its bones follow ours.</source>
-        <translation>Ansichten, Bilder und Filme dieser Sitzung zeigen diesen Körper. Seine Knochen folgen unseren.</translation>
-    </message>
-    <message>
         <source>Use it</source>
         <translation>Verwenden</translation>
     </message>
@@ -1905,10 +1908,6 @@
         <translation>Noctules eigener, in den Maßen der Person</translation>
     </message>
     <message>
-        <source>Our joints and its bones</source>
-        <translation>Unsere Gelenke und seine Knochen</translation>
-    </message>
-    <message>
         <source>Where its joints are</source>
         <translation>Wo seine Gelenke sind</translation>
     </message>
@@ -1925,16 +1924,24 @@
         <translation>Das Netz wird gelesen.</translation>
     </message>
     <message>
-        <source>This mesh cannot be worn as it is.</source>
-        <translation>So kann dieses Netz nicht getragen werden.</translation>
-    </message>
-    <message>
         <source>The mesh was not read.</source>
         <translation>Das Netz wurde nicht gelesen.</translation>
     </message>
     <message>
         <source>Find again</source>
         <translation>Neu finden</translation>
+    </message>
+    <message>
+        <source>Views, pictures and films of this session show this body, moved by the captured motion.</source>
+        <translation>Ansichten, Bilder und Filme dieser Sitzung zeigen diesen Körper, bewegt von der aufgenommenen Bewegung.</translation>
+    </message>
+    <message>
+        <source>Which of its bones is which</source>
+        <translation>Welcher seiner Knochen welcher ist</translation>
+    </message>
+    <message>
+        <source>This mesh cannot be used as it is.</source>
+        <translation>Dieses Netz lässt sich so nicht verwenden.</translation>
     </message>
 </context>
 <context>
@@ -2074,10 +2081,6 @@
 <context>
     <name>noctule::ui::CalibrationShelf</name>
     <message>
-        <source>The calibration %1 was made with other parts than those connected now: %2. Calibrate them before their takes count.</source>
-        <translation>Die Kalibrierung %1 wurde mit anderen Teilen gemacht, als jetzt verbunden sind: %2. Diese kalibrieren, bevor ihre Aufnahmen gelten.</translation>
-    </message>
-    <message>
         <source>Calibration of the %1</source>
         <translation>Kalibrierung: %1</translation>
     </message>
@@ -2088,6 +2091,10 @@
     <message>
         <source>The calibration %1 of this session is gone or damaged. Takes are made with what the suit knows of itself; choose another one in step Calibrate.</source>
         <translation>Die Kalibrierung %1 dieser Sitzung ist verschwunden oder beschädigt. Aufgenommen wird mit dem, was der Anzug von sich selbst weiß; wählen Sie im Schritt Kalibrieren eine andere.</translation>
+    </message>
+    <message>
+        <source>The calibration %1 was made with other parts than those connected now: %2. Calibrate those before takes with them can be relied on.</source>
+        <translation>Die Kalibrierung %1 entstand mit anderen Teilen als den jetzt verbundenen: %2. Erst wenn diese kalibriert sind, ist auf Aufnahmen mit ihnen Verlass.</translation>
     </message>
 </context>
 <context>
@@ -2292,10 +2299,6 @@
         <translation>Erneut anfragen</translation>
     </message>
     <message>
-        <source>A serial port; a driver box may hang there</source>
-        <translation>Eine serielle Schnittstelle; eine Steuerbox kann daran hängen</translation>
-    </message>
-    <message>
         <source>busy</source>
         <translation>belegt</translation>
     </message>
@@ -2334,6 +2337,10 @@
     <message>
         <source>link broken</source>
         <translation>Verbindung unterbrochen</translation>
+    </message>
+    <message>
+        <source>A serial port; a driver box may be connected there</source>
+        <translation>Eine serielle Schnittstelle; dort kann eine Steuerbox angeschlossen sein</translation>
     </message>
 </context>
 <context>
@@ -2384,10 +2391,6 @@
     <message>
         <source>Whole takes</source>
         <translation>Ganze Aufnahmen</translation>
-    </message>
-    <message>
-        <source>Own</source>
-        <translation>Eigener</translation>
     </message>
     <message>
         <source>Range</source>
@@ -2565,6 +2568,10 @@
         <source>On a body of other proportions feet would slide; its legs bend a little instead.</source>
         <translation>Auf einem Körper anderer Maße würden die Füße rutschen; stattdessen beugen sich seine Beine etwas.</translation>
     </message>
+    <message>
+        <source>Chosen seconds</source>
+        <translation>Gewählte Sekunden</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportPage</name>
@@ -2600,10 +2607,6 @@
         <source>The range ends before it begins</source>
         <translation>Der Bereich endet, bevor er beginnt</translation>
     </message>
-    <message>
-        <source>Give a last second after the first</source>
-        <translation>Eine letzte Sekunde nach der ersten angeben</translation>
-    </message>
     <message numerus="yes">
         <source>Write %n files</source>
         <translation>
@@ -2621,10 +2624,6 @@
             <numerusform>und %n weitere</numerusform>
             <numerusform>und %n weitere</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Nothing is overwritten: a second export gets _2.</source>
-        <translation>Nichts wird überschrieben: ein zweiter Export bekommt _2.</translation>
     </message>
     <message>
         <source>%1 free.</source>
@@ -2680,6 +2679,14 @@
         <source>Export</source>
         <translation>Exportieren</translation>
     </message>
+    <message>
+        <source>Choose a last second after the first</source>
+        <translation>Eine letzte Sekunde nach der ersten wählen</translation>
+    </message>
+    <message>
+        <source>Nothing is overwritten: a second export gets _2. %1</source>
+        <translation>Nichts wird überschrieben: ein zweiter Export bekommt _2. %1</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportPresetList</name>
@@ -2698,10 +2705,6 @@
 </context>
 <context>
     <name>noctule::ui::ExportResultsPanel</name>
-    <message>
-        <source>What was written stands here, with what reading it again said.</source>
-        <translation>Was geschrieben wurde, steht hier, und was das Zurücklesen ergab.</translation>
-    </message>
     <message>
         <source>Save the check as text</source>
         <translation>Prüfung als Text sichern</translation>
@@ -2770,6 +2773,10 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Written files are listed here, each with its check.</source>
+        <translation>Geschriebene Dateien stehen hier, jede mit ihrer Prüfung.</translation>
     </message>
 </context>
 <context>
@@ -3787,28 +3794,8 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>In dieser Version</translation>
     </message>
     <message>
-        <source>The studio: sessions with performers and takes, the body in three dimensions, and plots of everything a take holds, all on one time.</source>
-        <translation>Das Studio: Sitzungen mit Darstellern und Aufnahmen, der Körper in drei Dimensionen und Diagramme von allem, was eine Aufnahme enthält, alles auf einer Zeit.</translation>
-    </message>
-    <message>
-        <source>Process a take again with other sensors or the estimator of the paper, and see two results side by side.</source>
-        <translation>Eine Aufnahme mit anderen Sensoren oder dem Schätzer der Veröffentlichung neu verarbeiten und zwei Ergebnisse nebeneinander sehen.</translation>
-    </message>
-    <message>
-        <source>Compare with a reference, read the report inside the window, and export BVH and CSV that are read back and checked.</source>
-        <translation>Mit einer Referenz vergleichen, den Bericht im Fenster lesen und BVH und CSV exportieren, die zurückgelesen und geprüft werden.</translation>
-    </message>
-    <message>
         <source>A virtual suit, so that all of this can be tried without one.</source>
         <translation>Ein virtueller Anzug, damit sich all das ohne Anzug ausprobieren lässt.</translation>
-    </message>
-    <message>
-        <source>Not yet</source>
-        <translation>Noch nicht</translation>
-    </message>
-    <message>
-        <source>Export to FBX and glTF, video, and reading of optical markers.</source>
-        <translation>Export nach FBX und glTF, Video und das Lesen optischer Marker.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -3819,12 +3806,28 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Steuerboxen werden an USB und im Netz gefunden; Verbinden sagt, ob der Anzug bereit ist und was zu tun ist.</translation>
     </message>
     <message>
-        <source>Calibration wizards. Calibrate says what they will do and what to do meanwhile.</source>
-        <translation>Assistenten der Kalibrierung. Kalibrieren sagt, was sie tun werden und was bis dahin zu tun ist.</translation>
-    </message>
-    <message>
         <source>Record from a suit: the live body with its rays, levels, a countdown, a shot list, markers and notes; the take opens in Review at once.</source>
         <translation>Von einem Anzug aufnehmen: der Körper live mit seinen Strahlen, Pegel, ein Countdown, eine Aufnahmeliste, Marken und Notizen; die Aufnahme öffnet sich sofort in Prüfen.</translation>
+    </message>
+    <message>
+        <source>Calibration wizards for source offsets, accelerometers, gyroscopes, rest pose and movement, and a check of three seconds before a take that matters.</source>
+        <translation>Assistenten zur Kalibrierung von Quellenversatz, Beschleunigungssensoren, Gyroskopen, Ruhehaltung und Bewegung, und eine Prüfung von drei Sekunden vor einer wichtigen Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Review with the body in three dimensions and plots of everything a take holds, all on one time; compare with a reference, read the report inside the window.</source>
+        <translation>Prüfen mit dem Körper in drei Dimensionen und Diagrammen von allem, was eine Aufnahme enthält, alles auf einer Zeit; mit einer Referenz vergleichen, den Bericht im Fenster lesen.</translation>
+    </message>
+    <message>
+        <source>Process a take again with other sensors or the filter of the paper, and see two results side by side.</source>
+        <translation>Eine Aufnahme mit anderen Sensoren oder dem Filter der Veröffentlichung neu verarbeiten und zwei Ergebnisse nebeneinander sehen.</translation>
+    </message>
+    <message>
+        <source>A mesh of your own as the body of the view, with bones or without; where its joints are is found, and can be moved by hand.</source>
+        <translation>Ein eigenes Netz als Körper der Ansicht, mit Knochen oder ohne; wo seine Gelenke sind, wird gefunden und lässt sich von Hand verschieben.</translation>
+    </message>
+    <message>
+        <source>Export to FBX, glTF, BVH, CSV and OpenSim, and as pictures and films; every file is read back and checked.</source>
+        <translation>Export nach FBX, glTF, BVH, CSV und OpenSim sowie als Bilder und Filme; jede Datei wird zurückgelesen und geprüft.</translation>
     </message>
 </context>
 <context>
@@ -3834,24 +3837,24 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Anzug verbinden</translation>
     </message>
     <message>
-        <source>Put on the virtual suit</source>
-        <translation>Virtuellen Anzug anlegen</translation>
-    </message>
-    <message>
-        <source>The virtual suit is being put on. The first time its take is made, which takes a while.</source>
-        <translation>Der virtuelle Anzug wird angelegt. Beim ersten Mal entsteht seine Aufnahme, das dauert eine Weile.</translation>
-    </message>
-    <message>
         <source>No suit is connected. The live body, the levels of the boards and the record button appear here as soon as one is.</source>
         <translation>Kein Anzug ist verbunden. Der Körper, die Pegel der Platinen und der Aufnahmeknopf erscheinen hier, sobald einer verbunden ist.</translation>
     </message>
     <message>
-        <source>It is being put on.</source>
-        <translation>Er wird gerade angelegt.</translation>
-    </message>
-    <message>
         <source>noctule-virtual-suit is not beside this program.</source>
         <translation>noctule-virtual-suit liegt nicht neben diesem Programm.</translation>
+    </message>
+    <message>
+        <source>Start the virtual suit</source>
+        <translation>Virtuellen Anzug starten</translation>
+    </message>
+    <message>
+        <source>The virtual suit is starting. The first time its motion is prepared, which takes a while.</source>
+        <translation>Der virtuelle Anzug startet. Beim ersten Mal wird seine Bewegung vorbereitet, das dauert eine Weile.</translation>
+    </message>
+    <message>
+        <source>It is starting.</source>
+        <translation>Er startet.</translation>
     </message>
 </context>
 <context>
@@ -4389,10 +4392,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Aufnahmen neu verarbeiten</translation>
     </message>
     <message>
-        <source>Uses the calibration %1, all sensors and a free root. Every processing adds a result; nothing is replaced.</source>
-        <translation>Benutzt die Kalibrierung %1, alle Sensoren und eine freie Wurzel. Jede Verarbeitung fügt ein Ergebnis hinzu; nichts wird ersetzt.</translation>
-    </message>
-    <message>
         <source>Process</source>
         <translation>Verarbeiten</translation>
     </message>
@@ -4414,6 +4413,22 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Tick at least one take.</source>
         <translation>Mindestens eine Aufnahme ankreuzen.</translation>
+    </message>
+    <message>
+        <source>Each take is processed as a live recording is, with all sensors and the calibration that it was recorded with.</source>
+        <translation>Jede Aufnahme wird wie eine laufende Aufzeichnung verarbeitet, mit allen Sensoren und der Kalibrierung, mit der sie entstand.</translation>
+    </message>
+    <message>
+        <source>Each take is processed as a live recording is, with all sensors and the calibration “%1”.</source>
+        <translation>Jede Aufnahme wird wie eine laufende Aufzeichnung verarbeitet, mit allen Sensoren und der Kalibrierung „%1“.</translation>
+    </message>
+    <message>
+        <source>Takes of %1 get the bone lengths that this calibration found.</source>
+        <translation>Aufnahmen von %1 bekommen die Knochenlängen, die diese Kalibrierung fand.</translation>
+    </message>
+    <message>
+        <source>A result is added to each; recordings and earlier results stay.</source>
+        <translation>Jede bekommt ein Ergebnis dazu; Aufzeichnungen und frühere Ergebnisse bleiben.</translation>
     </message>
 </context>
 <context>
@@ -4693,10 +4708,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>%1 hört keine Quelle</translation>
     </message>
     <message>
-        <source>Board %1 has heard no pulse for ten seconds. Look whether a strap or a fold covers its microphone.</source>
-        <translation>Platine %1 hat seit zehn Sekunden keinen Puls gehört. Nachsehen, ob ein Band oder eine Falte ihr Mikrofon bedeckt.</translation>
-    </message>
-    <message>
         <source>Source %1 is not heard</source>
         <translation>Quelle %1 wird nicht gehört</translation>
     </message>
@@ -4741,14 +4752,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>There is room for %1 of recording. Free some space, or choose another folder for the session.</source>
         <translation>Es ist Platz für %1 Aufnahme. Platz schaffen oder einen anderen Ordner für die Sitzung wählen.</translation>
-    </message>
-    <message>
-        <source>Nobody has said which board sits where</source>
-        <translation>Niemand hat gesagt, welche Platine wo sitzt</translation>
-    </message>
-    <message>
-        <source>The driver box does not know it; the boards are shown in the order of their plugs. Find each by moving, or drag it onto its body part.</source>
-        <translation>Die Steuerbox weiß es nicht; die Platinen stehen in der Reihenfolge ihrer Stecker. Jede durch Bewegen finden oder auf ihren Körperteil ziehen.</translation>
     </message>
     <message numerus="yes">
         <source>%n thing(s) to fix</source>
@@ -4856,6 +4859,18 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Link broken</source>
         <translation>Verbindung unterbrochen</translation>
+    </message>
+    <message>
+        <source>Board %1 has heard no pulse for ten seconds. Check whether a strap or a fold covers its microphone.</source>
+        <translation>Platine %1 hat seit zehn Sekunden keinen Puls gehört. Prüfen, ob ein Band oder eine Falte ihr Mikrofon verdeckt.</translation>
+    </message>
+    <message>
+        <source>It is not known which board sits where</source>
+        <translation>Welche Platine wo sitzt, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>The driver box does not tell; the boards are shown in the order of their plugs. Find each by moving, or drag it onto its body part.</source>
+        <translation>Die Steuerbox sagt es nicht; die Platinen stehen in der Reihenfolge ihrer Stecker. Jede durch Bewegen finden oder auf ihren Körperteil ziehen.</translation>
     </message>
 </context>
 <context>
@@ -5246,14 +5261,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Nimmt gut auf</translation>
     </message>
     <message>
-        <source>Recording, but look</source>
-        <translation>Nimmt auf, aber ansehen</translation>
-    </message>
-    <message>
-        <source>Connect one, and this says whether it is ready.</source>
-        <translation>Einen verbinden, dann steht hier, ob er bereit ist.</translation>
-    </message>
-    <message>
         <source>Checked</source>
         <translation>Kontrolliert</translation>
     </message>
@@ -5287,6 +5294,14 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>A take is being recorded; check before the next one.</source>
         <translation>Eine Aufnahme läuft; vor der nächsten kontrollieren.</translation>
+    </message>
+    <message>
+        <source>Connect one to see whether it is ready.</source>
+        <translation>Einen verbinden, um zu sehen, ob er bereit ist.</translation>
+    </message>
+    <message>
+        <source>Recording, with problems</source>
+        <translation>Aufnahme läuft, mit Problemen</translation>
     </message>
 </context>
 <context>
@@ -6135,14 +6150,6 @@ keine Lücken</translation>
         <translation>%1 liegt um %2 daneben</translation>
     </message>
     <message>
-        <source>Most of it after %1. Look whether the strap moved there; a pair of in and out around the good part keeps the take usable.</source>
-        <translation>Das meiste davon nach %1. Nachsehen, ob sich dort der Gurt verschoben hat; Anfang und Ende um den guten Teil halten die Aufnahme brauchbar.</translation>
-    </message>
-    <message>
-        <source>It is off throughout. Look where its boards sit on the performer page.</source>
-        <translation>Durchgehend. Auf der Darstellerseite nachsehen, wo die Platinen sitzen.</translation>
-    </message>
-    <message>
         <source>%1 is less certain</source>
         <translation>%1 ist weniger sicher</translation>
     </message>
@@ -6202,14 +6209,6 @@ keine Lücken</translation>
         <translation>Nicht brauchbar</translation>
     </message>
     <message>
-        <source>Better not to build on it as it is. Why, and what may help, stands below.</source>
-        <translation>So besser nicht darauf aufbauen. Warum, und was helfen kann, steht unten.</translation>
-    </message>
-    <message>
-        <source>Good enough to work with. What to look at first stands below.</source>
-        <translation>Gut genug zum Arbeiten. Worauf zuerst zu schauen ist, steht unten.</translation>
-    </message>
-    <message>
         <source>It follows the reference from start to end.</source>
         <translation>Sie folgt der Referenz von Anfang bis Ende.</translation>
     </message>
@@ -6248,6 +6247,22 @@ keine Lücken</translation>
     <message>
         <source>The filter found nothing to start from. Reprocess with all sensors, or look whether the take holds sound at all.</source>
         <translation>Der Filter fand nichts, womit er beginnen konnte. Mit allen Sensoren neu verarbeiten oder nachsehen, ob die Aufnahme überhaupt Ton enthält.</translation>
+    </message>
+    <message>
+        <source>Most of it after %1. Check whether the strap moved there; with in and out set around the good part the take stays usable.</source>
+        <translation>Das meiste davon nach %1. Prüfen, ob dort der Gurt verrutscht ist; mit Anfang und Ende um den guten Teil bleibt die Aufnahme brauchbar.</translation>
+    </message>
+    <message>
+        <source>It is off throughout. Check on the performer page where its boards sit.</source>
+        <translation>Die Abweichung besteht durchgehend. Auf der Darstellerseite prüfen, wo die Platinen sitzen.</translation>
+    </message>
+    <message>
+        <source>Better not used as it is. Why, and what may help, is told below.</source>
+        <translation>So besser nicht verwenden. Warum, und was helfen kann, steht unten.</translation>
+    </message>
+    <message>
+        <source>Good enough to work with. What to look at first is told below.</source>
+        <translation>Gut genug, um damit zu arbeiten. Worauf zuerst zu achten ist, steht unten.</translation>
     </message>
 </context>
 <context>
@@ -7583,10 +7598,6 @@ Drehen, beide Richtungen x3</translation>
         <translation>Kalibrieren</translation>
     </message>
     <message>
-        <source>Four wizards find out how the suit measures and how it sits. They go on by themselves and say when something is not good enough.</source>
-        <translation>Vier Assistenten finden heraus, wie der Anzug misst und wie er sitzt. Sie gehen von selbst weiter und sagen, wenn etwas nicht gut genug ist.</translation>
-    </message>
-    <message>
         <source>Record</source>
         <translation>Aufnehmen</translation>
     </message>
@@ -7630,6 +7641,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Wizards find out how the suit measures and how it sits on the body. They go on by themselves and say when something is not good enough.</source>
+        <translation>Assistenten finden heraus, wie der Anzug misst und wie er am Körper sitzt. Sie gehen von selbst weiter und sagen, wenn etwas nicht gut genug ist.</translation>
     </message>
 </context>
 <context>
@@ -7951,16 +7966,8 @@ Drehen, beide Richtungen x3</translation>
         <translation>Vorhandene Aufnahmen verwenden</translation>
     </message>
     <message>
-        <source>Nothing is measured; the takes of another day or another box are what there is</source>
-        <translation>Nichts wird gemessen; es gelten die Aufnahmen eines anderen Tages oder einer anderen Box</translation>
-    </message>
-    <message>
         <source>What you need</source>
         <translation>Was gebraucht wird</translation>
-    </message>
-    <message>
-        <source>How things stand</source>
-        <translation>Wie alles steht</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -8007,6 +8014,14 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Takes (*.noctule)</source>
         <translation>Aufnahmen (*.noctule)</translation>
+    </message>
+    <message>
+        <source>Nothing is measured now: takes of another day or another box are used instead</source>
+        <translation>Jetzt wird nichts gemessen: Aufnahmen eines anderen Tages oder einer anderen Box werden verwendet</translation>
+    </message>
+    <message>
+        <source>Set-up</source>
+        <translation>Aufbau</translation>
     </message>
 </context>
 <context>

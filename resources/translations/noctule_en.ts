@@ -23,13 +23,6 @@
 <context>
     <name>LiveText</name>
     <message numerus="yes">
-        <source>So do %n other(s).</source>
-        <translation>
-            <numerusform>So does one other.</numerusform>
-            <numerusform>So do %n others.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n other(s) are silent too.</source>
         <translation>
             <numerusform>One other is silent too.</numerusform>
@@ -51,10 +44,24 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>So are %n other(s).</source>
+        <source>%n other(s) are turned too.</source>
         <translation>
-            <numerusform>So is one other.</numerusform>
-            <numerusform>So are %n others.</numerusform>
+            <numerusform>One other is turned too.</numerusform>
+            <numerusform>%n others are turned too.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other(s) move too.</source>
+        <translation>
+            <numerusform>One other moves too.</numerusform>
+            <numerusform>%n others move too.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other(s) hardly moved either.</source>
+        <translation>
+            <numerusform>One other hardly moved either.</numerusform>
+            <numerusform>%n others hardly moved either.</numerusform>
         </translation>
     </message>
 </context>

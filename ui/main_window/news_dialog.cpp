@@ -25,27 +25,27 @@ NewsDialog::NewsDialog(QWidget* parent) : QDialog(parent) {
     };
     column->addWidget(new SectionHeader(tr("In this version")));
     add(
-        tr("The studio: sessions with performers and takes, the body in three dimensions, and plots of "
-           "everything a "
-           "take holds, all on one time."));
-    add(
-        tr("Process a take again with other sensors or the estimator of the paper, and see two results side "
-           "by side."));
-    add(
-        tr("Compare with a reference, read the report inside the window, and export BVH and CSV that are "
-           "read back "
-           "and checked."));
-    add(
         tr("Driver boxes are found on USB and in the network; Connect says whether the suit is ready and "
-           "what to do "
-           "about it."));
+           "what to do about it."));
+    add(
+        tr("Calibration wizards for source offsets, accelerometers, gyroscopes, rest pose and movement, and "
+           "a check of three seconds before a take that matters."));
     add(
         tr("Record from a suit: the live body with its rays, levels, a countdown, a shot list, markers and "
            "notes; the take opens in Review at once."));
+    add(
+        tr("Review with the body in three dimensions and plots of everything a take holds, all on one time; "
+           "compare with a reference, read the report inside the window."));
+    add(
+        tr("Process a take again with other sensors or the filter of the paper, and see two results side by "
+           "side."));
+    add(
+        tr("A mesh of your own as the body of the view, with bones or without; where its joints are is "
+           "found, and can be moved by hand."));
+    add(
+        tr("Export to FBX, glTF, BVH, CSV and OpenSim, and as pictures and films; every file is read back "
+           "and checked."));
     add(tr("A virtual suit, so that all of this can be tried without one."));
-    column->addWidget(new SectionHeader(tr("Not yet")));
-    add(tr("Calibration wizards. Calibrate says what they will do and what to do meanwhile."));
-    add(tr("Export to FBX and glTF, video, and reading of optical markers."));
     column->addStretch();
     outer->addWidget(new ScrollArea(content), 1);
     auto* row = addRow(outer);

@@ -35,7 +35,7 @@ CardWords wordsOf(int card) {
                          "silent. Any step can be opened at any time.")};
         case 1:
             return {Tour::tr("Calibrate"),
-                    Tour::tr("Four wizards find out how the suit measures and how it sits. They "
+                    Tour::tr("Wizards find out how the suit measures and how it sits on the body. They "
                              "go on by themselves and say when something is not good enough.")};
         case 2:
             return {Tour::tr("Record"),

@@ -112,7 +112,7 @@ void CalibrationShelf::hand() {
     handed_ = path;
     if (const QStringList others = strangers(found->calibration); !others.isEmpty())
         emit warned(tr("The calibration %1 was made with other parts than those connected now: %2. Calibrate "
-                       "them before their takes count.")
+                       "those before takes with them can be relied on.")
                         .arg(in_force_, others.join(", ")));
     suit_.setCalibration(found->calibration);
 }

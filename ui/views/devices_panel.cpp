@@ -162,7 +162,7 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
         words.detail = tr("%1: no driver box answers", "an address").arg(qt(device.address));
         words.action = tr("Ask again");
     } else if (device.contact == FoundDevice::Contact::kNotAsked) {
-        words.detail = tr("A serial port; a driver box may hang there");
+        words.detail = tr("A serial port; a driver box may be connected there");
         words.action = tr("Ask");
     } else if (device.busy) {
         words.state = tr("busy");

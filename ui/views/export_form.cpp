@@ -64,9 +64,8 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
       name_pattern(new QLineEdit),
       try_one_frame(makeButton(ButtonKind::kOutlined, tr("Write one frame and check"))),
       studio_(studio) {
-    auto* column = makeColumn(this, {20, 12, 20, 20}, 12);
-    column->addWidget(makeTakes());
-    column->addWidget(new Divider);
+    auto* column = makeColumn(this, {20, 12, 20, 12}, 12);
+    makeTakes();
     column->addWidget(makeWhat());
     column->addWidget(new Divider);
     column->addWidget(makeWhere());
@@ -85,9 +84,9 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
     setSettings({});
 }
 
-QWidget* ExportForm::makeTakes() {
-    auto* part = new QWidget;
-    auto* column = makeColumn(part, {}, 8);
+void ExportForm::makeTakes() {
+    takes_part_ = new QWidget(this);
+    auto* column = makeColumn(takes_part_, {20, 12, 20, 16}, 8);
     column->addWidget(new SectionHeader(tr("Takes")));
     takes_ = new ExportTakeList(studio_);
     column->addWidget(takes_);
@@ -97,7 +96,6 @@ QWidget* ExportForm::makeTakes() {
     run->addItem(tr("Chosen for each take"), static_cast<int>(ResultChoice::kEach));
     rows->addRow(tr("Result"), run);
     column->addWidget(rows);
-    return part;
 }
 
 QWidget* ExportForm::makeWhat() {
@@ -116,7 +114,7 @@ QWidget* ExportForm::makeWhat() {
 void ExportForm::addMotionRows(FormRows& rows) {
     range->addItem(tr("In to out of each take"), static_cast<int>(ExportRange::kInToOut));
     range->addItem(tr("Whole takes"), static_cast<int>(ExportRange::kWholeTake));
-    range->addItem(tr("Own"), static_cast<int>(ExportRange::kOwn));
+    range->addItem(tr("Chosen seconds"), static_cast<int>(ExportRange::kOwn));
     rows.addRow(tr("Range"), range);
     own_range_ = new QWidget;
     auto* own = makeRow(own_range_, {}, 8);
@@ -148,10 +146,11 @@ void ExportForm::addMotionRows(FormRows& rows) {
 void ExportForm::addFigureRows(FormRows& rows) {
     unit->addItem(tr("Centimetres"), 0.01);
     unit->addItem(tr("Metres"), 1.0);
-    rows.addRow(tr("Unit"), unit);
+    not_of_pictures_.push_back(rows.addRow(tr("Unit"), unit));
     names->addItem(tr("Noctule's own"), static_cast<int>(JointNames::kOwn));
     names->addItem(tr("HumanIK"), static_cast<int>(JointNames::kHumanIk));
-    rows.addRow(tr("Names"), names);
+    not_of_pictures_.push_back(rows.addRow(tr("Names"), names));
+    not_of_pictures_.insert(not_of_pictures_.end(), {unit, names});
     body->addItem(tr("Skinned, in the performer's measures"), static_cast<int>(ExportBody::kOurs));
     body->addItem(tr("Skeleton alone"), static_cast<int>(ExportBody::kSkeleton));
     body->addItem(tr("The session's body"), static_cast<int>(ExportBody::kSessions));
@@ -253,6 +252,8 @@ void ExportForm::refresh() {
     lock_feet->setVisible(showsBody(settings_.format) && settings_.body == ExportBody::kSessions);
     one_file->setVisible(holdsTakes(settings_.format));
     pictures_->setVisible(isPicture(settings_.format));
+    for (QWidget* part : not_of_pictures_)
+        part->setVisible(!isPicture(settings_.format));
     takes_->setResultsShown(run->currentData().toInt() == static_cast<int>(ResultChoice::kEach));
     refreshWhere();
     const auto overview = studio_.take().overview();

@@ -32,6 +32,8 @@ public:
     /// Name of the result of a take that goes out; empty: its last.
     QString resultOf(const QString& take) const;
     ExportTakeList& takeList() { return *takes_; }
+    /// Which takes go out and which result of each; stands beside the form, where names have room.
+    QWidget* takesPart() { return takes_part_; }
     /// Under the file name: what will be written, or what is wrong with the name.
     void setPreview(const QString& words, bool is_problem);
 
@@ -49,7 +51,7 @@ private:
     QWidget* makeWhat();
     void addMotionRows(FormRows& rows);
     void addFigureRows(FormRows& rows);
-    QWidget* makeTakes();
+    void makeTakes();
     QWidget* makeWhere();
     QWidget* makePictures();
     void read();
@@ -60,7 +62,8 @@ private:
     Studio& studio_;
     ExportSettings settings_;
     bool setting_ = false;
-    QWidget *own_range_ = nullptr, *pictures_ = nullptr;
+    QWidget *takes_part_ = nullptr, *own_range_ = nullptr, *pictures_ = nullptr;
+    std::vector<QWidget*> not_of_pictures_;
     QDoubleSpinBox *own_from_ = nullptr, *own_to_ = nullptr;
     ExportTakeList* takes_ = nullptr;
     Button* folder_ = nullptr;

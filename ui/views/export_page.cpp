@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/export_page.h"
 
+#include <QApplication>
 #include <QDate>
 #include <QDesktopServices>
 #include <QFileDialog>
@@ -26,7 +27,7 @@
 namespace noctule::ui {
 
 namespace {
-constexpr int kForm = 372;
+constexpr int kForm = 372, kTakes = 640;
 constexpr int kMostNames = 3;
 }  // namespace
 
@@ -52,7 +53,15 @@ ExportPage::ExportPage(Studio& studio, QWidget* parent)
     keepSize(*scroll, kForm, 0);
     row->addWidget(scroll);
     row->addWidget(new Divider(Qt::Vertical));
-    row->addWidget(results_panel_, 1);
+    auto* right = new QWidget;
+    row->addWidget(right, 1);
+    auto* right_column = makeColumn(right);
+    auto* takes = addRow(right_column, 0);
+    takes->addWidget(form_->takesPart(), 1000);
+    takes->addStretch(1);
+    keepMaximumWidth(*form_->takesPart(), kTakes);
+    right_column->addWidget(new Divider);
+    right_column->addWidget(results_panel_, 1);
     column->addWidget(sides, 1);
     column->addWidget(new Divider);
     column->addWidget(makeFoot());
@@ -80,7 +89,7 @@ ExportPage::ExportPage(Studio& studio, QWidget* parent)
 QWidget* ExportPage::makeFoot() {
     auto* foot = new QWidget;
     auto* row = makeRow(foot, {20, 10, 16, 10}, 8);
-    row->addWidget(state_, 1);
+    row->addWidget(state_->wrapped(), 1);
     row->addWidget(progress_, 1);
     again_->setTall(true);
     for (Button* button : {again_, folder_, write_})
@@ -120,7 +129,7 @@ Result<std::vector<ExportJob>> ExportPage::plan() const {
     const ExportSettings& settings = form_->settings();
     if (settings.range == ExportRange::kOwn && settings.own_to_s <= settings.own_from_s)
         return Error{ErrorKind::kUsage, tr("The range ends before it begins").toStdString(),
-                     tr("Give a last second after the first").toStdString()};
+                     tr("Choose a last second after the first").toStdString()};
     const Session& session = studio_.session().session();
     const ExportSurroundings surroundings{session, studio_.look(),
                                           QDate::currentDate().toString(Qt::ISODate)};
@@ -152,10 +161,9 @@ void ExportPage::refresh() {
         for (int i = 0; i < std::min(kMostNames, files); ++i)
             names += QFileInfo(QString::fromStdString((*jobs)[static_cast<size_t>(i)].path())).fileName();
         const int more = files - names.size();
-        QString words = names.join('\n');
         if (more > 0)
-            words += '\n' + tr("and %n more", nullptr, more);
-        form_->setPreview(words + '\n' + tr("Nothing is overwritten: a second export gets _2."), false);
+            names += tr("and %n more", nullptr, more);
+        form_->setPreview(names.join('\n'), false);
     } else {
         form_->setPreview(problem, true);
     }
@@ -164,7 +172,8 @@ void ExportPage::refresh() {
         studio_.session().isOpen() ? exportFolder(studio_.session().session(), form_->settings()) : QString();
     const QStorageInfo disk(QFileInfo::exists(folder) ? folder : QFileInfo(folder).path());
     const QString room = disk.isValid() ? tr("%1 free.").arg(bytesText(disk.bytesAvailable())) : QString();
-    state_->setText(results_ ? tr("Took %1. %2").arg(secondsText(results_->seconds), room) : room);
+    state_->setText(results_ ? tr("Took %1. %2").arg(secondsText(results_->seconds), room)
+                             : tr("Nothing is overwritten: a second export gets _2. %1").arg(room));
     offer(results_ && results_->written() > 0);
 }
 
@@ -208,6 +217,8 @@ void ExportPage::start(const QString& title, std::function<Result<ExportResults>
                                         : QString();
         });
     progress_->follow(job);
+    if (isAncestorOf(QApplication::focusWidget()))
+        setFocus();  // a button that is disabled would give the keyboard to another part of the window
     refresh();
 }
 

@@ -43,7 +43,7 @@ void addFacts(FormRows& rows, const ExportCheck& check, bool in_full) {
 
 ExportResultsPanel::ExportResultsPanel(QWidget* parent)
     : QWidget(parent),
-      empty_(new EmptyState(tr("What was written stands here, with what reading it again said."))),
+      empty_(new EmptyState(tr("Written files are listed here, each with its check."))),
       results_(new QWidget),
       cards_(new QWidget),
       verdict_(new VerdictHeader),

@@ -14,7 +14,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kName = Qt::UserRole, kRowHeight = 28, kFewestRows = 2, kMostRows = 6, kResults = 150;
+constexpr int kName = Qt::UserRole, kRowHeight = 28, kFewestRows = 2, kMostRows = 6, kResults = 280;
 
 }  // namespace
 

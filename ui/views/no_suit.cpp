@@ -14,7 +14,7 @@ NoSuit::NoSuit(Studio& studio, QWidget* parent)
       studio_(studio),
       sentence_(new Label({}, TextRole::kSection, Ink::kLabel)),
       connect_(makeButton(ButtonKind::kPrimary, tr("Connect a suit"), "link")),
-      virtual_(makeButton(ButtonKind::kOutlined, tr("Put on the virtual suit"), "play")) {
+      virtual_(makeButton(ButtonKind::kOutlined, tr("Start the virtual suit"), "play")) {
     auto* column = makeColumn(this, {32, 32, 32, 32}, 16);
     column->addStretch();
     sentence_->setAlignment(Qt::AlignHCenter);
@@ -41,10 +41,11 @@ void NoSuit::refresh() {
     const bool comes =
         suit.state() == VirtualSuit::State::kPreparing || suit.state() == VirtualSuit::State::kStarting;
     sentence_->setText(
-        comes ? tr("The virtual suit is being put on. The first time its take is made, which takes a while.")
-              : tr("No suit is connected. The live body, the levels of the boards and the record button "
-                   "appear here as soon as one is."));
-    virtual_->setDisabledBecause(comes ? tr("It is being put on.")
+        comes
+            ? tr("The virtual suit is starting. The first time its motion is prepared, which takes a while.")
+            : tr("No suit is connected. The live body, the levels of the boards and the record button "
+                 "appear here as soon as one is."));
+    virtual_->setDisabledBecause(comes ? tr("It is starting.")
                                  : suit.isAvailable()
                                      ? QString()
                                      : tr("noctule-virtual-suit is not beside this program."));

@@ -13,14 +13,29 @@ namespace {
 
 constexpr int kTakesWide = 440, kTakesHigh = 240;
 
+/// What processing uses, and what becomes of the takes.
+QString aboutProcessing(Studio& studio, bool with_actor) {
+    const QString calibration = studio.calibrations().fileInForce().section('.', 0, 0);
+    QStringList words{calibration.isEmpty()
+                          ? ProcessTakesDialog::tr(
+                                "Each take is processed as a live recording is, with all sensors and the "
+                                "calibration that it was recorded with.")
+                          : ProcessTakesDialog::tr(
+                                "Each take is processed as a live recording is, with all sensors and the "
+                                "calibration “%1”.")
+                                .arg(calibration)};
+    if (with_actor)
+        words << ProcessTakesDialog::tr("Takes of %1 get the bone lengths that this calibration found.")
+                     .arg(QString::fromStdString(studio.session().session().current_performer));
+    words << ProcessTakesDialog::tr("A result is added to each; recordings and earlier results stay.");
+    return words.join(' ');
+}
+
 }  // namespace
 
 ProcessTakesDialog::ProcessTakesDialog(Studio& studio, std::optional<Actor> actor, QWidget* parent)
-    : DialogFrame(tr("Process takes again"),
-                  tr("Uses the calibration %1, all sensors and a free root. Every processing adds a result; "
-                     "nothing is replaced.")
-                      .arg(studio.calibrations().fileInForce().section('.', 0, 0)),
-                  tr("Process"), parent),
+    : DialogFrame(tr("Process takes again"), aboutProcessing(studio, actor.has_value()), tr("Process"),
+                  parent),
       studio_(studio),
       actor_(std::move(actor)),
       takes_(new QListWidget) {

@@ -90,7 +90,7 @@ HindranceWords aboutBoard(const ReadinessProblem& problem, const SuitCheck& chec
         default:
             words.title = ReadinessText::tr("%1 hears no source").arg(name);
             words.text = ReadinessText::tr(
-                             "Board %1 has heard no pulse for ten seconds. Look whether a strap or a "
+                             "Board %1 has heard no pulse for ten seconds. Check whether a strap or a "
                              "fold covers its microphone.")
                              .arg(number);
             words.accept = ReadinessText::tr("Ignore");
@@ -150,13 +150,13 @@ HindranceWords aboutSupplies(const ReadinessProblem& problem) {
                     {},
                     {}};
         default:
-            return {ReadinessText::tr("Nobody has said which board sits where"),
-                    ReadinessText::tr(
-                        "The driver box does not know it; the boards are shown in the order of their "
-                        "plugs. Find each by moving, or drag it onto its body part."),
-                    {},
-                    {},
-                    {}};
+            return {
+                ReadinessText::tr("It is not known which board sits where"),
+                ReadinessText::tr("The driver box does not tell; the boards are shown in the order of their "
+                                  "plugs. Find each by moving, or drag it onto its body part."),
+                {},
+                {},
+                {}};
     }
 }
 

@@ -248,11 +248,12 @@ void RecordReadiness::showVerdict() {
     VerdictWords words = verdictOf(studio_.check());
     const bool connected = studio_.suit().phase() != LiveSuit::Phase::kNone;
     if (!connected)
-        words.text = tr("Connect one, and this says whether it is ready.");
+        words.text = tr("Connect one to see whether it is ready.");
     of_suit_->setVisible(connected);
     if (studio_.suit().phase() == LiveSuit::Phase::kRecording) {
-        words = problems_->count() == 0 ? VerdictWords{Tone::kOk, tr("Recording well"), {}}
-                                        : VerdictWords{problems_->worst(), tr("Recording, but look"), {}};
+        words = problems_->count() == 0
+                    ? VerdictWords{Tone::kOk, tr("Recording well"), {}}
+                    : VerdictWords{problems_->worst(), tr("Recording, with problems"), {}};
     }
     verdict_text_ = words.verdict;
     verdict_->setVerdict(words.tone, words.verdict, words.text);

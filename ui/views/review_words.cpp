@@ -56,10 +56,10 @@ ProblemWords jointProblem(const TakeVerdict& verdict) {
                       .arg(title, degreesText(radiansOf(joint ? joint->mean_deg.value_or(0) : 0)));
     words.text = verdict.worst_from_s
                      ? Words::tr(
-                           "Most of it after %1. Look whether the strap moved there; a pair of in and out "
-                           "around the good part keeps the take usable.")
+                           "Most of it after %1. Check whether the strap moved there; with in and out set "
+                           "around the good part the take stays usable.")
                            .arg(timeText(*verdict.worst_from_s, 0))
-                     : Words::tr("It is off throughout. Look where its boards sit on the performer page.");
+                     : Words::tr("It is off throughout. Check on the performer page where its boards sit.");
     return words;
 }
 
@@ -149,9 +149,9 @@ QString gradeInWords(TakeGrade grade) {
 
 QString gradeExplained(const TakeVerdict& verdict) {
     if (verdict.grade == TakeGrade::kNotUsable)
-        return Words::tr("Better not to build on it as it is. Why, and what may help, stands below.");
+        return Words::tr("Better not used as it is. Why, and what may help, is told below.");
     if (verdict.grade == TakeGrade::kUsable)
-        return Words::tr("Good enough to work with. What to look at first stands below.");
+        return Words::tr("Good enough to work with. What to look at first is told below.");
     return verdict.mean_error_deg ? Words::tr("It follows the reference from start to end.")
                                   : Words::tr("Every joint was backed by its sensors from start to end.");
 }

@@ -59,7 +59,7 @@ Tone TaskState::tone() const {
 
 QString TaskState::words() const {
     if (made == 0)
-        return StateText::tr("Not yet made in this calibration");
+        return StateText::tr("Not calibrated yet");
     const QString grade = worst == "good"     ? StateText::tr("good")
                           : worst == "usable" ? StateText::tr("usable")
                                               : StateText::tr("not usable");

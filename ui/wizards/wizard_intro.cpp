@@ -46,7 +46,7 @@ WizardIntro::WizardIntro(Studio& studio, QWidget* parent)
     buttons->addWidget(anew_);
     buttons->addWidget(takes_);
     buttons->addWidget(kept_words_->wrapped(), 1);
-    takes_->setToolTip(tr("Nothing is measured; the takes of another day or another box are what there is"));
+    takes_->setToolTip(tr("Nothing is measured now: takes of another day or another box are used instead"));
     connect(begin_, &QPushButton::clicked, this, [this] { run_->begin(); });
     connect(anew_, &QPushButton::clicked, this, [this] { run_->beginAnew(); });
     connect(distances_, &QPushButton::clicked, this, &WizardIntro::chooseDistances);
@@ -64,7 +64,7 @@ void WizardIntro::makeWords() {
         words->addWidget(part);
     };
     add(tr("What you need"), {needs_, distances_words_});
-    add(tr("How things stand"), {set_up_});
+    add(tr("Set-up"), {set_up_});
     words->addStretch();
 }
 

@@ -31,11 +31,21 @@ QString silentOthers(const Guidance& now) {
 }
 
 QString turnedOthers(const Guidance& now) {
-    return now.hindering > 1 ? LiveText::tr("So are %n other(s).", nullptr, now.hindering - 1) : QString();
+    return now.hindering > 1 ? LiveText::tr("%n other(s) are turned too.", nullptr, now.hindering - 1)
+                             : QString();
 }
 
-LiveSentence ofMoving(const WizardRun& run, const QString& board, const QString& place,
-                      const QString& others) {
+QString movingOthers(const Guidance& now) {
+    return now.hindering > 1 ? LiveText::tr("%n other(s) move too.", nullptr, now.hindering - 1) : QString();
+}
+
+QString idleOthers(const Guidance& now) {
+    return now.hindering > 1 ? LiveText::tr("%n other(s) hardly moved either.", nullptr, now.hindering - 1)
+                             : QString();
+}
+
+LiveSentence ofMoving(const WizardRun& run, const QString& board, const QString& place, const Guidance& now) {
+    const QString others = movingOthers(now);
     if (isWorn(run.task()))
         return {Tone::kNeutral, LiveText::tr("Wait: %1 still moves").arg(place),
                 LiveText::tr("Let the arms hang and breathe calmly. %1").arg(others)};
@@ -46,8 +56,6 @@ LiveSentence ofMoving(const WizardRun& run, const QString& board, const QString&
 LiveSentence ofBoards(const WizardRun& run, const Guidance& now) {
     const QString board = QString::number(now.board + 1);
     const QString place = boardName(run.suit().boards[static_cast<size_t>(now.board)], NameCase::kInside);
-    const QString others =
-        now.hindering > 1 ? LiveText::tr("So do %n other(s).", nullptr, now.hindering - 1) : QString();
     switch (now.hindrance) {
         case Hindrance::kAbsent:
             return {
@@ -56,11 +64,11 @@ LiveSentence ofBoards(const WizardRun& run, const Guidance& now) {
                              "Or skip it. %1")
                     .arg(silentOthers(now))};
         case Hindrance::kMoves:
-            return ofMoving(run, board, place, others);
+            return ofMoving(run, board, place, now);
         case Hindrance::kIdle:
             return {Tone::kWarn, LiveText::tr("Once more: %1 hardly moved").arg(place),
                     LiveText::tr("Stand still in the rest pose, then: %1. %2")
-                        .arg(run.stepWords(*now.step).instruction, others)};
+                        .arg(run.stepWords(*now.step).instruction, idleOthers(now))};
         case Hindrance::kElsewhere:
             return {
                 Tone::kWarn, LiveText::tr("Not yet: board %1 lies on another side").arg(board),
@@ -104,7 +112,7 @@ LiveSentence ofAll(const WizardRun& run, const Guidance& now) {
     switch (now.hindrance) {
         case Hindrance::kNoReadings:
             return {Tone::kError, LiveText::tr("No board is heard"),
-                    LiveText::tr("Look at step Connect, which board is missing and why.")};
+                    LiveText::tr("Step Connect shows which board is missing and why.")};
         case Hindrance::kBetweenSteps:
             if (run.task() == WizardTask::kSources)
                 return {
@@ -135,7 +143,7 @@ LiveSentence ofAll(const WizardRun& run, const Guidance& now) {
                     LiveText::tr("Smoothly and as far as is comfortable, until the ring is full.")};
         case Hindrance::kDone:
             return {Tone::kOk, LiveText::tr("%1 is done").arg(run.stepWords(*now.step).name),
-                    LiveText::tr("Go on as above.")};
+                    LiveText::tr("Go on with what is asked above.")};
         default:
             return ofTurn(now);
     }
@@ -145,7 +153,7 @@ QString rightDetail(const WizardRun& run, const Guidance& now) {
     if (run.task() == WizardTask::kMovement)
         return LiveText::tr("Smoothly and as far as is comfortable.");
     if (isWorn(run.task()))
-        return LiveText::tr("Stay like that, all boards are calm.");
+        return LiveText::tr("Stay like that, all boards are still.");
     if (run.task() == WizardTask::kGyroscopes)
         return LiveText::tr("%1 rpm, even. Nothing touches the table.").arg(rpmText(now.rpm.value_or(0)));
     return LiveText::tr("All %n board(s) are in place. Nothing touches them.", nullptr, now.asked_boards);

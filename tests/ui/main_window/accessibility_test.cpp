@@ -4,6 +4,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAccessible>
+#include <QFile>
 #include <QLabel>
 #include <QScrollBar>
 #include <set>
@@ -11,7 +12,11 @@
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/side_docks.h"
 #include "ui/style/theme.h"
+#include "ui/views/export_form.h"
+#include "ui/views/export_page.h"
 #include "ui/views/page.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/scroll_area.h"
 
 namespace noctule::ui {
 namespace {
@@ -55,6 +60,35 @@ protected:
                 << "step " << static_cast<int>(step) << ": " << describe(widget);
         });
     }
+    /// The take of the virtual suit and three more like it.
+    void openSeveralTakes() {
+        openSampleTake();
+        QStringList more;
+        for (const char* name : {"fight_001", "fight_002", "turn_003"}) {
+            more << folder_.filePath(QString(name) + ".noctule");
+            ASSERT_TRUE(QFile::copy(studio_->take().path(), more.back()));
+        }
+        studio_->session().importTakes(more);
+        ASSERT_TRUE(waitFor([this] { return studio_->session().session().takes.size() == 4; }));
+    }
+    /// Scrolls only where the content is higher than the area at its width.
+    void expectNoNeedlessScrolling(Step step) {
+        window_->goTo(step);
+        waitFor([this] { return studio_->jobs().idle(); });
+        QTest::qWait(50);
+        for (const ScrollArea* area : window_->findChildren<ScrollArea*>()) {
+            if (!area->isVisible() || !area->widget())
+                continue;
+            const int room = area->maximumViewportSize().height();
+            const int needed = area->widget()->hasHeightForWidth()
+                                   ? area->widget()->heightForWidth(area->maximumViewportSize().width())
+                                   : area->widget()->minimumSizeHint().height();
+            if (needed <= room) {
+                EXPECT_EQ(area->verticalScrollBar()->maximum(), 0)
+                    << "step " << static_cast<int>(step) << ": " << describe(*area);
+            }
+        }
+    }
     /// Texts on labels and buttons have the room that they ask for.
     void expectRoom(Step step) {
         window_->goTo(step);
@@ -73,7 +107,7 @@ protected:
                         << "too narrow: " << describe(widget);
                 }
             } else if (const auto* button = qobject_cast<QAbstractButton*>(&widget)) {
-                if (button->text().isEmpty())
+                if (button->text().isEmpty() || button->inherits("QLineEditIconButton"))
                     return;
                 EXPECT_GE(button->width() + 1, button->minimumSizeHint().width())
                     << "too narrow: " << describe(widget);
@@ -129,6 +163,55 @@ TEST_F(Everywhere, TextsHaveRoomAt150Percent) {
     for (const Step step : kAllSteps)
         expectRoom(step);
     Theme::get().setScale(1);
+}
+
+TEST_F(Everywhere, TextsHaveRoomWithTakes) {
+    openSeveralTakes();
+    window_->resize(1280, 800);
+    for (const Step step : kAllSteps)
+        expectRoom(step);
+}
+
+TEST_F(Everywhere, NothingScrollsWhereThereIsRoom) {
+    openSeveralTakes();
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+        window_->resize(size);
+        for (const Step step : kAllSteps)
+            expectNoNeedlessScrolling(step);
+    }
+}
+
+/// All of it is seen at once, whatever is exported: who looks for "Try first" does not have to scroll.
+TEST_F(Everywhere, TheExportFormFitsTheSmallestScreen) {
+    openSeveralTakes();
+    window_->resize(1280, 800);
+    window_->goTo(Step::kExport);
+    auto& page = dynamic_cast<ExportPage&>(window_->page(Step::kExport));
+    page.form().setTakes({"fight_001", "fight_002", "sample_001", "turn_003"});
+    ASSERT_EQ(page.form().takes().size(), 4);
+    for (const char* preset : {"motionbuilder", "bvh", "web", "angles", "film", "picture"}) {
+        page.choosePreset(preset);
+        page.form().range->setCurrentIndex(2);  // seconds of its own: a row more
+        QTest::qWait(50);
+        const QPoint below =
+            page.form().try_one_frame->mapTo(&page, QPoint(0, page.form().try_one_frame->height()));
+        EXPECT_LE(below.y(), page.form().parentWidget()->mapTo(&page, QPoint()).y() +
+                                 page.form().parentWidget()->height())
+            << preset;
+        EXPECT_LE(page.form().height(), page.form().parentWidget()->height()) << preset << ": it scrolls";
+    }
+}
+
+TEST_F(Everywhere, TheKeyboardStaysInExportWhenFilesAreWritten) {
+    openSampleTake();
+    window_->goTo(Step::kExport);
+    auto& page = dynamic_cast<ExportPage&>(window_->page(Step::kExport));
+    page.choosePreset("bvh");
+    page.writeButton()->setFocus();
+    QTest::keyClick(page.writeButton(), Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] { return page.results() && studio_->jobs().idle(); }));
+    EXPECT_TRUE(QApplication::focusWidget() == &page || page.isAncestorOf(QApplication::focusWidget()))
+        << describe(*QApplication::focusWidget());
 }
 
 TEST_F(Everywhere, PagesFollowTheTheme) {

@@ -2,6 +2,7 @@
 // Pictures of every page and dialog, for packaging/screenshots.sh: NOCTULE_SCREENSHOTS names the folder that
 // they go into, NOCTULE_SCREENSHOT_TAKE a take to show instead of the quick one, NOCTULE_SCREENSHOT_LANGUAGE
 // another language than English ("de"). Without the folder nothing is made.
+#include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
 
@@ -11,14 +12,20 @@
 #include "ui/main_window/about_dialog.h"
 #include "ui/main_window/jobs_panel.h"
 #include "ui/main_window/language.h"
+#include "ui/main_window/news_dialog.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/put_on_dialog.h"
 #include "ui/main_window/shortcuts_dialog.h"
 #include "ui/style/theme.h"
+#include "ui/views/attach_dialog.h"
 #include "ui/views/body_dialog.h"
+#include "ui/views/export_form.h"
+#include "ui/views/export_page.h"
 #include "ui/views/new_session_dialog.h"
 #include "ui/views/process_takes_dialog.h"
 #include "ui/views/reprocess_dialog.h"
+#include "ui/views/review_page.h"
+#include "ui/views/shot_list_dialog.h"
 
 namespace noctule::ui {
 namespace {
@@ -65,13 +72,37 @@ protected:
             save(*window_, QStringLiteral("%1-%2").arg(name, look));
         }
     }
+    /// Dark as high as it likes, light as the smallest screen has room for it.
     template <class Dialog, class... Arguments>
     void dialog(const QString& name, Arguments&&... arguments) {
-        Dialog shown(std::forward<Arguments>(arguments)..., window_.get());
-        shown.show();
-        save(shown, name);
+        for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
+            Theme::get().setScheme(scheme);
+            Dialog shown(arguments..., window_.get());
+            if (scheme == Scheme::kLight)
+                shown.setMaximumSize(1280, 800 - kTitleBar);
+            shown.show();
+            EXPECT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+            save(shown, name + (scheme == Scheme::kDark ? "-dark" : "-light"));
+        }
+        Theme::get().setScheme(Scheme::kDark);
+    }
+    /// Beside the one to show; all have its motion.
+    void addTakes() {
+        const QString take = studio_->take().path();
+        const SessionModel& session = studio_->session();
+        ASSERT_TRUE(session.isOpen());
+        const size_t before = session.session().takes.size();
+        QStringList more;
+        for (const char* name : {"fight_001", "fight_002", "turn_003"}) {
+            more << folder_.filePath(QString(name) + ".noctule");
+            ASSERT_TRUE(QFile::copy(take, more.back()));
+        }
+        studio_->session().importTakes(more);
+        ASSERT_TRUE(waitFor([&] { return session.session().takes.size() == before + 3; }));
+        ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
     }
 
+    static constexpr int kTitleBar = 40;
     QString folder_of_pictures_;
 };
 
@@ -86,14 +117,32 @@ TEST_F(Screenshots, OfEveryPageInBothThemesAndSizes) {
         }
 }
 
-TEST_F(Screenshots, OfAFilmToBe) {
-    studio_->settings().setValue("export/last", "film");
+/// Several takes chosen: before they are written, and after.
+TEST_F(Screenshots, OfExports) {
     openTakeToShow();
+    addTakes();
     window_->goTo(Step::kExport);
-    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
-        window_->resize(size);
-        save(*window_, QStringLiteral("export-film-%1").arg(size.width()));
-    }
+    auto& page = dynamic_cast<ExportPage&>(window_->page(Step::kExport));
+    page.form().setTakes({"fight_001", "fight_002", "sample_001", "turn_003"});
+    page.form().run->setCurrentIndex(2);
+    const auto saveAll = [&](const char* name) {
+        for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)})
+            for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
+                Theme::get().setScheme(scheme);
+                window_->resize(size);
+                save(*window_, QStringLiteral("export-%1-%2-%3")
+                                   .arg(name, scheme == Scheme::kDark ? "dark" : "light")
+                                   .arg(size.width()));
+            }
+    };
+    saveAll("several");
+    page.choosePreset("film");
+    saveAll("film");
+    page.choosePreset("web");
+    page.write();
+    ASSERT_TRUE(waitFor([&] { return page.results() && studio_->jobs().idle(); }));
+    saveAll("written");
+    Theme::get().setScheme(Scheme::kDark);
 }
 
 /// Meshes of others, walking in the view.
@@ -126,11 +175,7 @@ TEST_F(Screenshots, OfOtherBodies) {
                                    .arg(name, scheme == Scheme::kDark ? "dark" : "light")
                                    .arg(size.width()));
             }
-        Theme::get().setScheme(Scheme::kDark);
-        BodyDialog shown(*studio_, window_.get());
-        shown.show();
-        EXPECT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
-        save(shown, QStringLiteral("dialog-body-%1").arg(name));
+        dialog<BodyDialog>(QStringLiteral("dialog-body-%1").arg(name), *studio_);
     }
 }
 
@@ -147,39 +192,25 @@ TEST_F(Screenshots, OfTheFirstStart) {
     save(*window_, "tour");
 }
 
-TEST_F(Screenshots, OfProcessingATakeAgain) {
+TEST_F(Screenshots, OfDialogsAboutTakes) {
     openTakeToShow();
+    addTakes();
     dialog<ReprocessDialog>("dialog-reprocess", *studio_, *studio_->take().overview());
-    Theme::get().setScheme(Scheme::kLight);
-    dialog<ReprocessDialog>("dialog-reprocess-light", *studio_, *studio_->take().overview());
-    Theme::get().setScheme(Scheme::kDark);
-}
-
-TEST_F(Screenshots, OfProcessingTakesAgain) {
-    openTakeToShow();
-    const QString take = studio_->take().path();
-    const SessionModel& session = studio_->session();
-    if (!session.isOpen()) {
-        ASSERT_TRUE(studio_->session().create(QDir(home()).filePath("Stage tests"), "Stage tests"));
-    }
-    const size_t before = session.session().takes.size();
-    QStringList more;
-    for (const char* name : {"fight_001", "fight_002", "turn_003"}) {
-        more << folder_.filePath(QString(name) + ".noctule");
-        ASSERT_TRUE(QFile::copy(take, more.back()));
-    }
-    const Calibration of_take = studio_->take().overview()->calibration;
-    studio_->session().importTakes(more);
-    ASSERT_TRUE(waitFor([&] { return session.session().takes.size() == before + 3; }));
+    dialog<AttachDialog>("dialog-attach", *studio_->take().overview(), "optical/walk_001.bvh");
+    dialog<ProcessTakesDialog>("dialog-process-takes-as-made", *studio_, std::nullopt);
     const std::string calibration =
-        (session.session().calibrationFolder() / "motion-2026-01-01.json").string();
+        (studio_->session().session().calibrationFolder() / "motion-2026-01-01.json").string();
+    const Calibration of_take = studio_->take().overview()->calibration;
     ASSERT_TRUE(writeFileAtomically(calibration, toJson(of_take).dump(), false));
     studio_->calibrations().use("motion-2026-01-01.json", "Use it");
-    for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
-        Theme::get().setScheme(scheme);
-        dialog<ProcessTakesDialog>(
-            QStringLiteral("dialog-process-takes-%1").arg(scheme == Scheme::kDark ? "dark" : "light"),
-            *studio_, std::nullopt);
+    dialog<ProcessTakesDialog>("dialog-process-takes", *studio_,
+                               std::optional<Actor>(studio_->suit().actor()));
+    dynamic_cast<ReviewPage&>(window_->page(Step::kReview)).openFullReport();
+    EXPECT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+        Theme::get().setScheme(size.width() == 1280 ? Scheme::kLight : Scheme::kDark);
+        window_->resize(size);
+        save(*window_, QStringLiteral("report-%1").arg(size.width()));
     }
     Theme::get().setScheme(Scheme::kDark);
 }
@@ -187,11 +218,10 @@ TEST_F(Screenshots, OfProcessingTakesAgain) {
 TEST_F(Screenshots, OfDialogs) {
     dialog<NewSessionDialog>("dialog-new-session", *studio_);
     dialog<PreferencesDialog>("dialog-preferences", *studio_);
-    Theme::get().setScheme(Scheme::kLight);
-    dialog<PreferencesDialog>("dialog-preferences-light", *studio_);
-    Theme::get().setScheme(Scheme::kDark);
     dialog<PutOnDialog>("dialog-put-on", *studio_);
     dialog<AboutDialog>("dialog-about", "noctule 0.1.0");
+    dialog<NewsDialog>("dialog-news");
+    dialog<ShotListDialog>("dialog-shot-list", "Walk, straight line x2\nTurn, both ways x3", true);
     dialog<ShortcutsDialog>("dialog-shortcuts", QList<ShortcutGroup>{{"Anywhere", window_->actions().all()}});
     window_->jobsPanel().toggle();
     save(*window_, "jobs");
