@@ -84,7 +84,7 @@ Button* CalibratePage::startButton(WizardTask task) {
 
 QWidget* CalibratePage::makeOverview() {
     auto* tasks = new QWidget;
-    auto* column = makeColumn(tasks, {}, 12);
+    auto* column = makeColumn(tasks, {}, 8);  // all of them are seen on the smallest screen
     for (const WizardTask task : kWizardTasks) {
         auto* card = new TaskCard(task);
         connect(card->button(), &QPushButton::clicked, this, [this, task] { open(task); });

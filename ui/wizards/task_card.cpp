@@ -17,7 +17,7 @@ TaskCard::TaskCard(WizardTask task, QWidget* parent)
       state_icon_(new IconLabel("info", [] { return colorOf(Ink::kHint); })),
       button_(makeButton(ButtonKind::kOutlined, tr("Begin"))) {
     const WizardWords words = wordsOf(task);
-    auto* row = makeRow(this, {20, 16, 20, 16}, 20);
+    auto* row = makeRow(this, {20, 12, 20, 12}, 20);
     row->addWidget(new IconLabel(
                        words.icon, [] { return Theme::get().tokens().t2; }, 40),
                    0, Qt::AlignTop);

@@ -174,11 +174,13 @@ TEST_F(Everywhere, TextsHaveRoomWithTakes) {
 
 TEST_F(Everywhere, NothingScrollsWhereThereIsRoom) {
     openSeveralTakes();
-    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
-        window_->resize(size);
-        for (const Step step : kAllSteps)
-            expectNoNeedlessScrolling(step);
-    }
+    for (const QSize size : {QSize(1280, 800), QSize(1440, 900), QSize(1920, 1080)})
+        for (const Scheme scheme : {Scheme::kLight, Scheme::kDark}) {  // all is laid out again
+            Theme::get().setScheme(scheme);
+            window_->resize(size);
+            for (const Step step : kAllSteps)
+                expectNoNeedlessScrolling(step);
+        }
 }
 
 /// All of it is seen at once, whatever is exported: who looks for "Try first" does not have to scroll.

@@ -71,10 +71,10 @@ TEST_F(WizardPictures, AccelerometersFromOverviewToResult) {
         ASSERT_TRUE(reach([&] { return run().phase() >= WizardRun::Phase::kSolving || done() > before; }));
     }
     ASSERT_TRUE(reach([&] { return run().phase() == WizardRun::Phase::kResult; }));
-    save("calibrate-accelerometers-result", {{1440, 900}, {1920, 1080}});
+    save("calibrate-accelerometers-result", {{1280, 800}, {1920, 1080}});
     run().save();
     page().closeWizard();
-    save("calibrate-overview-later", {{1440, 900}, {1280, 800}});
+    save("calibrate-overview-later", {{1280, 800}, {1920, 1080}});
     ShelvedCalibration other = studio_->calibrations().all().front();
     for (BoardCalibration& board : other.calibration.boards) {  // a warmer day
         board.gyro.zero_counts += Vector3d(0.8, -0.5, 0.2);
@@ -88,14 +88,14 @@ TEST_F(WizardPictures, OtherTasks) {
     put({"--rig", "rest"});
     for (const WizardTask task : kWizardTasks) {
         page().open(task);
-        save("calibrate-" + keyOf(task) + "-needs", {{1440, 900}});
+        save("calibrate-" + keyOf(task) + "-needs", {{1280, 800}});
     }
     page().open(WizardTask::kRestPose);
     page().wizard().intro().beginButton()->click();
     ASSERT_TRUE(reach([&] { return run().heldShare() > 0.3; }));
     saveAs("calibrate-rest-pose-hold");
     ASSERT_TRUE(reach([&] { return run().phase() == WizardRun::Phase::kResult; }));
-    save("calibrate-rest-pose-result", {{1440, 900}});
+    save("calibrate-rest-pose-result", {{1280, 800}, {1440, 900}});
 }
 
 TEST_F(WizardPictures, Movement) {
@@ -110,7 +110,7 @@ TEST_F(WizardPictures, Movement) {
         return static_cast<const MovementGuide&>(*run().guide());
     };
     ASSERT_TRUE(reach([&] { return run().guide()->guidance().hindrance == Hindrance::kStand; }));
-    save("calibrate-motion-stand", {{1440, 900}});
+    save("calibrate-motion-stand", {{1280, 800}});
     for (const int step : {0, 1}) {
         ASSERT_TRUE(
             reach([&] { return guide().isMoving() && run().step() == step && run().heldShare() > 0.2; }));
