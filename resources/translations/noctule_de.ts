@@ -4498,8 +4498,8 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Platinen vom Rumpf nach außen</translation>
     </message>
     <message>
-        <source>Pelvis, belly, chest, then shoulders, arms and hands, then thighs, shins and feet. The microphone faces away from the body.</source>
-        <translation>Becken, Bauch, Brust, dann Schultern, Arme und Hände, dann Oberschenkel, Schienbeine und Füße. Das Mikrofon zeigt vom Körper weg.</translation>
+        <source>Pelvis, abdomen, chest, then clavicles, arms and hands, then thighs, shins and feet. The microphone faces away from the body.</source>
+        <translation>Becken, Bauch, Brust, dann Schlüsselbeine, Arme und Hände, dann Oberschenkel, Schienbeine und Füße. Das Mikrofon zeigt vom Körper weg.</translation>
     </message>
     <message>
         <source>Tight, not painful</source>
@@ -5922,8 +5922,8 @@ keine Lücken</translation>
         <translation>Gesichert. Aufgenommen wird jetzt mit einer anderen Kalibrierung; die Liste steht im Schritt Kalibrieren.</translation>
     </message>
     <message>
-        <source>Will be saved as %1. Every later take names it; undo with Ctrl+Z.</source>
-        <translation>Wird als %1 gesichert. Jede spätere Aufnahme nennt sie; rückgängig mit Strg+Z.</translation>
+        <source>Will be saved as %1, and later takes are made with it; undo with Ctrl+Z.</source>
+        <translation>Wird als %1 gesichert, und spätere Aufnahmen entstehen mit ihr; rückgängig mit Strg+Z.</translation>
     </message>
     <message>
         <source>Process takes again</source>

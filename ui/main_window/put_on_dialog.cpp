@@ -54,9 +54,10 @@ QWidget* PutOnDialog::makeSteps() {
     add(tr("Hat"),
         tr("Its source looks down from the brim, so that the shoulders hear it. The board sits on the "
            "forehead."));
-    add(tr("Boards from the trunk outwards"), tr("Pelvis, belly, chest, then shoulders, arms and hands, then "
-                                                 "thighs, shins and feet. The microphone faces "
-                                                 "away from the body."));
+    add(tr("Boards from the trunk outwards"),
+        tr("Pelvis, abdomen, chest, then clavicles, arms and hands, then "
+           "thighs, shins and feet. The microphone faces "
+           "away from the body."));
     add(tr("Tight, not painful"),
         tr("On muscle a loose strap is the largest error of all. Above the ankle and above "
            "the wrist hold best."));

@@ -18,7 +18,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kTableRow = 28, kTableInset = 12, kNumber = 46, kRanges = 76, kShare = 44, kBar = 36;
+constexpr int kTableRow = 28, kTableInset = 12, kNumber = 46, kRanges = 64, kShare = 44, kBar = 24;
 constexpr int kNarrow = 272;  ///< the bar is left out below
 
 /// Rows with a hairline below, numbers at the right, the share of ranges as a bar with its number.

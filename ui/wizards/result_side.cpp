@@ -93,7 +93,7 @@ void ResultSide::refresh() {
         words_->setText(
             tr("Takes made with it would be wrong where the cards say so. Repeat what is named."));
     else
-        words_->setText(tr("Will be saved as %1. Every later take names it; undo with Ctrl+Z.")
+        words_->setText(tr("Will be saved as %1, and later takes are made with it; undo with Ctrl+Z.")
                             .arg(studio_.calibrations().nextName(keyOf(run_->task()))));
 }
 
