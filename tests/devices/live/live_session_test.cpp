@@ -137,15 +137,16 @@ TEST(LiveSession, NobodyThereLeavesNoFile) {
 
 TEST(LiveSession, CancellingKeepsTheTake) {
     const Folder folder;
-    CancelFlag cancel;
-    std::thread later([&] {
-        std::this_thread::sleep_for(kSlower * 300ms);
-        cancel.cancel();
-    });
+    struct : ProgressSink {
+        void progress(double fraction, const std::string&) override {
+            if (fraction > 0)
+                cancel.cancel();
+        }
+        CancelFlag cancel;
+    } first_samples;
     auto report =
         recordTake(std::make_unique<FakeDevice>(scriptOf(test::madeEvents(0, 20 * 150000, kTwoBoards), 1)),
-                   recordingInto(folder), 20.0, {nullptr, &cancel});
-    later.join();
+                   recordingInto(folder), 20.0, {&first_samples, &first_samples.cancel});
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_TRUE(report->interrupted);
     EXPECT_EQ(Take::open(report->stream.recording->path)->meta().at("state"), "complete");
