@@ -47,9 +47,10 @@ Matrix3d bodyAxes(const std::vector<Vector3d>& p, const JointMapping& m) {
     return axes;
 }
 
+/// Where the bone of a limb ends. Bones of the shoulders begin anywhere between spine and collar, so that
+/// their direction says nothing.
 std::string childOf(const std::string& joint) {
-    for (const auto& [name, child] :
-         {std::pair{"UpLeg", "Leg"}, std::pair{"Shoulder", "Arm"}, std::pair{"ForeArm", "Hand"}})
+    for (const auto& [name, child] : {std::pair{"UpLeg", "Leg"}, std::pair{"ForeArm", "Hand"}})
         for (const std::string side : {"Left", "Right"})
             if (joint == side + name)
                 return side + child;
