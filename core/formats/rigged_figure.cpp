@@ -161,12 +161,12 @@ private:
 }  // namespace
 
 Result<Figure> riggedFigure(const MotionClip& clip, const std::vector<std::vector<float>>& confidence,
-                            const WearableBody& body, JointNames names,
+                            const WearableBody& body, JointNames names, const FeetAtRest& at_rest,
                             const std::vector<FootCorrections>& feet) {
     if (const Status finite = checkFinite(clip); !finite)
         return finite.error();
     const auto retargeter =
-        Retargeter::make(body.mesh, bonesFor(body.bones, clip.skeleton), clip.skeleton, body.name);
+        Retargeter::make(body.mesh, bonesFor(body.bones, clip.skeleton), clip.skeleton, at_rest, body.name);
     if (!retargeter)
         return retargeter.error();
     const RiggedFigure rigged(body, *retargeter);

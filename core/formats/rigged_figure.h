@@ -2,7 +2,8 @@
 // A motion of ours on the body of another program, as scene files hold it: its skin, and its own bones by
 // their names in their own rest pose, from the hips down. Bones beside the hips that hold skin hang on the
 // hips, with which they go; what stands above them and holds none is left out. The body keeps its size.
-// `feet`: per frame, as from lockFeet(); empty: legs turn as ours.
+// `at_rest`: as the performer's feet lie flat. `feet`: per frame, as from lockFeet(); empty: legs turn as
+// ours.
 #pragma once
 
 #include "core/formats/figure.h"
@@ -16,7 +17,7 @@ namespace noctule {
 /// (WearableBody::landmarks) get their names by `names`, those of a file keep them; of two alike the second
 /// gets a number. kUnusable as makeFigure() and Retargeter::make().
 Result<Figure> riggedFigure(const MotionClip& clip, const std::vector<std::vector<float>>& confidence,
-                            const WearableBody& body, JointNames names,
+                            const WearableBody& body, JointNames names, const FeetAtRest& at_rest,
                             const std::vector<FootCorrections>& feet = {});
 
 /// Index of the figure's joint for each mapped joint of ours, by canonical name.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/easing.h"
+
 namespace noctule {
 namespace {
 
@@ -11,11 +13,6 @@ constexpr double kEase_s = 0.06;   ///< over which a foot is taken hold of, and 
 constexpr double kFade_s = 0.4;    ///< before the first and after the last stand
 constexpr double kSpeed_s = 0.02;  ///< to either side, over which a point's speed is taken
 constexpr double kStill_m = 1e-4;  ///< below which two points stand alike
-
-double eased(double share) {
-    const double x = std::clamp(share, 0.0, 1.0);
-    return x * x * (3 - 2 * x);
-}
 
 Vector3d level(const Vector3d& v) {
     return {v.x(), 0, v.z()};

@@ -10,12 +10,6 @@
 
 namespace noctule {
 
-/// When a foot stands; seconds from the first frame.
-struct FootPlant {
-    double from_s = 0, to_s = 0;
-};
-using FootPlants = std::array<std::vector<FootPlant>, 2>;  ///< left, right; in time's order
-
 inline constexpr double kMostKnee_rad_per_s = 2;  ///< a walking knee turns with up to 7
 inline constexpr double kMostOwnSlide_m = 0.05;   ///< of our own foot, that is taken away with the body's
 
@@ -23,7 +17,7 @@ inline constexpr double kMostOwnSlide_m = 0.05;   ///< of our own foot, that is 
 struct StandingFeet {
     std::vector<Pose> frames;  ///< with the root as captured; empty: feet stay free
     double frame_time_s = 0;
-    FootPlants plants;
+    FootPlants plants;  ///< seconds from the first frame
 };
 
 /// Per frame what keeps standing feet on their spot; it serves the same motion also when its root is held,

@@ -19,15 +19,18 @@ BoneMap bonesFor(const BoneMap& bones, const Skeleton& performer) {
     return used;
 }
 
-MovingBody MovingBody::ofOurs(const SkinnedMesh& ours, const Skeleton& performer) {
+MovingBody MovingBody::ofOurs(const SkinnedMesh& ours, const Skeleton& performer, const FeetAtRest& feet) {
     MovingBody moving;
     moving.performer_ = performer;
-    moving.mesh_ = std::make_shared<const SkinnedMesh>(fitted(ours, defaultActor().skeleton, performer));
+    moving.mesh_ =
+        std::make_shared<const SkinnedMesh>(fitted(ours, defaultActor().skeleton, performer, feet));
     return moving;
 }
 
-Result<MovingBody> MovingBody::of(std::shared_ptr<const WearableBody> body, const Skeleton& performer) {
-    auto retargeter = Retargeter::make(body->mesh, bonesFor(body->bones, performer), performer, body->name);
+Result<MovingBody> MovingBody::of(std::shared_ptr<const WearableBody> body, const Skeleton& performer,
+                                  const FeetAtRest& feet) {
+    auto retargeter =
+        Retargeter::make(body->mesh, bonesFor(body->bones, performer), performer, feet, body->name);
     if (!retargeter)
         return retargeter.error();
     MovingBody moving;

@@ -17,9 +17,10 @@ public:
     MovingBody() = default;  ///< draws nothing
 
     /// `ours` is in the measures of the default actor.
-    static MovingBody ofOurs(const SkinnedMesh& ours, const Skeleton& performer);
+    static MovingBody ofOurs(const SkinnedMesh& ours, const Skeleton& performer, const FeetAtRest& feet);
     /// kUnusable as Retargeter::make().
-    static Result<MovingBody> of(std::shared_ptr<const WearableBody> body, const Skeleton& performer);
+    static Result<MovingBody> of(std::shared_ptr<const WearableBody> body, const Skeleton& performer,
+                                 const FeetAtRest& feet);
 
     /// The same pointer as long as the body lives, so that it is uploaded once; null of an empty one.
     const std::shared_ptr<const SkinnedMesh>& mesh() const { return mesh_; }

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/body/joint_names.h"
+#include "core/math/easing.h"
 #include "core/math/rotation.h"
+#include "core/mesh/foot_skin.h"
 #include "core/mesh/hand_rest.h"
 #include "core/mesh/rig_tree.h"
 
@@ -28,6 +31,10 @@ constexpr double kMostPalm_rad = radians(110);  ///< rest poses differ by less
 
 constexpr double kToes_m = 0.13;  ///< from ankle to toes, of a skeleton without toes
 
+constexpr double kNearFloor_m = 0.03;  ///< heel and toes of ours: below, a foot begins to lie flat
+/// Where our lowest sole is higher, nobody stands, and nothing has to give way.
+constexpr double kMostFloor_m = 0.1;
+
 /// Below the ankle and at the toes, both on the ground.
 std::array<Vector3d, 2> solePoints(const Vector3d& ankle, const Vector3d& toes, double ground) {
     return {Vector3d(ankle.x(), ground, ankle.z()), Vector3d(toes.x(), ground, toes.z())};
@@ -35,8 +42,12 @@ std::array<Vector3d, 2> solePoints(const Vector3d& ankle, const Vector3d& toes, 
 
 class RestPoses {
 public:
-    RestPoses(const RiggedMesh& target, const BoneMap& map, const Skeleton& source)
-        : target_(target), map_(map), source_(source), zero_(globalPose(source, source.zeroPose())) {}
+    RestPoses(const RiggedMesh& target, const BoneMap& map, const Skeleton& source, const FeetAtRest& feet)
+        : target_(target),
+          map_(map),
+          source_(source),
+          feet_(feet),
+          zero_(globalPose(source, source.zeroPose())) {}
 
     bool has(const std::string& joint) const { return map_.node_of_joint.contains(joint); }
     int node(const std::string& joint) const { return target_.find(map_.node_of_joint.at(joint)); }
@@ -83,34 +94,58 @@ public:
             for (const LimbBone& bone : kLimbBones)
                 align(side, bone, aligned);
             turnPalm(side, aligned);
+            for (const std::string& joint : {side + "Foot", side + "ToeBase"})
+                if (aligned.contains(joint))
+                    aligned.at(joint) = fromFlat(side) * base;
         }
         return aligned;
     }
 
-    /// Both soles at rest: theirs where they stand, ours in the frame of our foot.
+    /// Both soles lying flat: theirs where they stand at rest, ours in the frame of our foot.
     struct Soles {
         std::array<Vector3d, 2> theirs, ours_m;
     };
     Soles soles(const std::string& side, const Matrix3d& R_ours_theirs, double ground) const {
-        const std::string foot = side + "Foot", toe = side + "ToeBase";
-        const GlobalPose bound = globalPose(source_, bindPose(source_));
-        const int joint = findByAnyName(source_, foot), toe_joint = findByAnyName(source_, toe);
-        const Vector3d p_foot = bound.p_world_joint[static_cast<size_t>(joint)];
-        const Vector3d p_toes = toe_joint >= 0 ? bound.p_world_joint[static_cast<size_t>(toe_joint)]
-                                               : p_foot + kToes_m * Vector3d::UnitZ();
-        const Vector3d p_ankle = R_ours_theirs * theirs(foot);
+        const std::string toe = side + "ToeBase";
+        const Matrix3d R_foot_flat = fromFlat(side);
+        const Vector3d p_toes = R_foot_flat.transpose() * toesOf(side);
+        const Vector3d p_ankle = R_ours_theirs * theirs(side + "Foot");
         const double scale = legLength(true) / legLength(false);
         const Vector3d p_tip =
-            has(toe) ? Vector3d(R_ours_theirs * theirs(toe)) : Vector3d(p_ankle + scale * (p_toes - p_foot));
-        Soles made{solePoints(p_ankle, p_tip, ground), solePoints(p_foot, p_toes, 0)};
+            has(toe) ? Vector3d(R_ours_theirs * theirs(toe)) : Vector3d(p_ankle + scale * p_toes);
+        Soles made{solePoints(p_ankle, p_tip, ground),
+                   solePoints(Vector3d::Zero(), p_toes, lowestOf(side, R_foot_flat.transpose()))};
         for (Vector3d& p : made.theirs)
             p = R_ours_theirs.transpose() * p;
         for (Vector3d& p_m : made.ours_m)
-            p_m -= p_foot;
+            p_m = R_foot_flat * p_m;
         return made;
     }
 
 private:
+    /// From our foot lying flat to where it is in our zero pose.
+    Matrix3d fromFlat(const std::string& side) const {
+        return smallestRotation(Vector3d::UnitY(), feet_.up[side == "Left" ? 0 : 1]).toRotationMatrix();
+    }
+
+    /// From our ankle to the toes, in the frame of our foot.
+    Vector3d toesOf(const std::string& side) const {
+        const int toes = findByAnyName(source_, side + "ToeBase");
+        return toes >= 0 ? source_.joint(toes).offset_m : Vector3d(kToes_m * Vector3d::UnitZ());
+    }
+
+    /// The height of what our sole lies on above the ankle: the lowest joint or tip of our foot when turned.
+    double lowestOf(const std::string& side, const Matrix3d& turn) const {
+        const Joint& foot = source_.joint(findByAnyName(source_, side + "Foot"));
+        double low = std::min(0.0, (turn * foot.end_m.value_or(Vector3d::Zero())).y());
+        if (const int toes = findByAnyName(source_, side + "ToeBase"); toes >= 0) {
+            const Joint& joint = source_.joint(toes);
+            low = std::min({low, (turn * joint.offset_m).y(),
+                            (turn * (joint.offset_m + joint.end_m.value_or(Vector3d::Zero()))).y()});
+        }
+        return low;
+    }
+
     void align(const std::string& side, const LimbBone& bone,
                std::map<std::string, Matrix3d>& aligned) const {
         Matrix3d& mine = aligned.at(side + bone.joint);
@@ -153,6 +188,7 @@ private:
     const RiggedMesh& target_;
     const BoneMap& map_;
     const Skeleton& source_;
+    const FeetAtRest& feet_;
     GlobalPose zero_;
 };
 
@@ -167,6 +203,11 @@ double groundOf(const RiggedMesh& mesh, const Matrix3d& R_ours_theirs) {
     return low;
 }
 
+/// A turn about a place.
+Eigen::Isometry3d about(const Vector3d& p, const Quaterniond& q) {
+    return Eigen::Translation3d(p) * q * Eigen::Translation3d(-p);
+}
+
 Status checkSource(const BoneMap& map, const Skeleton& source, const std::string& where) {
     for (const auto& [joint, node] : map.node_of_joint)
         if (findByAnyName(source, joint) < 0)
@@ -179,11 +220,11 @@ Status checkSource(const BoneMap& map, const Skeleton& source, const std::string
 }  // namespace
 
 Result<Retargeter> Retargeter::make(const RiggedMesh& target, const BoneMap& map, const Skeleton& source,
-                                    const std::string& where) {
+                                    const FeetAtRest& feet, const std::string& where) {
     for (const Status& checked : {checkBoneMap(map, target, where), checkSource(map, source, where)})
         if (!checked)
             return checked.error();
-    const RestPoses rest(target, map, source);
+    const RestPoses rest(target, map, source, feet);
     if (!(rest.legLength(true) > 1e-6) || !(rest.legLength(false) > 1e-6))
         return Error{ErrorKind::kUnusable, where + ": its legs have no length",
                      "Choose other bones for thighs, shins and feet"};
@@ -205,24 +246,39 @@ Result<Retargeter> Retargeter::make(const RiggedMesh& target, const BoneMap& map
         const std::string name = side == 0 ? "Left" : "Right";
         const auto soles = rest.soles(name, made.upright_, ground);
         Leg& leg = made.legs_[side];
-        leg = {rest.node(name + "UpLeg"),
-               rest.node(name + "Leg"),
-               rest.node(name + "Foot"),
-               findByAnyName(source, name + "Leg"),
-               findByAnyName(source, name + "Foot"),
-               soles.theirs,
-               soles.ours_m};
-        for (size_t n = 0; n < target.nodes.size(); ++n) {
-            const int node = static_cast<int>(n), parent = target.nodes[n].parent;
-            made.leg_parts_[side].push_back(node == leg.thigh  ? LegPart::kThigh
-                                            : node == leg.shin ? LegPart::kShin
-                                            : node == leg.foot ? LegPart::kFoot
-                                            : parent < 0
-                                                ? LegPart::kNone
-                                                : made.leg_parts_[side][static_cast<size_t>(parent)]);
-        }
+        leg.thigh = rest.node(name + "UpLeg");
+        leg.shin = rest.node(name + "Leg");
+        leg.foot = rest.node(name + "Foot");
+        leg.toes = rest.has(name + "ToeBase") ? rest.node(name + "ToeBase") : -1;
+        leg.shin_joint = findByAnyName(source, name + "Leg");
+        leg.foot_joint = findByAnyName(source, name + "Foot");
+        leg.p_rest = soles.theirs;
+        leg.p_joint_m = soles.ours_m;
+        const std::vector<LegPart>& parts = made.leg_parts_[side] = made.partsOf(leg);
+        const auto skinOf = [&](LegPart part) {
+            std::vector<bool> nodes;
+            for (const LegPart p : parts)
+                nodes.push_back(p == part);
+            return lowestSkin(target, nodes, made.upright_.transpose() * Vector3d::UnitY());
+        };
+        leg.foot_skin = skinOf(LegPart::kFoot);
+        leg.toes_skin = skinOf(LegPart::kToes);
     }
     return made;
+}
+
+std::vector<Retargeter::LegPart> Retargeter::partsOf(const Leg& leg) const {
+    std::vector<LegPart> parts;
+    for (size_t n = 0; n < parents_.size(); ++n) {
+        const int node = static_cast<int>(n), parent = parents_[n];
+        parts.push_back(node == leg.thigh  ? LegPart::kThigh
+                        : node == leg.shin ? LegPart::kShin
+                        : node == leg.foot ? LegPart::kFoot
+                        : node == leg.toes ? LegPart::kToes
+                        : parent < 0       ? LegPart::kNone
+                                           : parts[static_cast<size_t>(parent)]);
+    }
+    return parts;
 }
 
 std::vector<Eigen::Isometry3d> Retargeter::turned(const GlobalPose& source, const Vector3d& p_hips) const {
@@ -284,9 +340,6 @@ std::vector<Eigen::Isometry3d> Retargeter::onGround(const GlobalPose& source) co
 /// foot keeps its direction.
 void Retargeter::bend(size_t side, const LegPlaces& places, const Vector3d& shift, double knee_rad,
                       std::vector<Eigen::Isometry3d>& motions) const {
-    const auto about = [](const Vector3d& p, const Quaterniond& q) -> Eigen::Isometry3d {
-        return Eigen::Translation3d(p) * q * Eigen::Translation3d(-p);
-    };
     const Eigen::Isometry3d knee = about(places.knee, axisAngle(places.knee_axis, knee_rad));
     const Vector3d bent = knee * places.ankle;
     const Eigen::Isometry3d hip =
@@ -303,9 +356,43 @@ void Retargeter::bend(size_t side, const LegPlaces& places, const Vector3d& shif
                 motions[n] = hip * knee * motions[n];
                 break;
             case LegPart::kFoot:
+            case LegPart::kToes:
                 motions[n] = foot * motions[n];
                 break;
         }
+}
+
+/// A foot, and then its toes, lie flat as far as ours does on the floor; what would lie below it turns up
+/// about ankle and ball, until the part lies flat at most.
+void Retargeter::putOnFloor(size_t side, double flat, double floor,
+                            std::vector<Eigen::Isometry3d>& motions) const {
+    const Leg& leg = legs_[side];
+    const auto put = [&](int node, const std::vector<Vector3d>& skin, auto goesAlong) {
+        const Eigen::Isometry3d& motion = motions[static_cast<size_t>(node)];
+        const Vector3d centre = motion * rest_[static_cast<size_t>(node)].translation();
+        const auto turn = [&](const Quaterniond& q) {
+            const Eigen::Isometry3d turned = about(centre, q);
+            for (size_t n = 0; n < motions.size(); ++n)
+                if (goesAlong(leg_parts_[side][n]))
+                    motions[n] = turned * motions[n];
+        };
+        const Vector3d up = motion.linear() * upright_.transpose() * Vector3d::UnitY();
+        turn(Quaterniond::Identity().slerp(flat, smallestRotation(up, Vector3d::UnitY())));
+        const Vector3d ahead = motion.linear() * (leg.p_rest[1] - leg.p_rest[0]);
+        const Vector3d axis = ahead.cross(Vector3d::UnitY());
+        if (axis.norm() < 1e-3 * ahead.norm() || skin.empty())
+            return;  // it stands on end
+        std::vector<Vector3d> points;
+        for (const Vector3d& p_rest : skin)
+            points.push_back(motion * p_rest);
+        const double most_rad = std::atan2(-ahead.y(), axis.norm());
+        turn(
+            axisAngle(axis.normalized(), turnAboveFloor(points, centre, axis.normalized(), floor, most_rad)));
+    };
+    const auto isToes = [](LegPart part) { return part == LegPart::kToes; };
+    put(leg.foot, leg.foot_skin, [&](LegPart part) { return part == LegPart::kFoot || isToes(part); });
+    if (leg.toes >= 0)
+        put(leg.toes, leg.toes_skin, isToes);
 }
 
 double LegPlaces::kneeTurn(const Vector3d& shift) const {
@@ -331,6 +418,15 @@ std::vector<Eigen::Isometry3d> Retargeter::motions(const Pose& source, const Foo
             bend(side, placesOf(legs_[side], global, motions), global.q_world_joint[0] * foot.p_root,
                  foot.knee_rad, motions);
     }
+    std::array<double, 2> lowest_m{}, highest_m{};
+    for (size_t side = 0; side < 2; ++side) {
+        const auto sole_m = placesOf(legs_[side], global, motions).sole_ours;
+        std::tie(lowest_m[side], highest_m[side]) = std::minmax(sole_m[0].y(), sole_m[1].y());
+    }
+    const double floor_m = std::min(lowest_m[0], lowest_m[1]);
+    for (size_t side = 0; side < 2; ++side)
+        putOnFloor(side, eased(1 - (highest_m[side] - floor_m) / kNearFloor_m),
+                   scale_ * std::min(floor_m, kMostFloor_m), motions);
     return motions;
 }
 

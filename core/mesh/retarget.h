@@ -2,8 +2,9 @@
 // Our pose on any rig. Every mapped bone turns as our joint does, measured from a common pose: limbs point
 // the same way in the world whatever the rest poses (T, A, elbows bent), trunk, head and feet turn from where
 // they rest upright. Steps and heights are scaled by the length of the legs, and the lowest sole is as high
-// above the ground as ours, so that feet neither sink nor float. Bones between mapped ones (twist, more
-// vertebrae) keep their place relative to their parent.
+// above the ground as ours, so that feet neither sink nor float. Soles are flat when ours are
+// (feet_at_rest.h), and where a longer foot would go through the floor, toes and foot give way. Bones between
+// mapped ones (twist, more vertebrae) keep their place relative to their parent.
 #pragma once
 
 #include <array>
@@ -11,6 +12,7 @@
 
 #include "core/body/skeleton.h"
 #include "core/mesh/bone_map.h"
+#include "core/mesh/feet_at_rest.h"
 
 namespace noctule {
 
@@ -37,7 +39,7 @@ public:
     /// `source` has canonical joint names (or aliases). kUnusable as checkBoneMap(), or when a main joint is
     /// missing in the source or legs have no length; `where` names the mesh.
     static Result<Retargeter> make(const RiggedMesh& target, const BoneMap& map, const Skeleton& source,
-                                   const std::string& where);
+                                   const FeetAtRest& feet, const std::string& where);
 
     /// World transforms of the target's nodes; its soles' ground is y = 0.
     RigPose pose(const Pose& source, const FootCorrections& feet = {}) const;
@@ -61,11 +63,12 @@ private:
     /// Nodes of the target and joints of ours; two points of the sole, below the ankle and at the toes: in
     /// the target's rest pose, and in the frame of our foot.
     struct Leg {
-        int thigh = 0, shin = 0, foot = 0, shin_joint = 0, foot_joint = 0;
+        int thigh = 0, shin = 0, foot = 0, toes = -1, shin_joint = 0, foot_joint = 0;
         std::array<Vector3d, 2> p_rest, p_joint_m;
+        std::vector<Vector3d> foot_skin, toes_skin;  ///< in the target's rest pose; lowestSkin()
     };
     /// What of a leg moves a node.
-    enum class LegPart : uint8_t { kNone, kThigh, kShin, kFoot };
+    enum class LegPart : uint8_t { kNone, kThigh, kShin, kFoot, kToes };
     Retargeter() = default;
     std::vector<Eigen::Isometry3d> turned(const GlobalPose& source, const Vector3d& p_hips) const;
     std::vector<Eigen::Isometry3d> onGround(const GlobalPose& source) const;
@@ -73,6 +76,8 @@ private:
                        const std::vector<Eigen::Isometry3d>& motions) const;
     void bend(size_t side, const LegPlaces& places, const Vector3d& shift, double knee_rad,
               std::vector<Eigen::Isometry3d>& motions) const;
+    std::vector<LegPart> partsOf(const Leg& leg) const;
+    void putOnFloor(size_t side, double flat, double floor, std::vector<Eigen::Isometry3d>& motions) const;
 
     Skeleton source_;
     std::vector<int> parents_;

@@ -47,12 +47,13 @@ Result<ExpectedMotion> expectedMotion(const Take& take, const ExportRequest& req
                 expected.begin_s = static_cast<double>(time_ns) * 1e-9;
             expected.frames.push_back(std::move(*pose));
         }
-    if (!locksFeet(request))
+    if (!request.with_body)
         return expected;
     const auto contacts = contactsInForce(take, *run, *motion);
     if (!contacts)
         return contacts.error();
     expected.plants = footPlants(contacts->feet, expected.begin_s);
+    expected.feet_at_rest = feetAtRest(*motion, contacts->feet);
     return expected;
 }
 

@@ -299,7 +299,7 @@ std::vector<Quaterniond> boundTurns(const SceneMotion& file) {
 Status compareRiggedFile(const SceneFile& scene, const ExpectedMotion& expected, const ExportRequest& request,
                          ExportCheck& check) {
     const WearableBody& body = *request.worn;
-    const auto moving = MovingBody::of(request.worn, expected.skeleton);
+    const auto moving = MovingBody::of(request.worn, expected.skeleton, expected.feet_at_rest);
     if (!moving)
         return moving.error();
     MotionClip clip;
@@ -309,7 +309,7 @@ Status compareRiggedFile(const SceneFile& scene, const ExpectedMotion& expected,
     const auto feet = request.lock_feet
                           ? moving->lockedFeet({expected.frames, expected.frame_time_s, expected.plants})
                           : std::vector<FootCorrections>();
-    const auto figure = riggedFigure(clip, {}, body, request.names, feet);
+    const auto figure = riggedFigure(clip, {}, body, request.names, expected.feet_at_rest, feet);
     if (!figure)
         return figure.error();
     std::vector<std::string> bones;

@@ -18,6 +18,7 @@ struct ExpectedMotion {
     double begin_s = 0;  ///< of the first frame, on the take's clock
     std::vector<Pose> frames;
     FootPlants plants;  ///< of a body whose feet keep their place
+    FeetAtRest feet_at_rest{};
 };
 
 /// An Error when the file cannot be read.

@@ -40,16 +40,17 @@ Status writeGlbFile(const ExportRequest& request, const ExportedMotion& motion, 
     return figure ? writeGlb(request.glb_path, *figure, request.overwrite, job) : Status(figure.error());
 }
 
-Result<MovingBody> movingBodyOf(const ExportRequest& request, const Skeleton& skeleton) {
+Result<MovingBody> movingBodyOf(const ExportRequest& request, const ExportedMotion& motion) {
+    const Skeleton& skeleton = motion.filmed.skeleton;
     if (!request.with_body)
         return MovingBody();
-    return request.worn ? MovingBody::of(request.worn, skeleton)
-                        : MovingBody::ofOurs(defaultBody(), skeleton);
+    return request.worn ? MovingBody::of(request.worn, skeleton, motion.feet_at_rest)
+                        : MovingBody::ofOurs(defaultBody(), skeleton, motion.feet_at_rest);
 }
 
 Status writePictureFile(const ExportRequest& request, const ExportedMotion& motion) {
     const MotionClip& clip = motion.filmed;
-    const auto body = movingBodyOf(request, clip.skeleton);
+    const auto body = movingBodyOf(request, motion);
     if (!body)
         return body.error();
     const size_t frame = request.from_s ? 0 : clip.frames.size() / 2;
@@ -59,7 +60,7 @@ Status writePictureFile(const ExportRequest& request, const ExportedMotion& moti
 
 Status writeFilmFile(const ExportRequest& request, const ExportedMotion& motion, const JobContext& job) {
     const MotionClip& clip = motion.filmed;
-    const auto body = movingBodyOf(request, clip.skeleton);
+    const auto body = movingBodyOf(request, motion);
     if (!body)
         return body.error();
     return writeFilm(request.video_path, {*body, clip, body->lockedFeet(motion.filmed_feet)}, request.film,
@@ -72,20 +73,20 @@ Status writeTableFile(const std::string& path, const Result<OpenSimTable>& table
 
 }  // namespace
 
-SkinnedMesh bodyFor(const Skeleton& skeleton) {
-    return fitted(defaultBody(), defaultActor().skeleton, skeleton);
+SkinnedMesh bodyFor(const Skeleton& skeleton, const FeetAtRest& feet) {
+    return fitted(defaultBody(), defaultActor().skeleton, skeleton, feet);
 }
 
 Result<Figure> figureOf(const ExportRequest& request, const ExportedMotion& motion) {
     if (request.with_body && request.worn) {
-        const auto moving = MovingBody::of(request.worn, motion.clip.skeleton);
+        const auto moving = MovingBody::of(request.worn, motion.clip.skeleton, motion.feet_at_rest);
         return moving ? riggedFigure(motion.clip, motion.confidence, *request.worn, request.names,
-                                     moving->lockedFeet(motion.feet))
+                                     motion.feet_at_rest, moving->lockedFeet(motion.feet))
                       : Result<Figure>(moving.error());
     }
     std::optional<SkinnedMesh> body;
     if (request.with_body)
-        body = bodyFor(motion.clip.skeleton);
+        body = bodyFor(motion.clip.skeleton, motion.feet_at_rest);
     auto figure = makeFigure(motion.clip, std::move(body), request.names);
     if (figure)
         figure->confidence = motion.confidence;

@@ -21,7 +21,7 @@ std::vector<ExportWriter> exportWriters(const ExportRequest& request, const Expo
 /// What FBX and GLB files hold of the motion.
 Result<Figure> figureOf(const ExportRequest& request, const ExportedMotion& motion);
 
-/// The default body in the measures of a skeleton; two seconds the first time.
-SkinnedMesh bodyFor(const Skeleton& skeleton);
+/// The default body in the measures of a skeleton whose feet lie flat as told; two seconds the first time.
+SkinnedMesh bodyFor(const Skeleton& skeleton, const FeetAtRest& feet);
 
 }  // namespace noctule

@@ -34,7 +34,7 @@ void holdRoot(MotionClip& clip, RootMotion root) {
     }
 }
 
-/// A run's motion, and when its feet stood; nobody asks for these when they are not locked.
+/// A run's motion, and when its feet stood; without a body nobody asks for these.
 struct RunMotion {
     TimedMotion motion;
     std::vector<FootContacts> feet;
@@ -72,6 +72,7 @@ Result<ExportedMotion> cut(const Take& take, const RunMotion& from, const Export
                      "Choose --from and --to within the take's duration"};
     if (locksFeet(request))
         exported.feet = {clip.frames, clip.frame_time_s, footPlants(from.feet, begin_s)};
+    exported.feet_at_rest = feetAtRest(motion, from.feet);
     holdRoot(clip, request.root);
     const auto is_empty = [](const std::vector<float>& row) { return row.empty(); };
     if (std::any_of(exported.confidence.begin(), exported.confidence.end(), is_empty))
@@ -85,26 +86,6 @@ bool locksFeet(const ExportRequest& request) {
     return request.worn && request.with_body && request.lock_feet;
 }
 
-FootPlants footPlants(const std::vector<FootContacts>& feet, double begin_s) {
-    FootPlants plants;
-    for (const FootContacts& foot : feet) {
-        if (foot.foot != "LeftFoot" && foot.foot != "RightFoot")
-            continue;
-        std::vector<FootPlant>& stands = plants[foot.foot == "LeftFoot" ? 0 : 1];
-        for (const FootContact& contact : foot.contacts)
-            stands.push_back({contact.from_s - begin_s, contact.to_s - begin_s});
-        std::ranges::sort(stands, {}, &FootPlant::from_s);
-        size_t kept = 0;
-        for (size_t i = 1; i < stands.size(); ++i)
-            if (stands[i].from_s <= stands[kept].to_s)
-                stands[kept].to_s = std::max(stands[kept].to_s, stands[i].to_s);
-            else
-                stands[++kept] = stands[i];
-        stands.resize(std::min(stands.size(), kept + 1));
-    }
-    return plants;
-}
-
 Result<ExportedMotion> exportedMotion(const ExportRequest& request) {
     const auto take = Take::open(request.take_path);
     if (!take)
@@ -116,7 +97,7 @@ Result<ExportedMotion> exportedMotion(const ExportRequest& request) {
     if (!poses)
         return poses.error();
     RunMotion motion{std::move(*poses), {}};
-    if (locksFeet(request)) {
+    if (request.with_body) {
         auto contacts = contactsInForce(*take, *run, motion.motion);
         if (!contacts)
             return contacts.error();

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/mesh/foot_lock.h"
-#include "core/motion/foot_contacts.h"
 #include "core/motion/timed_poses.h"
 #include "core/processing/export_take.h"
+#include "core/processing/standing_feet.h"
 
 namespace noctule {
 
@@ -19,12 +19,11 @@ struct ExportedMotion {
     StandingFeet feet;                           ///< of the clip; none when they stay free
     MotionClip filmed;                           ///< at the film's rate; empty without pictures
     StandingFeet filmed_feet;
+    FeetAtRest feet_at_rest;  ///< as the whole take shows them
 };
 
 /// Whether feet of its body keep their place.
 bool locksFeet(const ExportRequest& request);
-/// When feet stand, in seconds from `begin_s` of the take's clock; what overlaps is one stand.
-FootPlants footPlants(const std::vector<FootContacts>& feet, double begin_s);
 
 /// kUnusable without a pose in the wanted part; errors of opening the take are passed on.
 Result<ExportedMotion> exportedMotion(const ExportRequest& request);

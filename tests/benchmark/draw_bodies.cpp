@@ -53,7 +53,7 @@ private:
     };
 
     void add(const RiggedMesh& rig, const std::string& name) {
-        auto retargeter = Retargeter::make(rig, findBoneMap(rig), skeleton_, name);
+        auto retargeter = Retargeter::make(rig, findBoneMap(rig), skeleton_, feetAtRest(skeleton_), name);
         figures_.push_back({rig, *retargeter, std::make_shared<const SkinnedMesh>(rig.skin)});
     }
 

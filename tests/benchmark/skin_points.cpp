@@ -11,6 +11,7 @@
 
 #include "core/job/atomic_file.h"
 #include "core/mesh/moving_body.h"
+#include "core/processing/contacts_in_force.h"
 #include "core/processing/export_files.h"
 #include "core/processing/pose_runs.h"
 
@@ -31,7 +32,10 @@ Result<std::string> skinPoints(const std::string& path, double frames_per_second
     const auto motion = run ? take->poses(run->run) : Result<TimedMotion>(run.error());
     if (!motion)
         return motion.error();
-    const SkinnedMesh body = bodyFor(motion->skeleton);
+    const auto contacts = contactsInForce(*take, *run, *motion);
+    if (!contacts)
+        return contacts.error();
+    const SkinnedMesh body = bodyFor(motion->skeleton, feetAtRest(*motion, contacts->feet));
     PoseSampler sampler(*motion, std::numeric_limits<int64_t>::max());
     std::string points;
     uint32_t frames = 0;
@@ -77,7 +81,7 @@ Result<BodyPoints> bodyPoints(const std::string& path, double frames_per_second,
         return motion.error();
     const WearableBody& body = **worn;
     const auto retargeter = Retargeter::make(body.mesh, bonesFor(body.bones, motion->clip.skeleton),
-                                             motion->clip.skeleton, body.name);
+                                             motion->clip.skeleton, motion->feet_at_rest, body.name);
     if (!retargeter)
         return retargeter.error();
     const auto feet = lockFeet(*retargeter, motion->feet);

@@ -22,16 +22,18 @@ bool isPicked(const HeardPair& pair, int source, int board) {
 
 }  // namespace
 
-const MovingBody& FittedBody::fit(const BodyLook& look, const Skeleton& skeleton) {
-    const bool same = look.ours == look_.ours && look.worn == look_.worn && sameMeasures(skeleton, skeleton_);
+const MovingBody& FittedBody::fit(const BodyLook& look, const Skeleton& skeleton, const FeetAtRest& feet) {
+    const bool same = look.ours == look_.ours && look.worn == look_.worn && feet == feet_ &&
+                      sameMeasures(skeleton, skeleton_);
     look_ = look;
     if (same)
         return fitted_;
     skeleton_ = skeleton;
+    feet_ = feet;
     if (look.worn)
-        if (auto worn = MovingBody::of(look.worn, skeleton))
+        if (auto worn = MovingBody::of(look.worn, skeleton, feet))
             return fitted_ = std::move(*worn);
-    return fitted_ = look.ours ? MovingBody::ofOurs(*look.ours, skeleton) : MovingBody();
+    return fitted_ = look.ours ? MovingBody::ofOurs(*look.ours, skeleton, feet) : MovingBody();
 }
 
 void addRoom(Scene& scene, const SceneColors& colors, const SceneLayers& layers, const Vector3d& centre_m) {

@@ -19,11 +19,12 @@ namespace noctule::ui {
 class FittedBody {
 public:
     /// An empty one without a body. A mesh that cannot be worn by this skeleton gives way to ours.
-    const MovingBody& fit(const BodyLook& look, const Skeleton& skeleton);
+    const MovingBody& fit(const BodyLook& look, const Skeleton& skeleton, const FeetAtRest& feet);
 
 private:
     BodyLook look_;
     Skeleton skeleton_;
+    FeetAtRest feet_;
     MovingBody fitted_;
 };
 

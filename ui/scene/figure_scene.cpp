@@ -96,7 +96,8 @@ ComposedScene FigureScene::compose(const SceneLayers& layers,
     addRoom(scene, colors, layers, Vector3d::Zero());
     addShadow(scene, colors, places_);
     if (layers.has(SceneLayer::kMesh))
-        addSurface(scene, colors, body_.fit({body, nullptr}, actor_.skeleton), rest_, Blending::kLinear);
+        addSurface(scene, colors, body_.fit({body, nullptr}, actor_.skeleton, feetAtRest(actor_.skeleton)),
+                   rest_, Blending::kLinear);
     if (layers.has(SceneLayer::kSkeleton))
         addSkeleton(scene, colors, places_, scene.bodies.empty());
     if (layers.has(SceneLayer::kBoards)) {

@@ -33,7 +33,8 @@ ComposedScene LiveScene::compose(Studio& studio, const SceneLayers& layers) {
     const BodyLook look = studio.look();
     const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);
     if (has_mesh)
-        addSurface(scene, colors, body_.fit(look, skeleton), *frame_->pose->pose, look.blending);
+        addSurface(scene, colors, body_.fit(look, skeleton, feetAtRest(skeleton)), *frame_->pose->pose,
+                   look.blending);
     if (layers.has(SceneLayer::kSkeleton))
         addSkeleton(scene, colors, composed.places, !has_mesh);
     addPairs(composed);

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/processing/standing_feet.h"
+
 namespace noctule::ui {
 
 namespace {
@@ -40,11 +42,15 @@ std::vector<Vector3d> ComposedScene::sourcePoints() const {
     return points;
 }
 
-void TakeScene::Track::follow(std::shared_ptr<const TimedMotion> of) {
-    if (of == motion)
+void TakeScene::Track::follow(std::shared_ptr<const TimedMotion> of,
+                              std::shared_ptr<const std::vector<FootContacts>> its_contacts) {
+    if (of == motion && its_contacts == contacts)
         return;
     motion = std::move(of);
+    contacts = std::move(its_contacts);
     max_gap_ns = motion ? bridgeableGap_ns(*motion) : 0;
+    if (motion)
+        feet = contacts ? feetAtRest(*motion, *contacts) : feetAtRest(motion->skeleton);
 }
 
 std::optional<Pose> TakeScene::Track::at(double t_s) const {
@@ -109,13 +115,13 @@ void TakeScene::addContacts(ComposedScene& composed, const SceneColors& colors, 
 }
 
 void TakeScene::addCompared(ComposedScene& composed, const SceneColors& colors, double t_s) {
-    compared_.follow(studio_.take().comparedMotion());
+    compared_.follow(studio_.take().comparedMotion(), nullptr);
     const auto pose = compared_.at(t_s);
     if (!pose)
         return;
     const BodyLook look = studio_.look();
-    addGhost(composed.scene, colors, compared_.body.fit(look, compared_.motion->skeleton), *pose,
-             look.blending);
+    addGhost(composed.scene, colors, compared_.body.fit(look, compared_.motion->skeleton, compared_.feet),
+             *pose, look.blending);
     composed.has_ghost = true;
 }
 
@@ -127,7 +133,12 @@ ComposedScene TakeScene::compose(const SceneLayers& layers) {
     const auto overview = take.overview();
     composed.subject = subject_;
     const bool is_shown = subject_ == SceneSubject::kShown;
-    shown_.follow(!overview ? nullptr : is_shown ? take.shownMotion() : take.comparedMotion());
+    if (!overview)
+        shown_.follow(nullptr, nullptr);
+    else if (is_shown)
+        shown_.follow(take.shownMotion(), take.contacts());
+    else
+        shown_.follow(take.comparedMotion(), nullptr);
     const auto pose = shown_.at(t_s);
     const BodyLook look = studio_.look();
     const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);
@@ -143,7 +154,8 @@ ComposedScene TakeScene::compose(const SceneLayers& layers) {
     if (is_shown && layers.has(SceneLayer::kContacts))
         addContacts(composed, colors, t_s);
     if (has_mesh)
-        addSurface(scene, colors, shown_.body.fit(look, shown_.motion->skeleton), *pose, look.blending);
+        addSurface(scene, colors, shown_.body.fit(look, shown_.motion->skeleton, shown_.feet), *pose,
+                   look.blending);
     if (layers.has(SceneLayer::kSkeleton))
         addSkeleton(scene, colors, composed.places, !has_mesh);
     if (layers.has(SceneLayer::kTrails))

@@ -42,9 +42,13 @@ private:
     struct Track {
         std::shared_ptr<const TimedMotion> motion;
         int64_t max_gap_ns = 0;
+        std::shared_ptr<const std::vector<FootContacts>> contacts;
+        FeetAtRest feet;
         FittedBody body;
 
-        void follow(std::shared_ptr<const TimedMotion> of);
+        /// `its_contacts` may come later, or never.
+        void follow(std::shared_ptr<const TimedMotion> of,
+                    std::shared_ptr<const std::vector<FootContacts>> its_contacts);
         std::optional<Pose> at(double t_s) const;
     };
     void addPairs(ComposedScene& composed, double t_s);

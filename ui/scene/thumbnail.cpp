@@ -18,7 +18,8 @@ QImage drawn(const std::shared_ptr<const SkinnedMesh>& body, const Skeleton& ske
     Scene scene;
     scene.background = colors.background;
     addShadow(scene, colors, places);
-    addSurface(scene, colors, MovingBody::ofOurs(*body, skeleton), pose, Blending::kLinear);
+    addSurface(scene, colors, MovingBody::ofOurs(*body, skeleton, feetAtRest(skeleton)), pose,
+               Blending::kLinear);
     const PictureSize size{size_px.width(), size_px.height()};
     Camera camera;
     Eigen::AlignedBox3d box = places.box();

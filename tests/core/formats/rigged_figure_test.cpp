@@ -43,7 +43,7 @@ WearableBody sharedBody(const std::string& name) {
 /// Largest distance of the figure's skin from what the view draws, before it scales.
 double skinError(const WearableBody& body, const MotionClip& clip, const Figure& figure) {
     const auto retargeter =
-        Retargeter::make(body.mesh, bonesFor(body.bones, clip.skeleton), clip.skeleton, body.name);
+        Retargeter::make(body.mesh, bonesFor(body.bones, clip.skeleton), clip.skeleton, {}, body.name);
     double largest = 0;
     for (size_t f = 0; f < clip.frames.size(); ++f) {
         const auto seen = skinned(body.mesh.skin, skinMatrices(body.mesh, retargeter->pose(clip.frames[f])));
@@ -57,7 +57,7 @@ double skinError(const WearableBody& body, const MotionClip& clip, const Figure&
 
 void expectHeldByFiles(const WearableBody& body) {
     const MotionClip clip = shortClip();
-    const auto figure = riggedFigure(clip, {}, body, JointNames::kOwn);
+    const auto figure = riggedFigure(clip, {}, body, JointNames::kOwn, {});
     ASSERT_TRUE(figure) << figure.error().text();
     EXPECT_LT(skinError(body, clip, *figure), 2e-5) << body.name;
     const test::Folder folder;
@@ -80,7 +80,7 @@ void expectHeldByFiles(const WearableBody& body) {
 TEST(RiggedFigure, FilesHoldABodyThatLiesInAnotherRestPose) {
     const WearableBody body = lyingBody();
     expectHeldByFiles(body);
-    const auto figure = riggedFigure(shortClip(), {}, body, JointNames::kOwn);
+    const auto figure = riggedFigure(shortClip(), {}, body, JointNames::kOwn, {});
     const GlobalPose rest = globalPose(figure->clip.skeleton, figure->rest);
     const auto at = [&](const char* bone) {
         return rest.p_world_joint[static_cast<size_t>(figure->clip.skeleton.find(bone))];
@@ -101,7 +101,7 @@ TEST(RiggedFigure, FilesHoldBodiesOfOthers) {
 TEST(RiggedFigure, ColourAndTextureStandInTheFiles) {
     if (!test::isShared(test::kCesiumMan))
         GTEST_SKIP() << test::sayMissing(test::kCesiumMan);
-    const auto figure = riggedFigure(shortClip(), {}, sharedBody(test::kCesiumMan), JointNames::kOwn);
+    const auto figure = riggedFigure(shortClip(), {}, sharedBody(test::kCesiumMan), JointNames::kOwn, {});
     ASSERT_TRUE(figure && figure->body->look && figure->body->look->texture);
     test::Folder folder;
     for (const SceneFormat format : {SceneFormat::kFbx, SceneFormat::kGlb}) {
@@ -132,7 +132,7 @@ TEST(RiggedFigure, BonesBesideTheHipsGoAlongAndEmptyOnesStayOut) {
     const auto body = wearable(std::move(rig), "rig");
     ASSERT_TRUE(body) << body.error().text();
     const MotionClip clip = shortClip();
-    const auto figure = riggedFigure(clip, {}, *body, JointNames::kOwn);
+    const auto figure = riggedFigure(clip, {}, *body, JointNames::kOwn, {});
     ASSERT_TRUE(figure);
     EXPECT_EQ(figure->clip.skeleton.joint(0).name, "Hips");
     EXPECT_EQ(figure->clip.skeleton.find("Lamp"), -1);
@@ -149,8 +149,8 @@ TEST(RiggedFigure, ConfidenceGoesToEveryBone) {
     std::vector<float> row;
     for (int j = 0; j < clip.skeleton.size(); ++j)
         row.push_back(0.01F * static_cast<float>(j));
-    const auto figure =
-        riggedFigure(clip, std::vector<std::vector<float>>(clip.frames.size(), row), body, JointNames::kOwn);
+    const auto figure = riggedFigure(clip, std::vector<std::vector<float>>(clip.frames.size(), row), body,
+                                     JointNames::kOwn, {});
     const Skeleton& bones = figure->clip.skeleton;
     for (const char* joint : {"Hips", "LeftHand", "RightFoot"})
         EXPECT_EQ(figure->confidence[3][static_cast<size_t>(bones.find(std::string("mixamorig:") + joint))],
@@ -158,7 +158,7 @@ TEST(RiggedFigure, ConfidenceGoesToEveryBone) {
 }
 
 TEST(RiggedFigure, ZeroPoseOfRestParallelFramesIsTheRestPose) {
-    const auto figure = riggedFigure(shortClip(), {}, lyingBody(), JointNames::kOwn);
+    const auto figure = riggedFigure(shortClip(), {}, lyingBody(), JointNames::kOwn, {});
     const GlobalPose rest = globalPose(figure->clip.skeleton, figure->rest);
     const MotionClip turned = restParallel(figure->clip, rest.q_world_joint);
     Pose zero = turned.skeleton.zeroPose();

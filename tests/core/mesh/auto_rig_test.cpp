@@ -268,7 +268,7 @@ TEST(AutoRig, FollowsOurPose) {
     const auto rigged = autoRigged(skin, *landmarks, "MakeHuman");
     ASSERT_TRUE(rigged);
     const Skeleton source = defaultActor().skeleton;
-    EXPECT_TRUE(Retargeter::make(*rigged, findBoneMap(*rigged), source, "MakeHuman"));
+    EXPECT_TRUE(Retargeter::make(*rigged, findBoneMap(*rigged), source, {}, "MakeHuman"));
     for (size_t n = 0; n < rigged->nodes.size(); ++n)
         EXPECT_EQ(rigged->nodes[n].name, source.joint(static_cast<int>(n)).name);
 }

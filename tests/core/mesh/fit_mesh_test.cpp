@@ -61,6 +61,46 @@ TEST(FitMesh, BonesStandInThePerformersJoints) {
             << mesh.bones[b].joint;
 }
 
+/// A skeleton whose hands end at the knuckles has whole hands all the same.
+TEST(FitMesh, HandsAreNotCrushedIntoAWrongTip) {
+    const Skeleton from = defaultActor().skeleton, to = defaultActor({.hand_m = 0.04}).skeleton;
+    SkinnedMesh hand;
+    hand.bones = bonesOf(from);
+    const auto bone = static_cast<size_t>(from.find("LeftHand"));
+    const Vector3f wrist = jointOf(hand, bone), finger = wrist + Vector3f(0.17F, 0, 0);
+    hand.vertices.push_back({finger, Vector3f::UnitX(), {static_cast<uint16_t>(bone)}, {1, 0, 0, 0}});
+    const SkinnedMesh after = fitted(hand, from, to);
+    EXPECT_NEAR((after.vertices[0].p_m - jointOf(after, bone)).norm(), 0.17, 1e-5);
+}
+
+/// Legs apart in the zero pose, and feet that lie flat when they are tilted back: the body's legs and feet
+/// are.
+TEST(FitMesh, LegsAndFeetTurnAsThePerformersDo) {
+    const Skeleton from = defaultActor().skeleton;
+    std::vector<Joint> joints = from.joints();
+    const Quaterniond apart = axisAngle(Vector3d::UnitZ(), radians(20));
+    for (Joint& joint : joints)
+        if (joint.name == "LeftLeg" || joint.name == "LeftFoot")
+            joint.offset_m = apart * joint.offset_m;
+    const Skeleton to = Skeleton::make(joints).value();
+    const SkinnedMesh before = rings(from);
+    const SkinnedMesh after = fitted(before, from, to, {{apart * Vector3d::UnitY(), Vector3d::UnitY()}});
+    int seen = 0;
+    for (size_t v = 0; v < before.vertices.size(); ++v) {
+        const auto bone = static_cast<size_t>(before.vertices[v].bones[0]);
+        const std::string& joint = before.bones[bone].joint;
+        const bool is_turned = joint == "LeftUpLeg" || joint == "LeftLeg" || joint == "LeftFoot";
+        if (!is_turned && joint != "RightLeg")
+            continue;
+        const Vector3d was = (before.vertices[v].p_m - jointOf(before, bone)).cast<double>();
+        const Vector3d is = (after.vertices[v].p_m - jointOf(after, bone)).cast<double>();
+        const Vector3d turned = is_turned ? Vector3d(apart * was) : was;
+        EXPECT_LT((is.normalized() - turned.normalized()).norm(), 0.03) << joint;
+        ++seen;
+    }
+    EXPECT_EQ(seen, 12);
+}
+
 TEST(FitMesh, LongerArmsAreNotThicker) {
     const Skeleton from = defaultActor().skeleton, to = defaultActor({.upper_arm_m = 0.40}).skeleton;
     const SkinnedMesh before = rings(from), after = fitted(before, from, to);

@@ -18,6 +18,7 @@ namespace {
 struct Walk {
     Skeleton skeleton;
     StandingFeet feet;
+    FeetAtRest at_rest;
 };
 
 Walk walkOf(const std::string& path, BvhUnit unit) {
@@ -26,10 +27,13 @@ Walk walkOf(const std::string& path, BvhUnit unit) {
     for (size_t f = 0; f < clip.frames.size(); ++f)
         timed.frames.push_back(
             {std::llround(static_cast<double>(f) * clip.frame_time_s * 1e9), clip.frames[f], {}});
-    Walk walk{clip.skeleton, {clip.frames, clip.frame_time_s, {}}};
+    Walk walk{clip.skeleton, {clip.frames, clip.frame_time_s, {}}, {}};
     for (const FootContacts& foot : findFootContacts(timed))
         for (const FootContact& contact : foot.contacts)
             walk.feet.plants[foot.foot == "LeftFoot" ? 0 : 1].push_back({contact.from_s, contact.to_s});
+    walk.at_rest = feetAtRest(walk.skeleton, walk.feet.plants, [&](double t_s) {
+        return poseAt(timed, std::llround(t_s * 1e9), bridgeableGap_ns(timed));
+    });
     return walk;
 }
 
@@ -111,6 +115,72 @@ Steps stepsOf(const Retargeter& retargeter, const StandingFeet& feet,
     return steps;
 }
 
+/// Where skin is over a whole motion, above what our own lower sole stands on; metres of the target.
+struct SkinOnFloor {
+    double lowest_m = 0;                    ///< of all skin
+    double off_mean_m = 0, off_most_m = 0;  ///< from their place at rest, of soles that lie flat
+};
+
+/// A vertex of a sole, and how high it is when the body stands at rest.
+struct SoleVertex {
+    size_t vertex;
+    double height_m;
+};
+
+std::vector<SoleVertex> soleOf(const RiggedMesh& rig, const std::string& foot) {
+    const int node = rig.find(findBoneMap(rig).node_of_joint.at(foot));
+    std::vector<bool> below(rig.nodes.size(), false);
+    for (size_t n = 0; n < rig.nodes.size(); ++n) {
+        const int parent = rig.nodes[n].parent;
+        below[n] = static_cast<int>(n) == node || (parent >= 0 && below[static_cast<size_t>(parent)]);
+    }
+    const auto rest = skinned(rig.skin, skinMatrices(rig, restPose(rig))).points_m;
+    const float ground =
+        std::ranges::min_element(rest, {}, [](const Eigen::Vector3f& p) { return p.y(); })->y();
+    std::vector<SoleVertex> sole;
+    for (size_t v = 0; v < rest.size(); ++v) {
+        const SkinnedVertex& vertex = rig.skin.vertices[v];
+        const double height_m = rest[v].y() - ground;
+        if (height_m < 0.01 && below[static_cast<size_t>(rig.node_of_bone[vertex.bones[0]])] &&
+            vertex.weights[0] > 0.9F)
+            sole.push_back({v, height_m});
+    }
+    return sole;
+}
+
+SkinOnFloor skinOnFloor(const RiggedMesh& rig, const Retargeter& retargeter, const Walk& walk,
+                        const std::vector<FootCorrections>& corrections) {
+    SkinOnFloor seen;
+    const std::array soles{soleOf(rig, "LeftFoot"), soleOf(rig, "RightFoot")};
+    double count = 0;
+    for (size_t f = 0; f < walk.feet.frames.size(); ++f) {
+        const Pose& pose = walk.feet.frames[f];
+        const auto legs = retargeter.legs(pose, corrections[f]);
+        double floor_m = 1e9;
+        for (const LegPlaces& leg : legs)
+            for (const Vector3d& p : leg.sole_ours)
+                floor_m = std::min(floor_m, retargeter.scale() * p.y());
+        const auto skin =
+            skinned(rig.skin, skinMatrices(rig, retargeter.pose(pose, corrections[f]))).points_m;
+        for (const Eigen::Vector3f& p : skin)
+            seen.lowest_m = std::min(seen.lowest_m, p.y() - floor_m);
+        for (size_t side = 0; side < 2; ++side) {
+            const auto [low, high] = std::minmax(legs[side].sole_ours[0].y(), legs[side].sole_ours[1].y());
+            if (retargeter.scale() * low > floor_m + 0.005 || high - low > 0.005)
+                continue;
+            for (const SoleVertex& sole : soles[side]) {
+                const double off_m = std::abs(skin[sole.vertex].y() - floor_m - sole.height_m);
+                seen.off_most_m = std::max(seen.off_most_m, off_m);
+                seen.off_mean_m += off_m;
+                ++count;
+            }
+        }
+    }
+    EXPECT_GT(count, 1000) << "soles that lie flat";
+    seen.off_mean_m /= count;
+    return seen;
+}
+
 /// Shins a third longer, thighs shorter, hips wider and feet longer than ours.
 RiggedMesh oddLegs() {
     RiggedMesh rig = test::namedRig([](const std::string& joint) { return joint; });
@@ -133,7 +203,8 @@ RiggedMesh oddLegs() {
 class FootLock : public testing::Test {
 protected:
     static Retargeter retargeterFor(const RiggedMesh& rig, const Walk& walk) {
-        auto made = Retargeter::make(rig, bonesFor(findBoneMap(rig), walk.skeleton), walk.skeleton, "rig");
+        auto made = Retargeter::make(rig, bonesFor(findBoneMap(rig), walk.skeleton), walk.skeleton,
+                                     walk.at_rest, "rig");
         EXPECT_TRUE(made) << made.error().text();
         return made.value();
     }
@@ -234,6 +305,11 @@ TEST_F(FootLock, OtherProgramsFigures) {
         std::printf("%s: slide %.1f -> %.1f mm, height %.1f -> %.1f mm, knee %.1f -> %.1f rad/s\n", name,
                     mm * before.slide_m, mm * after.slide_m, mm * before.height_m, mm * after.height_m,
                     before.knee_rad_per_s, after.knee_rad_per_s);
+        const SkinOnFloor skin = skinOnFloor(rig, retargeter, walk, locked);
+        std::printf("%s: skin %.1f mm above the floor at least, flat soles off by %.1f, at most %.1f mm\n",
+                    name, mm * skin.lowest_m, mm * skin.off_mean_m, mm * skin.off_most_m);
+        EXPECT_GT(mm * skin.lowest_m, -10) << name;
+        EXPECT_LT(mm * skin.off_mean_m, 4) << name;
         EXPECT_LT(after.slide_m, before.slide_m) << name;
         EXPECT_LT(mm * after.slide_m, 3) << name;
         EXPECT_LT(after.knee_rad_per_s, before.knee_rad_per_s + kMostKnee_rad_per_s) << name;

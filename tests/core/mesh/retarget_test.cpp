@@ -56,7 +56,7 @@ double worstLimb_deg(const RiggedMesh& target, const BoneMap& map, const Retarge
 
 void expectFollows(const RiggedMesh& target, const std::string& name) {
     const BoneMap map = findBoneMap(target);
-    const auto retargeter = Retargeter::make(target, map, walk().skeleton, name);
+    const auto retargeter = Retargeter::make(target, map, walk().skeleton, {}, name);
     ASSERT_TRUE(retargeter) << retargeter.error().text();
     EXPECT_LT(worstLimb_deg(target, map, *retargeter, walk()), 0.01) << name;
 }
@@ -73,16 +73,18 @@ Quaterniond aPose(const std::string& joint) {
 
 TEST(Retarget, ARigLikeOursGetsOurPoseItself) {
     const RiggedMesh rig = namedRig([](const std::string& joint) { return joint; });
-    const auto retargeter = Retargeter::make(rig, findBoneMap(rig), walk().skeleton, "rig");
+    const auto retargeter = Retargeter::make(rig, findBoneMap(rig), walk().skeleton, {}, "rig");
     ASSERT_TRUE(retargeter);
     EXPECT_NEAR(retargeter->scale(), 1, 1e-4);
     for (size_t f = 0; f < walk().frames.size(); f += 100) {
         const GlobalPose ours = globalPose(walk().skeleton, walk().frames[f]);
         const RigPose theirs = retargeter->pose(walk().frames[f]);
         for (int j = 0; j < walk().skeleton.size(); ++j) {
-            const auto& T = theirs[static_cast<size_t>(rig.find(walk().skeleton.joint(j).name))];
+            const std::string& name = walk().skeleton.joint(j).name;
+            const auto& T = theirs[static_cast<size_t>(rig.find(name))];
+            const bool lies_flat = name.ends_with("Foot") || name.ends_with("ToeBase");
             EXPECT_LT((T.linear() - ours.q_world_joint[static_cast<size_t>(j)].toRotationMatrix()).norm(),
-                      1e-6);
+                      lies_flat ? 1e-3 : 1e-6);
             EXPECT_LT((T.translation() - ours.p_world_joint[static_cast<size_t>(j)]).norm(), 0.02);
         }
     }
@@ -117,7 +119,7 @@ TEST(Retarget, AWrongBoneIsSeenInTheLimbs) {
     for (const char* limb : {"UpLeg", "Leg", "Foot", "ToeBase"})
         std::swap(crossed.node_of_joint[std::string("Left") + limb],
                   crossed.node_of_joint[std::string("Right") + limb]);
-    const auto retargeter = Retargeter::make(rig, crossed, walk().skeleton, "rig");
+    const auto retargeter = Retargeter::make(rig, crossed, walk().skeleton, {}, "rig");
     ASSERT_TRUE(retargeter);
     EXPECT_GT(worstLimb_deg(rig, good, *retargeter, walk()), 5);
 }
@@ -135,7 +137,7 @@ TEST(Retarget, SolesStandOnTheGroundAndJumpsAreScaled) {
     for (RigNode& node : rig.nodes)
         if (node.name.ends_with("Foot") || node.name.ends_with("ToeBase"))
             node.T_world_rest.translation().y() -= 0.2;
-    const auto retargeter = Retargeter::make(rig, findBoneMap(rig), walk().skeleton, "rig");
+    const auto retargeter = Retargeter::make(rig, findBoneMap(rig), walk().skeleton, {}, "rig");
     ASSERT_TRUE(retargeter);
     const Pose standing = bindPose(walk().skeleton);
     const double ankle = lowestFoot_m(rig, retargeter->pose(standing));
@@ -160,7 +162,7 @@ TEST(Retarget, SolesStandOnTheGroundAndJumpsAreScaled) {
 /// How far the feet wander from where ours would stand, at our size: what a planted foot can slide.
 double worstWander_m(const RiggedMesh& rig, const std::string& name) {
     const BoneMap map = findBoneMap(rig);
-    const auto retargeter = Retargeter::make(rig, map, walk().skeleton, name);
+    const auto retargeter = Retargeter::make(rig, map, walk().skeleton, {}, name);
     double worst = 0;
     for (const char* foot : {"LeftFoot", "RightFoot"}) {
         Vector3d first = Vector3d::Zero();
@@ -203,7 +205,7 @@ TEST(Retarget, PalmsFaceAsOursWhateverTheRestPose) {
     for (const double palm_deg : {0.0, 45.0, -80.0}) {
         const RiggedMesh rig = rigWithFingers(palm_deg);
         const BoneMap map = findBoneMap(rig);
-        const auto retargeter = Retargeter::make(rig, map, walk().skeleton, "rig");
+        const auto retargeter = Retargeter::make(rig, map, walk().skeleton, {}, "rig");
         ASSERT_TRUE(retargeter);
         EXPECT_LT(worstLimb_deg(rig, map, *retargeter, walk()), 0.01);
         const RigPose pose = retargeter->pose(bindPose(walk().skeleton));
@@ -229,14 +231,14 @@ TEST(Retarget, FeetHardlyWander) {
 TEST(Retarget, NodesWithoutSizeHurtNothing) {
     RiggedMesh rig =
         namedRig([](const std::string& joint) { return joint; }, aPose, 1, expQuaternion({1, 2, 0}));
-    const auto whole = Retargeter::make(rig, findBoneMap(rig), walk().skeleton, "rig");
+    const auto whole = Retargeter::make(rig, findBoneMap(rig), walk().skeleton, {}, "rig");
     RigNode hidden{"hidden", rig.find("LeftHand")};
     hidden.T_world_rest.linear().setZero();
     hidden.T_world_rest.translation() = Vector3d(0.8, 1.4, 0);
     RigNode held{"held", static_cast<int>(rig.nodes.size())};
     held.T_world_rest = hidden.T_world_rest;
     rig.nodes.insert(rig.nodes.end(), {hidden, held});
-    const auto retargeter = Retargeter::make(rig, findBoneMap(rig), walk().skeleton, "rig");
+    const auto retargeter = Retargeter::make(rig, findBoneMap(rig), walk().skeleton, {}, "rig");
     ASSERT_TRUE(whole && retargeter);
     const RigPose pose = retargeter->pose(walk().frames[200]), expected = whole->pose(walk().frames[200]);
     for (size_t n = 0; n < pose.size(); ++n)

@@ -35,7 +35,7 @@ TEST(Wearable, ABareFigureIsPutOnTheGroundAndRigged) {
     ASSERT_TRUE(body->landmarks);
     EXPECT_NEAR(body->landmarks->at("Hips").x(), 0, 0.01);
     EXPECT_NEAR(body->landmarks->at("LeftLeg").y(), 0.5, 0.06);
-    EXPECT_TRUE(Retargeter::make(body->mesh, body->bones, defaultActor().skeleton, "bare.obj"));
+    EXPECT_TRUE(Retargeter::make(body->mesh, body->bones, defaultActor().skeleton, {}, "bare.obj"));
 }
 
 TEST(Wearable, LandmarksSetByHandAreTaken) {

@@ -25,7 +25,7 @@ protected:
             clip.frames.push_back(poseAt(0.4 + f / 45.0));
         std::optional<SkinnedMesh> body;
         if (with_body)
-            body = bodyFor(actor_.skeleton);
+            body = bodyFor(actor_.skeleton, {});
         return makeFigure(clip, body, names).value();
     }
 };
