@@ -8,7 +8,7 @@
 
 namespace noctule {
 
-void decodeTexture(SurfaceTexture& texture) {
+void decodeTexture(SurfaceTexture& texture, int side_px) {
     cv::Mat bgr;
     try {
         // As exported files show it: as stored, not as a camera was held.
@@ -16,8 +16,7 @@ void decodeTexture(SurfaceTexture& texture) {
                            cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
         if (bgr.empty())
             return;
-        const double smaller =
-            static_cast<double>(MeshLimits::kTextureSide_px) / std::max(bgr.cols, bgr.rows);
+        const double smaller = static_cast<double>(side_px) / std::max(bgr.cols, bgr.rows);
         const auto side = [&](int px) { return std::max(1, cvRound(smaller * px)); };
         if (smaller < 1)
             cv::resize(bgr, bgr, {side(bgr.cols), side(bgr.rows)}, 0, 0, cv::INTER_AREA);

@@ -6,8 +6,8 @@
 
 namespace noctule {
 
-/// Decodes a texture's PNG or JPEG, made smaller until no side is longer than MeshLimits::kTextureSide_px.
-/// What cannot be decoded stays without pixels.
-void decodeTexture(SurfaceTexture& texture);
+/// Decodes a texture's PNG or JPEG, made smaller until no side is longer than `side_px`. What cannot be
+/// decoded stays without pixels.
+void decodeTexture(SurfaceTexture& texture, int side_px = MeshLimits::kTextureSide_px);
 
 }  // namespace noctule

@@ -21,7 +21,7 @@ Eigen::Matrix4d boundAt(const SkinBone& bone, const FbxOptions& options) {
 }
 
 bool isTextured(const SkinnedMesh& body) {
-    return body.look && body.look->texture;
+    return !texturesOf(body.surface).empty();
 }
 
 FbxNode fbxLayers(const SkinnedMesh& body) {
@@ -61,6 +61,16 @@ FbxNode fbxTexturePlaces(const SkinnedMesh& body) {
     return element;
 }
 
+/// Which material a triangle has, by their order.
+FbxNode fbxMaterialChoice(const SkinnedMesh& body) {
+    const bool is_one = body.surface.size() <= 1;
+    std::vector<int32_t> choice(is_one ? 1 : 0, 0);
+    for (size_t p = 0; !is_one && p < body.surface.size(); ++p)
+        choice.insert(choice.end(), body.surface[p].triangles, static_cast<int32_t>(p));
+    return fbxLayerElement("LayerElementMaterial", 101, is_one ? "AllSame" : "ByPolygon", "IndexToDirect",
+                           FbxNode("Materials", choice));
+}
+
 /// The last corner of a polygon is marked by its complement.
 std::vector<FbxNode> fbxGeometry(const SkinnedMesh& body, const FbxOptions& options) {
     std::vector<double> points, normals;
@@ -79,8 +89,7 @@ std::vector<FbxNode> fbxGeometry(const SkinnedMesh& body, const FbxOptions& opti
         FbxNode("Vertices", points),
         FbxNode("PolygonVertexIndex", corners),
         fbxLayerElement("LayerElementNormal", 101, "ByVertice", "Direct", FbxNode("Normals", normals)),
-        fbxLayerElement("LayerElementMaterial", 101, "AllSame", "IndexToDirect",
-                        FbxNode("Materials", std::vector<int32_t>{0}))};
+        fbxMaterialChoice(body)};
     if (isTextured(body))
         content.push_back(fbxTexturePlaces(body));
     content.push_back(fbxLayers(body));
@@ -97,23 +106,39 @@ std::vector<FbxNode> fbxMaterial(const SurfaceLook& look) {
 }
 
 /// The picture stands within the file; its name is for programs that want to put it beside.
-void addFbxTexture(FbxScene& scene, const SurfaceTexture& texture, int64_t material) {
-    const std::string name = "Body." + textureEnding(texture);
+int64_t addFbxTexture(FbxScene& scene, const SurfaceTexture& texture, const std::string& object) {
+    const std::string name = object + "." + textureEnding(texture);
     const int64_t video = scene.add(
-        "Video", "Body", "Video", "Clip",
+        "Video", object, "Video", "Clip",
         {FbxNode("Type", "Clip"), fbxProperties({fbxProperty("Path", "KString", "XRefUrl", "", name)}),
          FbxNode("UseMipMap", int32_t{0}), FbxNode("Filename", name), FbxNode("RelativeFilename", name),
          FbxNode("Content", FbxBytes{texture.file})});
     const int64_t picture =
-        scene.add("Texture", "Body", "Texture", "",
+        scene.add("Texture", object, "Texture", "",
                   {FbxNode("Type", "TextureVideoClip"), FbxNode("Version", int32_t{202}),
-                   FbxNode("TextureName", fbxObjectName("Body", "Texture")),
-                   FbxNode("Media", fbxObjectName("Body", "Video")), FbxNode("FileName", name),
+                   FbxNode("TextureName", fbxObjectName(object, "Texture")),
+                   FbxNode("Media", fbxObjectName(object, "Video")), FbxNode("FileName", name),
                    FbxNode("RelativeFilename", name), FbxNode("ModelUVTranslation", 0.0, 0.0),
                    FbxNode("ModelUVScaling", 1.0, 1.0), FbxNode("Texture_Alpha_Source", "None"),
                    FbxNode("Cropping", int32_t{0}, int32_t{0}, int32_t{0}, int32_t{0})});
     scene.connect(video, picture);
-    scene.connect(picture, material, "DiffuseColor");
+    return picture;
+}
+
+/// One material per part of the surface, in that order.
+void addFbxMaterials(FbxScene& scene, const SkinnedMesh& body, int64_t mesh) {
+    const std::vector<SurfacePart> surface = surfaceParts(body);
+    const auto textures = texturesOf(surface);
+    std::vector<int64_t> pictures;
+    for (size_t t = 0; t < textures.size(); ++t)
+        pictures.push_back(addFbxTexture(scene, *textures[t], surfaceName(t)));
+    for (size_t p = 0; p < surface.size(); ++p) {
+        const int64_t material = scene.add("Material", surfaceName(p), "Material", "",
+                                           fbxMaterial(surface[p].look.value_or(SurfaceLook())));
+        scene.connect(material, mesh);
+        if (const auto texture = textureIndex(surface[p], textures))
+            scene.connect(pictures[*texture], material, "DiffuseColor");
+    }
 }
 
 std::vector<FbxNode> fbxCluster(const SkinnedMesh& body, size_t bone, const FbxOptions& options) {
@@ -163,11 +188,7 @@ void addFbxBody(FbxScene& scene, const Figure& figure, const FbxOptions& options
                                     FbxNode("Shading", true), FbxNode("Culling", "CullingOff")});
     scene.connect(mesh, FbxScene::kTop);
     scene.connect(geometry, mesh);
-    const SurfaceLook look = body.look.value_or(SurfaceLook());
-    const int64_t material = scene.add("Material", "Body", "Material", "", fbxMaterial(look));
-    scene.connect(material, mesh);
-    if (look.texture)
-        addFbxTexture(scene, *look.texture, material);
+    addFbxMaterials(scene, body, mesh);
     const int64_t skin = scene.add("Deformer", "Body", "Deformer", "Skin",
                                    {FbxNode("Version", int32_t{101}), FbxNode("Link_DeformAcuracy", 50.0),
                                     FbxNode("SkinningType", "Linear")});

@@ -74,6 +74,10 @@ std::string textureEnding(const SurfaceTexture& texture) {
     return texture.file.starts_with("\x89PNG") ? "png" : "jpg";
 }
 
+std::string surfaceName(size_t index) {
+    return index == 0 ? "Body" : "Body_" + std::to_string(index + 1);
+}
+
 float weightOn(const SkinnedVertex& vertex, size_t bone) {
     float weight = 0;
     for (size_t i = 0; i < vertex.bones.size(); ++i)

@@ -53,6 +53,10 @@ Result<Figure> makeFigure(MotionClip clip, std::optional<SkinnedMesh> body, Join
 /// "png" or "jpg".
 std::string textureEnding(const SurfaceTexture& texture);
 
+/// Of the body's first, second... material or texture: "Body", "Body_2". Programs that put textures beside
+/// the file need one name for each.
+std::string surfaceName(size_t index);
+
 /// How much a vertex hangs on a bone in all; one bone may be named twice. 0: not at all.
 float weightOn(const SkinnedVertex& vertex, size_t bone);
 

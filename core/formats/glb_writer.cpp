@@ -39,9 +39,10 @@ std::unique_ptr<aiBone> boneOf(const SkinnedMesh& mesh, size_t index) {
     return bone;
 }
 
-std::unique_ptr<aiMesh> meshOf(const SkinnedMesh& mesh) {
+std::unique_ptr<aiMesh> meshOf(const SkinnedMesh& mesh, bool is_textured, unsigned material) {
     auto result = std::make_unique<aiMesh>();
     result->mName = "Body";
+    result->mMaterialIndex = material;
     result->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
     result->mNumVertices = static_cast<unsigned>(mesh.vertices.size());
     result->mVertices = new aiVector3D[mesh.vertices.size()];
@@ -50,7 +51,7 @@ std::unique_ptr<aiMesh> meshOf(const SkinnedMesh& mesh) {
         result->mVertices[v] = toAssimp(mesh.vertices[v].p_m);
         result->mNormals[v] = toAssimp(mesh.vertices[v].normal);
     }
-    if (mesh.look && mesh.look->texture) {
+    if (is_textured) {
         result->mNumUVComponents[0] = 2;
         result->mTextureCoords[0] = new aiVector3D[mesh.vertices.size()];
         for (size_t v = 0; v < mesh.vertices.size(); ++v)
@@ -93,14 +94,14 @@ void addBoneNodes(aiNode& top, const std::vector<SkinBone>& bones, const Skeleto
     }
 }
 
-std::unique_ptr<aiMaterial> skinMaterial(const SurfaceLook& look) {
+std::unique_ptr<aiMaterial> skinMaterial(const SurfaceLook& look, std::optional<size_t> texture) {
     auto material = std::make_unique<aiMaterial>();
     const aiColor4D color(look.base_color.x(), look.base_color.y(), look.base_color.z(), 1);
     const float metallic = 0, roughness = 0.8F;
     material->AddProperty(&color, 1, AI_MATKEY_BASE_COLOR);
-    if (look.texture) {
-        const aiString first("*0");
-        material->AddProperty(&first, AI_MATKEY_TEXTURE(aiTextureType_BASE_COLOR, 0));
+    if (texture) {
+        const aiString embedded_one("*" + std::to_string(*texture));
+        material->AddProperty(&embedded_one, AI_MATKEY_TEXTURE(aiTextureType_BASE_COLOR, 0));
     }
     material->AddProperty(&metallic, 1, AI_MATKEY_METALLIC_FACTOR);
     material->AddProperty(&roughness, 1, AI_MATKEY_ROUGHNESS_FACTOR);
@@ -158,23 +159,45 @@ std::unique_ptr<aiAnimation> animationOf(const MotionClip& clip) {
     return animation;
 }
 
+/// The triangles of one part and the vertices that they use.
+SkinnedMesh meshOfPart(const SkinnedMesh& mesh, const SurfacePart& part) {
+    std::vector<bool> keep(mesh.triangles.size(), false);
+    std::fill_n(keep.begin() + part.first_triangle, part.triangles, true);
+    return onlyTriangles(mesh, keep);
+}
+
+/// Each part of the surface is a mesh with a material of its own: the exporter makes primitives of those
+/// that one node shows.
+void addBody(aiScene& scene, const SkinnedMesh& mesh) {
+    const std::vector<SurfacePart> surface = surfaceParts(mesh);
+    const auto textures = texturesOf(surface);
+    const auto count = static_cast<unsigned>(surface.size());
+    scene.mNumMaterials = scene.mNumMeshes = scene.mRootNode->mNumMeshes = count;
+    scene.mMaterials = new aiMaterial*[count];
+    scene.mMeshes = new aiMesh*[count];
+    scene.mRootNode->mMeshes = new unsigned[count];
+    for (unsigned p = 0; p < count; ++p) {
+        const SurfacePart& part = surface[p];
+        const auto texture = textureIndex(part, textures);
+        scene.mMaterials[p] = skinMaterial(part.look.value_or(SurfaceLook()), texture).release();
+        const aiString name(surfaceName(p));
+        scene.mMaterials[p]->AddProperty(&name, AI_MATKEY_NAME);
+        const SkinnedMesh own = count == 1 ? mesh : meshOfPart(mesh, part);
+        scene.mMeshes[p] = meshOf(own, texture.has_value(), p).release();
+        scene.mRootNode->mMeshes[p] = p;
+    }
+    scene.mNumTextures = static_cast<unsigned>(textures.size());
+    scene.mTextures = textures.empty() ? nullptr : new aiTexture*[textures.size()];
+    for (size_t t = 0; t < textures.size(); ++t)
+        scene.mTextures[t] = embedded(*textures[t]).release();
+}
+
 /// The skinned mesh hangs on the root node itself: glTF wants skinned meshes at the root.
 std::unique_ptr<aiScene> sceneOf(const SkinnedMesh* mesh, const MotionClip& clip) {
     auto scene = std::make_unique<aiScene>();
     scene->mRootNode = new aiNode(nameBesideJoints(clip.skeleton, "Mannequin"));
-    if (mesh) {
-        scene->mNumMaterials = 1;
-        scene->mMaterials =
-            new aiMaterial* [1] { skinMaterial(mesh->look.value_or(SurfaceLook())).release() };
-        if (mesh->look && mesh->look->texture) {
-            scene->mNumTextures = 1;
-            scene->mTextures = new aiTexture* [1] { embedded(*mesh->look->texture).release() };
-        }
-        scene->mNumMeshes = 1;
-        scene->mMeshes = new aiMesh* [1] { meshOf(*mesh).release() };
-        scene->mRootNode->mNumMeshes = 1;
-        scene->mRootNode->mMeshes = new unsigned[1]{0};
-    }
+    if (mesh)
+        addBody(*scene, *mesh);
     addBoneNodes(*scene->mRootNode, mesh ? mesh->bones : bonesOf(clip.skeleton), clip.skeleton);
     if (!clip.frames.empty()) {
         scene->mNumAnimations = 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A figure as binary glTF 2.0, through assimp: one mesh with its skin, the joints as nodes under it in the
-// bind pose, and the motion as one animation with the clip's name. Metres and seconds, as glTF has them.
+// A figure as binary glTF 2.0, through assimp: one mesh with its skin, a primitive and a material for each
+// look of its surface, the joints as nodes under it in the bind pose, and the motion as one animation with
+// the clip's name. Metres and seconds, as glTF has them.
 #pragma once
 
 #include <string>

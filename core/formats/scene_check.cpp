@@ -20,18 +20,32 @@ std::vector<std::string> jointNamesOf(const Skeleton& skeleton) {
     return names;
 }
 
-/// Colour, texture and where it lies; empty: as they should be.
-std::string otherLookThan(const SkinnedMesh& body, const SceneMotion& file) {
-    if (!(file.base_color - body.look->base_color).isZero(1e-5F))
-        return "its body has another colour";
-    if (!body.look->texture)
-        return {};
-    if (file.texture != body.look->texture->file)
-        return "its texture is another";
-    for (size_t t = 0; t < body.triangles.size(); ++t)
+bool liesElsewhere(const SkinnedMesh& body, const SurfacePart& part, const SceneMotion& file) {
+    for (size_t t = part.first_triangle; t < part.first_triangle + part.triangles; ++t)
         for (size_t i = 0; i < 3; ++i)
             if (!(file.corners[file.faces[t][i]].uv - body.vertices[body.triangles[t][i]].uv).isZero(1e-5F))
-                return "its texture lies elsewhere";
+                return true;
+    return false;
+}
+
+/// Colours, textures and where they lie, part by part; empty: as they should be.
+std::string otherLooksThan(const SkinnedMesh& body, const SceneMotion& file) {
+    const std::vector<SurfacePart> surface = surfaceParts(body);
+    if (file.materials.size() != surface.size())
+        return "its body has " + std::to_string(file.materials.size()) + " materials instead of " +
+               std::to_string(surface.size());
+    for (size_t p = 0; p < surface.size(); ++p) {
+        const SceneMaterial& material = file.materials[p];
+        const SurfaceLook look = surface[p].look.value_or(SurfaceLook());
+        if (material.faces != surface[p].triangles)
+            return "its materials cover other triangles";
+        if (!(material.base_color - look.base_color).isZero(1e-5F))
+            return "its body has another colour";
+        if (material.texture != (look.texture ? look.texture->file : std::string()))
+            return "its texture is another";
+        if (look.texture && liesElsewhere(body, surface[p], file))
+            return "its texture lies elsewhere";
+    }
     return {};
 }
 
@@ -49,7 +63,7 @@ std::string otherThan(const Figure& figure, const SceneMotion& file) {
     if (figure.body && file.faces.size() != figure.body->triangles.size())
         return "its body has " + std::to_string(file.faces.size()) + " triangles instead of " +
                std::to_string(figure.body->triangles.size());
-    return figure.body && figure.body->look ? otherLookThan(*figure.body, file) : std::string();
+    return figure.body ? otherLooksThan(*figure.body, file) : std::string();
 }
 
 /// What is no number is larger than any.

@@ -185,18 +185,20 @@ private:
 
     Status readSkin(const std::vector<std::string>& names) {
         motion_.bind_inverse.assign(names.size(), Eigen::Matrix4d::Identity());
-        const auto end = scene_.mMeshes + scene_.mNumMeshes;
-        const auto found = std::find_if(scene_.mMeshes, end, [](const aiMesh* m) { return m->HasBones(); });
-        if (found == end)
-            return Done{};
-        const aiMesh& mesh = **found;
-        motion_.corners.resize(mesh.mNumVertices);
+        for (unsigned m = 0; m < scene_.mNumMeshes; ++m)
+            if (scene_.mMeshes[m]->HasBones())
+                if (const Status part = readSkinPart(*scene_.mMeshes[m], names); !part)
+                    return part;
+        return Done{};
+    }
+
+    Status readSkinPart(const aiMesh& mesh, const std::vector<std::string>& names) {
+        const size_t first = motion_.corners.size();
+        motion_.corners.resize(first + mesh.mNumVertices);
         for (unsigned v = 0; v < mesh.mNumVertices; ++v)
-            motion_.corners[v].p_m = toVector(mesh.mVertices[v]) * metres_per_unit_;
+            motion_.corners[first + v].p_m = toVector(mesh.mVertices[v]) * metres_per_unit_;
         for (unsigned v = 0; mesh.mTextureCoords[0] && v < mesh.mNumVertices; ++v)
-            motion_.corners[v].uv = {mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y};
-        if (mesh.mMaterialIndex < scene_.mNumMaterials)
-            readLook(*scene_.mMaterials[mesh.mMaterialIndex]);
+            motion_.corners[first + v].uv = {mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y};
         for (unsigned b = 0; b < mesh.mNumBones; ++b) {
             const aiBone& bone = *mesh.mBones[b];
             const auto name = std::find(names.begin(), names.end(), bone.mName.C_Str());
@@ -206,27 +208,36 @@ private:
             motion_.bind_inverse[joint] = toEigen(bone.mOffsetMatrix);
             motion_.bind_inverse[joint].topRightCorner<3, 1>() *= metres_per_unit_;
             for (unsigned w = 0; w < bone.mNumWeights; ++w)
-                motion_.corners.at(bone.mWeights[w].mVertexId)
+                motion_.corners.at(first + bone.mWeights[w].mVertexId)
                     .weights.emplace_back(joint, static_cast<double>(bone.mWeights[w].mWeight));
         }
+        SceneMaterial material = mesh.mMaterialIndex < scene_.mNumMaterials
+                                     ? materialOf(*scene_.mMaterials[mesh.mMaterialIndex])
+                                     : SceneMaterial();
+        const size_t faces = motion_.faces.size();
+        const auto corner = [&](unsigned index) { return static_cast<uint32_t>(first + index); };
         for (unsigned t = 0; t < mesh.mNumFaces; ++t)
-            if (mesh.mFaces[t].mNumIndices == 3)
+            if (const aiFace& face = mesh.mFaces[t]; face.mNumIndices == 3)
                 motion_.faces.push_back(
-                    {mesh.mFaces[t].mIndices[0], mesh.mFaces[t].mIndices[1], mesh.mFaces[t].mIndices[2]});
+                    {corner(face.mIndices[0]), corner(face.mIndices[1]), corner(face.mIndices[2])});
+        material.faces = motion_.faces.size() - faces;
+        motion_.materials.push_back(std::move(material));
         return Done{};
     }
 
-    void readLook(const aiMaterial& material) {
+    SceneMaterial materialOf(const aiMaterial& material) const {
+        SceneMaterial read;
         aiColor4D color;
         if (material.Get(AI_MATKEY_BASE_COLOR, color) == AI_SUCCESS ||
             material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS)
-            motion_.base_color = {color.r, color.g, color.b};
+            read.base_color = {color.r, color.g, color.b};
         aiString named;
         for (const aiTextureType kind : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE})
             if (material.GetTexture(kind, 0, &named) == AI_SUCCESS)
                 if (const aiTexture* picture = scene_.GetEmbeddedTexture(named.C_Str());
                     picture && picture->mHeight == 0)
-                    motion_.texture.assign(reinterpret_cast<const char*>(picture->pcData), picture->mWidth);
+                    read.texture.assign(reinterpret_cast<const char*>(picture->pcData), picture->mWidth);
+        return read;
     }
 
     const aiScene& scene_;

@@ -24,13 +24,19 @@ struct SceneCorner {
     std::vector<std::pair<size_t, double>> weights;  ///< joint, weight
 };
 
-struct SceneMotion {
-    MotionClip clip;  ///< in the order of the joints asked for; metres by what the file says of its unit
-    std::vector<SceneCorner> corners;            ///< of the first mesh with a skin
-    std::vector<std::array<uint32_t, 3>> faces;  ///< of corners
-    std::vector<Eigen::Matrix4d> bind_inverse;   ///< per joint, metres; as the file says
+/// Faces of one material, as they follow each other.
+struct SceneMaterial {
+    size_t faces = 0;
     Eigen::Vector3f base_color = Eigen::Vector3f::Zero();
     std::string texture;  ///< the picture within the file; empty: none
+};
+
+struct SceneMotion {
+    MotionClip clip;  ///< in the order of the joints asked for; metres by what the file says of its unit
+    std::vector<SceneCorner> corners;            ///< of all meshes with a skin
+    std::vector<std::array<uint32_t, 3>> faces;  ///< of corners
+    std::vector<Eigen::Matrix4d> bind_inverse;   ///< per joint, metres; as the file says
+    std::vector<SceneMaterial> materials;        ///< all faces
 
     /// The skin in a frame, one point per corner, world.
     std::vector<Vector3d> skinned_m(size_t frame) const;

@@ -86,14 +86,11 @@ void mendNormals(SkinnedMesh& skin) {
 
 Result<RiggedMesh> fromScene(const aiScene& scene, const std::string& path,
                              const MeshImportSettings& settings) {
-    SceneImport import{scene, path, worldChangeOf(scene, suffixOf(path), settings), {}, {}, {}, {}};
+    SceneImport import{scene, path, worldChangeOf(scene, suffixOf(path), settings), {}, {}, {}, {}, {}, {}};
     importNodes(import);
+    importLooks(import, settings.decode);
     if (const Status skin = importSkin(import); !skin)
         return skin.error();
-    importLook(import, settings.decode);
-    if (!import.mesh.skin.look || !import.mesh.skin.look->texture)
-        for (SkinnedVertex& vertex : import.mesh.skin.vertices)
-            vertex.uv = {0, 0};  // seams of a texture that is not there would split vertices
     findRestPose(import.mesh);
     if (const Status clips = importClips(import); !clips)
         return clips.error();

@@ -12,8 +12,8 @@
 
 namespace noctule {
 
-/// Makes `rgba` of a texture's file; without success it stays empty.
-using TextureDecoder = void (*)(SurfaceTexture& texture);
+/// Makes `rgba` of a texture's file, no side longer than `side_px`; without success it stays empty.
+using TextureDecoder = void (*)(SurfaceTexture& texture, int side_px);
 
 struct MeshImportSettings {
     /// Metres per unit of the file. Absent: what the file says. OBJ and PLY say nothing: then the usual unit
@@ -23,8 +23,8 @@ struct MeshImportSettings {
 };
 
 /// Checked by checkRiggedMesh(). At most four weights per vertex, normalised; vertices without weights in a
-/// rigged mesh hang on their object's node. kUnreadable: missing, damaged, of another format; kUnusable: no
-/// triangle, or too large.
+/// rigged mesh hang on their object's node. Parts of the surface with the same look follow each other.
+/// kUnreadable: missing, damaged, of another format; kUnusable: no triangle, or too large.
 Result<RiggedMesh> importMesh(const std::string& path, const MeshImportSettings& settings = {});
 
 /// Whether a file's name ends as one of the formats that can be read, in any case.

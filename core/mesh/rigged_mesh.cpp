@@ -84,30 +84,18 @@ SkinnedMesh standingSurface(const SkinnedMesh& skin) {
 
 RiggedMesh withParts(const RiggedMesh& mesh, const std::vector<bool>& keep) {
     require(keep.size() == mesh.parts.size(), "withParts() needs a word for each part");
-    RiggedMesh kept = mesh;
-    kept.parts.clear();
-    kept.skin.vertices.clear();
-    kept.skin.triangles.clear();
-    constexpr uint32_t kGone = UINT32_MAX;
-    std::vector<uint32_t> moved(mesh.skin.vertices.size(), kGone);
+    std::vector<bool> triangles(mesh.skin.triangles.size(), false);
+    std::vector<MeshPart> parts;
+    uint32_t first = 0;
     for (size_t p = 0; p < keep.size(); ++p) {
         if (!keep[p])
             continue;
         const MeshPart& part = mesh.parts[p];
-        kept.parts.push_back({part.name, static_cast<uint32_t>(kept.skin.triangles.size()), part.triangles});
-        for (uint32_t t = part.first_triangle; t < part.first_triangle + part.triangles; ++t) {
-            std::array<uint32_t, 3> corners = mesh.skin.triangles[t];
-            for (uint32_t& corner : corners) {
-                if (moved[corner] == kGone) {
-                    moved[corner] = static_cast<uint32_t>(kept.skin.vertices.size());
-                    kept.skin.vertices.push_back(mesh.skin.vertices[corner]);
-                }
-                corner = moved[corner];
-            }
-            kept.skin.triangles.push_back(corners);
-        }
+        std::fill_n(triangles.begin() + part.first_triangle, part.triangles, true);
+        parts.push_back({part.name, first, part.triangles});
+        first += part.triangles;
     }
-    return kept;
+    return {mesh.nodes, onlyTriangles(mesh.skin, triangles), mesh.node_of_bone, std::move(parts), mesh.clips};
 }
 
 }  // namespace noctule

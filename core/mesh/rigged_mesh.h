@@ -62,15 +62,18 @@ struct RiggedMesh {
 struct MeshLimits {
     static constexpr size_t kVertices = 2'000'000, kTriangles = 4'000'000, kNodes = 8192, kBones = 4096;
     static constexpr size_t kParts = 65'536, kClips = 1024, kKeys = 20'000'000, kNameBytes = 512;
+    static constexpr size_t kLooks = 256;
     static constexpr size_t kTextureBytes = 64'000'000;
-    static constexpr int kTextureSide_px = 2048;    ///< decoded ones are made smaller
-    static constexpr double kCoordinate = 1e6;      ///< metres
+    static constexpr size_t kTexturesBytes = 256'000'000;  ///< of all files together, and of all pixels
+    static constexpr int kTextureSide_px = 2048;           ///< decoded ones are made smaller
+    static constexpr double kCoordinate = 1e6;             ///< metres
     static constexpr float kTextureRepeats = 1e4F;  ///< how far from the texture its coordinates may lie
 };
 
 /// Everything the other functions of this room and the formats rely on: indices within range, parents first,
-/// finite numbers, weights that sum to 1, times that increase, colours from 0 to 1, a texture that is a
-/// picture of the size it says. `where` names the file. kUnreadable: damaged; kUnusable: too large.
+/// finite numbers, weights that sum to 1, times that increase, parts that hold all triangles one after the
+/// other, colours from 0 to 1, textures that are pictures of the size they say. `where` names the file.
+/// kUnreadable: damaged; kUnusable: too large.
 Status checkRiggedMesh(const RiggedMesh& mesh, const std::string& where);
 
 /// Whether bytes begin as PNG or JPEG and are no more than MeshLimits::kTextureBytes.

@@ -7,7 +7,7 @@ namespace noctule {
 namespace {
 
 constexpr std::string_view kMeshMagic = "NCRM", kErrorMagic = "NCRE";
-constexpr uint32_t kBytesVersion = 2;
+constexpr uint32_t kBytesVersion = 3;
 
 template <class Archive, class... Values>
 void each(Archive& archive, Values&... values) {
@@ -26,19 +26,58 @@ void fields(Archive& archive, SkinnedVertex& vertex) {
 }
 
 template <class Archive>
-void fields(Archive& archive, SurfaceTexture& texture) {
-    each(archive, texture.file, texture.width_px, texture.height_px, texture.rgba);
+void fields(Archive& archive, std::shared_ptr<const SurfaceTexture>& texture) {
+    SurfaceTexture told = texture ? *texture : SurfaceTexture();
+    each(archive, told.file, told.width_px, told.height_px, told.rgba);
+    texture = std::make_shared<const SurfaceTexture>(std::move(told));
+}
+
+/// SkinnedMesh::surface with each texture once, however many parts share it.
+struct SurfaceBytes {
+    static constexpr int32_t kNone = -1;
+    struct Part {
+        uint32_t first_triangle = 0, triangles = 0;
+        uint8_t has_look = 0;
+        Eigen::Vector3f base_color = Eigen::Vector3f::Zero();
+        int32_t texture = kNone;
+    };
+    std::vector<std::shared_ptr<const SurfaceTexture>> textures;
+    std::vector<Part> parts;
+
+    SurfaceBytes() = default;
+    explicit SurfaceBytes(const std::vector<SurfacePart>& surface) : textures(texturesOf(surface)) {
+        for (const SurfacePart& part : surface) {
+            const auto texture = textureIndex(part, textures);
+            parts.push_back({part.first_triangle, part.triangles, part.look.has_value(),
+                             part.look.value_or(SurfaceLook()).base_color,
+                             texture ? static_cast<int32_t>(*texture) : kNone});
+        }
+    }
+
+    /// Nothing when a part names a texture that is not there.
+    std::optional<std::vector<SurfacePart>> surface() const {
+        std::vector<SurfacePart> surface;
+        for (const Part& part : parts) {
+            if (part.texture < kNone || part.texture >= static_cast<int64_t>(textures.size()))
+                return std::nullopt;
+            SurfacePart& read = surface.emplace_back(SurfacePart{part.first_triangle, part.triangles});
+            if (part.has_look)
+                read.look = SurfaceLook{part.base_color, part.texture == kNone
+                                                             ? nullptr
+                                                             : textures[static_cast<size_t>(part.texture)]};
+        }
+        return surface;
+    }
+};
+
+template <class Archive>
+void fields(Archive& archive, SurfaceBytes::Part& part) {
+    each(archive, part.first_triangle, part.triangles, part.has_look, part.base_color, part.texture);
 }
 
 template <class Archive>
-void fields(Archive& archive, std::optional<SurfaceLook>& look) {
-    uint8_t known = look.has_value();
-    SurfaceLook told = look.value_or(SurfaceLook());
-    SurfaceTexture texture = told.texture ? *told.texture : SurfaceTexture();
-    each(archive, known, told.base_color, texture);
-    if (!texture.file.empty())
-        told.texture = std::make_shared<const SurfaceTexture>(std::move(texture));
-    look = known ? std::optional(std::move(told)) : std::nullopt;
+void fields(Archive& archive, SurfaceBytes& surface) {
+    each(archive, surface.textures, surface.parts);
 }
 
 template <class Archive>
@@ -67,8 +106,8 @@ void fields(Archive& archive, RigClip& clip) {
 }
 
 template <class Archive>
-void fields(Archive& archive, RiggedMesh& mesh) {
-    each(archive, mesh.nodes, mesh.skin.vertices, mesh.skin.triangles, mesh.skin.bones, mesh.skin.look,
+void fields(Archive& archive, RiggedMesh& mesh, SurfaceBytes& surface) {
+    each(archive, mesh.nodes, mesh.skin.vertices, mesh.skin.triangles, mesh.skin.bones, surface,
          mesh.node_of_bone, mesh.parts, mesh.clips);
 }
 
@@ -195,7 +234,8 @@ std::string toBytes(const Result<RiggedMesh>& mesh) {
     writer(kBytesVersion);
     if (mesh) {
         RiggedMesh copy = *mesh;  // the fields are listed once, for writing and reading
-        fields(writer, copy);
+        SurfaceBytes surface(mesh->skin.surface);
+        fields(writer, copy, surface);
     } else {
         writer(static_cast<int32_t>(mesh.error().kind));
         writer(mesh.error().message);
@@ -216,9 +256,12 @@ Result<RiggedMesh> meshFromBytes(std::string_view bytes, const std::string& wher
     if (magic == kErrorMagic)
         return errorFromBytes(reader, where);
     RiggedMesh mesh;
-    fields(reader, mesh);
-    if (!reader.finished())
+    SurfaceBytes surface_bytes;
+    fields(reader, mesh, surface_bytes);
+    auto surface = surface_bytes.surface();
+    if (!reader.finished() || !surface)
         return brokenBytes(where);
+    mesh.skin.surface = std::move(*surface);
     if (const Status checked = checkRiggedMesh(mesh, where); !checked)
         return checked.error();
     return mesh;

@@ -43,6 +43,7 @@ Status checkSizes(const RiggedMesh& mesh, const std::string& where) {
                  {"nodes", mesh.nodes.size(), MeshLimits::kNodes},
                  {"bones", skin.bones.size(), MeshLimits::kBones},
                  {"parts", mesh.parts.size(), MeshLimits::kParts},
+                 {"materials", skin.surface.size(), MeshLimits::kLooks},
                  {"animations", mesh.clips.size(), MeshLimits::kClips},
                  {"animation keys", keys, MeshLimits::kKeys}};
     for (const auto& [what, count, limit] : sizes)
@@ -71,13 +72,36 @@ Status checkTexture(const SurfaceTexture& texture, const std::string& where) {
     return Done{};
 }
 
-Status checkLook(const RiggedMesh& mesh, const std::string& where) {
-    if (!mesh.skin.look)
-        return Done{};
-    const Eigen::Vector3f& color = mesh.skin.look->base_color;
-    if (!color.allFinite() || color.minCoeff() < 0 || color.maxCoeff() > 1)
-        return damagedMesh(where, "its colour is none");
-    return mesh.skin.look->texture ? checkTexture(*mesh.skin.look->texture, where) : Status(Done{});
+Status checkTextures(const std::vector<SurfacePart>& surface, const std::string& where) {
+    size_t in_files = 0, in_pixels = 0;
+    for (const auto& texture : texturesOf(surface)) {
+        if (const Status checked = checkTexture(*texture, where); !checked)
+            return checked;
+        in_files += texture->file.size();
+        in_pixels += texture->rgba.size();
+    }
+    for (const size_t bytes : {in_files, in_pixels})
+        if (bytes > MeshLimits::kTexturesBytes)
+            return tooLarge(where, "bytes of textures", bytes, MeshLimits::kTexturesBytes);
+    return Done{};
+}
+
+/// Parts have triangles, and follow each other from the first to the last.
+Status checkLooks(const RiggedMesh& mesh, const std::string& where) {
+    size_t next = 0;
+    for (const SurfacePart& part : mesh.skin.surface) {
+        if (part.first_triangle != next || part.triangles == 0)
+            return damagedMesh(where, "its materials do not hold its triangles");
+        next += part.triangles;
+        if (!part.look)
+            continue;
+        const Eigen::Vector3f& color = part.look->base_color;
+        if (!color.allFinite() || color.minCoeff() < 0 || color.maxCoeff() > 1)
+            return damagedMesh(where, "its colour is none");
+    }
+    if (!mesh.skin.surface.empty() && next != mesh.skin.triangles.size())
+        return damagedMesh(where, "its materials do not hold its triangles");
+    return checkTextures(mesh.skin.surface, where);
 }
 
 Status checkNodes(const RiggedMesh& mesh, const std::string& where) {
@@ -171,7 +195,7 @@ bool isOnTexture(const Eigen::Vector2f& uv) {
 }
 
 Status checkRiggedMesh(const RiggedMesh& mesh, const std::string& where) {
-    for (const auto check : {checkSizes, checkNodes, checkSurface, checkLook})
+    for (const auto check : {checkSizes, checkNodes, checkSurface, checkLooks})
         if (const Status checked = check(mesh, where); !checked)
             return checked;
     for (const RigClip& clip : mesh.clips) {

@@ -33,16 +33,19 @@ struct SceneImport {
     std::vector<const aiNode*> ai_nodes;       ///< as mesh.nodes
     std::vector<Eigen::Affine3d> T_file_node;  ///< world of the file, as it stands
     std::map<std::string, int> node_of_name;
+    std::vector<std::optional<SurfaceLook>> looks;  ///< each once, in the order of the objects that have them
+    std::vector<size_t> look_of_object;             ///< as scene.mMeshes
 };
 
 /// Transforms in metres: translations are scaled, so that no node carries the unit.
 void importNodes(SceneImport& import);
+/// What colours the objects: their materials, and the textures of these from within the file or beside it. A
+/// texture that is not there is no trouble.
+void importLooks(SceneImport& import, TextureDecoder decode);
+/// The surface, objects of one look after each other.
 Status importSkin(SceneImport& import);
 /// Puts bound nodes where their bones were bound.
 void findRestPose(RiggedMesh& mesh);
-/// The material that most triangles have, and its texture from within the file or beside it. A texture that
-/// is not there is no trouble.
-void importLook(SceneImport& import, TextureDecoder decode);
 Status importClips(SceneImport& import);
 
 Eigen::Affine3d toEigen(const aiMatrix4x4& m);

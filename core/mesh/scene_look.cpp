@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colour and texture of a mesh.
+// Colours and textures of a mesh.
 #include <assimp/material.h>
 
 #include <algorithm>
@@ -10,18 +10,6 @@
 
 namespace noctule {
 namespace {
-
-/// Index of the material of most triangles, -1: none.
-int mainMaterial(const aiScene& scene) {
-    std::map<unsigned, size_t> triangles;
-    for (unsigned m = 0; m < scene.mNumMeshes; ++m)
-        triangles[scene.mMeshes[m]->mMaterialIndex] += scene.mMeshes[m]->mNumFaces;
-    int most = -1;
-    for (const auto& [material, count] : triangles)
-        if (material < scene.mNumMaterials && (most < 0 || count > triangles[static_cast<unsigned>(most)]))
-            most = static_cast<int>(material);
-    return most;
-}
 
 /// What the file names, within it or in its own folder; wherever else the path may point is not looked at.
 std::string textureFile(const aiScene& scene, const std::string& mesh_path, const aiString& named) {
@@ -41,34 +29,87 @@ std::string textureFile(const aiScene& scene, const std::string& mesh_path, cons
     return bytes ? std::move(*bytes) : std::string();
 }
 
+/// No larger than all of them may be together.
+int sideFor(size_t textures) {
+    const auto bytes = [&](int side_px) { return 4 * textures * static_cast<size_t>(side_px * side_px); };
+    int side_px = MeshLimits::kTextureSide_px;
+    while (side_px > 1 && bytes(side_px) > MeshLimits::kTexturesBytes)
+        side_px /= 2;
+    return side_px;
+}
+
+/// Materials that come to the same are one look, pictures that are the same one texture.
+class LookImport {
+public:
+    explicit LookImport(SceneImport& import) : import_(import) {}
+
+    void run(TextureDecoder decode) {
+        std::map<unsigned, size_t> look_of_material;
+        for (unsigned m = 0; m < import_.scene.mNumMeshes; ++m) {
+            const unsigned material = import_.scene.mMeshes[m]->mMaterialIndex;
+            auto known = look_of_material.find(material);
+            if (known == look_of_material.end())
+                known = look_of_material.emplace(material, indexOf(lookOf(material))).first;
+            import_.look_of_object.push_back(known->second);
+        }
+        for (const auto& texture : textures_)
+            if (decode)
+                decode(*texture, sideFor(textures_.size()));
+    }
+
+private:
+    size_t indexOf(const std::optional<SurfaceLook>& look) {
+        const auto same = [&](const std::optional<SurfaceLook>& other) {
+            return look.has_value() == other.has_value() &&
+                   (!look || (look->base_color == other->base_color && look->texture == other->texture));
+        };
+        const auto found = std::find_if(import_.looks.begin(), import_.looks.end(), same);
+        if (found != import_.looks.end())
+            return static_cast<size_t>(found - import_.looks.begin());
+        import_.looks.push_back(look);
+        return import_.looks.size() - 1;
+    }
+
+    std::optional<SurfaceLook> lookOf(unsigned index) {
+        if (index >= import_.scene.mNumMaterials)
+            return std::nullopt;
+        const aiMaterial& material = *import_.scene.mMaterials[index];
+        aiColor4D color(1, 1, 1, 1), factor;
+        const bool is_colored = material.Get(AI_MATKEY_BASE_COLOR, color) == AI_SUCCESS ||
+                                material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS;
+        SurfaceLook look;
+        look.base_color = Eigen::Vector3f(color.r, color.g, color.b).cwiseMax(0).cwiseMin(1);
+        look.texture = textureOf(material);
+        if (look.texture && material.Get(AI_MATKEY_BASE_COLOR, factor) != AI_SUCCESS)
+            look.base_color.setOnes();  // glTF alone multiplies
+        return (is_colored || look.texture) && look.base_color.allFinite() ? std::optional(look)
+                                                                           : std::nullopt;
+    }
+
+    std::shared_ptr<const SurfaceTexture> textureOf(const aiMaterial& material) {
+        aiString named;
+        for (const aiTextureType kind : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+            if (material.GetTexture(kind, 0, &named) != AI_SUCCESS)
+                continue;
+            SurfaceTexture texture{textureFile(import_.scene, import_.path, named)};
+            if (!isPictureFile(texture.file))
+                continue;
+            for (const auto& known : textures_)
+                if (known->file == texture.file)
+                    return known;
+            return textures_.emplace_back(std::make_shared<SurfaceTexture>(std::move(texture)));
+        }
+        return nullptr;
+    }
+
+    SceneImport& import_;
+    std::vector<std::shared_ptr<SurfaceTexture>> textures_;
+};
+
 }  // namespace
 
-void importLook(SceneImport& import, TextureDecoder decode) {
-    const int main = mainMaterial(import.scene);
-    if (main < 0)
-        return;
-    const aiMaterial& material = *import.scene.mMaterials[main];
-    aiColor4D color(1, 1, 1, 1);
-    const bool is_colored = material.Get(AI_MATKEY_BASE_COLOR, color) == AI_SUCCESS ||
-                            material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == AI_SUCCESS;
-    SurfaceLook look;
-    look.base_color = Eigen::Vector3f(color.r, color.g, color.b).cwiseMax(0).cwiseMin(1);
-    aiString named;
-    for (const aiTextureType kind : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
-        if (look.texture || material.GetTexture(kind, 0, &named) != AI_SUCCESS)
-            continue;
-        SurfaceTexture texture{textureFile(import.scene, import.path, named)};
-        if (!isPictureFile(texture.file))
-            continue;
-        if (decode)
-            decode(texture);
-        look.texture = std::make_shared<const SurfaceTexture>(std::move(texture));
-        aiColor4D factor;
-        if (material.Get(AI_MATKEY_BASE_COLOR, factor) != AI_SUCCESS)  // glTF alone multiplies
-            look.base_color.setOnes();
-    }
-    if ((is_colored || look.texture) && look.base_color.allFinite())
-        import.mesh.skin.look = look;
+void importLooks(SceneImport& import, TextureDecoder decode) {
+    LookImport(import).run(decode);
 }
 
 }  // namespace noctule

@@ -30,10 +30,11 @@ void giveWeights(SkinnedVertex& vertex, std::vector<Influence>& influences) {
 /// Adds one object of the file, with its bones.
 class ObjectImport {
 public:
-    ObjectImport(SceneImport& import, const aiMesh& object, int node)
+    ObjectImport(SceneImport& import, const aiMesh& object, int node, const std::optional<SurfaceLook>& look)
         : import_(import),
           object_(object),
           node_(node),
+          is_textured_(look && look->texture),
           T_world_object_(import.change.transform() * import.T_file_node[static_cast<size_t>(node)]) {}
 
     Status add(bool rigged) {
@@ -110,7 +111,9 @@ private:
             if (normal.norm() > 0)
                 vertex.normal = normal.normalized().cast<float>();
         }
-        if (const aiVector3D* uv = object_.mTextureCoords[0]; uv && isOnTexture({uv[v].x, uv[v].y}))
+        // Seams of a texture that is not there would split vertices.
+        if (const aiVector3D* uv = object_.mTextureCoords[0];
+            is_textured_ && uv && isOnTexture({uv[v].x, uv[v].y}))
             vertex.uv = {uv[v].x, uv[v].y};
         if (rigged) {
             if (influences_[v].empty())
@@ -158,31 +161,68 @@ private:
     SceneImport& import_;
     const aiMesh& object_;
     int node_;
+    bool is_textured_;
     Eigen::Affine3d T_world_object_;
     std::vector<std::vector<Influence>> influences_;
     std::optional<uint16_t> own_bone_;
 };
 
+/// One object of the file where one node shows it.
+struct ShownObject {
+    int node;
+    unsigned object;
+};
+
+/// Those of the first look first.
+Result<std::vector<ShownObject>> objectsByLook(const SceneImport& import) {
+    std::vector<ShownObject> objects;
+    for (size_t n = 0; n < import.ai_nodes.size(); ++n)
+        for (unsigned i = 0; i < import.ai_nodes[n]->mNumMeshes; ++i) {
+            objects.push_back({static_cast<int>(n), import.ai_nodes[n]->mMeshes[i]});
+            if (objects.back().object >= import.scene.mNumMeshes)
+                return damagedMeshFile(import.path, "a node shows a mesh that does not exist");
+        }
+    std::stable_sort(objects.begin(), objects.end(), [&](const ShownObject& a, const ShownObject& b) {
+        return import.look_of_object[a.object] < import.look_of_object[b.object];
+    });
+    return objects;
+}
+
+/// To the part of the last look when it has the same one.
+void addToSurface(SkinnedMesh& skin, size_t first, const std::optional<SurfaceLook>& look,
+                  bool same_as_before) {
+    const auto count = static_cast<uint32_t>(skin.triangles.size() - first);
+    if (count > 0 && same_as_before && !skin.surface.empty())
+        skin.surface.back().triangles += count;
+    else if (count > 0)
+        skin.surface.push_back({static_cast<uint32_t>(first), count, look});
+}
+
 }  // namespace
 
 Status importSkin(SceneImport& import) {
+    const auto objects = objectsByLook(import);
+    if (!objects)
+        return objects.error();
     bool rigged = false;
     for (unsigned m = 0; m < import.scene.mNumMeshes; ++m)
         rigged = rigged || import.scene.mMeshes[m]->HasBones();
-    for (size_t n = 0; n < import.ai_nodes.size(); ++n)
-        for (unsigned i = 0; i < import.ai_nodes[n]->mNumMeshes; ++i) {
-            const unsigned m = import.ai_nodes[n]->mMeshes[i];
-            if (m >= import.scene.mNumMeshes)
-                return damagedMeshFile(import.path, "a node shows a mesh that does not exist");
-            const aiMesh& object = *import.scene.mMeshes[m];
-            if (import.mesh.skin.vertices.size() + object.mNumVertices > MeshLimits::kVertices)
-                return Error{
-                    ErrorKind::kUnusable,
-                    import.path + ": it has more than " + std::to_string(MeshLimits::kVertices) + " vertices",
-                    "Simplify the mesh in the program that made it"};
-            if (const Status added = ObjectImport(import, object, static_cast<int>(n)).add(rigged); !added)
-                return added;
-        }
+    std::optional<size_t> last_look;
+    SkinnedMesh& skin = import.mesh.skin;
+    for (const auto& [node, m] : *objects) {
+        const aiMesh& object = *import.scene.mMeshes[m];
+        if (skin.vertices.size() + object.mNumVertices > MeshLimits::kVertices)
+            return Error{
+                ErrorKind::kUnusable,
+                import.path + ": it has more than " + std::to_string(MeshLimits::kVertices) + " vertices",
+                "Simplify the mesh in the program that made it"};
+        const size_t look = import.look_of_object[m], first = skin.triangles.size();
+        if (const Status added = ObjectImport(import, object, node, import.looks[look]).add(rigged); !added)
+            return added;
+        addToSurface(skin, first, import.looks[look], last_look == look);
+        if (skin.triangles.size() > first)
+            last_look = look;
+    }
     return Done{};
 }
 

@@ -37,7 +37,65 @@ Eigen::Matrix4f translation(const Vector3d& p_m) {
     return matrixOf(p_m, Quaterniond::Identity());
 }
 
+/// As many triangles of each part as are kept; parts that keep none go.
+std::vector<SurfacePart> onlySurface(const std::vector<SurfacePart>& surface, const std::vector<bool>& keep) {
+    std::vector<SurfacePart> kept;
+    uint32_t first = 0;
+    for (const SurfacePart& part : surface) {
+        const auto begin = keep.begin() + part.first_triangle;
+        const auto count = static_cast<uint32_t>(std::count(begin, begin + part.triangles, true));
+        if (count > 0)
+            kept.push_back({first, count, part.look});
+        first += count;
+    }
+    return kept;
+}
+
 }  // namespace
+
+std::vector<SurfacePart> surfaceParts(const SkinnedMesh& mesh) {
+    if (mesh.surface.empty())
+        return {{0, static_cast<uint32_t>(mesh.triangles.size())}};
+    return mesh.surface;
+}
+
+std::vector<std::shared_ptr<const SurfaceTexture>> texturesOf(const std::vector<SurfacePart>& surface) {
+    std::vector<std::shared_ptr<const SurfaceTexture>> textures;
+    for (const SurfacePart& part : surface)
+        if (part.look && part.look->texture && !textureIndex(part, textures))
+            textures.push_back(part.look->texture);
+    return textures;
+}
+
+std::optional<size_t> textureIndex(const SurfacePart& part,
+                                   const std::vector<std::shared_ptr<const SurfaceTexture>>& textures) {
+    if (!part.look || !part.look->texture)
+        return std::nullopt;
+    const auto found = std::find(textures.begin(), textures.end(), part.look->texture);
+    return found == textures.end() ? std::nullopt
+                                   : std::optional(static_cast<size_t>(found - textures.begin()));
+}
+
+SkinnedMesh onlyTriangles(const SkinnedMesh& mesh, const std::vector<bool>& keep) {
+    require(keep.size() == mesh.triangles.size(), "onlyTriangles() needs a word for each triangle");
+    SkinnedMesh kept{{}, {}, mesh.bones, onlySurface(mesh.surface, keep)};
+    constexpr uint32_t kGone = UINT32_MAX;
+    std::vector<uint32_t> moved(mesh.vertices.size(), kGone);
+    for (size_t t = 0; t < keep.size(); ++t) {
+        if (!keep[t])
+            continue;
+        std::array<uint32_t, 3> corners = mesh.triangles[t];
+        for (uint32_t& corner : corners) {
+            if (moved[corner] == kGone) {
+                moved[corner] = static_cast<uint32_t>(kept.vertices.size());
+                kept.vertices.push_back(mesh.vertices[corner]);
+            }
+            corner = moved[corner];
+        }
+        kept.triangles.push_back(corners);
+    }
+    return kept;
+}
 
 Pose bindPose(const Skeleton& skeleton) {
     Pose pose = skeleton.zeroPose();

@@ -36,18 +36,36 @@ struct SurfaceTexture {
     std::vector<uint8_t> rgba{};  ///< the same for drawing, sRGB, top row first; empty: nobody decoded it
 };
 
-/// What colours the surface: the base colour, times the texture where there is one.
+/// What colours a part of the surface: the base colour, times the texture where there is one.
 struct SurfaceLook {
     Eigen::Vector3f base_color{0.62F, 0.66F, 0.72F};  ///< linear
     std::shared_ptr<const SurfaceTexture> texture{};
+};
+
+/// Triangles of one look, as they follow each other.
+struct SurfacePart {
+    uint32_t first_triangle = 0, triangles = 0;
+    std::optional<SurfaceLook> look{};  ///< absent: nobody said, colours are the viewer's
 };
 
 struct SkinnedMesh {
     std::vector<SkinnedVertex> vertices;
     std::vector<std::array<uint32_t, 3>> triangles;  ///< counter-clockwise seen from outside
     std::vector<SkinBone> bones;
-    std::optional<SurfaceLook> look{};  ///< absent: nobody said, colours are the viewer's
+    std::vector<SurfacePart> surface{};  ///< in order, all triangles; empty: one part without a look
 };
+
+/// The parts of a mesh's surface, at least one.
+std::vector<SurfacePart> surfaceParts(const SkinnedMesh& mesh);
+
+/// Each texture once, however many parts share it.
+std::vector<std::shared_ptr<const SurfaceTexture>> texturesOf(const std::vector<SurfacePart>& surface);
+/// Index of a part's texture in texturesOf(); absent: it has none.
+std::optional<size_t> textureIndex(const SurfacePart& part,
+                                   const std::vector<std::shared_ptr<const SurfaceTexture>>& textures);
+
+/// The triangles that `keep` wants; vertices that nothing uses any more go too.
+SkinnedMesh onlyTriangles(const SkinnedMesh& mesh, const std::vector<bool>& keep);
 
 /// The zero pose with its lowest joint or tip on y = 0; root above the origin.
 Pose bindPose(const Skeleton& skeleton);

@@ -51,26 +51,25 @@ void fillBuffer(GLenum kind, GLuint buffer, const std::vector<T>& values) {
 }
 
 /// Repeats beyond its edges, as other programs let it. Nothing without pixels.
-GlTexture textureOf(const SkinnedMesh& mesh) {
-    const SurfaceTexture* texture = mesh.look ? mesh.look->texture.get() : nullptr;
-    if (!texture || texture->rgba.empty())
+GlTexture uploadedTexture(const SurfaceTexture& texture) {
+    if (texture.rgba.empty())
         return {};
     GLuint name = 0;
     glGenTextures(1, &name);
     glBindTexture(GL_TEXTURE_2D, name);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture->width_px, texture->height_px, 0, GL_RGBA,
-                 GL_UNSIGNED_BYTE, texture->rgba.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, texture.width_px, texture.height_px, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, texture.rgba.data());
     glGenerateMipmap(GL_TEXTURE_2D);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     return GlTexture(name);
 }
 
-/// The body's own where it has one; on the screen linear light is about the power 1/2.2.
-Rgba surfaceColor(const SceneBody& body) {
-    if (!body.mesh->look)
+/// The part's own where it has one; on the screen linear light is about the power 1/2.2.
+Rgba surfaceColor(const SceneBody& body, const SurfacePart& part) {
+    if (!part.look)
         return {body.color.r, body.color.g, body.color.b, body.opacity};
-    const Eigen::Array3f color = body.mesh->look->base_color.array().pow(1 / 2.2F);
+    const Eigen::Array3f color = part.look->base_color.array().pow(1 / 2.2F);
     return {color.x(), color.y(), color.z(), body.opacity};
 }
 
@@ -122,6 +121,12 @@ void endBodies() {
     glDepthMask(GL_FALSE);
 }
 
+void drawElements(size_t first_triangle, size_t triangles) {
+    const size_t byte = first_triangle * 3 * sizeof(uint32_t);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(triangles * 3), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(byte));
+}
+
 void setColor(const GlProgram& program, const Rgba& color) {
     glUniform4f(program.at("color"), color.r, color.g, color.b, color.a);
 }
@@ -149,8 +154,10 @@ const BodyPainter::Upload& BodyPainter::uploaded(const std::shared_ptr<const Ski
     for (const Upload& upload : uploads_)
         if (upload.mesh.lock() == mesh)
             return upload;
-    Upload upload{mesh,         makeVertexArray(), makeBuffer(),
-                  makeBuffer(), textureOf(*mesh),  static_cast<GLsizei>(mesh->triangles.size() * 3)};
+    Upload upload{mesh, makeVertexArray(), makeBuffer(), makeBuffer(), surfaceParts(*mesh), {}, {}};
+    upload.pictures = texturesOf(upload.surface);
+    for (const auto& picture : upload.pictures)
+        upload.textures.push_back(uploadedTexture(*picture));
     glBindVertexArray(upload.vertex_array);
     fillBuffer(GL_ARRAY_BUFFER, upload.vertices, forCard(*mesh));
     fillBuffer(GL_ELEMENT_ARRAY_BUFFER, upload.indices, mesh->triangles);
@@ -176,8 +183,9 @@ void BodyPainter::uploadBones(const SceneBody& body) {
     glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, bones_);
 }
 
-void BodyPainter::drawTriangles(const GlProgram& program, const SceneBody& body, const ScreenView& view,
-                                float outwards_px) {
+const BodyPainter::Upload& BodyPainter::prepare(const GlProgram& program, const SceneBody& body,
+                                                const ScreenView& view, float outwards_px) {
+    program.use();
     uploadBones(body);
     glUniform1i(program.at("bones"), 0);
     glUniform1i(program.at("dual_quaternions"), body.blending == Blending::kDualQuaternion);
@@ -189,28 +197,40 @@ void BodyPainter::drawTriangles(const GlProgram& program, const SceneBody& body,
                 2 * outwards_px / static_cast<float>(view.size.height_px));
     const Upload& upload = uploaded(body.mesh);
     glBindVertexArray(upload.vertex_array);
-    glDrawElements(GL_TRIANGLES, upload.index_count, GL_UNSIGNED_INT, nullptr);
+    return upload;
+}
+
+void BodyPainter::drawWhole(const GlProgram& program, const SceneBody& body, const ScreenView& view,
+                            float outwards_px) {
+    prepare(program, body, view, outwards_px);
+    drawElements(0, body.mesh->triangles.size());
+}
+
+void BodyPainter::drawPart(const Upload& upload, const SurfacePart& part, const SceneBody& body) {
+    const auto picture = textureIndex(part, upload.pictures);
+    const GLuint texture = picture ? GLuint{upload.textures[*picture]} : 0;
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glUniform1i(surface_.at("has_picture"), texture != 0);
+    setColor(surface_, surfaceColor(body, part));
+    drawElements(part.first_triangle, part.triangles);
 }
 
 void BodyPainter::drawDepth(const SceneBody& body, const ScreenView& view) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    contour_.use();
-    drawTriangles(contour_, body, view, 0);
+    drawWhole(contour_, body, view, 0);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void BodyPainter::drawSolid(const SceneBody& body, const ScreenView& view) {
     if (body.opacity < 1)  // first the depth alone: then only the nearest surface is blended
         drawDepth(body, view);
-    surface_.use();
-    setColor(surface_, surfaceColor(body));
-    const GLuint texture = uploaded(body.mesh).texture;
-    glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glUniform1i(surface_.at("picture"), 1);
-    glUniform1i(surface_.at("has_picture"), texture != 0);
+    const Upload& upload = prepare(surface_, body, view, 0);
     glUniform1f(surface_.at("parallel"), view.camera.parallel ? 1.0F : 0.0F);
-    drawTriangles(surface_, body, view, 0);
+    glUniform1i(surface_.at("picture"), 1);
+    glActiveTexture(GL_TEXTURE1);
+    for (const SurfacePart& part : upload.surface)
+        drawPart(upload, part, body);
+    glActiveTexture(GL_TEXTURE0);
 }
 
 /// The back of the body, grown by the width of the line, shows beside its own front.
@@ -220,7 +240,7 @@ void BodyPainter::drawOutline(const SceneBody& body, const ScreenView& view) {
     contour_.use();
     setColor(contour_, body.color);
     glDepthMask(GL_FALSE);
-    drawTriangles(contour_, body, view, body.outline_px * static_cast<float>(view.ratio));
+    drawWhole(contour_, body, view, body.outline_px * static_cast<float>(view.ratio));
     glDepthMask(GL_TRUE);
     glCullFace(GL_BACK);
 }

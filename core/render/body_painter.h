@@ -27,8 +27,9 @@ private:
         std::weak_ptr<const SkinnedMesh> mesh;
         GlVertexArray vertex_array;
         GlBuffer vertices, indices;
-        GlTexture texture;  ///< of its look; none: 0
-        GLsizei index_count = 0;
+        std::vector<SurfacePart> surface;
+        std::vector<std::shared_ptr<const SurfaceTexture>> pictures;  ///< of the surface, each once
+        std::vector<GlTexture> textures;                              ///< as pictures; without pixels: 0
     };
     BodyPainter() = default;
     const Upload& uploaded(const std::shared_ptr<const SkinnedMesh>& mesh);
@@ -39,8 +40,12 @@ private:
     void drawOutline(const SceneBody& body, const ScreenView& view);
     /// Into the texture that the body's shader reads.
     void uploadBones(const SceneBody& body);
-    void drawTriangles(const GlProgram& program, const SceneBody& body, const ScreenView& view,
-                       float outwards_px);
+    /// Gives the program all that is the same for the whole body.
+    const Upload& prepare(const GlProgram& program, const SceneBody& body, const ScreenView& view,
+                          float outwards_px);
+    void drawWhole(const GlProgram& program, const SceneBody& body, const ScreenView& view,
+                   float outwards_px);
+    void drawPart(const Upload& upload, const SurfacePart& part, const SceneBody& body);
 
     GlProgram surface_, contour_;
     GlBuffer bones_;

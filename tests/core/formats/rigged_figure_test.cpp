@@ -11,6 +11,7 @@
 #include "tests/core/formats/sample_figure.h"
 #include "tests/support/files.h"
 #include "tests/support/named_rig.h"
+#include "tests/support/painted_surface.h"
 #include "tests/support/shared_meshes.h"
 
 namespace noctule {
@@ -102,7 +103,7 @@ TEST(RiggedFigure, ColourAndTextureStandInTheFiles) {
     if (!test::isShared(test::kCesiumMan))
         GTEST_SKIP() << test::sayMissing(test::kCesiumMan);
     const auto figure = riggedFigure(shortClip(), {}, sharedBody(test::kCesiumMan), JointNames::kOwn, {});
-    ASSERT_TRUE(figure && figure->body->look && figure->body->look->texture);
+    ASSERT_TRUE(figure && figure->body->surface.size() == 1 && figure->body->surface[0].look->texture);
     test::Folder folder;
     for (const SceneFormat format : {SceneFormat::kFbx, SceneFormat::kGlb}) {
         const std::string path = folder.file(format == SceneFormat::kFbx ? "t.fbx" : "t.glb");
@@ -111,12 +112,80 @@ TEST(RiggedFigure, ColourAndTextureStandInTheFiles) {
         ASSERT_TRUE(written) << written.error().text();
         Figure moved = *figure, painted = *figure, plain = *figure;
         moved.body->vertices[7].uv.x() += 0.01F;
-        painted.body->look->base_color.x() = 0.5F;
-        plain.body->look->texture = std::make_shared<const SurfaceTexture>(SurfaceTexture{"none"});
+        painted.body->surface[0].look->base_color.x() = 0.5F;
+        plain.body->surface[0].look->texture = std::make_shared<const SurfaceTexture>(SurfaceTexture{"none"});
         EXPECT_TRUE(checkScene(path, path, format, *figure));
         for (const Figure& other : {moved, painted, plain})
             EXPECT_FALSE(checkScene(path, path, format, other));
     }
+}
+
+using Repaint = std::function<void(std::vector<SurfacePart>&)>;
+
+/// What a file could hold instead of the looks that it should.
+std::vector<std::pair<const char*, Repaint>> otherLooks() {
+    return {
+        {"another colour of one part", [](auto& parts) { parts[2].look->base_color.x() = 0.6F; }},
+        {"another texture of one part", [](auto& parts) { parts[3].look->texture = parts[1].look->texture; }},
+        {"no texture", [](auto& parts) { parts[2].look->texture = nullptr; }},
+        {"a texture where none was", [](auto& parts) { parts[0].look->texture = parts[1].look->texture; }},
+        {"textures exchanged",
+         [](auto& parts) { std::swap(parts[1].look->texture, parts[3].look->texture); }},
+        {"fewer looks",
+         [](auto& parts) {
+             parts[2].triangles += parts[3].triangles;
+             parts.pop_back();
+         }},
+        {"another border", [](auto& parts) {
+             ++parts[0].triangles;
+             ++parts[1].first_triangle;
+             --parts[1].triangles;
+         }}};
+}
+
+TEST(RiggedFigure, EveryLookStandsInTheFiles) {
+    RiggedMesh rig = test::namedRig([](const std::string& joint) { return joint; });
+    test::giveSkin(rig);
+    test::paint(rig.skin);
+    const auto figure = riggedFigure(shortClip(), {}, wearable(rig, "painted").value(), JointNames::kOwn, {});
+    ASSERT_TRUE(figure && figure->body->surface.size() == 4);
+    const test::Folder folder;
+    for (const SceneFormat format : {SceneFormat::kFbx, SceneFormat::kGlb}) {
+        const std::string path = folder.file(format == SceneFormat::kFbx ? "t.fbx" : "t.glb");
+        const Status written =
+            format == SceneFormat::kFbx ? writeFbx(path, *figure, {}, false) : writeGlb(path, *figure, false);
+        ASSERT_TRUE(written) << written.error().text();
+        EXPECT_LT(compareScene(path, path, format, *figure)->vertex_m, 2e-5);
+        for (const auto& [what, repaint] : otherLooks()) {
+            Figure other = *figure;
+            repaint(other.body->surface);
+            EXPECT_FALSE(checkScene(path, path, format, other)) << path << ": " << what;
+        }
+        Figure moved = *figure;
+        moved.body->vertices[moved.body->triangles.back()[1]].uv.x() += 0.01F;
+        EXPECT_FALSE(checkScene(path, path, format, moved));
+    }
+}
+
+/// As another program would see it.
+TEST(RiggedFigure, AFileOfOursComesBackInItsLooks) {
+    RiggedMesh rig = test::namedRig([](const std::string& joint) { return joint; });
+    test::giveSkin(rig);
+    test::paint(rig.skin);
+    const auto figure = riggedFigure(shortClip(), {}, wearable(rig, "painted").value(), JointNames::kOwn, {});
+    const test::Folder folder;
+    ASSERT_TRUE(writeGlb(folder.file("t.glb"), *figure, false));
+    const auto again = importMesh(folder.file("t.glb"));
+    ASSERT_TRUE(again) << again.error().text();
+    const std::vector<SurfacePart>&seen = again->skin.surface, &wanted = figure->body->surface;
+    ASSERT_EQ(seen.size(), wanted.size());
+    for (size_t p = 0; p < seen.size(); ++p) {
+        EXPECT_EQ(seen[p].triangles, wanted[p].triangles);
+        EXPECT_LT((seen[p].look->base_color - wanted[p].look->base_color).norm(), 1e-6F);
+        EXPECT_EQ(seen[p].look->texture ? seen[p].look->texture->file : "",
+                  wanted[p].look->texture ? wanted[p].look->texture->file : "");
+    }
+    EXPECT_EQ(texturesOf(seen).size(), 2U);
 }
 
 TEST(RiggedFigure, BonesBesideTheHipsGoAlongAndEmptyOnesStayOut) {

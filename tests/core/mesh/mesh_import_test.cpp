@@ -8,6 +8,7 @@
 #include "core/mesh/rigged_mesh_bytes.h"
 #include "core/mesh/skinning.h"
 #include "tests/support/files.h"
+#include "tests/support/painted_surface.h"
 #include "tests/support/shared_meshes.h"
 
 namespace noctule {
@@ -153,13 +154,15 @@ TEST(MeshImport, TheUnitMayBeGiven) {
 TEST(MeshImport, ColourAndTextureComeAlong) {
     if (!test::isShared(test::kCesiumMan))
         GTEST_SKIP() << test::sayMissing(test::kCesiumMan);
-    const auto paint = [](SurfaceTexture& texture) {
+    const auto paint = [](SurfaceTexture& texture, int) {
         texture.width_px = texture.height_px = 1;
         texture.rgba = {1, 2, 3, 255};
     };
     const auto mesh = importMesh(test::sharedPath(test::kCesiumMan), {std::nullopt, paint});
-    ASSERT_TRUE(mesh && mesh->skin.look && mesh->skin.look->texture);
-    const SurfaceLook& look = *mesh->skin.look;
+    ASSERT_TRUE(mesh && mesh->skin.surface.size() == 1 && mesh->skin.surface[0].look);
+    EXPECT_EQ(mesh->skin.surface[0].triangles, mesh->skin.triangles.size());
+    const SurfaceLook& look = *mesh->skin.surface[0].look;
+    ASSERT_TRUE(look.texture);
     EXPECT_TRUE(look.base_color.isOnes()) << look.base_color;
     EXPECT_TRUE(look.texture->file.starts_with("\xff\xd8\xff") || look.texture->file.starts_with("\x89PNG"));
     Eigen::AlignedBox2f places;
@@ -167,14 +170,114 @@ TEST(MeshImport, ColourAndTextureComeAlong) {
         places.extend(vertex.uv);
     EXPECT_GT(places.sizes().minCoeff(), 0.3F) << "spread over the texture";
     const auto again = meshFromBytes(toBytes(*mesh), "x");
-    ASSERT_TRUE(again && again->skin.look && again->skin.look->texture);
-    EXPECT_EQ(again->skin.look->texture->file, look.texture->file);
-    EXPECT_EQ(again->skin.look->texture->rgba, look.texture->rgba);
+    ASSERT_TRUE(again && again->skin.surface.size() == 1 && again->skin.surface[0].look->texture);
+    EXPECT_EQ(again->skin.surface[0].look->texture->file, look.texture->file);
+    EXPECT_EQ(again->skin.surface[0].look->texture->rgba, look.texture->rgba);
     RiggedMesh wrong = *mesh;
     SurfaceTexture larger = *look.texture;
     larger.width_px = 7;
-    wrong.skin.look->texture = std::make_shared<const SurfaceTexture>(larger);
+    wrong.skin.surface[0].look->texture = std::make_shared<const SurfaceTexture>(larger);
     EXPECT_FALSE(meshFromBytes(toBytes(wrong), "x")) << "more pixels than there are";
+}
+
+/// One triangle per line at x = 0, 10, 20...; materials come and go as the file likes.
+std::string paintedObj(const std::vector<std::string>& materials) {
+    std::string text = "mtllib looks.mtl\nvt 0.1 0.2\nvt 0.3 0.2\nvt 0.3 0.8\n";
+    for (size_t m = 0; m < materials.size(); ++m) {
+        const std::string x = std::to_string(10 * m), number = std::to_string(3 * m);
+        text += "o part_" + std::to_string(m) + "\nusemtl " + materials[m] + "\n";
+        for (const char* at : {" 0 0", " 1 0", " 0 1"})
+            text += "v " + x + at + "\n";
+        text += "f " + std::to_string(3 * m + 1) + "/1 " + std::to_string(3 * m + 2) + "/2 " +
+                std::to_string(3 * m + 3) + "/3\n";
+    }
+    return text;
+}
+
+const char* const kMaterials =
+    "newmtl skin\nKd 0.9 0.5 0.4\nnewmtl eyes\nKd 0.1 0.2 0.9\n"
+    "newmtl coat\nKd 1 1 1\nmap_Kd cloth.png\nnewmtl hat\nKd 1 1 1\nmap_Kd same_cloth.png\n"
+    "newmtl shoes\nKd 1 1 1\nmap_Kd leather.png\nnewmtl cheek\nKd 0.9 0.5 0.4\n";
+
+class MeshOfManyLooks : public testing::Test {
+protected:
+    void SetUp() override {
+        test::writeBytes(folder_.file("looks.mtl"), kMaterials);
+        for (const char* name : {"cloth.png", "same_cloth.png"})
+            test::writeBytes(folder_.file(name), test::kRedPng);
+        test::writeBytes(folder_.file("leather.png"), test::kBluePng);
+    }
+    RiggedMesh imported(const std::vector<std::string>& materials, TextureDecoder decode = nullptr) const {
+        test::writeBytes(folder_.file("body.obj"), paintedObj(materials));
+        auto mesh = importMesh(folder_.file("body.obj"), {1.0, decode});
+        EXPECT_TRUE(mesh) << mesh.error().text();
+        return mesh ? std::move(*mesh) : RiggedMesh();
+    }
+
+    test::Folder folder_;
+};
+
+/// Which of the file's triangles a part has, by their places.
+std::vector<int> trianglesOf(const SkinnedMesh& skin, const SurfacePart& part) {
+    std::vector<int> found;
+    for (uint32_t t = part.first_triangle; t < part.first_triangle + part.triangles; ++t)
+        found.push_back(static_cast<int>(std::lround(skin.vertices[skin.triangles[t][0]].p_m.x() / 10)));
+    return found;
+}
+
+TEST_F(MeshOfManyLooks, KeepsEach) {
+    const RiggedMesh mesh = imported({"skin", "eyes", "coat", "skin", "hat", "shoes", "cheek"});
+    const std::vector<SurfacePart>& surface = mesh.skin.surface;
+    ASSERT_EQ(surface.size(), 4U) << "coat and hat, skin and cheek come to the same";
+    const std::vector<std::vector<int>> triangles = {{0, 3, 6}, {1}, {2, 4}, {5}};
+    for (size_t p = 0; p < surface.size(); ++p)
+        EXPECT_EQ(trianglesOf(mesh.skin, surface[p]), triangles[p]) << p;
+    EXPECT_EQ(surface[0].look->base_color, Eigen::Vector3f(0.9F, 0.5F, 0.4F));
+    EXPECT_EQ(surface[1].look->base_color, Eigen::Vector3f(0.1F, 0.2F, 0.9F));
+    EXPECT_EQ(surface[2].look->texture->file, test::kRedPng);
+    EXPECT_EQ(surface[3].look->texture->file, test::kBluePng);
+    EXPECT_FALSE(surface[0].look->texture);
+    for (size_t p = 0; p < surface.size(); ++p) {
+        const SkinnedVertex& corner = mesh.skin.vertices[mesh.skin.triangles[surface[p].first_triangle][1]];
+        EXPECT_FLOAT_EQ(corner.uv.x(), p < 2 ? 0 : 0.3F) << "a place where there is a texture";
+    }
+    for (const MeshPart& part : mesh.parts)
+        EXPECT_EQ(part.name, "part_" + std::to_string(trianglesOf(
+                                           mesh.skin, {part.first_triangle, part.triangles, {}})[0]));
+}
+
+TEST_F(MeshOfManyLooks, KeepsThemWhenPartsGo) {
+    const RiggedMesh mesh = imported({"skin", "eyes", "coat", "skin", "hat"});
+    std::vector<bool> keep;
+    for (const MeshPart& part : mesh.parts)
+        keep.push_back(part.name == "part_3" || part.name == "part_2");
+    const RiggedMesh kept = withParts(mesh, keep);
+    ASSERT_TRUE(checkRiggedMesh(kept, "kept"));
+    ASSERT_EQ(kept.skin.surface.size(), 2U) << "nothing has the eyes' look any more";
+    EXPECT_EQ(trianglesOf(kept.skin, kept.skin.surface[0]), std::vector<int>{3});
+    EXPECT_EQ(trianglesOf(kept.skin, kept.skin.surface[1]), std::vector<int>{2});
+    EXPECT_EQ(kept.skin.surface[0].look->base_color, Eigen::Vector3f(0.9F, 0.5F, 0.4F));
+    EXPECT_EQ(kept.skin.surface[1].look->texture->file, test::kRedPng);
+}
+
+/// What is decoded is no larger than all textures together may be.
+TEST_F(MeshOfManyLooks, ManyTexturesAreMadeSmaller) {
+    static std::vector<int> sides;
+    sides.clear();
+    std::vector<std::string> names;
+    std::string materials;
+    for (int i = 0; i < 40; ++i) {
+        names.push_back("m" + std::to_string(i));
+        test::writeBytes(folder_.file(names.back() + ".png"), test::kRedPng + names.back());
+        materials += "newmtl " + names.back() + "\nKd 1 1 1\nmap_Kd " + names.back() + ".png\n";
+    }
+    test::writeBytes(folder_.file("looks.mtl"), materials);
+    const auto decode = [](SurfaceTexture&, int side_px) { sides.push_back(side_px); };
+    EXPECT_EQ(imported(names, decode).skin.surface.size(), 40U);
+    EXPECT_EQ(sides, std::vector<int>(40, 1024));
+    sides.clear();
+    imported({names[0], names[1]}, decode);
+    EXPECT_EQ(sides, std::vector<int>(2, MeshLimits::kTextureSide_px));
 }
 
 TEST(MeshImport, SameThroughBytes) {

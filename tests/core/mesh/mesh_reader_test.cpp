@@ -7,6 +7,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstring>
+#include <map>
+
 #include "core/body/actor.h"
 #include "core/formats/glb_writer.h"
 #include "core/mesh/rigged_mesh_bytes.h"
@@ -121,11 +124,12 @@ RiggedMesh texturedTriangle() {
     RiggedMesh mesh;
     for (const Eigen::Vector3f& p : {Eigen::Vector3f(0, 0, 0), {1, 0, 0}, {0, 1.7F, 0}})
         mesh.skin.vertices.push_back({p, {0, 0, 1}, {}, {}, {0.5F, -1.5F}});
-    mesh.skin.triangles.push_back({0, 1, 2});
-    mesh.parts.push_back({"triangle", 0, 1});
-    mesh.skin.look = SurfaceLook{
+    mesh.skin.triangles = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}};
+    mesh.parts.push_back({"triangle", 0, 3});
+    const SurfaceLook look{
         {0.2F, 0.4F, 1},
         std::make_shared<const SurfaceTexture>(SurfaceTexture{kPicture, 2, 1, std::vector<uint8_t>(8, 200)})};
+    mesh.skin.surface = {{0, 1, look}, {1, 1, std::nullopt}, {2, 1, SurfaceLook{{0, 1, 0}, look.texture}}};
     return mesh;
 }
 
@@ -142,7 +146,7 @@ std::vector<std::pair<std::string, std::string>> examples(const test::Folder& fo
     for (const Eigen::Vector3f& p : {Eigen::Vector3f(0, 0, 0), {1, 0, 0}, {0, 1.7F, 0}})
         mesh.vertices.push_back({p, {0, 0, 1}, {0, 1, 0, 0}, {0.5F, 0.5F, 0, 0}});
     mesh.triangles.push_back({0, 1, 2});
-    mesh.look = texturedTriangle().skin.look;
+    mesh.surface = {{0, 1, texturedTriangle().skin.surface[0].look}};
     if (writeSkinnedMesh(folder.file("ours.glb"), mesh, skeleton, true))
         found.emplace_back(".glb", test::readBytes(folder.file("ours.glb")));
     for (const std::string name :
@@ -160,17 +164,31 @@ using Lie = std::pair<const char*, std::function<void(RiggedMesh&)>>;
 std::vector<Lie> lies() {
     const auto texture = [](std::function<void(SurfaceTexture&)> change) {
         return [change](RiggedMesh& mesh) {
-            auto changed = std::make_shared<SurfaceTexture>(*mesh.skin.look->texture);
+            SurfaceLook& look = *mesh.skin.surface[2].look;
+            auto changed = std::make_shared<SurfaceTexture>(*look.texture);
             change(*changed);
-            mesh.skin.look->texture = changed;
+            look.texture = changed;
         };
     };
     std::vector<Lie> lies;
     for (const float odd : {NAN, INFINITY, -INFINITY, 3e38F, -2e4F}) {
         lies.emplace_back("uv", [=](RiggedMesh& mesh) { mesh.skin.vertices[1].uv.y() = odd; });
-        lies.emplace_back("colour", [=](RiggedMesh& mesh) { mesh.skin.look->base_color.z() = odd; });
+        lies.emplace_back("colour",
+                          [=](RiggedMesh& mesh) { mesh.skin.surface[0].look->base_color.z() = odd; });
     }
-    lies.emplace_back("brighter", [](RiggedMesh& mesh) { mesh.skin.look->base_color.x() = 1.01F; });
+    lies.emplace_back("brighter",
+                      [](RiggedMesh& mesh) { mesh.skin.surface[2].look->base_color.x() = 1.01F; });
+    const auto surface = [&](const char* what, std::function<void(std::vector<SurfacePart>&)> change) {
+        lies.emplace_back(what, [change](RiggedMesh& mesh) { change(mesh.skin.surface); });
+    };
+    surface("overlap", [](auto& parts) { parts[1].first_triangle = 0; });
+    surface("gap", [](auto& parts) { parts[2].first_triangle = 3; });
+    surface("beyond the last", [](auto& parts) { parts[2].triangles = 2; });
+    surface("far beyond the last", [](auto& parts) { parts[2].triangles = UINT32_MAX; });
+    surface("around", [](auto& parts) { parts[0].triangles = parts[1].first_triangle = UINT32_MAX; });
+    surface("not to the last", [](auto& parts) { parts.pop_back(); });
+    surface("out of order", [](auto& parts) { std::swap(parts[0].first_triangle, parts[2].first_triangle); });
+    surface("nothing", [](auto& parts) { parts.insert(parts.begin(), SurfacePart{0, 0, {}}); });
     lies.emplace_back("gif", texture([](SurfaceTexture& t) { t.file = "GIF89a"; }));
     lies.emplace_back("script", texture([](SurfaceTexture& t) { t.file = "#!/bin/sh"; }));
     lies.emplace_back("no pixels", texture([](SurfaceTexture& t) { t.rgba.pop_back(); }));
@@ -194,34 +212,93 @@ TEST(MeshReader, ALookThatIsNoneIsRefused) {
         EXPECT_EQ(read.error().kind, ErrorKind::kUnreadable) << what;
         EXPECT_NE(read.error().message.find("lie.glb"), std::string::npos);
     }
-    RiggedMesh mesh = texturedTriangle();
-    mesh.skin.look->texture = std::make_shared<const SurfaceTexture>(
-        SurfaceTexture{kPicture + std::string(MeshLimits::kTextureBytes, ' ')});
-    const auto large = checkRiggedMesh(mesh, "large.glb");
-    ASSERT_FALSE(large);
-    EXPECT_EQ(large.error().kind, ErrorKind::kUnusable);
+}
+
+TEST(MeshReader, ATextureThatIsNotThereIsRefused) {
+    const std::string bytes = toBytes(texturedTriangle());
+    const float color[] = {0.2F, 0.4F, 1};  // what texture the part has stands behind it
+    const size_t at = bytes.find(std::string_view(reinterpret_cast<const char*>(color), sizeof color));
+    ASSERT_NE(at, std::string::npos);
+    for (const auto& [texture, is_read] : std::map<int32_t, bool>{
+             {0, true}, {-1, true}, {1, false}, {-2, false}, {INT32_MAX, false}, {INT32_MIN, false}}) {
+        std::string told = bytes;
+        std::memcpy(told.data() + at + sizeof color, &texture, sizeof texture);
+        EXPECT_EQ(static_cast<bool>(meshFromBytes(told, "lie.glb")), is_read) << texture;
+    }
+}
+
+TEST(MeshReader, LooksHaveLimits) {
+    const auto expectTooLarge = [](const std::vector<std::shared_ptr<const SurfaceTexture>>& textures) {
+        RiggedMesh mesh = texturedTriangle();
+        mesh.skin.triangles.assign(textures.size(), {0, 1, 2});
+        mesh.skin.surface.clear();
+        for (uint32_t t = 0; t < textures.size(); ++t)
+            mesh.skin.surface.push_back({t, 1, SurfaceLook{{1, 1, 1}, textures[t]}});
+        mesh.parts = {{"all", 0, static_cast<uint32_t>(textures.size())}};
+        const auto large = checkRiggedMesh(mesh, "large.glb");
+        ASSERT_FALSE(large);
+        EXPECT_EQ(large.error().kind, ErrorKind::kUnusable) << large.error().text();
+    };
+    const auto file = [](size_t more) {
+        return std::make_shared<const SurfaceTexture>(SurfaceTexture{kPicture + std::string(more, ' ')});
+    };
+    expectTooLarge({file(MeshLimits::kTextureBytes)});
+    const auto half = file(MeshLimits::kTextureBytes / 2);
+    std::vector<std::shared_ptr<const SurfaceTexture>> many(9, half);
+    for (auto& texture : many)
+        texture = std::make_shared<const SurfaceTexture>(*half);
+    expectTooLarge(many);
+    expectTooLarge(std::vector<std::shared_ptr<const SurfaceTexture>>(MeshLimits::kLooks + 1));
+}
+
+/// Each texture goes through the pipe, to the card and into files once.
+TEST(MeshReader, LooksComeThroughAndShareTheirTextures) {
+    const RiggedMesh mesh = texturedTriangle();
+    const auto read = meshFromBytes(toBytes(mesh), "x");
+    ASSERT_TRUE(read) << read.error().text();
+    const std::vector<SurfacePart>& surface = read->skin.surface;
+    ASSERT_EQ(surface.size(), 3U);
+    for (size_t p = 0; p < surface.size(); ++p) {
+        EXPECT_EQ(surface[p].first_triangle, p);
+        EXPECT_EQ(surface[p].triangles, 1U);
+    }
+    EXPECT_FALSE(surface[1].look);
+    EXPECT_EQ(surface[2].look->base_color, Eigen::Vector3f(0, 1, 0));
+    EXPECT_EQ(surface[0].look->texture->file, kPicture);
+    EXPECT_EQ(surface[0].look->texture, surface[2].look->texture);
+    EXPECT_EQ(texturesOf(surface).size(), 1U);
+}
+
+bool within(double value, double low, double high) {
+    return low <= value && value <= high;
+}
+
+bool pictureIsHarmless(const SurfaceTexture& texture) {
+    return (texture.file.starts_with("\x89PNG") || texture.file.starts_with("\xff\xd8")) &&
+           texture.file.size() <= 64'000'000 && within(texture.width_px, 0, 2048) &&
+           within(texture.height_px, 0, 2048) &&
+           (texture.rgba.empty() ||
+            static_cast<int64_t>(texture.rgba.size()) == int64_t{4} * texture.width_px * texture.height_px);
 }
 
 /// What may be drawn and written into files; in words of its own, not checkRiggedMesh()'s.
 bool looksHarmless(const RiggedMesh& mesh) {
-    const auto within = [](double value, double low, double high) { return low <= value && value <= high; };
     for (const SkinnedVertex& vertex : mesh.skin.vertices)
         for (const float part : vertex.uv)
             if (!within(part, -1e4, 1e4))
                 return false;
-    if (!mesh.skin.look)
-        return true;
-    for (const float part : mesh.skin.look->base_color)
-        if (!within(part, 0, 1))
+    uint64_t next = 0;
+    for (const SurfacePart& part : mesh.skin.surface) {
+        if (part.first_triangle != next || !within(part.triangles, 1, 4e6))
             return false;
-    const auto& texture = mesh.skin.look->texture;
-    return !texture || ((texture->file.starts_with("\x89PNG") || texture->file.starts_with("\xff\xd8")) &&
-                        texture->file.size() <= 64'000'000 && within(texture->width_px, 0, 2048) &&
-                        within(texture->height_px, 0, 2048) &&
-                        (texture->rgba.empty() || static_cast<int64_t>(texture->rgba.size()) ==
-                                                      int64_t{4} * texture->width_px * texture->height_px));
+        next += part.triangles;
+        if (part.look && !(part.look->base_color.minCoeff() >= 0 && part.look->base_color.maxCoeff() <= 1))
+            return false;
+        if (part.look && part.look->texture && !pictureIsHarmless(*part.look->texture))
+            return false;
+    }
+    return mesh.skin.surface.empty() || next == mesh.skin.triangles.size();
 }
-
 TEST(FuzzMesh, DamagedAnswersOfTheReaderAreHarmless) {
     std::vector<std::string> answers(8, toBytes(texturedTriangle()));
     for (const auto& [what, tell] : lies()) {

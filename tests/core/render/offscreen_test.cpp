@@ -114,7 +114,10 @@ TEST_F(OffscreenPicture, ABodyShowsItsTextureTheRightWayUp) {
     auto mesh = std::make_shared<SkinnedMesh>(*cube());
     for (SkinnedVertex& vertex : mesh->vertices)
         vertex.uv = {vertex.p_m.x() + 0.5F, vertex.p_m.y() + 0.5F};
-    mesh->look = SurfaceLook{{1, 1, 1}, std::make_shared<const SurfaceTexture>(texture)};
+    const auto look = [&](const SurfaceLook& of_all) {
+        mesh->surface = {{0, static_cast<uint32_t>(mesh->triangles.size()), of_all}};
+    };
+    look({{1, 1, 1}, std::make_shared<const SurfaceTexture>(texture)});
     Scene scene = emptyScene();
     scene.bodies = {bodyOf(mesh, BodyStyle::kSolid)};
     const Picture picture = render(scene);
@@ -126,10 +129,32 @@ TEST_F(OffscreenPicture, ABodyShowsItsTextureTheRightWayUp) {
     EXPECT_TRUE(isColor(15, -15, false, true, false));
     EXPECT_TRUE(isColor(-15, 15, false, false, true));
     EXPECT_TRUE(isColor(15, 15, true, true, true));
-    mesh->look = SurfaceLook{{0, 1, 0}, {}};
+    look({{0, 1, 0}, {}});
     scene.bodies = {bodyOf(std::make_shared<SkinnedMesh>(*mesh), BodyStyle::kSolid)};
     const Picture plain = render(scene);
     EXPECT_GT(plain.at(160, 120)[1], plain.at(160, 120)[0] + 60) << "the base colour, not the viewer's";
+}
+
+/// The face that is seen is two triangles: the lower right and the upper left one.
+TEST_F(OffscreenPicture, EveryPartOfABodyHasItsOwnLook) {
+    auto mesh = std::make_shared<SkinnedMesh>(*cube());
+    const auto blue = std::make_shared<const SurfaceTexture>(SurfaceTexture{"PNG", 1, 1, {0, 0, 255, 255}});
+    mesh->surface = {{0, 10, {}}, {10, 1, SurfaceLook{{1, 0, 0}, {}}}, {11, 1, SurfaceLook{{1, 1, 1}, blue}}};
+    Scene scene = emptyScene();
+    scene.bodies = {bodyOf(mesh, BodyStyle::kSolid)};
+    for (const float opacity : {1.0F, 0.9F}) {
+        scene.bodies[0].opacity = opacity;
+        const Picture picture = render(scene);
+        const uint8_t *right = picture.at(172, 132), *left = picture.at(148, 108);
+        EXPECT_GT(right[0], right[2] + 60) << "red";
+        EXPECT_GT(left[2], left[0] + 60) << "blue, from its texture";
+    }
+    mesh->surface = {{0, 11, SurfaceLook{{0, 1, 0}, {}}}, {11, 1, {}}};
+    scene.bodies = {bodyOf(std::make_shared<SkinnedMesh>(*mesh), BodyStyle::kSolid)};
+    const Picture picture = render(scene);
+    const uint8_t *right = picture.at(172, 132), *left = picture.at(148, 108);
+    EXPECT_GT(right[1], right[0] + 60);
+    EXPECT_LE(std::abs(left[0] - left[1]), 2) << "the viewer's grey where nobody said";
 }
 
 TEST_F(OffscreenPicture, AGhostHasAnOutlineAndNoSurface) {
