@@ -257,6 +257,7 @@ TEST_F(MeshOfManyLooks, KeepsThemWhenPartsGo) {
     EXPECT_EQ(trianglesOf(kept.skin, kept.skin.surface[0]), std::vector<int>{3});
     EXPECT_EQ(trianglesOf(kept.skin, kept.skin.surface[1]), std::vector<int>{2});
     EXPECT_EQ(kept.skin.surface[0].look->base_color, Eigen::Vector3f(0.9F, 0.5F, 0.4F));
+    ASSERT_TRUE(kept.skin.surface[1].look->texture);
     EXPECT_EQ(kept.skin.surface[1].look->texture->file, test::kRedPng);
 }
 
