@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lens's derivatives.
+// The lens's derivatives, and the bundle against a jig that is known.
 #include "core/vision/bundle.h"
 
+#include "tests/core/vision/known_bundle.h"
 #include "tests/support/jacobian_checker.h"
 
 namespace noctule {
@@ -23,6 +24,77 @@ TEST(Lens, Jacobians) {
             },
             jacobians.J_pixel_lens, "lens");
     }
+}
+
+/// Cameras a degree and a centimetre off, markers three degrees and half a centimetre, the lens 2 %.
+Bundle startedWrongly(Bundle bundle) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> gaussian;
+    const auto off = [&](double sigma) {
+        return Vector3d(sigma * gaussian(random), sigma * gaussian(random), sigma * gaussian(random));
+    };
+    for (CameraPose& camera : bundle.cameras)
+        if (!camera.stays) {
+            camera.q_camera_jig = camera.q_camera_jig * expQuaternion(off(radians(1)));
+            camera.p_camera_jig_m += off(0.01);
+        }
+    for (MarkerPose& marker : bundle.markers) {
+        marker.q_jig_marker = marker.q_jig_marker * expQuaternion(off(radians(3)));
+        marker.p_jig_marker_m += off(0.005);
+    }
+    bundle.lenses[0].focal_px *= 1.02;
+    bundle.lenses[0].k1 += 0.01;
+    return bundle;
+}
+
+TEST(Bundle, FindsWhereExactCornersWereTaken) {
+    const Bundle truth = test::knownBundle(4);
+    ASSERT_LT(test::worstSighting_px(truth), 1e-6);
+    Bundle bundle = startedWrongly(truth);
+    ASSERT_GT(test::worstSighting_px(bundle), 10) << "else the test shows nothing";
+    const auto fit = adjust(bundle, {});
+    ASSERT_TRUE(fit);
+    EXPECT_TRUE(fit->converged);
+    EXPECT_LT(test::worstSighting_px(bundle), 1e-3);
+    EXPECT_LT(test::worstDistance_m(bundle, truth), 1e-6);
+    EXPECT_NEAR(bundle.lenses[0].focal_px, truth.lenses[0].focal_px, 0.01);
+    EXPECT_EQ(bundle.cameras[0].p_camera_jig_m, truth.cameras[0].p_camera_jig_m) << "it stays";
+}
+
+TEST(Bundle, ReachesTheBottomInAFewSteps) {
+    Bundle bundle = startedWrongly(test::knownBundle(4));
+    std::mt19937 random(5);
+    std::normal_distribution<double> error_px(0, 0.2);
+    for (Sighting& sighting : bundle.sightings)
+        for (Eigen::Vector2d& corner_px : sighting.corners_px)
+            corner_px += Eigen::Vector2d(error_px(random), error_px(random));
+    const auto fit = adjust(bundle, {});
+    ASSERT_TRUE(fit);
+    EXPECT_TRUE(fit->converged);
+    std::printf("bundle: %d iterations, sigma %.3f px\n", fit->iterations, fit->sigma_px);
+    EXPECT_LE(fit->iterations, 30) << "derivatives that are wrong take more";
+    EXPECT_NEAR(fit->sigma_px, 0.2, 0.02);
+}
+
+TEST(Bundle, TheMarkersSideIsTheScale) {
+    const Bundle truth = test::knownBundle(4);
+    Bundle bundle = startedWrongly(truth);
+    bundle.side_m *= 1.1;
+    ASSERT_TRUE(adjust(bundle, {}));
+    // The first camera stays: all is a tenth larger as seen from there.
+    EXPECT_LT(test::worstDistance_m(bundle, truth, 1.1), 1e-5);
+}
+
+TEST(Bundle, AWildMarkerPullsLittle) {
+    const Bundle truth = test::knownBundle(4);
+    Bundle bundle = startedWrongly(truth);
+    for (Eigen::Vector2d& corner_px : bundle.sightings[7].corners_px)
+        corner_px.x() += 30;
+    const int wild = bundle.sightings[7].marker;
+    ASSERT_TRUE(adjust(bundle, {}));
+    for (Sighting& sighting : bundle.sightings)
+        sighting.used = sighting.marker != wild;
+    EXPECT_LT(test::worstDistance_m(bundle, truth), 1e-4);
 }
 
 }  // namespace

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slope and zeros against a gyroscope that is known, without turntable and detection around it.
+#include "core/calibration/gyroscope_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "core/calibration/board_side.h"
+#include "core/simulation/random.h"
+
+namespace noctule {
+namespace {
+
+constexpr double kTurn_rad_per_s = 3.49, kStretch_s = 20, kStep_s = 25;
+
+struct KnownGyroscope {
+    Matrix3d matrix;
+    Vector3d zero_counts{2100, 1990, 2030};
+
+    KnownGyroscope() {
+        matrix << 1.02, 0.01, -0.008, -0.012, 0.99, 0.004, 0.009, -0.006, 1.013;
+        matrix *= 17.5 / 2048;
+    }
+    /// Up and down for each axis, a rest before each; half of it in another take.
+    std::vector<KnownRate> stretches(double sigma_counts) const {
+        std::vector<KnownRate> all;
+        for (const BoardSide side : kBoardSides)
+            for (const double rate : {0.0, kTurn_rad_per_s}) {
+                KnownRate stretch;
+                stretch.begin_s = kStep_s * static_cast<double>(all.size());
+                stretch.end_s = stretch.begin_s + kStretch_s;
+                stretch.take = all.size() < 6 ? 0 : 1;
+                stretch.rate_rad_per_s = rate * side.up();
+                stretch.mean.counts = zero_counts + matrix.inverse() * stretch.rate_rad_per_s;
+                stretch.mean.sigma = Vector3d::Constant(sigma_counts);
+                all.push_back(stretch);
+            }
+        return all;
+    }
+};
+
+TEST(GyroscopeFit, IsExactWithoutNoise) {
+    const KnownGyroscope truth;
+    const std::vector<KnownRate> stretches = truth.stretches(0.01);
+    const GyroscopeFit fit = fitGyroscope(stretches, 1e-4);
+    EXPECT_LT((fit.axes.matrix - truth.matrix).norm() / truth.matrix(0, 0), 1e-9);
+    EXPECT_LT((fit.axes.zero_counts - truth.zero_counts).norm(), 1e-8);
+    ASSERT_EQ(fit.zeros_counts.size(), stretches.size());
+    for (const Vector3d& zero_counts : fit.zeros_counts)
+        EXPECT_LT((zero_counts - truth.zero_counts).norm(), 1e-8);
+    EXPECT_LT(fit.chi_square, 1e-6);
+    EXPECT_EQ(fit.freedoms, 3 * (12 - 4));
+}
+
+/// Zeros that wander, jump between the takes and are heard through noise: errors over sigmas are one.
+TEST(GyroscopeFit, SigmasAreHonest) {
+    constexpr int kRuns = 400;
+    constexpr double kNoise_counts = 0.02, kWander_counts2_per_s = 1e-5;
+    const KnownGyroscope truth;
+    double slopes = 0, zeros = 0, chi_square = 0;
+    for (int run = 0; run < kRuns; ++run) {
+        simulation::Random random(static_cast<uint64_t>(run + 1), "gyroscope fit");
+        std::vector<KnownRate> stretches = truth.stretches(kNoise_counts);
+        Vector3d wandered_counts = Vector3d::Zero(), mean_counts = Vector3d::Zero();
+        for (size_t k = 0; k < stretches.size(); ++k) {
+            if (k > 0)
+                wandered_counts += random.gaussianVector(stretches[k].take == stretches[k - 1].take
+                                                             ? std::sqrt(kWander_counts2_per_s * kStep_s)
+                                                             : 1);
+            stretches[k].mean.counts += wandered_counts + random.gaussianVector(kNoise_counts);
+            mean_counts += (truth.zero_counts + wandered_counts) / static_cast<double>(stretches.size());
+        }
+        const GyroscopeFit fit = fitGyroscope(stretches, kWander_counts2_per_s);
+        slopes += (fit.axes.matrix - truth.matrix).cwiseQuotient(fit.sigma_matrix).squaredNorm() / 9;
+        zeros +=
+            (fit.axes.zero_counts - mean_counts).cwiseQuotient(*fit.axes.sigma_zero_counts).squaredNorm() / 3;
+        chi_square += fit.chi_square / fit.freedoms;
+    }
+    // Rows of the matrix err apart from one another, its columns nearly so: 3 sigma of three a run.
+    const double tolerance = 3 * std::sqrt(2.0 / (3 * kRuns));
+    EXPECT_NEAR(slopes / kRuns, 1, tolerance);
+    EXPECT_NEAR(zeros / kRuns, 1, tolerance);
+    EXPECT_NEAR(chi_square / kRuns, 1, 3 * std::sqrt(2.0 / (24 * kRuns)));
+}
+
+}  // namespace
+}  // namespace noctule
