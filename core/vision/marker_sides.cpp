@@ -37,9 +37,10 @@ const std::array<double, 256>& lightOfLevel() {
 
 /// Between pixels; black beside the picture.
 double lightAt(const cv::Mat& grey, const Vector2d& at) {
-    const int x = int(std::floor(at.x())), y = int(std::floor(at.y()));
-    if (x < 0 || y < 0 || x + 1 >= grey.cols || y + 1 >= grey.rows)
+    const bool is_inside = at.x() >= 0 && at.y() >= 0 && at.x() < grey.cols - 1 && at.y() < grey.rows - 1;
+    if (!is_inside)  // nor where sides without a length point
         return 0;
+    const int x = int(at.x()), y = int(at.y());
     const auto& light = lightOfLevel();
     const double fx = at.x() - x, fy = at.y() - y;
     const auto row = [&](int v) {
