@@ -47,7 +47,7 @@ Result<ExpectedMotion> expectedMotion(const Take& take, const ExportRequest& req
                 expected.begin_s = static_cast<double>(time_ns) * 1e-9;
             expected.frames.push_back(std::move(*pose));
         }
-    if (!request.with_body)
+    if (!request.with_body || !request.worn)
         return expected;
     const auto contacts = contactsInForce(take, *run, *motion);
     if (!contacts)

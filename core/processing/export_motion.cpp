@@ -72,7 +72,6 @@ Result<ExportedMotion> cut(const Take& take, const RunMotion& from, const Export
                      "Choose --from and --to within the take's duration"};
     if (locksFeet(request))
         exported.feet = {clip.frames, clip.frame_time_s, footPlants(from.feet, begin_s)};
-    exported.feet_at_rest = feetAtRest(motion, from.feet);
     holdRoot(clip, request.root);
     const auto is_empty = [](const std::vector<float>& row) { return row.empty(); };
     if (std::any_of(exported.confidence.begin(), exported.confidence.end(), is_empty))
@@ -107,6 +106,7 @@ Result<ExportedMotion> exportedMotion(const ExportRequest& request) {
     if (!exported)
         return exported;
     exported->run = run->name;
+    exported->feet_at_rest = feetAtRest(motion.motion, motion.feet);
     if (request.png_path.empty() && request.video_path.empty())
         return exported;
     auto filmed = cut(*take, motion, request, request.film.frames_per_second);

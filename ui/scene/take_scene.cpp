@@ -43,11 +43,11 @@ std::vector<Vector3d> ComposedScene::sourcePoints() const {
 }
 
 void TakeScene::Track::follow(std::shared_ptr<const TimedMotion> of,
-                              std::shared_ptr<const std::vector<FootContacts>> its_contacts) {
-    if (of == motion && its_contacts == contacts)
+                              std::shared_ptr<const std::vector<FootContacts>> when_feet_stood) {
+    if (of == motion && when_feet_stood == contacts)
         return;
     motion = std::move(of);
-    contacts = std::move(its_contacts);
+    contacts = std::move(when_feet_stood);
     max_gap_ns = motion ? bridgeableGap_ns(*motion) : 0;
     if (motion)
         feet = contacts ? feetAtRest(*motion, *contacts) : feetAtRest(motion->skeleton);
@@ -115,7 +115,7 @@ void TakeScene::addContacts(ComposedScene& composed, const SceneColors& colors, 
 }
 
 void TakeScene::addCompared(ComposedScene& composed, const SceneColors& colors, double t_s) {
-    compared_.follow(studio_.take().comparedMotion(), nullptr);
+    compared_.follow(studio_.take().comparedMotion(), studio_.take().contacts());
     const auto pose = compared_.at(t_s);
     if (!pose)
         return;
@@ -133,12 +133,10 @@ ComposedScene TakeScene::compose(const SceneLayers& layers) {
     const auto overview = take.overview();
     composed.subject = subject_;
     const bool is_shown = subject_ == SceneSubject::kShown;
-    if (!overview)
-        shown_.follow(nullptr, nullptr);
-    else if (is_shown)
-        shown_.follow(take.shownMotion(), take.contacts());
+    if (overview)
+        shown_.follow(is_shown ? take.shownMotion() : take.comparedMotion(), take.contacts());
     else
-        shown_.follow(take.comparedMotion(), nullptr);
+        shown_.follow(nullptr, nullptr);
     const auto pose = shown_.at(t_s);
     const BodyLook look = studio_.look();
     const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);

@@ -46,9 +46,9 @@ private:
         FeetAtRest feet;
         FittedBody body;
 
-        /// `its_contacts` may come later, or never.
+        /// `when_feet_stood` may come later, or never.
         void follow(std::shared_ptr<const TimedMotion> of,
-                    std::shared_ptr<const std::vector<FootContacts>> its_contacts);
+                    std::shared_ptr<const std::vector<FootContacts>> when_feet_stood);
         std::optional<Pose> at(double t_s) const;
     };
     void addPairs(ComposedScene& composed, double t_s);
