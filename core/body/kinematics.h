@@ -96,6 +96,8 @@ public:
         Vector3d omega_rad_per_s, alpha_rad_per_s2;
     };
     const Frame& end() const { return frames_.back(); }
+    /// Of the links from the root to the end.
+    const std::vector<Frame>& frames() const { return frames_; }
 
     struct Point {
         Vector3d p_m, v_m_per_s, a_m_per_s2;

@@ -127,6 +127,7 @@ double JointGive::relevance(const Constraint& constraint) const {
 std::vector<ObservationBlock> JointGive::observe(const MotionState& motion, const Covariance& P,
                                                  double interval_s) {
     std::vector<ObservationBlock> blocks;
+    const double lasts_s = parameters_.lasts_s + flesh_share_ * parameters_.lasts_on_flesh_s;
     double share = 0, variance = 0;
     for (Constraint& constraint : constraints_) {
         ObservationBlock block = blockOf(constraint, motion);
@@ -135,8 +136,7 @@ std::vector<ObservationBlock> JointGive::observe(const MotionState& motion, cons
             learn(constraint, -block.residual[0], P.innovationVariance(block)[0], interval_s);
         const double given =
             std::max(square(parameters_.least_rad), relevance(constraint) * constraint.variance_rad2);
-        const double whitened =
-            2 * (parameters_.trembles_s + relevance(constraint) * parameters_.lasts_s) / interval_s;
+        const double whitened = 2 * (parameters_.trembles_s + relevance(constraint) * lasts_s) / interval_s;
         block.variance[0] = is_lost ? square(parameters_.most_rad) : whitened * given;
         block.origin = {ObservationOrigin::Kind::kGive, static_cast<int>(std::ssize(blocks)), {}};
         share += relevance(constraint);

@@ -25,6 +25,7 @@ struct GiveParameters {
     /// second they turned every joint back to its axis against the gyroscopes, a degree a second.
     double trembles_s = 0.1;
     double lasts_s = 10;
+    double lasts_on_flesh_s = 400;  ///< longer: flesh goes with the pose, which comes again and again
 };
 
 /// The actor's skeleton with ball joints where `gives` (per joint) and the joint is universal or a hinge.

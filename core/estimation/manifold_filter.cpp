@@ -106,6 +106,7 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
     if (parameters_.joints_give)
         now_.give = JointGive(skeleton_, tree_, givingJoints(skeleton_, gyroscope_joints_), parameters_.give);
     now_.board_noise.assign(suit_.boards.size(), BoardNoise(parameters_.board_noise, suit_.sources.size()));
+    now_.gains.assign(suit_.boards.size(), VelocityGain(parameters_.velocity_gain));
     now_.alignments.assign(suit_.boards.size(), LimbAlignment(parameters_.alignment));
     Eigen::VectorXd variance = Eigen::VectorXd::Constant(n, std::pow(parameters_.joint_accel_rad_per_s2, 2));
     std::vector<bool> adapts;
@@ -168,8 +169,10 @@ void ManifoldFilter::step(const StepInput& input) {
     if (!input.inertial.empty() && learnsMotion())
         now_.motion_noise.learn(now_.state.motion.accel - predicted, variances - accel_variances(),
                                 1.0 / kInertialFramesPerSecond, now_.give.fleshShare());
-    if (parameters_.sensors.accelerometers && parameters_.sensors.gyroscopes)
+    if (parameters_.sensors.accelerometers && parameters_.sensors.gyroscopes) {
+        updateVelocityGains(input.inertial);
         alignLimbs(input.inertial);
+    }
     updateDistances(input.distances);
     updateGround(input.inertial);
     const auto prior_steps = std::max<int64_t>(1, std::llround(parameters_.prior_interval_s / step_s_));

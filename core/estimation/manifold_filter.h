@@ -20,6 +20,7 @@
 #include "core/estimation/limb_alignment.h"
 #include "core/estimation/motion_noise.h"
 #include "core/estimation/reading_grid.h"
+#include "core/estimation/velocity_gain.h"
 
 namespace noctule {
 
@@ -44,6 +45,7 @@ struct ManifoldParameters {
     double accel_bias_m_per_s2 = 0.05, accel_bias_walk = 0.001;
     BoardNoiseParameters board_noise;
     LimbAlignmentParameters alignment;
+    VelocityGainParameters velocity_gain;
     double source_offset_m = 0.0008;  ///< 1.5 us of offset error, and what the detector adds per source
     double sound_scale = 0.0015;
 
@@ -92,6 +94,7 @@ public:
         int64_t step_index = 0;
         std::vector<BoardNoise> board_noise;
         std::vector<LimbAlignment> alignments;  ///< per board
+        std::vector<VelocityGain> gains;        ///< per board
         GroundContacts ground;
         double gated_share = 0;  ///< running, over about 60 distances
         int resets = 0;
@@ -150,6 +153,11 @@ private:
     void updateRoot(const std::vector<RootMeasurement>& measurements);
     void updateTriads(const std::vector<InertialMeasurement>& measurements, bool gyro);
     void believeBeyond(ObservationBlock& block, const TriadReading& reading) const;
+    void updateVelocityGains(const std::vector<InertialMeasurement>& measurements);
+    int referenceOfGains() const;
+    ObservationBlock observeGainOf(int board, int reference);
+    /// Of zero variance; `target`: the packed windows of the board and of the reference, if there is one.
+    ObservationBlock gainOf(int board, const Eigen::VectorXd& target, const BodyState& state) const;
     void alignLimbs(const std::vector<InertialMeasurement>& measurements);
     void turnLimb(int link, const LimbAlignment::Found& found);
     /// That a limb turns like this against its parent; of zero variance.

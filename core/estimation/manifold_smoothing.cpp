@@ -40,6 +40,9 @@ ObservationBlock ManifoldFilter::again(const ObservationBlock& taped, const Step
             block =
                 observations_.accel(state, input.inertial[index], input.inertial[index].time_s - at_s).block;
             break;
+        case ObservationOrigin::Kind::kGain:
+            block = gainOf(origin.index, origin.target, state);
+            break;
         case ObservationOrigin::Kind::kDistance: {
             DistanceMeasurement believed = input.distances[index];
             believed.distance_m = origin.target[0];

@@ -37,13 +37,15 @@ struct BodyState {
 
 /// What a block was made of, so that it can be made again about another state.
 struct ObservationOrigin {
-    /// kPull: single states that are pulled to known values; kTurn: a limb that was found elsewhere.
-    enum class Kind { kPull, kTurn, kGyro, kAccel, kDistance, kRoot, kGive };
+    /// kPull: single states that are pulled to known values; kTurn: a limb that was found elsewhere; kGain:
+    /// what a board felt over a window.
+    enum class Kind { kPull, kTurn, kGyro, kAccel, kGain, kDistance, kRoot, kGive };
     Kind kind = Kind::kPull;
-    int index = 0;  ///< of the reading in its step; of the joint's constraint; kTurn: of the link
+    /// Of the reading in its step; of the joint's constraint; kTurn: of the link; kGain: of the board.
+    int index = 0;
     /// kDistance: the distance that was believed; kPull: the values; kTurn: the quaternion from its parent, x
-    /// y z w; kGyro, kAccel: what the readings' ends of ranges stood for, less those ends, empty when there
-    /// were none.
+    /// y z w; kGain: the packed windows; kGyro, kAccel: what the readings' ends of ranges stood for, less
+    /// those ends, empty when there were none.
     Eigen::VectorXd target;
 };
 

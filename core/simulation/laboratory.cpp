@@ -20,6 +20,20 @@ Json axesJson(const ChipTruth& chip) {
             {"bias_walk_per_sqrt_s", chip.bias_walk_per_sqrt_s}};
 }
 
+Json shiftJson(const PoseShift& shift) {
+    Json rows = Json::array();
+    for (const auto& row : shift.slope.rowwise())
+        rows.push_back(std::vector<double>(row.begin(), row.end()));
+    return {{"bound", shift.bound}, {"slope", rows}};
+}
+
+Json tissueJson(const WornBoard& worn) {
+    return {{"shift_m", shiftJson(worn.shift_m)},
+            {"tilt_rad", shiftJson(worn.tilt_rad)},
+            {"axial_twist_lag", worn.twist_lag},
+            {"wobble_axis", json::fromVector(worn.wobble_axis)}};
+}
+
 std::vector<double> inflectionOffsets(const Scenario& scenario, const SoundTruth& sound) {
     const PulseSchedule schedule = scenario.schedule();
     const PulseTrain train{static_cast<double>(scenario.sample_rate_hz), schedule.interval_samples,
@@ -114,6 +128,8 @@ void addWorn(nlohmann::json& truth, const WornSuit& worn, const Actor& moving_ac
     for (size_t b = 0; b < worn.boards.size(); ++b) {
         truth["boards"][b]["p_segment_board_m"] = json::fromVector(worn.boards[b].p_segment_board_m);
         truth["boards"][b]["q_segment_board"] = json::fromQuaternion(worn.boards[b].q_segment_board);
+        if (worn.boards[b].tilt_rad.bound > 0)
+            truth["boards"][b]["soft_tissue"] = tissueJson(worn.boards[b]);
     }
     for (size_t s = 0; s < worn.sources.size(); ++s)
         truth["sources"][s]["p_segment_source_m"] = json::fromVector(worn.sources[s].p_segment_source_m);
