@@ -154,6 +154,7 @@ private:
     void updateTriads(const std::vector<InertialMeasurement>& measurements, bool gyro);
     void believeBeyond(ObservationBlock& block, const TriadReading& reading) const;
     void updateVelocityGains(const std::vector<InertialMeasurement>& measurements);
+    bool knowsVelocityOf(const MountedBoard& board) const;
     int referenceOfGains() const;
     ObservationBlock observeGainOf(int board, int reference);
     /// Of zero variance; `target`: the packed windows of the board and of the reference, if there is one.

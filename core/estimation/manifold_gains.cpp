@@ -28,11 +28,22 @@ void ManifoldFilter::updateVelocityGains(const std::vector<InertialMeasurement>&
 
     ChainMotion chain;
     for (size_t b = 0; b < suit_.boards.size(); ++b) {
-        if (suit_.boards[b].link < 0)
+        if (!knowsVelocityOf(suit_.boards[b]))
             continue;
         chain.evaluate(tree_, now_.state.motion, suit_.boards[b].link, 0);
         now_.gains[b].open(velocitiesOf(chain, placeBoard(suit_.boards[b], tree_, now_.state.motion, 0).p_m));
     }
+}
+
+/// Against the root's: every joint on the way turns as a gyroscope says.
+bool ManifoldFilter::knowsVelocityOf(const MountedBoard& board) const {
+    if (board.link < 0)
+        return false;
+    const std::vector<int>& chain = tree_.chain(board.link);
+    return std::none_of(chain.begin(), chain.end(), [this](int index) {
+        const Link& link = tree_.link(index);
+        return link.count > 0 && isBlind(link) && !(index == 0 && parameters_.root_given);
+    });
 }
 
 /// Where nobody knows how fast the root goes, boards are compared with one on it; -1: none.
