@@ -196,7 +196,7 @@ TEST_F(GainedVelocity, AnUnknownVelocityOfTheRootCancelsAgainstABoardOnIt) {
 }
 
 TEST_F(GainedVelocity, NothingIsSaidOfAWindowThatWasNotSeenWhole) {
-    swing(0.5);
+    swing(1.2);
     EXPECT_FALSE(gains[kArm].window(time_s)) << "never opened";
     open();
     swing(0.9);
