@@ -22,8 +22,9 @@ void ManifoldFilter::updateVelocityGains(const std::vector<InertialMeasurement>&
     const bool reference_lasted =
         reference >= 0 && now_.gains[static_cast<size_t>(reference)].window(seconds());
     for (int b = 0; b < std::ssize(suit_.boards) && (!isFree() || reference_lasted); ++b)
-        if (ObservationBlock block = observeGainOf(b, reference); b != reference && block.rows() > 0)
-            blocks.push_back(std::move(block));
+        if (b != reference)
+            if (ObservationBlock block = observeGainOf(b, reference); block.rows() > 0)
+                blocks.push_back(std::move(block));
     observe(std::move(blocks));
 
     ChainMotion chain;
