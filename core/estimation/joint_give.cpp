@@ -48,19 +48,20 @@ Skeleton givingSkeleton(const Skeleton& actor, const std::vector<bool>& gives) {
 }
 
 JointGive::JointGive(const Skeleton& actor, const KinematicTree& tree, const std::vector<bool>& gives,
-                     const GiveParameters& parameters)
+                     const std::vector<bool>& seen, const GiveParameters& parameters)
     : parameters_(parameters) {
     for (int j = 0; j < actor.size(); ++j) {
         const Joint& joint = actor.joint(j);
         if (!gives[static_cast<size_t>(j)] || !lacksFreedoms(joint))
             continue;
         const int link = tree.linkOfJoint(j), first = tree.link(link).first;
+        const bool is_seen = seen[static_cast<size_t>(j)];
         const Vector3d axis = joint.dof[0].axis, across = axis.unitOrthogonal();
         if (joint.type == JointType::kUniversal) {
-            constraints_.push_back({link, first, false, axis, joint.dof[1].axis});
+            constraints_.push_back({link, first, false, is_seen, axis, joint.dof[1].axis});
         } else {
-            constraints_.push_back({link, first, true, across, axis});
-            constraints_.push_back({link, first, true, axis.cross(across), axis});
+            constraints_.push_back({link, first, true, is_seen, across, axis});
+            constraints_.push_back({link, first, true, is_seen, axis.cross(across), axis});
         }
     }
     for (Constraint& constraint : constraints_)
@@ -124,29 +125,39 @@ double JointGive::relevance(const Constraint& constraint) const {
     return square(constraint.variance_rad2 / (constraint.variance_rad2 + square(parameters_.relevant_rad)));
 }
 
+/// What is not seen is held as it is given now, however long it lasts: nothing else tells which of the joints
+/// at a segment's ends has turned.
+JointGive::Given JointGive::givenBy(const Constraint& constraint, double interval_s) const {
+    const double relevant = constraint.seen ? relevance(constraint) : 0;
+    const double lasts_s = parameters_.lasts_s + flesh_share_ * parameters_.lasts_on_flesh_s;
+    const double variance =
+        std::max(square(parameters_.least_rad),
+                 constraint.seen ? relevant * constraint.variance_rad2 : mean_variance_rad2_);
+    return {variance, 2 * (parameters_.trembles_s + relevant * lasts_s) / interval_s * variance};
+}
+
 std::vector<ObservationBlock> JointGive::observe(const MotionState& motion, const Covariance& P,
                                                  double interval_s) {
     std::vector<ObservationBlock> blocks;
-    const double lasts_s = parameters_.lasts_s + flesh_share_ * parameters_.lasts_on_flesh_s;
-    double share = 0, variance = 0;
+    double share = 0, variance = 0, count = 0;
     for (Constraint& constraint : constraints_) {
         ObservationBlock block = blockOf(constraint, motion);
         const bool is_lost = isLost(constraint, block);
-        if (!is_lost)
+        if (!is_lost && constraint.seen)
             learn(constraint, -block.residual[0], P.innovationVariance(block)[0], interval_s);
-        const double given =
-            std::max(square(parameters_.least_rad), relevance(constraint) * constraint.variance_rad2);
-        const double whitened = 2 * (parameters_.trembles_s + relevance(constraint) * lasts_s) / interval_s;
-        block.variance[0] = is_lost ? square(parameters_.most_rad) : whitened * given;
+        const Given given = givenBy(constraint, interval_s);
+        block.variance[0] = is_lost ? square(parameters_.most_rad) : given.whitened_rad2;
         block.origin = {ObservationOrigin::Kind::kGive, static_cast<int>(std::ssize(blocks)), {}};
-        share += relevance(constraint);
-        variance += given;
+        if (constraint.seen) {
+            share += relevance(constraint);
+            variance += given.variance_rad2;
+            ++count;
+        }
         blocks.push_back(std::move(block));
     }
     seen_s_ += interval_s;
-    const double count = std::max(1.0, static_cast<double>(constraints_.size()));
-    flesh_share_ = share / count;
-    mean_variance_rad2_ = variance / count;
+    flesh_share_ = share / std::max(1.0, count);
+    mean_variance_rad2_ = variance / std::max(1.0, count);
     return blocks;
 }
 

@@ -3,7 +3,8 @@
 // joint that lacks freedoms and whose segment carries a gyroscope is estimated as a ball joint that is held
 // where the actor's joint could be. How stiffly follows from the motion itself: the deviations that come and
 // go are the variance of those to come, and a joint that hardly gives counts as rigid (automatic relevance
-// determination). What joints give together tells how much the boards ride on flesh.
+// determination). What joints give together tells how much the boards ride on flesh. Where a segment carries
+// no gyroscope nobody sees what the joints at its ends give: they count as the others do in the mean.
 #pragma once
 
 #include <cmath>
@@ -34,9 +35,9 @@ Skeleton givingSkeleton(const Skeleton& actor, const std::vector<bool>& gives);
 class JointGive {
 public:
     JointGive() = default;
-    /// `tree` of givingSkeleton(actor, gives).
+    /// `tree` of givingSkeleton(actor, gives). `seen`: joints with gyroscopes on both sides, which teach.
     JointGive(const Skeleton& actor, const KinematicTree& tree, const std::vector<bool>& gives,
-              const GiveParameters& parameters);
+              const std::vector<bool>& seen, const GiveParameters& parameters);
 
     /// What the actor's joints say of the state before anything has been learnt.
     std::vector<ObservationBlock> initial(const MotionState& motion) const;
@@ -51,7 +52,7 @@ public:
 
     /// 0 on a rigid body, 1 where boards ride on flesh.
     double fleshShare() const { return flesh_share_; }
-    /// Mean square deviation that counts as given, over all constraints.
+    /// Mean square deviation that counts as given, over all constraints that are seen.
     double meanVariance_rad2() const { return mean_variance_rad2_; }
 
 private:
@@ -60,11 +61,16 @@ private:
     /// is its axis, and the deviation counts by angle, not by its sine: turned right round it is not back.
     struct Constraint {
         int link = 0, first = 0;  ///< velocity index
-        bool hinge = false;
+        bool hinge = false, seen = false;
         Vector3d fixed_parent, moving_link;
         double variance_rad2 = 0, constant_rad = 0;  ///< of the deviations
     };
     ObservationBlock blockOf(const Constraint& constraint, const MotionState& motion) const;
+    /// Given, and as white noise of one observation in `interval_s`.
+    struct Given {
+        double variance_rad2, whitened_rad2;
+    };
+    Given givenBy(const Constraint& constraint, double interval_s) const;
     void learn(Constraint& constraint, double deviation_rad, double estimate_variance,
                double interval_s) const;
     double relevance(const Constraint& constraint) const;

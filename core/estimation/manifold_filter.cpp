@@ -43,17 +43,26 @@ std::vector<bool> gyroscopeJoints(const Skeleton& skeleton, const KinematicTree&
     return with;
 }
 
-/// Per joint: nothing tells whether a joint gives unless the segments on both its sides carry a gyroscope.
-std::vector<bool> givingJoints(const Skeleton& skeleton, const std::vector<bool>& with_gyroscope) {
-    std::vector<bool> gives = with_gyroscope;
+/// Per joint: whether a gyroscope turns with it.
+std::vector<bool> turningJoints(const Skeleton& skeleton, std::vector<bool> with_gyroscope) {
+    for (int j = skeleton.size() - 1; j > 0; --j)
+        if (const int parent = skeleton.joint(j).parent;
+            parent >= 0 && with_gyroscope[static_cast<size_t>(j)])
+            with_gyroscope[static_cast<size_t>(parent)] = true;
+    return with_gyroscope;
+}
+
+/// Per joint: nothing tells how much a joint gives unless the segments on both its sides carry a gyroscope.
+std::vector<bool> seenJoints(const Skeleton& skeleton, const std::vector<bool>& with_gyroscope) {
+    std::vector<bool> seen = with_gyroscope;
     for (int j = 0; j < skeleton.size(); ++j) {
         int above = skeleton.joint(j).parent;
         while (above >= 0 && skeleton.joint(above).type == JointType::kFixed)
             above = skeleton.joint(above).parent;
         if (above < 0 || !with_gyroscope[static_cast<size_t>(above)])
-            gives[static_cast<size_t>(j)] = false;
+            seen[static_cast<size_t>(j)] = false;
     }
-    return gives;
+    return seen;
 }
 
 SuitModel moved(SuitModel suit, const KinematicTree& from, const KinematicTree& to) {
@@ -88,8 +97,8 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
       skeleton_(skeleton),
       gyroscope_joints_(gyroscopeJoints(skeleton, KinematicTree(skeleton, BallCoordinates::kManifold), suit,
                                         parameters.sensors)),
-      tree_(parameters.joints_give ? givingSkeleton(skeleton, givingJoints(skeleton, gyroscope_joints_))
-                                   : skeleton,
+      turning_joints_(turningJoints(skeleton, gyroscope_joints_)),
+      tree_(parameters.joints_give ? givingSkeleton(skeleton, turning_joints_) : skeleton,
             BallCoordinates::kManifold),
       suit_(moved(std::move(suit), KinematicTree(skeleton, BallCoordinates::kManifold), tree_)),
       layout_(makeLayout(tree_.freedoms(), suit_, parameters_)),
@@ -104,7 +113,8 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
         if (first >= 0)
             wander_.segment(first, 3 * std::ssize(suit_.boards)).setConstant(walk * walk * step_s_);
     if (parameters_.joints_give)
-        now_.give = JointGive(skeleton_, tree_, givingJoints(skeleton_, gyroscope_joints_), parameters_.give);
+        now_.give = JointGive(skeleton_, tree_, turning_joints_, seenJoints(skeleton_, gyroscope_joints_),
+                              parameters_.give);
     now_.board_noise.assign(suit_.boards.size(), BoardNoise(parameters_.board_noise, suit_.sources.size()));
     now_.gains.assign(suit_.boards.size(), VelocityGain(parameters_.velocity_gain));
     now_.alignments.assign(suit_.boards.size(), LimbAlignment(parameters_.alignment));
@@ -112,7 +122,7 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
     std::vector<bool> adapts;
     for (const Link& link : tree_.links()) {
         adapts.push_back(!isBlind(link));
-        if (isBlind(link))
+        if (!turning_joints_[static_cast<size_t>(link.joint)])
             variance.segment(link.first, link.count)
                 .setConstant(std::pow(parameters_.blind.joint_accel_rad_per_s2, 2));
     }

@@ -67,8 +67,9 @@ struct ManifoldParameters {
     GroundParameters ground;  ///< where the root is free; needs gyroscopes
 
     /// Where no gyroscope rides on a segment, or none is listened to, nothing holds its joint and a
-    /// linearised filter soon believes its own errors: slower motion and a pull towards the rest pose and
-    /// towards rest (per prior_interval_s). Without any gyroscope accelerometers are coarse levels only.
+    /// linearised filter soon believes its own errors: a pull towards the rest pose and towards rest (per
+    /// prior_interval_s), and slower motion unless a gyroscope farther out turns with it. Without any
+    /// gyroscope accelerometers are coarse levels only.
     struct Blind {
         double joint_accel_rad_per_s2 = 10, accel_floor_m_per_s2 = 10;
         double pose_prior_rad = 0.3, rate_prior_rad_per_s = 0.5;
@@ -189,6 +190,7 @@ private:
     ManifoldParameters parameters_;
     Skeleton skeleton_;
     std::vector<bool> gyroscope_joints_;  ///< whose segments carry a gyroscope in use
+    std::vector<bool> turning_joints_;    ///< with which one turns, on theirs or farther out
     KinematicTree tree_;
     SuitModel suit_;
     StateLayout layout_;

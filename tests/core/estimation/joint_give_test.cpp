@@ -20,7 +20,7 @@ protected:
           giving(givingSkeleton(actor, gives)),
           tree(giving, BallCoordinates::kManifold),
           P(VectorXd::Constant(3 * tree.freedoms(), 1e-8)),
-          give(actor, tree, gives, {}) {}
+          give(actor, tree, gives, gives, {}) {}
 
     /// Arm and forearm moved by their own freedoms, then by `off_rad` of what they lack.
     MotionState at(double time_s, double off_rad) const {
@@ -40,10 +40,11 @@ protected:
     }
 
     /// Ten seconds in which the joints give by `amplitude_rad`.
-    std::vector<ObservationBlock> observed(double amplitude_rad) {
+    std::vector<ObservationBlock> observed(double amplitude_rad) { return observed(give, amplitude_rad); }
+    std::vector<ObservationBlock> observed(JointGive& by, double amplitude_rad) const {
         std::vector<ObservationBlock> last;
         for (int k = 1; k <= 100; ++k)
-            last = give.observe(at(0.1 * k, amplitude_rad * std::sin(0.6 * k)), P, 0.1);
+            last = by.observe(at(0.1 * k, amplitude_rad * std::sin(0.6 * k)), P, 0.1);
         return last;
     }
 
@@ -113,6 +114,26 @@ TEST_F(JointGiveTest, ADeviationThatStaysIsPulledBackSlowlyWhereJointsGive) {
     // Ten seconds of observations, were they all of another error, would pull to a fifth of what is given.
     for (const ObservationBlock& block : blocks)
         EXPECT_GT(std::sqrt(block.variance[0] / 100), 0.5 * std::sqrt(give.meanVariance_rad2()));
+}
+
+TEST_F(JointGiveTest, WhatASegmentWithoutGyroscopeHidesCountsAsTheSeenJoints) {
+    JointGive partly(actor, tree, gives, {false, false, true, false}, {});
+    const auto blocks = observed(partly, 0.08);
+    JointGive arm(actor, tree, {false, false, true, false}, {false, false, true, false}, {});
+    observed(arm, 0.08);
+    EXPECT_DOUBLE_EQ(partly.fleshShare(), arm.fleshShare()) << "only what is seen teaches";
+    EXPECT_DOUBLE_EQ(partly.meanVariance_rad2(), arm.meanVariance_rad2());
+    ASSERT_EQ(blocks.size(), 3u);
+    for (size_t i : {1u, 2u}) {
+        EXPECT_GT(blocks[i].variance[0], partly.meanVariance_rad2()) << "the hinge is not taken for rigid";
+        EXPECT_LT(blocks[i].variance[0], 0.1 * blocks[0].variance[0]) << "nor as loose as what is seen";
+    }
+}
+
+TEST_F(JointGiveTest, WithNothingSeenHiddenJointsAreRigid) {
+    JointGive hidden(actor, tree, gives, {false, false, false, false}, {});
+    for (const ObservationBlock& block : observed(hidden, 0.08))
+        EXPECT_LT(std::sqrt(block.variance[0]), 0.001);
 }
 
 TEST_F(JointGiveTest, OneFarDeviationAfterAnOutageTeachesLittle) {
