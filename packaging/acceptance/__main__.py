@@ -20,6 +20,7 @@ import interface
 import kills
 import live
 import long_fuzz
+import partial
 import record
 import sanitizers
 import speed
@@ -29,6 +30,7 @@ import table1
 FIGURES = {
     "table1": ("Table 1: combinations of sensors, both estimators", table1.figure),
     "accuracy": ("Accuracy on six motions, filtered and smoothed", accuracy.figure),
+    "partial": ("Suits with boards left out", partial.figure),
     "drift": ("Drift over five minutes", drift.figure),
     "ground": ("Where a free root goes", ground.figure),
     "benchmarks": ("Benchmarks", benchmarks.figure),

@@ -126,7 +126,7 @@ TEST_F(JointGiveTest, WhatASegmentWithoutGyroscopeHidesCountsAsTheSeenJoints) {
     ASSERT_EQ(blocks.size(), 3u);
     for (size_t i : {1u, 2u}) {
         EXPECT_GT(blocks[i].variance[0], partly.meanVariance_rad2()) << "the hinge is not taken for rigid";
-        EXPECT_LT(blocks[i].variance[0], 0.1 * blocks[0].variance[0]) << "nor as loose as what is seen";
+        EXPECT_LT(blocks[i].variance[0], 3 * partly.meanVariance_rad2()) << "nor may it stay away";
     }
 }
 
