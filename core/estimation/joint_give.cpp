@@ -125,32 +125,28 @@ double JointGive::relevance(const Constraint& constraint) const {
     return square(constraint.variance_rad2 / (constraint.variance_rad2 + square(parameters_.relevant_rad)));
 }
 
-/// What is not seen is held as it is given now, however long it lasts: nothing else tells which of the joints
-/// at a segment's ends has turned.
-JointGive::Given JointGive::givenBy(const Constraint& constraint, double interval_s) const {
-    const double relevant = constraint.seen ? relevance(constraint) : 0;
-    const double lasts_s = parameters_.lasts_s + flesh_share_ * parameters_.lasts_on_flesh_s;
-    const double variance =
-        std::max(square(parameters_.least_rad),
-                 constraint.seen ? relevant * constraint.variance_rad2 : mean_variance_rad2_);
-    return {variance, 2 * (parameters_.trembles_s + relevant * lasts_s) / interval_s * variance};
-}
-
 std::vector<ObservationBlock> JointGive::observe(const MotionState& motion, const Covariance& P,
                                                  double interval_s) {
     std::vector<ObservationBlock> blocks;
+    const double lasts_s = parameters_.lasts_s + flesh_share_ * parameters_.lasts_on_flesh_s;
     double share = 0, variance = 0, count = 0;
     for (Constraint& constraint : constraints_) {
         ObservationBlock block = blockOf(constraint, motion);
         const bool is_lost = isLost(constraint, block);
         if (!is_lost && constraint.seen)
             learn(constraint, -block.residual[0], P.innovationVariance(block)[0], interval_s);
-        const Given given = givenBy(constraint, interval_s);
-        block.variance[0] = is_lost ? square(parameters_.most_rad) : given.whitened_rad2;
+        // What is not seen is held at once, however long it lasts: nothing else tells which of the joints at
+        // a segment's ends has turned.
+        const double relevant = constraint.seen ? relevance(constraint) : 0;
+        const double given =
+            std::max(square(parameters_.least_rad),
+                     constraint.seen ? relevant * constraint.variance_rad2 : mean_variance_rad2_);
+        const double whitened = 2 * (parameters_.trembles_s + relevant * lasts_s) / interval_s;
+        block.variance[0] = is_lost ? square(parameters_.most_rad) : whitened * given;
         block.origin = {ObservationOrigin::Kind::kGive, static_cast<int>(std::ssize(blocks)), {}};
         if (constraint.seen) {
-            share += relevance(constraint);
-            variance += given.variance_rad2;
+            share += relevant;
+            variance += given;
             ++count;
         }
         blocks.push_back(std::move(block));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Joints as they are in people: a knee is a hinge only nearly, and a board on flesh makes it less of one. A
-// joint that lacks freedoms and whose segment carries a gyroscope is estimated as a ball joint that is held
-// where the actor's joint could be. How stiffly follows from the motion itself: the deviations that come and
-// go are the variance of those to come, and a joint that hardly gives counts as rigid (automatic relevance
-// determination). What joints give together tells how much the boards ride on flesh. Where a segment carries
-// no gyroscope nobody sees what the joints at its ends give: they count as the others do in the mean.
+// joint that lacks freedoms and with which a gyroscope turns, on its segment or farther out, is estimated as
+// a ball joint that is held where the actor's joint could be. How stiffly follows from the motion itself: the
+// deviations that come and go are the variance of those to come, and a joint that hardly gives counts as
+// rigid (automatic relevance determination). What joints give together tells how much the boards ride on
+// flesh. Where a segment carries no gyroscope nobody sees what the joints at its ends give: they count as the
+// others do in the mean.
 #pragma once
 
 #include <cmath>
@@ -60,17 +61,12 @@ private:
     /// and `moving_link` (in the link's) keep the angle they have in the zero pose. Of a hinge `moving_link`
     /// is its axis, and the deviation counts by angle, not by its sine: turned right round it is not back.
     struct Constraint {
-        int link = 0, first = 0;  ///< velocity index
-        bool hinge = false, seen = false;
+        int link = 0, first = 0;           ///< velocity index
+        bool hinge = false, seen = false;  ///< seen: teaches
         Vector3d fixed_parent, moving_link;
         double variance_rad2 = 0, constant_rad = 0;  ///< of the deviations
     };
     ObservationBlock blockOf(const Constraint& constraint, const MotionState& motion) const;
-    /// Given, and as white noise of one observation in `interval_s`.
-    struct Given {
-        double variance_rad2, whitened_rad2;
-    };
-    Given givenBy(const Constraint& constraint, double interval_s) const;
     void learn(Constraint& constraint, double deviation_rad, double estimate_variance,
                double interval_s) const;
     double relevance(const Constraint& constraint) const;

@@ -43,7 +43,7 @@ std::vector<bool> gyroscopeJoints(const Skeleton& skeleton, const KinematicTree&
     return with;
 }
 
-/// Per joint: whether a gyroscope turns with it.
+/// Per joint: whether a gyroscope turns with it, on its segment or farther out.
 std::vector<bool> turningJoints(const Skeleton& skeleton, std::vector<bool> with_gyroscope) {
     for (int j = skeleton.size() - 1; j > 0; --j)
         if (const int parent = skeleton.joint(j).parent;

@@ -10,7 +10,7 @@ SEED = 3
 LEFT_OUT = {"nothing": (), "Chest": ("Chest",), "Spine, Chest": ("Spine", "Chest"),
             "upper arms": ("LeftArm", "RightArm"), "thighs": ("LeftUpLeg", "RightUpLeg"),
             "shoulders": ("LeftShoulder", "RightShoulder"), "shanks": ("LeftLeg", "RightLeg")}
-MOTIONS = ("walk", "boxer", "hops and turn", "01_03")
+NAMES = ("walk", "boxer", "hops and turn", "01_03")
 
 
 def suit_without(segments, path):
@@ -36,7 +36,7 @@ def cell(folder, scenario, motion, suit):
 def figure(_):
     folder = studio.OUT / "partial"
     folder.mkdir(parents=True, exist_ok=True)
-    motions = [name for name in MOTIONS if accuracy.MOTIONS[name].exists()]
+    motions = [name for name in NAMES if accuracy.MOTIONS[name].exists()]
     text = (f"Mean angle over all joints in degrees (NEES), A+G+D, root given, filtered, {SECONDS} s, readings level, "
             f"seed {SEED}; realistic after `calibrate rest-pose` on the take itself.\n")
     for scenario in ("nominal", "realistic"):
