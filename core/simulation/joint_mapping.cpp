@@ -35,6 +35,15 @@ bool takeSideMark(std::string& name, const std::string& mark) {
     return true;
 }
 
+/// Poser's way: "lShldr", "rThigh".
+bool takeSideLetter(std::string& name, char letter) {
+    const bool marked =
+        name.size() > 1 && name[0] == letter && std::isupper(static_cast<unsigned char>(name[1]));
+    if (marked)
+        name.erase(0, 1);
+    return marked;
+}
+
 PlainName plainName(const std::string& joint) {
     std::string name = joint.substr(joint.rfind(':') == std::string::npos ? 0 : joint.rfind(':') + 1);
     if (name.starts_with("__"))  // MakeHuman's helper joints repeat the name of the real one
@@ -45,6 +54,9 @@ PlainName plainName(const std::string& joint) {
         for (const std::string& mark : marks)
             if (takeSideMark(name, mark))
                 return {side, lettersOf(name)};
+    for (const auto& [side, letter] : {std::pair{"Left", 'l'}, std::pair{"Right", 'r'}})
+        if (takeSideLetter(name, letter))
+            return {side, lettersOf(name)};
     return {"", lettersOf(name)};
 }
 
@@ -67,7 +79,7 @@ struct Spellings {
 /// In Biovision files "Shoulder" and "Hip" are the limb's joints, so the limbs are looked up first.
 const std::vector<Spellings>& limbSpellings() {
     static const std::vector<Spellings> spellings = {
-        {"Arm", {"arm", "upperarm", "upperarm01", "uparm", "shoulder"}},
+        {"Arm", {"arm", "upperarm", "upperarm01", "uparm", "shldr", "shoulder"}},
         {"ForeArm", {"forearm", "lowerarm", "lowerarm01", "loarm", "elbow"}},
         {"Hand", {"hand", "wrist"}},
         {"UpLeg", {"upleg", "upperleg", "upperleg01", "thigh", "hip"}},
