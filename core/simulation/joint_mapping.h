@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which joint of a motion file is which canonical joint. Knows the names of CMU, HumanIK and Mixamo,
-// Biovision (Collar, Elbow, Wrist, Knee, ...), MakeHuman, VRM and Poser; hips and trunk are found from the tree
-// itself.
+// Biovision (Collar, Elbow, Wrist, Knee, ...), MakeHuman, VRM and Poser; hips and trunk are found from the
+// tree itself.
 #pragma once
 
 #include <map>

@@ -29,7 +29,7 @@ import table1
 
 FIGURES = {
     "table1": ("Table 1: combinations of sensors, both estimators", table1.figure),
-    "accuracy": ("Accuracy on six motions, filtered and smoothed", accuracy.figure),
+    "accuracy": ("Accuracy on real motions, filtered and smoothed", accuracy.figure),
     "partial": ("Suits with boards left out", partial.figure),
     "drift": ("Drift over five minutes", drift.figure),
     "ground": ("Where a free root goes", ground.figure),

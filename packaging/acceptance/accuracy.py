@@ -1,17 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far the poses are off on six real motions of different kind, 30 s each: every combination of sensors, with the
-root given and free, filtered and smoothed, on the nominal scenario and on the realistic one after a guided movement."""
+"""How far the poses are off on real motions of different kind, two dancers of one couple among them: every combination
+of sensors, with the root given and free, filtered and smoothed, on the nominal scenario and on the realistic one after
+a guided movement, beside a body that holds the rest pose."""
+import concurrent.futures
+
 import calibration
+import drift
 import studio
 
 SECONDS = 30
 SENSORS = ("A", "D", "AD", "G", "GD", "AG", "AGD")
-INERTIAL = ("AG", "GD", "AGD")
 SMOOTHERS = ("none", "full")
 MOTIONS = {"walk": studio.MORE_MOTIONS / "02_01.bvh", "boxer": studio.REAL_MOTIONS / "Boxing_Toes.bvh",
            "hops and turn": studio.REAL_MOTIONS / "01_01.bvh", "01_03": studio.REAL_MOTIONS / "01_03.bvh",
            "dance": studio.MORE_MOTIONS / "05_06.bvh",
-           "walk and stop": studio.MORE_MOTIONS / "131_01.bvh"}
+           "walk and stop": studio.MORE_MOTIONS / "131_01.bvh",
+           "couple, one": studio.MORE_MOTIONS / "pair_salsa" / "60_05_scaled.bvh",
+           "couple, other": studio.MORE_MOTIONS / "pair_salsa" / "61_05_scaled.bvh"}
+HEADS = ["motion", "rest pose held", *("+".join(sensors) for sensors in SENSORS), "end effectors of A+G+D, mm",
+         "NEES of A+G+D"]
+FREE_HEADS = ["motion", "joints, deg", "root's tilt, deg", "yaw, deg", "place, m"]
 
 
 def evaluations(take, sensors, *options):
@@ -28,50 +36,53 @@ def cell(found, value):
     return " → ".join(studio.number(value(evaluation)) for evaluation in found)
 
 
-def degrees(evaluation):
-    return evaluation["mean_deg"]
+def rest_pose_deg(take):
+    """What a body errs by that never leaves the rest pose: mean over the joints and over time."""
+    with studio.open_take(take) as database:
+        joints = drift.moving_joints(database)
+        begin_ns = drift.rest_end_s(database) * 1e9
+        poses = [(time_ns, drift.unpack(blob)) for time_ns, blob in
+                 database.execute("SELECT time_ns, q FROM reference WHERE q NOT NULL ORDER BY time_ns")]
+    rest = max(pose for pose in poses if pose[0] <= begin_ns)[1]
+    moving = [q for time_ns, q in poses if time_ns > begin_ns][::drift.EVERY]
+    return sum(drift.angle_deg(q[j], rest[j]) for q in moving for j in joints) / (len(moving) * len(joints))
 
 
-def nominal(folder):
-    rows, free = [], []
-    for name, motion in MOTIONS.items():
-        if not motion.exists():
-            continue
-        take = folder / f"nominal_{motion.stem}.noctule"
-        studio.simulate(motion, take, "--level", "readings", "--duration", SECONDS)
-        found = {sensors: evaluations(take, sensors, "--root", "given") for sensors in SENSORS}
-        rows.append([name, *(cell(found[sensors], degrees) for sensors in SENSORS),
-                     cell(found["AGD"], lambda evaluation: evaluation["nees"])])
-        one = evaluations(take, "AGD", "--root", "free")
-        free.append([name, cell(one, degrees), *(cell(one, lambda evaluation, key=key: evaluation["root"][key])
-                                                 for key in ("tilt_deg", "yaw_deg", "position_m"))])
-    heads = ["motion", *("+".join(sensors) for sensors in SENSORS), "NEES of A+G+D"]
-    return ("### Nominal, root given\n\n" + studio.markdown_table(heads, rows) +
-            "\n### Nominal, root free, A+G+D\n\n" +
-            studio.markdown_table(["motion", "joints, deg", "root's tilt, deg", "yaw, deg", "place, m"], free))
+def rows_of(take, name, *options):
+    """Of one take: with the root given by every combination, with the root free by all sensors."""
+    found = {sensors: evaluations(take, sensors, "--root", "given", *options) for sensors in SENSORS}
+    given = [name, studio.number(rest_pose_deg(take)),
+             *(cell(found[sensors], lambda evaluation: evaluation["mean_deg"]) for sensors in SENSORS),
+             *(cell(found["AGD"], lambda evaluation, key=key: evaluation[key]) for key in ("end_effector_mm", "nees"))]
+    one = evaluations(take, "AGD", "--root", "free", *options)
+    free = [name, cell(one, lambda evaluation: evaluation["mean_deg"]),
+            *(cell(one, lambda evaluation, key=key: evaluation["root"][key])
+              for key in ("tilt_deg", "yaw_deg", "position_m"))]
+    return given, free
 
 
-def realistic(folder):
-    folder.mkdir(parents=True, exist_ok=True)
-    _, (moved, performer) = calibration.guided_calibrations(folder)
-    rows = []
-    for name, motion in MOTIONS.items():
-        if not motion.exists():
-            continue
-        take = folder / f"realistic_{motion.stem}.noctule"
-        studio.batch("simulate", "--motion", motion, "--out", take, *calibration.MOVED, "--actor",
-                     folder / "actor.json", "--duration", SECONDS, "--overwrite")
-        found = {sensors: evaluations(take, sensors, "--root", "given", "--calibration", moved, "--actor", performer)
-                 for sensors in INERTIAL}
-        rows.append([name, *(cell(found[sensors], degrees) for sensors in INERTIAL),
-                     cell(found["AGD"], lambda evaluation: evaluation["end_effector_mm"]),
-                     cell(found["AGD"], lambda evaluation: evaluation["nees"])])
-    heads = ["motion", *("+".join(sensors) for sensors in INERTIAL), "end effectors of A+G+D, mm", "NEES of A+G+D"]
-    return "### Realistic, calibrated by a guided movement, root given\n\n" + studio.markdown_table(heads, rows)
+def tables(title, folder, jobs, simulate_with, process_with):
+    def of_motion(item):
+        name, motion = item
+        take = folder / f"{title.split(',')[0].lower()}_{motion.stem}.noctule"
+        studio.batch("simulate", "--motion", motion, "--out", take, *simulate_with, "--duration", SECONDS,
+                     "--overwrite")
+        return rows_of(take, name, *process_with)
+
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        rows = list(pool.map(of_motion, (item for item in MOTIONS.items() if item[1].exists())))
+    return (f"### {title}, root given\n\n{studio.markdown_table(HEADS, [given for given, _ in rows])}\n"
+            f"### {title}, root free, A+G+D\n\n{studio.markdown_table(FREE_HEADS, [free for _, free in rows])}")
 
 
-def figure(_):
+def figure(options):
     folder = studio.OUT / "accuracy"
     folder.mkdir(parents=True, exist_ok=True)
+    _, (moved, performer) = calibration.guided_calibrations(folder)
+    nominal = tables("Nominal", folder, options.jobs,
+                     ("--scenario", "nominal", "--level", "readings", "--seed", 1), ())
+    realistic = tables("Realistic, calibrated by a guided movement", folder, options.jobs,
+                       (*calibration.MOVED, "--actor", folder / "actor.json"),
+                       ("--calibration", moved, "--actor", performer))
     return (f"Mean angle to the reference over all joints in degrees, {SECONDS} s, readings level, filtered → smoothed "
-            f"over the whole take.\n\n{nominal(folder)}\n{realistic(folder)}")
+            f"over the whole take.\n\n{nominal}\n{realistic}")
