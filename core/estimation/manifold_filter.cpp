@@ -18,7 +18,8 @@ StateLayout makeLayout(int freedoms, const SuitModel& suit, const ManifoldParame
     layout.freedoms = freedoms;
     int next = 3 * freedoms;
     const int boards = static_cast<int>(suit.boards.size());
-    const auto reserve = [&next](bool wanted, int count) {
+    const auto reserve = [&](bool wanted, int count) {
+        wanted = wanted && p.estimates_constants;
         const int first = wanted ? next : -1;
         next += wanted ? count : 0;
         return first;
@@ -319,6 +320,8 @@ bool ManifoldFilter::judgeDistance(const DistanceMeasurement& known, Observation
     limitPull(block, Eigen::VectorXd::Constant(1, decision.sigma_m * decision.sigma_m),
               parameters_.distance_huber_sigma);
     block.variance[0] += noise.distanceVariance(now_.give.fleshShare());
+    if (known.carrier.cycle_m == 0)
+        block.variance[0] += parameters_.echo_pull_m * parameters_.echo_pull_m;
     return !gated;
 }
 

@@ -39,6 +39,9 @@ struct ManifoldParameters {
     double root_turn_accel_rad_per_s2 = 25;
     double root_velocity_prior_m_per_s = 2;  ///< free root only, once per prior_interval_s
 
+    /// Biases and the constant errors of distances are states; false: believed to be zero.
+    bool estimates_constants = true;
+
     // Sensors: what is constant over a take and how it wanders. Zero-noise limits are floors of the
     // readings'.
     double gyro_bias_rad_per_s = 0.01, gyro_bias_walk = 0.0003;  ///< walk: per sqrt(s)
@@ -58,6 +61,8 @@ struct ManifoldParameters {
     // Robustness. Gyroscopes and accelerometers are not limited: a blow looks like an outlier and is none.
     double distance_gate_sigma = 5, distance_huber_sigma = 2.5;
     double distance_floor_m = 0.0008;  ///< added to every distance: body and sensors are not rigid
+    /// Echoes pull an envelope, distances that follow each other alike: as white noise with the same effect.
+    double echo_pull_m = 0.00125;
 
     double prior_interval_s = 0.1;
 

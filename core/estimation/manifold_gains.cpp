@@ -88,9 +88,11 @@ ObservationBlock ManifoldFilter::gainOf(int board, const Eigen::VectorXd& target
     };
     const auto [own, rest] = VelocityWindow::unpacked(target);
     ObservationBlock block = observed(board, own);
-    if (rest.size() > 0)
+    if (rest.size() > 0) {
         block = lessTheOther(std::move(block),
                              observed(referenceOfGains(), VelocityWindow::unpacked(rest).first));
+        leaveHeadingUntold(block, layout_, state.motion);
+    }
     block.origin = {ObservationOrigin::Kind::kGain, board, target};
     return block;
 }

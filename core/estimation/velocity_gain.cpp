@@ -79,6 +79,15 @@ ObservationBlock lessTheOther(ObservationBlock one, const ObservationBlock& othe
     return one;
 }
 
+void leaveHeadingUntold(ObservationBlock& block, const StateLayout& layout, const MotionState& motion) {
+    constexpr int kRotation = 3;  // of a free root, after its place
+    const Vector3d up_root = motion.q_parent_link[0].conjugate() * Vector3d::UnitY();
+    const Vector3d turned = Vector3d::UnitY().cross(Vector3d(block.residual));
+    for (size_t k = 0; k < block.columns.size(); ++k)
+        if (const int axis = block.columns[k] - layout.theta(kRotation); axis >= 0 && axis < 3)
+            block.H.col(static_cast<Eigen::Index>(k)) += up_root[axis] * turned;
+}
+
 void VelocityGain::add(double time_s, const Vector3d& rate_rad_per_s, const Vector3d& force_m_per_s2) {
     if (last_ && time_s - last_->time_s > parameters_.longest_s)
         breakOff();

@@ -50,6 +50,10 @@ ObservationBlock observeGain(const VelocityWindow& window, const ChainMotion& ch
 /// `one` less `other`, whose columns may be the same; variances add up.
 ObservationBlock lessTheOther(ObservationBlock one, const ObservationBlock& other);
 
+/// For a free root: what remains, along the world's axes, turns together with the body about the vertical, so
+/// that it tells nothing of the heading (heading_shift.h).
+void leaveHeadingUntold(ObservationBlock& block, const StateLayout& layout, const MotionState& motion);
+
 /// Sums up one board's readings.
 class VelocityGain {
 public:

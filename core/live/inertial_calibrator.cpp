@@ -2,6 +2,7 @@
 #include "core/live/inertial_calibrator.h"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/inertial/step_table.h"
@@ -11,6 +12,12 @@ namespace {
 
 /// How far beyond the end of the range motion may be.
 constexpr double kClippedGyro_rad_per_s = 4, kClippedAccel_m_per_s2 = 40;
+
+/// What one frame rounds away the next pays back: a reading's error is the difference of two roundings, and
+/// little of it is slow. It counts as white noise that is as strong as it at the end of human motion.
+constexpr double kMotionEnds_hz = 13;
+const double kNotPaidBack =
+    std::sqrt(1 - std::cos(2 * std::numbers::pi * kMotionEnds_hz / kInertialFramesPerSecond));
 
 constexpr double kLargeStep_counts = 58;  // inertial stream, section 1: near the ends such a step is suspect
 
@@ -56,7 +63,6 @@ InertialMeasurement InertialCalibrator::convert(const InertialReading& reading) 
         }
         const double step = axis.last_counts ? std::abs(*counts - *axis.last_counts) : 0;
         const double rounding = codecRoundingSigmaCounts(step);
-        // What one frame rounds away the next pays back: the error is the difference of two roundings.
         const double last_rounding = std::exchange(axis.last_rounding, rounding);
         const double both = std::hypot(rounding, last_rounding) * axis.per_count;
         axis.last_counts = counts;
@@ -71,7 +77,7 @@ InertialMeasurement InertialCalibrator::convert(const InertialReading& reading) 
         if (step >= kLargeStep_counts && (*counts - reach <= kCountsMin || *counts + reach >= kCountsMax))
             continue;  // within one step of the end after a large one: may stand for a clipped value
         triad.add({axis.sensitive_axis, (*counts - axis.zero_counts) * axis.per_count,
-                   std::hypot(axis.noise, both)});
+                   std::hypot(axis.noise, kNotPaidBack * both)});
     }
     return measurement;
 }

@@ -31,7 +31,7 @@ FIGURES = {
     "table1": ("Table 1: combinations of sensors, both estimators", table1.figure),
     "accuracy": ("Accuracy on real motions, filtered and smoothed", accuracy.figure),
     "partial": ("Suits with boards left out", partial.figure),
-    "drift": ("Drift over five minutes", drift.figure),
+    "drift": ("Drift over five minutes and an hour", drift.figure),
     "ground": ("Where a free root goes", ground.figure),
     "benchmarks": ("Benchmarks", benchmarks.figure),
     "speed": ("Speed on one core", speed.figure),

@@ -17,9 +17,9 @@ MOTIONS = {"walk": studio.MORE_MOTIONS / "02_01.bvh", "boxer": studio.REAL_MOTIO
            "walk and stop": studio.MORE_MOTIONS / "131_01.bvh",
            "couple, one": studio.MORE_MOTIONS / "pair_salsa" / "60_05_scaled.bvh",
            "couple, other": studio.MORE_MOTIONS / "pair_salsa" / "61_05_scaled.bvh"}
-HEADS = ["motion", "rest pose held", *("+".join(sensors) for sensors in SENSORS), "end effectors of A+G+D, mm",
-         "NEES of A+G+D"]
-FREE_HEADS = ["motion", "joints, deg", "root's tilt, deg", "yaw, deg", "place, m"]
+SENSOR_HEADS = ["+".join(sensors) for sensors in SENSORS]
+HEADS = ["motion", "rest pose held", *SENSOR_HEADS, "end effectors of A+G+D, mm", "NEES of A+G+D"]
+FREE_HEADS = ["motion", *SENSOR_HEADS, "tilt of A+G+D's root, deg", "its yaw, deg", "its place, m"]
 
 
 def evaluations(take, sensors, *options):
@@ -32,8 +32,8 @@ def evaluations(take, sensors, *options):
     return found
 
 
-def cell(found, value):
-    return " → ".join(studio.number(value(evaluation)) for evaluation in found)
+def cell(values):
+    return " → ".join(map(studio.number, values))
 
 
 def rest_pose_deg(take):
@@ -48,17 +48,14 @@ def rest_pose_deg(take):
     return sum(drift.angle_deg(q[j], rest[j]) for q in moving for j in joints) / (len(moving) * len(joints))
 
 
-def rows_of(take, name, *options):
-    """Of one take: with the root given by every combination, with the root free by all sensors."""
-    found = {sensors: evaluations(take, sensors, "--root", "given", *options) for sensors in SENSORS}
-    given = [name, studio.number(rest_pose_deg(take)),
-             *(cell(found[sensors], lambda evaluation: evaluation["mean_deg"]) for sensors in SENSORS),
-             *(cell(found["AGD"], lambda evaluation, key=key: evaluation[key]) for key in ("end_effector_mm", "nees"))]
-    one = evaluations(take, "AGD", "--root", "free", *options)
-    free = [name, cell(one, lambda evaluation: evaluation["mean_deg"]),
-            *(cell(one, lambda evaluation, key=key: evaluation["root"][key])
-              for key in ("tilt_deg", "yaw_deg", "position_m"))]
-    return given, free
+def row_of(take, name, root, first, *options):
+    """Of one take by every combination of sensors; `first` comes before, what the root's state shows of A+G+D after."""
+    found = {sensors: evaluations(take, sensors, "--root", root, *options) for sensors in SENSORS}
+    best = found["AGD"]
+    last = [[evaluation[key] for evaluation in best] for key in ("end_effector_mm", "nees")] if root == "given" else \
+        [[evaluation["root"][key] for evaluation in best] for key in ("tilt_deg", "yaw_deg", "position_m")]
+    return [name, *first, *(cell([evaluation["mean_deg"] for evaluation in pair]) for pair in found.values()),
+            *map(cell, last)]
 
 
 def tables(title, folder, jobs, simulate_with, process_with):
@@ -67,12 +64,13 @@ def tables(title, folder, jobs, simulate_with, process_with):
         take = folder / f"{title.split(',')[0].lower()}_{motion.stem}.noctule"
         studio.batch("simulate", "--motion", motion, "--out", take, *simulate_with, "--duration", SECONDS,
                      "--overwrite")
-        return rows_of(take, name, *process_with)
+        given = row_of(take, name, "given", [studio.number(rest_pose_deg(take))], *process_with)
+        return given, row_of(take, name, "free", [], *process_with)
 
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         rows = list(pool.map(of_motion, (item for item in MOTIONS.items() if item[1].exists())))
     return (f"### {title}, root given\n\n{studio.markdown_table(HEADS, [given for given, _ in rows])}\n"
-            f"### {title}, root free, A+G+D\n\n{studio.markdown_table(FREE_HEADS, [free for _, free in rows])}")
+            f"### {title}, root free\n\n{studio.markdown_table(FREE_HEADS, [free for _, free in rows])}")
 
 
 def figure(options):

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "core/live/inertial_calibrator.h"
 #include "core/math/rotation.h"
@@ -123,9 +124,28 @@ void addDistances(Scene& scene, const Take& take) {
 
 }  // namespace
 
-Scene sceneOf(const std::string& motion, double seconds, uint64_t seed, const std::string& take_path) {
+double offsetSigma_m(const simulation::Scenario& scenario) {
+    constexpr double kSpeed_m_per_s = 345;
+    return scenario.source_offset_error_s * kSpeed_m_per_s;
+}
+
+double soundScaleSigma(const simulation::Scenario& scenario) {
+    constexpr double kScalePerKelvin = 0.0018;
+    return scenario.temperature_error_c * kScalePerKelvin;
+}
+
+Scene sceneOf(const std::string& motion, double seconds, uint64_t seed, const std::string& take_path,
+              Boards boards) {
     simulation::StageRequest request = nominalStage(motion, seconds);
     request.seed = seed;
+    if (boards == Boards::kFlawless) {
+        simulation::Scenario& s = request.scenario;
+        s.codec = false;
+        for (double* error : {&s.gyro_noise_rad_per_s, &s.accel_noise_m_per_s2, &s.gyro_bias_rad_per_s,
+                              &s.accel_bias_m_per_s2, &s.gyro_bias_walk_rad_per_s_per_sqrt_s,
+                              &s.gyro_matrix_error, &s.accel_matrix_error})
+            *error = 0;
+    }
     Scene scene;
     scene.stage = std::move(simulation::prepareStage(request).value());
     simulation::TakeRequest take_request;
@@ -141,6 +161,53 @@ Scene sceneOf(const std::string& motion, double seconds, uint64_t seed, const st
     addReadings(scene, take);
     addDistances(scene, take);
     return scene;
+}
+
+std::vector<Instant> drawnInstants(const Scene& scene, const Scene& flawless, uint64_t seed) {
+    const simulation::Scenario& scenario = scene.stage.scenario;
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    const auto draw3 = [&](double sigma) {
+        return Vector3d(sigma * normal(random), sigma * normal(random), sigma * normal(random));
+    };
+    BodyState errors;
+    for (size_t b = 0; b < scene.model.boards.size(); ++b) {
+        errors.gyro_bias.push_back(draw3(scenario.gyro_bias_rad_per_s));
+        errors.accel_bias.push_back(draw3(scenario.accel_bias_m_per_s2));
+    }
+    for (size_t s = 0; s < scene.model.sources.size(); ++s)
+        errors.source_offset_m.push_back(offsetSigma_m(scenario) * normal(random));
+    errors.sound_scale = soundScaleSigma(scenario) * normal(random);
+    const auto disturb = [&](TriadReading& reading, double sigma, const Vector3d& bias) {
+        for (AxisReading& axis : reading.axes) {
+            axis.value += sigma * normal(random) + axis.sensitive_axis_board.dot(bias);
+            axis.sigma = sigma;
+        }
+    };
+    StateLayout layout;
+    layout.freedoms = scene.tree.freedoms();
+    ObservationModel observations(scene.tree, scene.model, layout);
+    std::vector<Instant> instants = scene.instants;
+    for (size_t k = 0; k < instants.size(); ++k) {
+        Instant& instant = instants[k];
+        for (Vector3d& bias : errors.gyro_bias)
+            bias += draw3(scenario.gyro_bias_walk_rad_per_s_per_sqrt_s * std::sqrt(kStep_s));
+        instant.inertial = flawless.instants[k].inertial;
+        for (InertialMeasurement& reading : instant.inertial) {
+            const auto board = static_cast<size_t>(reading.board);
+            disturb(reading.gyro, scenario.gyro_noise_rad_per_s, errors.gyro_bias[board]);
+            disturb(reading.accel, scenario.accel_noise_m_per_s2, errors.accel_bias[board]);
+        }
+        errors.motion = instant.truth.motion;
+        const double now_s = static_cast<double>(k) * kStep_s;
+        for (DistanceMeasurement& distance : instant.distances)
+            distance.distance_m +=
+                distance.sigma_m * normal(random) -
+                observations
+                    .distance(errors, distance, distance.emission_s - now_s, distance.arrival_s - now_s)
+                    .block.residual[0];
+    }
+    return instants;
 }
 
 }  // namespace noctule

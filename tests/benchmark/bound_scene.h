@@ -34,7 +34,19 @@ struct Scene {
     double rest_s() const { return stage.body->performance().rest_seconds(); }
 };
 
+/// Of a source's constant error, and of the relative error of the speed of sound.
+double offsetSigma_m(const simulation::Scenario& scenario);
+double soundScaleSigma(const simulation::Scenario& scenario);
+
+enum class Boards { kNominal, kFlawless };
+
 /// Simulates `seconds` of the motion (BVH) in the nominal scenario at readings level into a take there.
-Scene sceneOf(const std::string& motion, double seconds, uint64_t seed, const std::string& take_path);
+/// kFlawless: inertial readings without noise, bias, errors of matrices or coding.
+Scene sceneOf(const std::string& motion, double seconds, uint64_t seed, const std::string& take_path,
+              Boards boards = Boards::kNominal);
+
+/// Instants as the bound assumes them, of a scene with flawless boards: with white noise of each
+/// measurement's sigma, and constant and walking errors drawn as the scenario `scene` has them.
+std::vector<Instant> drawnInstants(const Scene& scene, const Scene& flawless, uint64_t seed);
 
 }  // namespace noctule

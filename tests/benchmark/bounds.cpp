@@ -32,6 +32,7 @@
 #include "core/estimation/filter_tape.h"
 #include "tests/benchmark/bound_scene.h"
 #include "tests/benchmark/judged_take.h"
+#include "tests/benchmark/run_scene.h"
 
 namespace noctule {
 namespace {
@@ -132,10 +133,9 @@ private:
         if (layout_.accel_bias >= 0)
             sigma.segment(layout_.accel_bias, boards).setConstant(s.accel_bias_m_per_s2);
         if (layout_.source_offset >= 0) {
-            constexpr double kSpeed_m_per_s = 345, kScalePerKelvin = 0.0018;
             sigma.segment(layout_.source_offset, std::ssize(scene_.model.sources))
-                .setConstant(s.source_offset_error_s * kSpeed_m_per_s);
-            sigma[layout_.sound_scale] = s.temperature_error_c * kScalePerKelvin;
+                .setConstant(offsetSigma_m(s));
+            sigma[layout_.sound_scale] = soundScaleSigma(s);
         }
         return sigma.cwiseAbs2();
     }
@@ -229,12 +229,24 @@ double estimatorError_deg(const std::string& take_path, const Setting& setting, 
     return processedAndJudged(take_path, tracker).mean_deg;
 }
 
-/// Bound, what was got, and their ratio.
-void print(double bound_deg, double got_deg) {
-    if (bound_deg < kMeaningless_deg)
-        std::printf("| %.3f | %.3f | %.2f ", bound_deg, got_deg, got_deg / bound_deg);
-    else
-        std::printf("| none | %.3f | ", got_deg);
+/// What the estimator gets where everything is as the bound assumes.
+double drawnError_deg(const Scene& scene, const std::vector<Instant>& instants, const Setting& setting,
+                      Smoother smoother, bool joints_give) {
+    ManifoldParameters parameters;
+    parameters.sensors = setting.sensors;
+    parameters.root_given = setting.root_given;
+    parameters.ground.ground = Ground::kNone;
+    parameters.joints_give = joints_give;
+    return meanError_deg(scene, estimatedPoses(scene, instants, parameters, smoother == Smoother::kFull,
+                                               scene.stage.actor.restPose()));
+}
+
+/// What was got, and its ratio to the bound.
+void print(double bound_deg, std::initializer_list<double> got_deg) {
+    const bool is_bound = bound_deg < kMeaningless_deg;
+    std::printf(is_bound ? "| %.3f " : "| none ", bound_deg);
+    for (const double got : got_deg)
+        std::printf(is_bound ? "| %.3f (%.2f) " : "| %.3f ", got, got / bound_deg);
 }
 
 void measure(const std::string& motion, double seconds, uint64_t seed) {
@@ -245,8 +257,11 @@ void measure(const std::string& motion, double seconds, uint64_t seed) {
     std::printf("%s, %.0f s, nominal, seed %d; distances scatter by %.2f mm\n\n", name.c_str(), seconds,
                 static_cast<int>(seed), 1e3 * scene.sigma_distance_m);
     std::printf(
-        "| root | sensors | filter: bound, deg | got | ratio | smoother: bound, deg | got | ratio |\n");
-    std::printf("|-|-|-|-|-|-|-|-|\n");
+        "| root | sensors | filter: bound, deg | drawn, rigid | drawn | got | smoother: bound, deg | drawn, "
+        "rigid | drawn | got |\n|-|-|-|-|-|-|-|-|-|-|\n");
+    const std::vector<Instant> drawn = drawnInstants(
+        scene, sceneOf(motion, seconds, seed, take_path + "_flawless", Boards::kFlawless), seed);
+    std::filesystem::remove(take_path + "_flawless");
     const Setting sets[] = {{"A+G+D", {true, true, true}, true}, {"A+G", {true, true, false}, true},
                             {"G+D", {false, true, true}, true},  {"G", {false, true, false}, true},
                             {"A+D", {true, false, true}, true},  {"D", {false, false, true}, true},
@@ -255,11 +270,12 @@ void measure(const std::string& motion, double seconds, uint64_t seed) {
         for (Setting setting : sets) {
             setting.root_given = root_given;
             const auto [filtered_deg, smoothed_deg] = Bound(scene, setting).compute();
-            const double filter_deg = estimatorError_deg(take_path, setting, Smoother::kNone);
-            const double smoother_deg = estimatorError_deg(take_path, setting, Smoother::kFull);
             std::printf("| %s | %s ", root_given ? "given" : "free", setting.name);
-            print(filtered_deg, filter_deg);
-            print(smoothed_deg, smoother_deg);
+            for (const Smoother smoother : {Smoother::kNone, Smoother::kFull})
+                print(smoother == Smoother::kNone ? filtered_deg : smoothed_deg,
+                      {drawnError_deg(scene, drawn, setting, smoother, false),
+                       drawnError_deg(scene, drawn, setting, smoother, true),
+                       estimatorError_deg(take_path, setting, smoother)});
             std::printf("|\n");
             std::fflush(stdout);
         }

@@ -171,6 +171,7 @@ ManifoldParameters benchmarkParameters(const benchmark::State& state) {
     ManifoldParameters parameters;
     parameters.root_given = state.range(0) != 0;
     parameters.joints_give = state.range(1) != 0;
+    parameters.estimates_constants = state.range(2) != 0;
     return parameters;
 }
 
@@ -317,13 +318,15 @@ void kalmanUpdateBesideDense(benchmark::State& state) {
 }
 
 BENCHMARK(filterFrames)
-    ->ArgNames({"root_given", "joints_give"})
-    ->ArgsProduct({{1, 0}, {1, 0}})
+    ->ArgNames({"root_given", "joints_give", "constants"})
+    ->ArgsProduct({{1, 0}, {1, 0}, {1}})
+    ->Args({1, 0, 0})
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(smootherFrames)
-    ->ArgNames({"root_given", "joints_give"})
-    ->ArgsProduct({{1}, {1, 0}})
+    ->ArgNames({"root_given", "joints_give", "constants"})
+    ->ArgsProduct({{1}, {1, 0}, {1}})
+    ->Args({1, 0, 0})
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(kinematicsWithJacobians)->Unit(benchmark::kMicrosecond);

@@ -196,6 +196,26 @@ TEST_F(GainedVelocity, AnUnknownVelocityOfTheRootCancelsAgainstABoardOnIt) {
     EXPECT_LT(dense.norm(), 1e-12);
 }
 
+/// Nothing on a suit tells the heading, however wrong a window finds the rest.
+TEST_F(GainedVelocity, OfAFreeRootTheHeadingIsNotTold) {
+    bias[kArm] = Vector3d(0.3, -0.2, 0.4);
+    swingThroughAWindow();
+    ObservationBlock block = lessTheOther(observe(kArm), observe(kHips));
+    ASSERT_GT(block.residual.norm(), 0.3);
+    const Vector3d up_root = truth.q_parent_link[0].conjugate() * Vector3d::UnitY();
+    const auto told = [&] {
+        Vector3d sum = Vector3d::Zero();
+        for (size_t k = 0; k < block.columns.size(); ++k)
+            for (int axis = 0; axis < 3; ++axis)
+                if (block.columns[k] == layout.theta(3 + axis))
+                    sum += up_root[axis] * block.H.col(static_cast<Eigen::Index>(k));
+        return sum.norm();
+    };
+    EXPECT_GT(told(), 0.1);
+    leaveHeadingUntold(block, layout, truth);
+    EXPECT_LT(told(), 1e-12);
+}
+
 TEST_F(GainedVelocity, NothingIsSaidOfAWindowThatWasNotSeenWhole) {
     swing(1.2);
     EXPECT_FALSE(gains[kArm].window(time_s)) << "never opened";
