@@ -226,7 +226,7 @@ double estimatorError_deg(const std::string& take_path, const Setting& setting, 
     tracker.root_given = setting.root_given;
     tracker.ground = Ground::kNone;  // the bound knows no floor
     tracker.smoother = smoother;
-    return processedAndJudged(take_path, tracker).mean_deg;
+    return processedAndCompared(take_path, tracker).mean_deg;
 }
 
 /// What the estimator gets where everything is as the bound assumes.

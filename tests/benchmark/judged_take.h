@@ -9,14 +9,15 @@
 
 namespace noctule {
 
-struct JudgedRun {
-    double mean_deg = std::nan("");  ///< over all joints
-};
-
-inline JudgedRun processedAndJudged(const std::string& take_path, const TrackerSettings& tracker) {
+/// The take's own calibration and actor unless others are given.
+inline Comparison processedAndCompared(const std::string& take_path, const TrackerSettings& tracker,
+                                       const std::optional<Calibration>& calibration = {},
+                                       const std::optional<Actor>& actor = {}) {
     ProcessRequest request;
     request.take_path = take_path;
     request.tracker = tracker;
+    request.calibration = calibration;
+    request.actor = actor;
     request.created_utc = "2000-01-01T00:00:00Z";
     EvaluateRequest evaluation;
     evaluation.take_path = take_path;
@@ -24,7 +25,7 @@ inline JudgedRun processedAndJudged(const std::string& take_path, const TrackerS
     const ReportData judged = evaluateTake(evaluation, {}).value();
     for (const ReportRun& run : judged.runs)
         if (run.is_shown && run.comparison)
-            return {run.comparison->mean_deg};
+            return *run.comparison;
     return {};
 }
 

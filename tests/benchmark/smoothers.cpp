@@ -63,7 +63,7 @@ void measure(const std::string& motion, double seconds, const std::string& only_
                 tracker.smoother = smoother;
                 tracker.spool_folder = std::filesystem::temp_directory_path().string();
                 const double begin = usedSeconds();
-                const JudgedRun judged = processedAndJudged(path, tracker);
+                const Comparison judged = processedAndCompared(path, tracker);
                 std::printf(" %.3f | %.2f |", judged.mean_deg, (usedSeconds() - begin) / seconds);
                 std::fflush(stdout);
             }
