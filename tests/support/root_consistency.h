@@ -18,7 +18,8 @@ struct RootConsistency {
     double path_m = 0, end_m = 0;              ///< along the floor; the error at the end
     double rms_m = 0, height_rms_m = 0;        ///< errors all the way, along the floor and up
     double yaw_at_most_rad = 0, tilt_rad = 0;  ///< since the first look; of the vertical, mean
-    double yaw_sigma_rad = 0;                  ///< at the end, as the filter believes
+    double yaw_sigma_begin_rad = 0,
+           yaw_sigma_rad = 0;  ///< at the first look and the last, as the filter believes
     int count = 0;
 };
 
@@ -73,6 +74,7 @@ private:
         if (judged.count == 0) {
             begin_yaw_rad_ = yaw_rad;
             begin_yaw_variance_ = variance;
+            judged.yaw_sigma_begin_rad = std::sqrt(variance);
         }
         const double turned = std::remainder(yaw_rad - begin_yaw_rad_, 2 * std::numbers::pi);
         judged.yaw_at_most_rad = std::max(judged.yaw_at_most_rad, std::abs(turned));

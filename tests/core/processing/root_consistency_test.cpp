@@ -19,9 +19,9 @@ struct HeldMotion {
     double most_nees;
 };
 
-class RootConsistency : public testing::TestWithParam<HeldMotion> {};
+class HeldRoot : public testing::TestWithParam<HeldMotion> {};
 
-TEST_P(RootConsistency, OfAPersonOnALevelFloor) {
+TEST_P(HeldRoot, OfAPersonOnALevelFloor) {
     const std::string motion = std::string("/usr/share/assimp/models/BVH/") + GetParam().name;
     if (!std::filesystem::exists(motion))
         GTEST_SKIP() << "no " << motion << " (package assimp-testmodels)";
@@ -39,7 +39,23 @@ TEST_P(RootConsistency, OfAPersonOnALevelFloor) {
     EXPECT_LT(root.nees_velocity, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Motions, RootConsistency,
+/// Windows of what boards felt are used on flesh only.
+TEST(RootConsistency, NothingOnFleshMakesTheHeadingSurer) {
+    const std::string motion = "/usr/share/assimp/models/BVH/Boxing_Toes.bvh";
+    if (!std::filesystem::exists(motion))
+        GTEST_SKIP() << "no " << motion << " (package assimp-testmodels)";
+    const test::Folder folder;
+    const std::string path = folder.file("fleshy.noctule");
+    simulation::Scenario person = simulation::Scenario::realistic();
+    person.mounting_rad = person.mounting_m = person.source_position_m = 0;
+    const Status written = test::writeSimulatedTake(
+        path, {.clip = toClip(readBvh(motion).value()).value(), .duration_s = 14, .scenario = person});
+    ASSERT_TRUE(written) << written.error().text();
+    const auto root = test::judgeRoot(Take::open(path).value(), {});
+    EXPECT_GE(root.yaw_sigma_rad, root.yaw_sigma_begin_rad);
+}
+
+INSTANTIATE_TEST_SUITE_P(Motions, HeldRoot,
                          testing::Values(HeldMotion{"Boxing_Toes.bvh", 3}, HeldMotion{"01_01.bvh", 6}),
                          [](const auto& held) { return std::string(held.param.name).substr(0, 5); });
 
