@@ -12,6 +12,7 @@ import accessibility
 import accuracy
 import benchmarks
 import blender
+import bounds
 import calibration
 import drift
 import fuzz
@@ -32,6 +33,7 @@ FIGURES = {
     "accuracy": ("Accuracy on real motions, filtered and smoothed", accuracy.figure),
     "partial": ("Suits with boards left out", partial.figure),
     "drift": ("Drift over five minutes and an hour", drift.figure),
+    "bounds": ("Bounds, floors and starts", bounds.figure),
     "ground": ("Where a free root goes", ground.figure),
     "benchmarks": ("Benchmarks", benchmarks.figure),
     "speed": ("Speed on one core", speed.figure),

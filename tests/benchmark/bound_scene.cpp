@@ -148,12 +148,7 @@ Scene sceneOf(const std::string& motion, double seconds, uint64_t seed, const st
     }
     Scene scene;
     scene.stage = std::move(simulation::prepareStage(request).value());
-    simulation::TakeRequest take_request;
-    take_request.out_path = take_path;
-    take_request.level = simulation::Level::kReadings;
-    take_request.overwrite = true;
-    take_request.created_utc = "2000-01-01T00:00:00Z";
-    simulation::writeTake(scene.stage, take_request, {}).value();
+    writeReadings(scene.stage, take_path);
     scene.tree = KinematicTree(scene.stage.actor.skeleton, BallCoordinates::kManifold);
     scene.model = mountSuit(scene.stage.suit, scene.stage.calibration, scene.stage.actor, scene.tree).value();
     addTruth(scene);

@@ -154,12 +154,7 @@ int main(int argc, char** argv) {
     const std::string path = (std::filesystem::temp_directory_path() / "floor.noctule").string();
     const Given given{readCalibrationFile(argv[1]).value(), actor(argv[2]),
                       simulation::prepareStage(request).value()};
-    simulation::TakeRequest take;
-    take.out_path = path;
-    take.level = simulation::Level::kReadings;
-    take.overwrite = true;
-    take.created_utc = "2000-01-01T00:00:00Z";
-    simulation::writeTake(given.stage, take, {}).value();
+    writeReadings(given.stage, path);
     measure(given, path, std::filesystem::path(argv[4]).stem().string());
     std::filesystem::remove(path);
     return 0;

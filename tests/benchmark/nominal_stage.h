@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The default suit on a recorded motion, scenario nominal: what most figures are measured on.
+// The default suit on a recorded motion, scenario nominal: what most figures are measured on, and its take.
 #pragma once
 
 #include "core/formats/bvh.h"
@@ -16,6 +16,16 @@ inline simulation::StageRequest nominalStage(const std::string& motion, double s
     request.scenario = simulation::Scenario::nominal();
     request.duration_s = seconds;
     return request;
+}
+
+/// As a take of readings and ranges, in place of one that is there.
+inline void writeReadings(const simulation::Stage& stage, const std::string& path) {
+    simulation::TakeRequest take;
+    take.out_path = path;
+    take.level = simulation::Level::kReadings;
+    take.overwrite = true;
+    take.created_utc = "2000-01-01T00:00:00Z";
+    simulation::writeTake(stage, take, {}).value();
 }
 
 }  // namespace noctule

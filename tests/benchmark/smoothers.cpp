@@ -28,16 +28,12 @@ std::string simulated(const std::string& motion, double seconds, bool person) {
         request.scenario = simulation::Scenario::realistic();
         request.scenario.mounting_rad = request.scenario.mounting_m = request.scenario.source_position_m = 0;
     }
-    simulation::TakeRequest take;
-    take.out_path = (std::filesystem::temp_directory_path() /
-                     ("smoothers_" + std::string(person ? "person_" : "nominal_") +
-                      std::filesystem::path(motion).stem().string() + ".noctule"))
-                        .string();
-    take.level = simulation::Level::kReadings;
-    take.name = "smoothers";
-    take.created_utc = "2000-01-01T00:00:00Z";
-    simulation::writeTake(simulation::prepareStage(request).value(), take, {}).value();
-    return take.out_path;
+    const std::string path = (std::filesystem::temp_directory_path() /
+                              ("smoothers_" + std::string(person ? "person_" : "nominal_") +
+                               std::filesystem::path(motion).stem().string() + ".noctule"))
+                                 .string();
+    writeReadings(simulation::prepareStage(request).value(), path);
+    return path;
 }
 
 void measure(const std::string& motion, double seconds, const std::string& only_sensors,
