@@ -117,7 +117,7 @@ def figure(options):
 
     hour = folder / "drift_hour.noctule"
     studio.simulate(motion, hour, "--level", "readings", "--duration", HOUR)
-    hours = [row("A+G+D", hour, "AGD"), row("A+G+D, smoothed", hour, "AGD", "--smooth", "full")]
+    hours = [row("A+G+D", hour, "AGD")]
     memory = peak_mib()
     hour.unlink()
     return (f"{motion.stem} repeated, readings level, root given. Degrees, mean over all joints; \"whole\" is computed "
