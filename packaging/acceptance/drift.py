@@ -121,7 +121,8 @@ def figure(options):
     memory = peak_mib()
     hour.unlink()
     return (f"{motion.stem} repeated, readings level, root given. Degrees, mean over all joints; \"whole\" is computed "
-            "from the take's tables, \"evaluate\" by the program.\n\n"
+            "from the take's tables, \"evaluate\" by the program, which takes a person's neck and head, two joints of the "
+            "reference, as one.\n\n"
             f"### Nominal, {SECONDS} s\n\n{studio.markdown_table(HEAD, minutes)}\n"
             f"### Realistic, calibrated by a guided movement, {SECONDS} s\n\n"
             f"{studio.markdown_table(HEAD, realistic)}\n"
