@@ -49,7 +49,8 @@ def rest_pose_deg(take):
 
 
 def row_of(take, name, root, first, *options):
-    """Of one take by every combination of sensors; `first` comes before, what the root's state shows of A+G+D after."""
+    """Of one take by every combination of sensors. `first`: cells that come before; after them, of A+G+D, end effectors
+    and NEES or, of a free root, how far it is off."""
     found = {sensors: evaluations(take, sensors, "--root", root, *options) for sensors in SENSORS}
     best = found["AGD"]
     last = [[evaluation[key] for evaluation in best] for key in ("end_effector_mm", "nees")] if root == "given" else \

@@ -237,8 +237,7 @@ double drawnError_deg(const Scene& scene, const std::vector<Instant>& instants, 
     parameters.root_given = setting.root_given;
     parameters.ground.ground = Ground::kNone;
     parameters.joints_give = joints_give;
-    return meanError_deg(scene, estimatedPoses(scene, instants, parameters, smoother == Smoother::kFull,
-                                               scene.stage.actor.restPose()));
+    return meanError_deg(scene, estimatedPoses(scene, instants, parameters, smoother == Smoother::kFull));
 }
 
 /// What was got, and its ratio to the bound.

@@ -45,22 +45,11 @@ struct Given {
     }
 };
 
-/// World attitudes of all segments; same joints in the performer and who really moves.
-std::vector<Quaterniond> worldAttitudes(const Skeleton& skeleton, const Pose& pose) {
-    std::vector<Quaterniond> world;
-    for (int j = 0; j < skeleton.size(); ++j) {
-        const int parent = skeleton.joint(j).parent;
-        const Quaterniond& own = pose.q_parent_joint[static_cast<size_t>(j)];
-        world.push_back(parent < 0 ? own : world[static_cast<size_t>(parent)] * own);
-    }
-    return world;
-}
-
 /// Of the boards on their segments, each turned by its mean over the take.
 std::vector<Quaterniond> meanMountings(const Given& given) {
     std::vector<Eigen::Matrix4d> sums(given.model.boards.size(), Eigen::Matrix4d::Zero());
     for (double t = given.begin_s(); t < given.stage.world->duration_s(); t += kEvery_s) {
-        const auto world = worldAttitudes(given.performer.skeleton, given.truth(t));
+        const auto world = globalPose(given.performer.skeleton, given.truth(t)).q_world_joint;
         for (size_t b = 0; b < sums.size(); ++b) {
             const Quaterniond q =
                 world[given.jointOf(given.model.boards[b])].conjugate() * given.boardAttitude(b, t);

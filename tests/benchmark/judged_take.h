@@ -2,8 +2,6 @@
 // A take as it is processed, against its reference.
 #pragma once
 
-#include <cmath>
-
 #include "core/processing/evaluate_take.h"
 #include "core/processing/process_take.h"
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmark/run_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
 
 #include "core/estimation/smoothing_filter.h"
-#include "core/math/conventions.h"
+#include "core/motion/comparison.h"
 
 namespace noctule {
 namespace {
@@ -43,8 +44,7 @@ RestReadings restReadings(const std::vector<Instant>& instants, double rest_s) {
 }  // namespace
 
 std::vector<TimedPose> estimatedPoses(const Scene& scene, const std::vector<Instant>& instants,
-                                      const ManifoldParameters& parameters, bool smoothed,
-                                      const Pose& rest_pose) {
+                                      const ManifoldParameters& parameters, bool smoothed) {
     const Skeleton& skeleton = scene.stage.actor.skeleton;
     std::unique_ptr<Estimator> estimator;
     if (smoothed)
@@ -58,7 +58,7 @@ std::vector<TimedPose> estimatedPoses(const Scene& scene, const std::vector<Inst
     for (size_t k = first; k < instants.size() && !root && parameters.root_given; ++k)
         if (!instants[k].roots.empty())
             root = &instants[k].roots.front();
-    estimator->start(rest_pose, restReadings(instants, scene.rest_s()), root);
+    estimator->start(scene.stage.actor.restPose(), restReadings(instants, scene.rest_s()), root);
     std::vector<TimedPose> poses;
     const auto take = [&] {
         std::vector<TimedPose> more = estimator->takePoses();
@@ -82,23 +82,19 @@ std::vector<TimedPose> estimatedPoses(const Scene& scene, const std::vector<Inst
     return poses;
 }
 
-double meanError_deg(const Scene& scene, const std::vector<TimedPose>& poses, double from_s) {
-    const Skeleton& skeleton = scene.stage.actor.skeleton;
-    double sum_rad = 0, count = 0;
-    for (const TimedPose& pose : poses) {
-        const double time_s = 1e-9 * static_cast<double>(pose.time_ns);
-        if (time_s <= std::max(from_s, scene.rest_s()))
-            continue;
-        const Pose truth = scene.stage.body->performance().pose(time_s);
-        for (int j = 1; j < skeleton.size(); ++j) {
-            if (skeleton.joint(j).type == JointType::kFixed)
-                continue;
-            const auto joint = static_cast<size_t>(j);
-            sum_rad += truth.q_parent_joint[joint].angularDistance(pose.pose->q_parent_joint[joint]);
-            ++count;
-        }
-    }
-    return degrees(sum_rad / count);
+double meanError_deg(const Scene& scene, std::vector<TimedPose> poses, double from_s) {
+    std::ranges::sort(poses, {}, &TimedPose::time_ns);
+    TimedMotion reference{scene.stage.actor.skeleton, {}};
+    for (const TimedPose& pose : poses)
+        reference.frames.push_back(
+            {pose.time_ns,
+             scene.stage.body->performance().pose(1e-9 * static_cast<double>(pose.time_ns)),
+             {}});
+    ComparisonOptions options;
+    options.from_ns = static_cast<int64_t>(1e9 * std::max(from_s, scene.rest_s())) + 1;
+    return compareMotions({scene.stage.actor.skeleton, std::move(poses)}, reference, options)
+        .value()
+        .mean_deg;
 }
 
 }  // namespace noctule

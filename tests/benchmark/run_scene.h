@@ -7,13 +7,11 @@
 
 namespace noctule {
 
-/// Poses of the filter or, `smoothed`, of the whole interval. `rest_pose`: what the filter takes the
-/// performer to hold at the beginning.
+/// Poses of the filter or, `smoothed`, of the whole interval.
 std::vector<TimedPose> estimatedPoses(const Scene& scene, const std::vector<Instant>& instants,
-                                      const ManifoldParameters& parameters, bool smoothed,
-                                      const Pose& rest_pose);
+                                      const ManifoldParameters& parameters, bool smoothed);
 
 /// Over all joints that move and all poses after `from_s` and the rest, to the true motion.
-double meanError_deg(const Scene& scene, const std::vector<TimedPose>& poses, double from_s = 0);
+double meanError_deg(const Scene& scene, std::vector<TimedPose> poses, double from_s = 0);
 
 }  // namespace noctule

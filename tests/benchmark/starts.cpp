@@ -3,7 +3,7 @@
 // take (readings level, nominal, root given), started over and over with every joint turned about an axis
 // drawn anew:
 //
-//     measure_starts [MOTION.bvh [SECONDS [STARTS [DEGREES]]]]
+//     measure_starts [MOTION.bvh [SECONDS [STARTS [DEGREES [SEED]]]]]
 //
 // A start has converged when the mean error over all joints in the last second is below half a degree.
 #include <algorithm>
@@ -12,7 +12,9 @@
 #include <filesystem>
 #include <random>
 
+#include "core/live/motion_tracker.h"
 #include "core/math/conventions.h"
+#include "core/recording/take.h"
 #include "tests/benchmark/run_scene.h"
 
 namespace noctule {
@@ -37,22 +39,51 @@ Pose turnedPose(const Scene& scene, double angle_rad, std::mt19937_64& random) {
     return scene.tree.poseFromState(state);
 }
 
-void measure(const std::string& motion, double seconds, int starts, double off_deg) {
-    const std::string path = (std::filesystem::temp_directory_path() / "starts.noctule").string();
+/// The take as any is processed, by a studio that takes the performer to hold `rest_pose`.
+std::vector<TimedPose> trackedPoses(const Take& take, const Actor& actor, const Pose& rest_pose) {
+    const double rate_hz = static_cast<double>(take.sampleRate_hz().value());
+    const auto rest = take.restInterval().value();
+    Actor believed = actor;
+    believed.rest_q_parent_joint = rest_pose.q_parent_joint;
+    TrackerSettings settings;
+    settings.root_given = true;
+    const auto tracker =
+        MotionTracker::create(take.suit().value(), take.calibrationInForce().value().value, believed, rate_hz,
+                              std::pair<int64_t, int64_t>(rest->first, rest->last), settings)
+            .value();
+    const std::vector<ExternalRootRow> roots = take.externalRoot().value();
+    for (const ExternalRootRow& row : roots)
+        tracker->add(RootMeasurement{1e-9 * static_cast<double>(row.time_ns), row.p_world_root,
+                                     row.q_world_root, row.sigma_p_m, row.sigma_q_rad});
+    auto ranges = take.ranges(kPrimaryRun).value();
+    while (const auto range = ranges.next().value())
+        tracker->add(*range);
+    auto readings = take.readings(kPrimaryRun).value();
+    int64_t last = 0;
+    while (const auto reading = readings.next().value()) {
+        tracker->add(*reading);
+        last = static_cast<int64_t>(reading->sample);
+    }
+    tracker->advanceTo(last);
+    return tracker->takePoses();
+}
+
+void measure(const std::string& motion, double seconds, int starts, double off_deg, uint64_t seed) {
+    const std::string path =
+        (std::filesystem::temp_directory_path() / ("starts_" + std::to_string(seed) + ".noctule")).string();
     const Scene scene = sceneOf(motion, seconds, 1, path);
-    std::filesystem::remove(path);
-    ManifoldParameters parameters;
-    parameters.root_given = true;
+    const Take take = Take::open(path).value();
     const auto error_deg = [&](const Pose& rest_pose) {
-        return meanError_deg(scene, estimatedPoses(scene, scene.instants, parameters, false, rest_pose),
-                             static_cast<double>(scene.instants.size()) * kStep_s - 1);
+        return meanError_deg(scene, trackedPoses(take, scene.stage.actor, rest_pose),
+                             scene.stage.world->duration_s() - 1);
     };
-    std::printf("%s, %.0f s after %.1f s of rest; from the pose as asked %.3f degrees\n", motion.c_str(),
+    std::printf("%s, %.0f s, %.1f s of them rest; from the pose as asked %.3f degrees\n", motion.c_str(),
                 seconds, scene.rest_s(), error_deg(scene.stage.actor.restPose()));
-    std::mt19937_64 random(1);
+    std::mt19937_64 random(seed);
     std::vector<double> errors;
     for (int i = 0; i < starts; ++i)
         errors.push_back(error_deg(turnedPose(scene, radians(off_deg), random)));
+    std::filesystem::remove(path);
     std::ranges::sort(errors);
     const auto converged = std::ranges::lower_bound(errors, kConverged_deg) - errors.begin();
     std::printf(
@@ -67,7 +98,7 @@ void measure(const std::string& motion, double seconds, int starts, double off_d
 
 int main(int argc, char** argv) {
     noctule::measure(argc > 1 ? argv[1] : "/usr/share/assimp/models/BVH/01_01.bvh",
-                     argc > 2 ? std::atof(argv[2]) : 8, argc > 3 ? std::atoi(argv[3]) : 1000,
-                     argc > 4 ? std::atof(argv[4]) : 10);
+                     argc > 2 ? std::atof(argv[2]) : 7, argc > 3 ? std::atoi(argv[3]) : 1000,
+                     argc > 4 ? std::atof(argv[4]) : 10, argc > 5 ? std::strtoull(argv[5], nullptr, 10) : 1);
     return 0;
 }
