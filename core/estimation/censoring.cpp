@@ -13,7 +13,7 @@ constexpr double kNothingLearnt = 1e8;  // a variance
 /// Mean of a standard normal variable known to be `a` or more (inverse Mills ratio), less a.
 double meanBeyond(double a) {
     if (a > 20)
-        return 1 / a;  // to 1 / a^2 of itself, where erfc would soon be nothing
+        return a / (a * a + 2);  // to 1 / a^4 of itself, where erfc would soon be nothing
     const double density = std::exp(-0.5 * a * a) / std::sqrt(2 * std::numbers::pi);
     return density / (0.5 * std::erfc(a / std::numbers::sqrt2)) - a;
 }

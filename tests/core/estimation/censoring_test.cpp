@@ -70,6 +70,13 @@ TEST(CensoringLimits, FarWithinTheRangeTheEndIsBelievedAndFarBeyondNothing) {
     EXPECT_NEAR(beyond.variance, 1, 1e-6);
 }
 
+TEST(CensoringLimits, FarWithinTheRangeVariancesStayThoseOfAnExponentialTail) {
+    for (const double end : {19.0, 21.0, 60.0}) {
+        const double variance = momentsByUpdate(end, 1, 1e-6).variance;
+        EXPECT_NEAR(variance * end * end, 1, 0.02) << "end " << end;
+    }
+}
+
 TEST(CensoringLimits, OtherAxesAreAsTheyWere) {
     TriadReading reading = readingOf(1);
     reading.add(AxisReading{});
