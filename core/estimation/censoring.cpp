@@ -20,8 +20,8 @@ double meanBeyond(double a) {
 
 }  // namespace
 
-void censor(ObservationBlock& block, const TriadReading& reading,
-            const Eigen::VectorXd& innovation_variance) {
+void censor(ObservationBlock& block, const TriadReading& reading, const Eigen::VectorXd& innovation_variance,
+            double mean_excess) {
     if (!reading.isClipped())
         return;
     block.origin.target = -block.residual;
@@ -30,11 +30,12 @@ void censor(ObservationBlock& block, const TriadReading& reading,
         if (beyond == 0)
             continue;
         const double S = innovation_variance[i], sigma = std::sqrt(S);
-        const double a = beyond * block.residual[i] / sigma;
+        const double tilt = S / mean_excess;
+        const double a = (beyond * block.residual[i] + tilt) / sigma;
         const double past = meanBeyond(a), mean = past + a;
-        block.residual[i] = beyond * sigma / past;
-        block.variance[i] =
-            std::min(block.variance[i] + S / std::max(mean * past, S / kNothingLearnt) - S, kNothingLearnt);
+        const double learnt = std::max(mean * past, S / kNothingLearnt);
+        block.residual[i] = beyond * (sigma * mean - tilt) / learnt;
+        block.variance[i] = std::min(block.variance[i] + S / learnt - S, kNothingLearnt);
     }
     block.origin.target += block.residual;
 }

@@ -2,6 +2,8 @@
 // Readings at the end of a sensor's range: all they say is that the truth lies there or beyond.
 #pragma once
 
+#include <limits>
+
 #include "core/estimation/observation.h"
 
 namespace noctule {
@@ -12,8 +14,11 @@ namespace noctule {
 /// censored measurements"). Taken as it stands the end of the range would be believed to the last digit, and
 /// a limb that turns at twice that rate would be lost without the filter knowing. `reading` made `block`;
 /// `innovation_variance` by row, before. Into the block's origin, as `target`, goes what was added to
-/// residuals.
-void censor(ObservationBlock& block, const TriadReading& reading, const Eigen::VectorXd& innovation_variance);
+/// residuals. The part beyond the end is believed to be exponentially distributed about `mean_excess`
+/// besides: the Gaussian alone, of a rate that nobody sees, is wide, and would run farther away with every
+/// reading.
+void censor(ObservationBlock& block, const TriadReading& reading, const Eigen::VectorXd& innovation_variance,
+            double mean_excess = std::numeric_limits<double>::infinity());
 
 /// For who asks only once what readings tell: axes that are expected beyond the end as well tell nothing.
 void leaveOutBeyond(ObservationBlock& block, const TriadReading& reading);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/estimation/carrier_cycle.h"
 #include "core/estimation/censoring.h"
@@ -249,7 +250,7 @@ void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measur
             if (blocks.back().rows() > 0 && parameters_.root_given &&
                 suit_.boards[static_cast<size_t>(measurement.board)].link == 0)
                 noise.adaptGyro(blocks.back(), measurement.gyro, now_.P);
-            believeBeyond(blocks.back(), measurement.gyro);
+            believeBeyond(blocks.back(), measurement.gyro, parameters_.excess_rad_per_s);
             continue;
         }
         auto [block, motion_m_per_s2] = observations_.accel(now_.state, measurement, offset_s);
@@ -259,16 +260,17 @@ void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measur
             block.variance.array() += std::pow(parameters_.blind.accel_floor_m_per_s2, 2);
         noise.adaptAccel(block, measurement.accel, motion_m_per_s2, now_.give.fleshShare(), now_.P);
         block.origin = {ObservationOrigin::Kind::kAccel, reading, {}};
-        believeBeyond(block, measurement.accel);
+        believeBeyond(block, measurement.accel, std::numeric_limits<double>::infinity());
         blocks.push_back(std::move(block));
     }
     std::erase_if(blocks, [](const ObservationBlock& block) { return block.rows() == 0; });
     observe(std::move(blocks));
 }
 
-void ManifoldFilter::believeBeyond(ObservationBlock& block, const TriadReading& reading) const {
+void ManifoldFilter::believeBeyond(ObservationBlock& block, const TriadReading& reading,
+                                   double mean_excess) const {
     if (block.rows() > 0 && reading.isClipped())
-        censor(block, reading, now_.P.innovationVariance(block));
+        censor(block, reading, now_.P.innovationVariance(block), mean_excess);
 }
 
 void ManifoldFilter::updateDistances(const std::vector<DistanceMeasurement>& measurements) {

@@ -66,6 +66,9 @@ struct ManifoldParameters {
 
     double prior_interval_s = 0.1;
 
+    /// By how much a rate exceeds a gyroscope's range, of one reading: several in a row share what they tell.
+    double excess_rad_per_s = 20;
+
     bool joints_give = true;  ///< of people; a robot's are exactly the skeleton's
     GiveParameters give;
 
@@ -158,7 +161,7 @@ private:
     void allowForClipping(const std::vector<InertialMeasurement>& measurements);
     void updateRoot(const std::vector<RootMeasurement>& measurements);
     void updateTriads(const std::vector<InertialMeasurement>& measurements, bool gyro);
-    void believeBeyond(ObservationBlock& block, const TriadReading& reading) const;
+    void believeBeyond(ObservationBlock& block, const TriadReading& reading, double mean_excess) const;
     void updateVelocityGains(const std::vector<InertialMeasurement>& measurements);
     bool knowsVelocityOf(const MountedBoard& board) const;
     int referenceOfGains() const;

@@ -77,6 +77,20 @@ TEST(CensoringLimits, FarWithinTheRangeVariancesStayThoseOfAnExponentialTail) {
     }
 }
 
+TEST(CensoringLimits, OfARateThatNobodySeesTheExcessIsThatBelieved) {
+    Covariance P(Eigen::VectorXd::Constant(1, 1e6));
+    for (const int beyond : {1, -1}) {
+        ObservationBlock block{{0},
+                               Eigen::MatrixXd::Ones(1, 1),
+                               Eigen::VectorXd::Constant(1, 20.0 * beyond),
+                               Eigen::VectorXd::Constant(1, 1e-4)};
+        censor(block, readingOf(beyond), P.innovationVariance(block), 3);
+        Covariance after = P;
+        EXPECT_NEAR(after.update({block})[0], 23 * beyond, 0.1);
+        EXPECT_NEAR(after.dense()(0, 0), 9, 0.3);
+    }
+}
+
 TEST(CensoringLimits, OtherAxesAreAsTheyWere) {
     TriadReading reading = readingOf(1);
     reading.add(AxisReading{});
