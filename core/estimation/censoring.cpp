@@ -30,11 +30,11 @@ void censor(ObservationBlock& block, const TriadReading& reading, const Eigen::V
         if (beyond == 0)
             continue;
         const double S = innovation_variance[i], sigma = std::sqrt(S);
-        const double tilt = S / mean_excess;
-        const double a = (beyond * block.residual[i] + tilt) / sigma;
+        const double shift = S / mean_excess;
+        const double a = (beyond * block.residual[i] + shift) / sigma;
         const double past = meanBeyond(a), mean = past + a;
         const double learnt = std::max(mean * past, S / kNothingLearnt);
-        block.residual[i] = beyond * (sigma * mean - tilt) / learnt;
+        block.residual[i] = beyond * (sigma * mean - shift) / learnt;
         block.variance[i] = std::min(block.variance[i] + S / learnt - S, kNothingLearnt);
     }
     block.origin.target += block.residual;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/estimation/carrier_cycle.h"
 #include "core/estimation/censoring.h"
@@ -260,7 +259,7 @@ void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measur
             block.variance.array() += std::pow(parameters_.blind.accel_floor_m_per_s2, 2);
         noise.adaptAccel(block, measurement.accel, motion_m_per_s2, now_.give.fleshShare(), now_.P);
         block.origin = {ObservationOrigin::Kind::kAccel, reading, {}};
-        believeBeyond(block, measurement.accel, std::numeric_limits<double>::infinity());
+        believeBeyond(block, measurement.accel, kAnyExcess);
         blocks.push_back(std::move(block));
     }
     std::erase_if(blocks, [](const ObservationBlock& block) { return block.rows() == 0; });

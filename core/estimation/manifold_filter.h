@@ -64,10 +64,11 @@ struct ManifoldParameters {
     /// Echoes pull an envelope, distances that follow each other alike: as white noise with the same effect.
     double echo_pull_m = 0.00125;
 
-    double prior_interval_s = 0.1;
-
-    /// By how much a rate exceeds a gyroscope's range, of one reading: several in a row share what they tell.
+    /// Mean by which a rate beyond a gyroscope's range is believed to exceed it. Readings count separately: n
+    /// of them in one turn have the effect of one with a mean of a n-th.
     double excess_rad_per_s = 20;
+
+    double prior_interval_s = 0.1;
 
     bool joints_give = true;  ///< of people; a robot's are exactly the skeleton's
     GiveParameters give;

@@ -15,11 +15,16 @@ struct Moments {
 };
 
 /// Of a standard normal state whose reading, with noise of variance R, is known to be `end` or more (`beyond`
-/// 1) or less (-1): summed over the state's values, each as likely as it and such a reading are.
-Moments momentsBySum(double end, int beyond, double R) {
+/// 1) or less (-1), by an exponentially distributed excess: summed over the state's values, each as likely as
+/// it and such a reading are.
+Moments momentsBySum(double end, int beyond, double R, double mean_excess) {
     double weights = 0, sum = 0, squares = 0;
     for (double x = -12; x <= 12; x += 1e-4) {
-        const double reading_beyond = 0.5 * std::erfc(beyond * (end - x) / std::sqrt(2 * R));
+        // Integral over the readings beyond: normal about x with variance R, times exp(-excess /
+        // mean_excess).
+        const double short_of = beyond * (end - x);
+        const double reading_beyond = std::exp((short_of + 0.5 * R / mean_excess) / mean_excess) * 0.5 *
+                                      std::erfc((short_of + R / mean_excess) / std::sqrt(2 * R));
         const double weight = std::exp(-0.5 * x * x) * reading_beyond;
         weights += weight;
         sum += weight * x;
@@ -38,11 +43,11 @@ TriadReading readingOf(int beyond) {
 }
 
 /// The same by an update with the censored reading.
-Moments momentsByUpdate(double end, int beyond, double R) {
+Moments momentsByUpdate(double end, int beyond, double R, double mean_excess = kAnyExcess) {
     Covariance P(Eigen::VectorXd::Ones(1));
     ObservationBlock block{
         {0}, Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Constant(1, end), Eigen::VectorXd::Constant(1, R)};
-    censor(block, readingOf(beyond), P.innovationVariance(block));
+    censor(block, readingOf(beyond), P.innovationVariance(block), mean_excess);
     EXPECT_NEAR(block.residual[0], end + block.origin.target[0], 1e-12);
     const double mean = P.update({block})[0];
     return {mean, P.dense()(0, 0)};
@@ -52,12 +57,16 @@ class Censoring : public ::testing::TestWithParam<double> {};
 
 TEST_P(Censoring, GivesTheMomentsOfTheGaussianCutOff) {
     for (const int beyond : {1, -1})
-        for (const double R : {0.01, 0.5}) {
-            const double end = beyond * GetParam();
-            const Moments expected = momentsBySum(end, beyond, R), found = momentsByUpdate(end, beyond, R);
-            EXPECT_NEAR(found.mean, expected.mean, 1e-5) << "end " << end << ", noise " << R;
-            EXPECT_NEAR(found.variance, expected.variance, 1e-5) << "end " << end << ", noise " << R;
-        }
+        for (const double R : {0.01, 0.5})
+            for (const double mean_excess : {0.5, 3.0, kAnyExcess}) {
+                const double end = beyond * GetParam();
+                const Moments expected = momentsBySum(end, beyond, R, mean_excess),
+                              found = momentsByUpdate(end, beyond, R, mean_excess);
+                EXPECT_NEAR(found.mean, expected.mean, 1e-5)
+                    << "end " << end << ", noise " << R << ", excess " << mean_excess;
+                EXPECT_NEAR(found.variance, expected.variance, 1e-5)
+                    << "end " << end << ", noise " << R << ", excess " << mean_excess;
+            }
 }
 
 // From expected far beyond the end, where nothing is learnt, to far within the range.
@@ -77,18 +86,15 @@ TEST(CensoringLimits, FarWithinTheRangeVariancesStayThoseOfAnExponentialTail) {
     }
 }
 
-TEST(CensoringLimits, OfARateThatNobodySeesTheExcessIsThatBelieved) {
+TEST(CensoringLimits, ARateThatNobodySeesExceedsTheRangeByTheMean) {
     Covariance P(Eigen::VectorXd::Constant(1, 1e6));
-    for (const int beyond : {1, -1}) {
-        ObservationBlock block{{0},
-                               Eigen::MatrixXd::Ones(1, 1),
-                               Eigen::VectorXd::Constant(1, 20.0 * beyond),
-                               Eigen::VectorXd::Constant(1, 1e-4)};
-        censor(block, readingOf(beyond), P.innovationVariance(block), 3);
-        Covariance after = P;
-        EXPECT_NEAR(after.update({block})[0], 23 * beyond, 0.1);
-        EXPECT_NEAR(after.dense()(0, 0), 9, 0.3);
-    }
+    ObservationBlock block{{0},
+                           Eigen::MatrixXd::Ones(1, 1),
+                           Eigen::VectorXd::Constant(1, 20),
+                           Eigen::VectorXd::Constant(1, 1e-4)};
+    censor(block, readingOf(1), P.innovationVariance(block), 3);
+    EXPECT_NEAR(P.update({block})[0], 23, 0.1);
+    EXPECT_NEAR(P.dense()(0, 0), 9, 0.3);
 }
 
 TEST(CensoringLimits, OtherAxesAreAsTheyWere) {
@@ -96,7 +102,7 @@ TEST(CensoringLimits, OtherAxesAreAsTheyWere) {
     reading.add(AxisReading{});
     ObservationBlock block{
         {0, 1}, Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(0.3, 0.4), Eigen::Vector2d(0.1, 0.2)};
-    censor(block, reading, Eigen::Vector2d(1.1, 1.2));
+    censor(block, reading, Eigen::Vector2d(1.1, 1.2), kAnyExcess);
     EXPECT_EQ(block.residual[1], 0.4);
     EXPECT_EQ(block.variance[1], 0.2);
     EXPECT_EQ(block.origin.target[1], 0);
