@@ -128,6 +128,12 @@ MotionState KinematicTree::stateFromPose(const Pose& pose) const {
     return state;
 }
 
+int KinematicTree::movingLink(int link) const {
+    while (this->link(link).count == 0 && this->link(link).parent >= 0)
+        link = this->link(link).parent;
+    return link;
+}
+
 KinematicTree::JointTurn KinematicTree::jointTurn(const MotionState& state, int joint) const {
     JointTurn turn;
     for (int i = linkOfJoint(joint); i >= 0 && link(i).joint == joint; i = link(i).parent) {

@@ -54,6 +54,8 @@ public:
     int freedoms() const { return freedoms_; }
     /// The link whose frame is that of the joint (its last one).
     int linkOfJoint(int joint) const { return link_of_joint_[static_cast<size_t>(joint)]; }
+    /// The link that carries this one about: itself unless its joint is rigid.
+    int movingLink(int link) const;
     /// A joint's turn from its zero pose, and its angular velocity in its own frame.
     struct JointTurn {
         Matrix3d R_parent_joint = Matrix3d::Identity();

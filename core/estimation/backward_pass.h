@@ -15,6 +15,7 @@
 
 #include "core/estimation/covariance.h"
 #include "core/estimation/heading_shift.h"
+#include "core/estimation/limb_turn.h"
 #include "core/estimation/prediction.h"
 
 namespace noctule {
@@ -29,6 +30,7 @@ public:
     /// To before the step, to before the observation.
     void back(const MotionTransition& transition) { transition.carryBack(lambda_); }
     void back(const HeadingShift& shift) { shift.carryBack(lambda_); }
+    void back(const LimbShift& shift) { shift.carryBack(lambda_); }
     void back(const ObservedUpdate& update);
     const Eigen::VectorXd& lambda() const { return lambda_; }
 
@@ -44,6 +46,7 @@ public:
     /// To before the step, to before the observation.
     void back(const MotionTransition& transition);
     void back(const HeadingShift& shift);
+    void back(const LimbShift& shift);
     void back(const ObservedUpdate& update);
 
     struct Smoothed {

@@ -10,6 +10,7 @@
 
 #include "core/estimation/covariance.h"
 #include "core/estimation/heading_shift.h"
+#include "core/estimation/limb_turn.h"
 #include "core/estimation/prediction.h"
 
 namespace noctule {
@@ -28,6 +29,6 @@ struct Widening {
 };
 
 using FilterTape =
-    std::deque<std::variant<MotionTransition, HeadingShift, ObservedUpdate, TapedFrame, Widening>>;
+    std::deque<std::variant<MotionTransition, HeadingShift, LimbShift, ObservedUpdate, TapedFrame, Widening>>;
 
 }  // namespace noctule

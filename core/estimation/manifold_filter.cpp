@@ -75,13 +75,6 @@ SuitModel moved(SuitModel suit, const KinematicTree& from, const KinematicTree& 
     return suit;
 }
 
-/// The link that carries this one about: itself unless its joint is rigid.
-const Link& movingLink(const KinematicTree& tree, int link) {
-    while (tree.link(link).count == 0 && tree.link(link).parent >= 0)
-        link = tree.link(link).parent;
-    return tree.link(link);
-}
-
 int64_t nanoseconds(double time_s) {
     return std::llround(time_s * 1e9);
 }
@@ -116,6 +109,7 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
     if (parameters_.joints_give)
         now_.give = JointGive(skeleton_, tree_, turning_joints_, seenJoints(skeleton_, gyroscope_joints_),
                               parameters_.give);
+    now_.mean_square_rates.assign(tree_.links().size(), 0.0);
     now_.board_noise.assign(suit_.boards.size(), BoardNoise(parameters_.board_noise, suit_.sources.size()));
     now_.gains.assign(suit_.boards.size(), VelocityGain(parameters_.velocity_gain));
     now_.alignments.assign(suit_.boards.size(), LimbAlignment(parameters_.alignment));
@@ -173,6 +167,8 @@ void ManifoldFilter::step(const StepInput& input) {
     };
     const Eigen::VectorXd predicted = now_.state.motion.accel, variances = accel_variances();
     updateRoot(input.roots);
+    if (parameters_.sensors.gyroscopes)
+        holdUnseenRates(input.inertial);
     if (parameters_.sensors.accelerometers)
         updateTriads(input.inertial, false);
     if (parameters_.sensors.gyroscopes)
@@ -204,13 +200,12 @@ void ManifoldFilter::allowForClipping(const std::vector<InertialMeasurement>& me
     for (const InertialMeasurement& measurement : measurements) {
         const int board_link = suit_.boards[static_cast<size_t>(measurement.board)].link;
         if (board_link > 0 && parameters_.sensors.gyroscopes && measurement.gyro.isClipped())
-            now_.motion_noise.allowMost(movingLink(tree_, board_link));
+            now_.motion_noise.allowMost(tree_.link(tree_.movingLink(board_link)));
     }
 }
 
 void ManifoldFilter::predict(double dt_s) {
-    if (isFree())
-        shiftHeading();
+    fitErrors();
     MotionTransition transition = predictMotion(tree_, now_.state.motion, now_.P.dense(), dt_s,
                                                 acceleration_decay_, now_.motion_noise.variance());
     if (tape_)
@@ -219,11 +214,22 @@ void ManifoldFilter::predict(double dt_s) {
     now_.predicted = now_.state.motion;
 }
 
-void ManifoldFilter::shiftHeading() {
-    const HeadingShift shift(now_.predicted, now_.state.motion);
-    shift.carry(now_.P.dense());
-    if (tape_)
-        tape_->push_back(shift);
+void ManifoldFilter::correct(const Eigen::VectorXd& delta) {
+    addError(tree_, layout_,
+             parameters_.sensors.gyroscopes ? bendTurns(tree_, now_.state.motion, delta) : delta, now_.state);
+}
+
+/// What no reading tells stays so after the estimate has been corrected.
+void ManifoldFilter::fitErrors() {
+    const auto shift = [this](auto change) {
+        change.carry(now_.P.dense());
+        if (tape_)
+            tape_->push_back(std::move(change));
+    };
+    if (parameters_.sensors.gyroscopes)
+        shift(LimbShift(tree_, LimbTurns(tree_, now_.predicted), LimbTurns(tree_, now_.state.motion)));
+    if (isFree())
+        shift(HeadingShift(now_.predicted, now_.state.motion));
     now_.predicted = now_.state.motion;
 }
 
@@ -366,7 +372,7 @@ void ManifoldFilter::widen(int first, int count, double sigma) {
 void ManifoldFilter::updateGround(const std::vector<InertialMeasurement>& measurements) {
     now_.ground.listen(measurements, now_.state);
     if (isFree())
-        shiftHeading();
+        fitErrors();
     observe(now_.ground.observe(tree_, layout_, now_.state, now_.P, seconds(), contacts_));
 }
 

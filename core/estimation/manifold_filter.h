@@ -18,6 +18,7 @@
 #include "core/estimation/ground_contacts.h"
 #include "core/estimation/joint_give.h"
 #include "core/estimation/limb_alignment.h"
+#include "core/estimation/limb_turn.h"
 #include "core/estimation/motion_noise.h"
 #include "core/estimation/reading_grid.h"
 #include "core/estimation/velocity_gain.h"
@@ -68,6 +69,14 @@ struct ManifoldParameters {
     /// of them in one turn have the effect of one with a mean of a n-th.
     double excess_rad_per_s = 20;
 
+    /// While a gyroscope is at the end of its range, joints beside its segment are believed to turn about as
+    /// fast as they did when they were seen: a trunk that spins as one is no trunk that comes apart.
+    struct Unseen {
+        double times_usual = 3, least_rad_per_s = 4;
+        double memory_s = 5;   ///< of what is usual
+        double alike_s = 0.1;  ///< a rate lasts for so long
+    } unseen;
+
     double prior_interval_s = 0.1;
 
     bool joints_give = true;  ///< of people; a robot's are exactly the skeleton's
@@ -100,6 +109,7 @@ public:
         JointGive give;
         Covariance P;
         MotionNoise motion_noise;
+        std::vector<double> mean_square_rates;  ///< per link, of one axis, while they are seen
         MotionState predicted;  ///< state.motion as it was before the updates of the last step
         int64_t step_index = 0;
         std::vector<BoardNoise> board_noise;
@@ -170,6 +180,7 @@ private:
     /// Of zero variance; `target`: the packed windows of the board and of the reference, if there is one.
     ObservationBlock gainOf(int board, const Eigen::VectorXd& target, const BodyState& state) const;
     void alignLimbs(const std::vector<InertialMeasurement>& measurements);
+    void loosen(int link, double sigma_rad);
     void turnLimb(int link, const LimbAlignment::Found& found);
     /// That a limb turns like this against its parent; of zero variance.
     ObservationBlock turnOf(int link, const Quaterniond& q_parent_limb, const MotionState& motion) const;
@@ -178,13 +189,14 @@ private:
     void useCarrier(DistanceMeasurement& measurement, ObservationBlock& block) const;
     void updateGround(const std::vector<InertialMeasurement>& measurements);
     void updatePriors();
+    void holdUnseenRates(const std::vector<InertialMeasurement>& measurements);
     void observe(std::vector<ObservationBlock> blocks);
     bool isBlind(const Link& link) const { return !gyroscope_joints_[static_cast<size_t>(link.joint)]; }
     double valueOf(const BodyState& state, int column) const;
-    void correct(const Eigen::VectorXd& delta) { addError(tree_, layout_, delta, now_.state); }
+    void correct(const Eigen::VectorXd& delta);
     void widen(int first, int count, double sigma);
     void noteGating(bool gated);
-    void beginAnew(const Link& link);
+    void beginAnew(int link);
     /// Gyroscopes alone would lose at every onset of a motion what nothing gives back to them.
     bool learnsMotion() const {
         const SensorSelection& sensors = parameters_.sensors;
@@ -192,7 +204,7 @@ private:
     }
     /// Nobody else knows the root.
     bool isFree() const { return tree_.link(0).type == LinkType::kFree && !parameters_.root_given; }
-    void shiftHeading();
+    void fitErrors();
     TimedPose estimateAt(double time_s) const;
     void emitRestPoses(const RestReadings& rest);
 

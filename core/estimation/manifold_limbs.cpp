@@ -40,12 +40,28 @@ void ManifoldFilter::alignLimbs(const std::vector<InertialMeasurement>& measurem
 
 void ManifoldFilter::turnLimb(int link, const LimbAlignment::Found& found) {
     ++now_.resets;
-    widen(tree_.link(link).first, 3, kUnknownTurn_rad);
+    loosen(link, kUnknownTurn_rad);
     const Quaterniond q_parent_limb =
         now_.state.motion.q_parent_link[static_cast<size_t>(link)] * found.q_believed_limb;
     ObservationBlock block = turnOf(link, q_parent_limb, now_.state.motion);
     block.variance = found.variance_rad2;
     observe({block});
+}
+
+/// The limb may have turned alone, where boards tell how the limbs that it carries lie.
+void ManifoldFilter::loosen(int link, double sigma_rad) {
+    std::vector<bool> stays;
+    for (const Link& other : tree_.links())
+        stays.push_back(!isBlind(other));
+    const Eigen::MatrixX3d error =
+        sigma_rad * LimbTurns(tree_, now_.state.motion).errorOf(tree_, link, stays);
+    const Eigen::Index moving = error.rows();
+    now_.P.dense().topLeftCorner(moving, moving) += error * error.transpose();
+    if (tape_) {
+        Widening widening{Eigen::VectorXd::Zero(layout_.size)};
+        widening.variance.head(moving) = error.rowwise().squaredNorm();
+        tape_->push_back(std::move(widening));
+    }
 }
 
 ObservationBlock ManifoldFilter::turnOf(int link, const Quaterniond& q_parent_limb,
@@ -60,10 +76,9 @@ ObservationBlock ManifoldFilter::turnOf(int link, const Quaterniond& q_parent_li
 }
 
 /// A hinge that stands where none can has been lost.
-void ManifoldFilter::beginAnew(const Link& link) {
+void ManifoldFilter::beginAnew(int link) {
     ++now_.resets;
-    const int turning = std::min(link.count, 3);
-    widen(link.first + link.count - turning, turning, kLostHinge_rad);
+    loosen(link, kLostHinge_rad);
 }
 
 }  // namespace noctule

@@ -3,21 +3,29 @@
 #include <cmath>
 
 #include "core/estimation/manifold_filter.h"
+#include "core/inertial/reading.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
+namespace {
+
+ObservationBlock pull(int index, double residual, double variance) {
+    return {{index},
+            Eigen::MatrixXd::Ones(1, 1),
+            Eigen::VectorXd::Constant(1, residual),
+            Eigen::VectorXd::Constant(1, variance)};
+}
+
+/// No joint turns faster (a pitcher's shoulder: 160); the estimate has lost it.
+constexpr double kFastest_rad_per_s = 200;
+
+}  // namespace
 
 void ManifoldFilter::updatePriors() {
     for (const int link : now_.give.lostLinks(now_.state.motion))
-        beginAnew(tree_.link(link));
+        beginAnew(link);
     std::vector<ObservationBlock> blocks =
         now_.give.observe(now_.state.motion, now_.P, parameters_.prior_interval_s);
-    const auto pull = [&](int index, double residual, double sigma) {
-        blocks.push_back({{index},
-                          Eigen::MatrixXd::Ones(1, 1),
-                          Eigen::VectorXd::Constant(1, residual),
-                          Eigen::VectorXd::Constant(1, sigma * sigma)});
-    };
     if (isFree()) {
         const Vector3d still = -now_.state.motion.rate.head<3>();
         const double sigma = parameters_.root_velocity_prior_m_per_s;
@@ -37,9 +45,46 @@ void ManifoldFilter::updatePriors() {
                                      ? now_.state.motion.angle_rad[i] - rest_.angle_rad[i]
                                      : away[k - rotation];
             if (i > 0)
-                pull(layout_.theta(index), -angle, parameters_.blind.pose_prior_rad);
-            pull(layout_.rate(index), -now_.state.motion.rate[index], parameters_.blind.rate_prior_rad_per_s);
+                blocks.push_back(
+                    pull(layout_.theta(index), -angle, std::pow(parameters_.blind.pose_prior_rad, 2)));
+            blocks.push_back(pull(layout_.rate(index), -now_.state.motion.rate[index],
+                                  std::pow(parameters_.blind.rate_prior_rad_per_s, 2)));
         }
+    }
+    observe(std::move(blocks));
+}
+
+/// Once per frame of readings.
+void ManifoldFilter::holdUnseenRates(const std::vector<InertialMeasurement>& measurements) {
+    if (measurements.empty())
+        return;
+    const auto& p = parameters_.unseen;
+    constexpr double kFrame_s = 1.0 / kInertialFramesPerSecond;
+    std::vector<bool> unseen(tree_.links().size(), false);
+    for (const InertialMeasurement& measurement : measurements)
+        if (const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
+            link >= 0 && measurement.gyro.isClipped())
+            unseen[static_cast<size_t>(tree_.movingLink(link))] = true;
+    std::vector<ObservationBlock> blocks;
+    for (size_t i = 1; i < tree_.links().size(); ++i) {
+        const Link& link = tree_.links()[i];
+        if (link.count == 0)
+            continue;
+        double& usual = now_.mean_square_rates[i];
+        const auto rate = now_.state.motion.rate.segment(link.first, link.count);
+        if (rate.norm() > kFastest_rad_per_s) {
+            ++now_.resets;
+            widen(layout_.rate(link.first), link.count, kFastest_rad_per_s);
+            widen(layout_.accel(link.first), link.count, parameters_.motion_noise.most_rad_per_s2);
+            unseen[i] = true;
+        }
+        if (!unseen[i] && !unseen[static_cast<size_t>(tree_.movingLink(link.parent))]) {
+            usual += kFrame_s / p.memory_s * (rate.squaredNorm() / link.count - usual);
+            continue;
+        }
+        const double variance = std::pow(p.least_rad_per_s, 2) + std::pow(p.times_usual, 2) * usual;
+        for (int k = 0; k < link.count; ++k)
+            blocks.push_back(pull(layout_.rate(link.first + k), -rate[k], variance * p.alike_s / kFrame_s));
     }
     observe(std::move(blocks));
 }

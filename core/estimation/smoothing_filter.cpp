@@ -22,6 +22,8 @@ bool goBackOver(const FilterTape& tape, BackwardPass& backward, const EachSmooth
             backward.back(*transition);
         } else if (const auto* shift = std::get_if<HeadingShift>(&*event)) {
             backward.back(*shift);
+        } else if (const auto* limb_shift = std::get_if<LimbShift>(&*event)) {
+            backward.back(*limb_shift);
         } else if (const auto* update = std::get_if<ObservedUpdate>(&*event)) {
             backward.back(*update);
         } else if (const TapedFrame* frame = frameOf(*event); frame && frame->times_ns.back() <= last_ns) {

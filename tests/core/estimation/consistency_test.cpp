@@ -95,6 +95,20 @@ TEST(Consistency, NothingTellsTheHeading) {
     }
 }
 
+/// Estimates of rates jump with every reading here, and whatever jumps seems to tell of attitudes: without
+/// LimbShift the NEES is 89.
+TEST(Consistency, GyroscopesTellNoAttitudeHoweverLong) {
+    ManifoldParameters parameters = testing::fittingParameters({false, true, false}, true);
+    parameters.joint_accel_rad_per_s2 = 100;
+    parameters.joint_accel_time_s = 0.02;
+    double nees = 0;
+    constexpr int kRuns = 4;
+    for (unsigned seed = 1; seed <= kRuns; ++seed)
+        nees += run(parameters, parameters, seed, 30).nees / kRuns;
+    EXPECT_GT(nees, 0.7);
+    EXPECT_LT(nees, 1.3);
+}
+
 TEST(Consistency, OverconfidenceIsNoticed) {
     // The check itself must be able to fail: biases ten times as large as the filter believes.
     ManifoldParameters truth;

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why a limb's attitude stays unknown where only gyroscopes see it, though joints are described against each
+// other. A limb turned alone in the world, what it carries staying as it lies, leaves every gyroscope's
+// reading as it is: joints turn, and their rates and accelerations change so that those of all links in the
+// world stay,
+//
+//   d rate = -W x d theta,   d accel = -A x d theta + rate x (W x d theta) + W x (W x d theta),
+//
+// with W and A the parent's angular velocity and acceleration in the link's frame. A covariance holds that as
+// a correlation, which fits the estimate that it was made of; after an update it has to fit the corrected
+// one, else the next reading seems to tell of the attitude, and after a minute the filter is sure of a wrong
+// one: a foot seen by its gyroscope alone was 125 degrees off and believed to a degree. heading_shift.h does
+// the same for the whole body about the vertical, and names the source.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/body/kinematics.h"
+
+namespace noctule {
+
+/// What turns of single limbs make of a state's errors. Only ball joints can follow such a turn.
+class LimbTurns {
+public:
+    LimbTurns(const KinematicTree& tree, const MotionState& motion);
+
+    struct Turn {
+        Matrix3d R_world_link = Matrix3d::Identity();
+        /// Of the parent in the world and of the joint; rad/s, rad/s^2, in the link's frame.
+        Vector3d parent_rate, parent_accel, rate, accel;
+        Matrix3d rate_by_theta, accel_by_theta;
+    };
+    const Turn& of(size_t link) const { return turns_[link]; }
+
+    /// Error of coordinates, rates and accelerations (3 freedoms x 3) by a right perturbation of the limb
+    /// with which ball joints that `stays` (per link) keep what hangs on them as it lies in the world.
+    Eigen::MatrixX3d errorOf(const KinematicTree& tree, int link, const std::vector<bool>& stays) const;
+
+private:
+    std::vector<Turn> turns_;
+};
+
+/// A correction of a state's errors, bent so that limbs which it turns far keep their rates in the world, and
+/// not only to first order. It changes no turn.
+Eigen::VectorXd bendTurns(const KinematicTree& tree, const MotionState& motion, Eigen::VectorXd correction);
+
+/// The change of the joints' errors with an estimate from `before` to `after` updates. Columns as in
+/// StateLayout.
+class LimbShift {
+public:
+    LimbShift(const KinematicTree& tree, const LimbTurns& before, const LimbTurns& after);
+
+    /// P := M P M^T, error := M error.
+    void carry(Eigen::MatrixXd& P) const;
+    /// The adjoint, against time: lambda := M^T lambda, Lambda := M^T Lambda M.
+    void carryBack(Eigen::VectorXd& lambda) const;
+    void carryBack(Eigen::MatrixXd& Lambda) const;
+
+private:
+    struct Shift {
+        int first = 0;                ///< velocity index of a ball joint
+        Matrix3d theta, rate, accel;  ///< what becomes of them, or is added to them, by the old theta
+    };
+    template <class OfColumns>
+    void bothSides(Eigen::MatrixXd& symmetric, const OfColumns& shiftColumns) const;
+
+    Eigen::Index n_;
+    std::vector<Shift> shifts_;
+};
+
+}  // namespace noctule
