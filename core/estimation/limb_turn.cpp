@@ -94,42 +94,30 @@ LimbShift::LimbShift(const KinematicTree& tree, const LimbTurns& before, const L
     }
 }
 
-/// By columns, which lie in one piece; the matrix is symmetric before and after.
-template <class OfColumns>
-void LimbShift::bothSides(Eigen::MatrixXd& symmetric, const OfColumns& shiftColumns) const {
-    for (const Shift& shift : shifts_)
-        shiftColumns(symmetric, shift);
-    symmetric.transposeInPlace();
-    for (const Shift& shift : shifts_)
-        shiftColumns(symmetric, shift);
-}
-
+// By columns, which lie in one piece; the matrix is symmetric before and after.
 void LimbShift::carry(Eigen::MatrixXd& P) const {
-    Eigen::MatrixX3d theta;
-    bothSides(P, [&](Eigen::MatrixXd& X, const Shift& shift) {
-        theta = X.middleCols<3>(shift.first);
-        X.middleCols<3>(shift.first).noalias() = theta * shift.theta.transpose();
-        X.middleCols<3>(n_ + shift.first).noalias() += theta * shift.rate.transpose();
-        X.middleCols<3>(2 * n_ + shift.first).noalias() += theta * shift.accel.transpose();
-    });
+    for (const LinkShift& shift : shifts_)
+        shiftColumns(P, n_, shift);
+    P.transposeInPlace();
+    for (const LinkShift& shift : shifts_)
+        shiftColumns(P, n_, shift);
 }
 
 void LimbShift::carryBack(Eigen::VectorXd& lambda) const {
-    for (const Shift& shift : shifts_)
-        lambda.segment<3>(shift.first) = (shift.theta.transpose() * lambda.segment<3>(shift.first) +
-                                          shift.rate.transpose() * lambda.segment<3>(n_ + shift.first) +
-                                          shift.accel.transpose() * lambda.segment<3>(2 * n_ + shift.first))
-                                             .eval();
+    for (const LinkShift& shift : shifts_)
+        lambda.segment<3>(shift.first) =
+            (shift.to_theta.transpose() * lambda.segment<3>(shift.first) +
+             shift.to_rate.transpose() * lambda.segment<3>(n_ + shift.first) +
+             shift.to_accel.transpose() * lambda.segment<3>(2 * n_ + shift.first))
+                .eval();
 }
 
 void LimbShift::carryBack(Eigen::MatrixXd& Lambda) const {
-    Eigen::MatrixX3d theta;
-    bothSides(Lambda, [&](Eigen::MatrixXd& X, const Shift& shift) {
-        theta = X.middleCols<3>(shift.first) * shift.theta;
-        theta.noalias() += X.middleCols<3>(n_ + shift.first) * shift.rate;
-        theta.noalias() += X.middleCols<3>(2 * n_ + shift.first) * shift.accel;
-        X.middleCols<3>(shift.first) = theta;
-    });
+    for (const LinkShift& shift : shifts_)
+        shiftColumnsBack(Lambda, n_, shift);
+    Lambda.transposeInPlace();
+    for (const LinkShift& shift : shifts_)
+        shiftColumnsBack(Lambda, n_, shift);
 }
 
 }  // namespace noctule

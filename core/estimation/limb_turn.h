@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "core/body/kinematics.h"
+#include "core/math/transition_kernels.h"
 
 namespace noctule {
 
@@ -58,15 +59,8 @@ public:
     void carryBack(Eigen::MatrixXd& Lambda) const;
 
 private:
-    struct Shift {
-        int first = 0;                ///< velocity index of a ball joint
-        Matrix3d theta, rate, accel;  ///< what becomes of them, or is added to them, by the old theta
-    };
-    template <class OfColumns>
-    void bothSides(Eigen::MatrixXd& symmetric, const OfColumns& shiftColumns) const;
-
     Eigen::Index n_;
-    std::vector<Shift> shifts_;
+    std::vector<LinkShift> shifts_;
 };
 
 }  // namespace noctule

@@ -65,7 +65,39 @@ template <int kCount>
         back ? mixBack<1>(columns, link) : mixForth<1>(columns, link);
 }
 
+[[gnu::always_inline]] inline void shift(const LinkColumns& c, const LinkShift& link, bool back) {
+#pragma GCC ivdep
+    for (long i = 0; i < c.rows; ++i) {
+        double theta[3], rate[3], accel[3];
+        for (int k = 0; k < 3; ++k) {
+            theta[k] = c.theta[k * c.rows + i];
+            rate[k] = c.rate[k * c.rows + i];
+            accel[k] = c.accel[k * c.rows + i];
+        }
+        for (int j = 0; j < 3; ++j) {
+            double sum = 0;
+            for (int k = 0; k < 3; ++k) {
+                sum += (back ? link.to_theta(k, j) : link.to_theta(j, k)) * theta[k];
+                if (back)
+                    sum += link.to_rate(k, j) * rate[k] + link.to_accel(k, j) * accel[k];
+            }
+            c.theta[j * c.rows + i] = sum;
+        }
+        if (back)
+            continue;
+        for (int j = 0; j < 3; ++j)
+            for (int k = 0; k < 3; ++k) {
+                c.rate[j * c.rows + i] += link.to_rate(j, k) * theta[k];
+                c.accel[j * c.rows + i] += link.to_accel(j, k) * theta[k];
+            }
+    }
+}
+
 #ifdef NOCTULE_AVX2
+
+NOCTULE_AVX2 void shiftAvx2(const LinkColumns& columns, const LinkShift& link, bool back) {
+    back ? shift(columns, link, true) : shift(columns, link, false);
+}
 
 NOCTULE_AVX2 void mixAvx2(const LinkColumns& columns, const LinkTransition& link, bool back) {
     mix(columns, link, back);
@@ -73,11 +105,23 @@ NOCTULE_AVX2 void mixAvx2(const LinkColumns& columns, const LinkTransition& link
 
 #endif
 
+LinkColumns columnsOf(Eigen::MatrixXd& M, Eigen::Index n, Eigen::Index first, int count, double dt_s) {
+    require((count == 1 || count == 3) && first + count <= n && 3 * n <= M.cols(),
+            "columns of a link: shapes do not fit");
+    return {M.col(first).data(), M.col(n + first).data(), M.col(2 * n + first).data(), M.rows(), dt_s};
+}
+
+void shiftWithBest(Eigen::MatrixXd& M, Eigen::Index n, const LinkShift& link, bool back) {
+    const LinkColumns columns = columnsOf(M, n, link.first, 3, 0);
+#ifdef NOCTULE_AVX2
+    if (hasAvx2())
+        return shiftAvx2(columns, link, back);
+#endif
+    shift(columns, link, back);
+}
+
 void mixWithBest(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkTransition& link, bool back) {
-    require((link.count == 1 || link.count == 3) && link.first + link.count <= n && 3 * n <= M.cols(),
-            "mixColumns: shapes do not fit");
-    const LinkColumns columns{M.col(link.first).data(), M.col(n + link.first).data(),
-                              M.col(2 * n + link.first).data(), M.rows(), dt_s};
+    const LinkColumns columns = columnsOf(M, n, link.first, link.count, dt_s);
 #ifdef NOCTULE_AVX2
     if (hasAvx2())
         return mixAvx2(columns, link, back);
@@ -93,6 +137,14 @@ void mixColumns(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkTrans
 
 void mixColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkTransition& link) {
     mixWithBest(M, n, dt_s, link, true);
+}
+
+void shiftColumns(Eigen::MatrixXd& M, Eigen::Index n, const LinkShift& link) {
+    shiftWithBest(M, n, link, false);
+}
+
+void shiftColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, const LinkShift& link) {
+    shiftWithBest(M, n, link, true);
 }
 
 }  // namespace noctule

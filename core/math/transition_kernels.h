@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One link's part of a time step, for the columns of a large matrix: compiled for several instruction sets
-// and chosen at run time, as covariance_kernels.h.
+// One link's part of a time step, or of a change of what its errors mean, for the columns of a large matrix:
+// compiled for several instruction sets and chosen at run time, as covariance_kernels.h.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,5 +20,16 @@ struct LinkTransition {
 void mixColumns(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkTransition& link);
 /// The same of M := M F.
 void mixColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkTransition& link);
+
+/// theta' = to_theta theta, rate' = rate + to_rate theta, accel' = accel + to_accel theta; of a rotation.
+struct LinkShift {
+    Eigen::Index first = 0;  ///< its first coordinate
+    Eigen::Matrix3d to_theta, to_rate, to_accel;
+};
+
+/// The link's columns of M := M S^T.
+void shiftColumns(Eigen::MatrixXd& M, Eigen::Index n, const LinkShift& link);
+/// The same of M := M S.
+void shiftColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, const LinkShift& link);
 
 }  // namespace noctule

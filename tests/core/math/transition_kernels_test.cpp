@@ -46,5 +46,24 @@ TEST(TransitionKernels, EqualTheDenseProducts) {
         }
 }
 
+TEST(TransitionKernels, ShiftsEqualTheDenseProducts) {
+    std::srand(10);
+    for (const Eigen::Index rows : {1, 4, 7, 34}) {
+        constexpr Eigen::Index n = 8, size = 3 * n + 2;
+        const LinkShift link{4, Eigen::Matrix3d::Random(), Eigen::Matrix3d::Random(),
+                             Eigen::Matrix3d::Random()};
+        Eigen::MatrixXd S = Eigen::MatrixXd::Identity(size, size);
+        S.block<3, 3>(4, 4) = link.to_theta;
+        S.block<3, 3>(n + 4, 4) = link.to_rate;
+        S.block<3, 3>(2 * n + 4, 4) = link.to_accel;
+        const Eigen::MatrixXd M = Eigen::MatrixXd::Random(rows, size);
+        Eigen::MatrixXd forth = M, back = M;
+        shiftColumns(forth, n, link);
+        shiftColumnsBack(back, n, link);
+        EXPECT_LT((forth - M * S.transpose()).cwiseAbs().maxCoeff(), 1e-14) << rows;
+        EXPECT_LT((back - M * S).cwiseAbs().maxCoeff(), 1e-14) << rows;
+    }
+}
+
 }  // namespace
 }  // namespace noctule
