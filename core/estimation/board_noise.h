@@ -21,7 +21,7 @@ struct BoardNoiseParameters {
 
     /// Microphones shift with the pose and stay so for a while: what a filter follows is no innovation, so it
     /// is not learnt. Per distance, as white noise with the same effect.
-    double flesh_distance_m = 0.005;
+    double flesh_distance_m = 0.01;
 };
 
 class BoardNoise {
