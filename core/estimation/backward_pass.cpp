@@ -48,24 +48,6 @@ void AdjointPass::back(const ObservedUpdate& update) {
     lambda_ = lambda_transposed.transpose();
 }
 
-void BackwardPass::back(const MotionTransition& transition) {
-    carryOutPending();
-    adjoint_.back(transition);
-    transition.carryBack(Lambda_);
-}
-
-void BackwardPass::back(const HeadingShift& shift) {
-    carryOutPending();
-    adjoint_.back(shift);
-    shift.carryBack(Lambda_);
-}
-
-void BackwardPass::back(const LimbShift& shift) {
-    carryOutPending();
-    adjoint_.back(shift);
-    shift.carryBack(Lambda_);
-}
-
 /// With H' = L^-1 H and K = x^T L^-1:
 ///   Lambda := (I - K H)^T Lambda (I - K H) + H^T S^-1 H
 ///           = Lambda + H^T B + B^T H,   B = L^-T (1/2 (x Lambda x^T + I) H' - x Lambda)

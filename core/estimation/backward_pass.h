@@ -7,8 +7,8 @@
 //
 //   smoothed error = -P lambda,   smoothed covariance = P - P Lambda P
 //
-// with the filter's P of that instant. Errors are those of the filter's estimate then; the filter carries P
-// over its corrections unchanged, and so are lambda and Lambda.
+// with the filter's P of that instant. Errors are those of the filter's estimate then; over its corrections
+// the filter carries P as its shifts say, otherwise unchanged, and so are lambda and Lambda.
 #pragma once
 
 #include <vector>
@@ -27,10 +27,11 @@ public:
     /// After the last measurement: nothing is known from later.
     explicit AdjointPass(Eigen::Index n) : lambda_(Eigen::VectorXd::Zero(n)) {}
 
-    /// To before the step, to before the observation.
-    void back(const MotionTransition& transition) { transition.carryBack(lambda_); }
-    void back(const HeadingShift& shift) { shift.carryBack(lambda_); }
-    void back(const LimbShift& shift) { shift.carryBack(lambda_); }
+    /// To before a step or a shift, to before the observation.
+    template <class Carrying>
+    void back(const Carrying& carrying) {
+        carrying.carryBack(lambda_);
+    }
     void back(const ObservedUpdate& update);
     const Eigen::VectorXd& lambda() const { return lambda_; }
 
@@ -43,10 +44,13 @@ public:
     BackwardPass() = default;
     explicit BackwardPass(Eigen::Index n) : adjoint_(n), Lambda_(Eigen::MatrixXd::Zero(n, n)) {}
 
-    /// To before the step, to before the observation.
-    void back(const MotionTransition& transition);
-    void back(const HeadingShift& shift);
-    void back(const LimbShift& shift);
+    /// To before a step or a shift, to before the observation.
+    template <class Carrying>
+    void back(const Carrying& carrying) {
+        carryOutPending();
+        adjoint_.back(carrying);
+        carrying.carryBack(Lambda_);
+    }
     void back(const ObservedUpdate& update);
 
     struct Smoothed {

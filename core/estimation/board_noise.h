@@ -20,7 +20,7 @@ struct BoardNoiseParameters {
     double flesh_per_motion = 3, flesh_accel_m_per_s2 = 3, wobble_time_s = 0.3;
 
     /// Microphones shift with the pose and stay so for a while: what a filter follows is no innovation, so it
-    /// is not learnt. Per distance, as white noise with the same effect.
+    /// is not learnt. Per distance, as white noise with the same effect (some millimetres for half a second).
     double flesh_distance_m = 0.01;
 };
 

@@ -23,7 +23,8 @@ struct TapedFrame {
     double flesh_rad2 = 0;   ///< as in jointSigmas()
 };
 
-/// Variances that were added to the covariance, per state, because the estimate was lost.
+/// Variances that were added to the covariance, per state, because the estimate was lost. A limb's and those
+/// of what it carries go together (LimbTurns::errorOf), which is not kept here.
 struct Widening {
     Eigen::VectorXd variance;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/limb_turn.h"
 
+#include "core/job/contract.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
@@ -35,6 +36,7 @@ LimbTurns::LimbTurns(const KinematicTree& tree, const MotionState& motion) {
 
 Eigen::MatrixX3d LimbTurns::errorOf(const KinematicTree& tree, int link,
                                     const std::vector<bool>& stays) const {
+    require(tree.link(link).type == LinkType::kBall, "LimbTurns: only a ball joint turns alone");
     const Eigen::Index n = tree.freedoms();
     Eigen::MatrixX3d error = Eigen::MatrixX3d::Zero(3 * n, 3);
     const auto add = [&](size_t i, const Matrix3d& theta) {
@@ -60,7 +62,7 @@ Eigen::MatrixX3d LimbTurns::errorOf(const KinematicTree& tree, int link,
 }
 
 Eigen::VectorXd bendTurns(const KinematicTree& tree, const MotionState& motion, Eigen::VectorXd correction) {
-    constexpr double kStraight_rad = 0.003;
+    constexpr double kStraight_rad = 0.003;  // bent by 1e-5 of a rate: less than any gyroscope notices
     const Eigen::Index n = tree.freedoms();
     if (correction.head(n).cwiseAbs().maxCoeff() < kStraight_rad)
         return correction;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Why a limb's attitude stays unknown where only gyroscopes see it, though joints are described against each
 // other. A limb turned alone in the world, what it carries staying as it lies, leaves every gyroscope's
-// reading as it is: joints turn, and their rates and accelerations change so that those of all links in the
-// world stay,
+// reading as it is: joints turn, and their rates and accelerations change so that those of all links against
+// the world stay, each in its own frame,
 //
 //   d rate = -W x d theta,   d accel = -A x d theta + rate x (W x d theta) + W x (W x d theta),
 //
@@ -35,15 +35,17 @@ public:
     const Turn& of(size_t link) const { return turns_[link]; }
 
     /// Error of coordinates, rates and accelerations (3 freedoms x 3) by a right perturbation of the limb
-    /// with which ball joints that `stays` (per link) keep what hangs on them as it lies in the world.
+    /// (of a ball joint) with which ball joints that `stays` (per link) keep what hangs on them as it lies in
+    /// the world.
     Eigen::MatrixX3d errorOf(const KinematicTree& tree, int link, const std::vector<bool>& stays) const;
 
 private:
     std::vector<Turn> turns_;
 };
 
-/// A correction of a state's errors, bent so that limbs which it turns far keep their rates in the world, and
-/// not only to first order. It changes no turn.
+/// A correction of a state's errors, bent so that a limb which it turns far keeps in its own frame the rate
+/// that it has against the world, and not only to first order. It changes no turn; exact where the parent's
+/// rate is not corrected at the same time.
 Eigen::VectorXd bendTurns(const KinematicTree& tree, const MotionState& motion, Eigen::VectorXd correction);
 
 /// The change of the joints' errors with an estimate from `before` to `after` updates. Columns as in

@@ -167,8 +167,6 @@ void ManifoldFilter::step(const StepInput& input) {
     };
     const Eigen::VectorXd predicted = now_.state.motion.accel, variances = accel_variances();
     updateRoot(input.roots);
-    if (parameters_.sensors.gyroscopes)
-        holdUnseenRates(input.inertial);
     if (parameters_.sensors.accelerometers)
         updateTriads(input.inertial, false);
     if (parameters_.sensors.gyroscopes)
@@ -185,6 +183,7 @@ void ManifoldFilter::step(const StepInput& input) {
     const auto prior_steps = std::max<int64_t>(1, std::llround(parameters_.prior_interval_s / step_s_));
     if (now_.step_index % prior_steps == 0)
         updatePriors();
+    fitErrors();
     if (now_.step_index % parameters_.steps_per_frame != 0)
         return;
     if (tape_)
@@ -193,25 +192,39 @@ void ManifoldFilter::step(const StepInput& input) {
         poses_.push_back(estimateAt(seconds()));
 }
 
-/// What a gyroscope at the end of its range did not see may have been anything.
+/// Per link: the gyroscope that turns with it is at the end of its range.
+std::vector<bool> ManifoldFilter::clippedLinks(const std::vector<InertialMeasurement>& measurements) const {
+    std::vector<bool> clipped(tree_.links().size(), false);
+    for (const InertialMeasurement& measurement : measurements)
+        if (const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
+            link >= 0 && measurement.gyro.isClipped())
+            clipped[static_cast<size_t>(tree_.movingLink(link))] = true;
+    return clipped;
+}
+
+/// What a gyroscope at the end of its range did not see may have been anything a joint does.
 void ManifoldFilter::allowForClipping(const std::vector<InertialMeasurement>& measurements) {
-    if (!measurements.empty() && !learnsMotion())
+    if (measurements.empty())
+        return;
+    if (!learnsMotion())
         now_.motion_noise.restart();
-    for (const InertialMeasurement& measurement : measurements) {
-        const int board_link = suit_.boards[static_cast<size_t>(measurement.board)].link;
-        if (board_link > 0 && parameters_.sensors.gyroscopes && measurement.gyro.isClipped())
-            now_.motion_noise.allowMost(tree_.link(tree_.movingLink(board_link)));
-    }
+    if (!parameters_.sensors.gyroscopes)
+        return;
+    const std::vector<bool> clipped = clippedLinks(measurements);
+    for (size_t i = 1; i < clipped.size(); ++i)
+        if (clipped[i])
+            now_.motion_noise.allowMost(tree_.links()[i]);
+    bringBackRunaways();
+    holdUnseenRates(clipped);
 }
 
 void ManifoldFilter::predict(double dt_s) {
-    fitErrors();
     MotionTransition transition = predictMotion(tree_, now_.state.motion, now_.P.dense(), dt_s,
                                                 acceleration_decay_, now_.motion_noise.variance());
     if (tape_)
         tape_->push_back(std::move(transition));
     now_.P.dense().diagonal() += wander_;
-    now_.predicted = now_.state.motion;
+    now_.fitted = now_.state.motion;
 }
 
 void ManifoldFilter::correct(const Eigen::VectorXd& delta) {
@@ -219,7 +232,7 @@ void ManifoldFilter::correct(const Eigen::VectorXd& delta) {
              parameters_.sensors.gyroscopes ? bendTurns(tree_, now_.state.motion, delta) : delta, now_.state);
 }
 
-/// What no reading tells stays so after the estimate has been corrected.
+/// Makes P fit the corrected estimate, so that what no reading tells stays so.
 void ManifoldFilter::fitErrors() {
     const auto shift = [this](auto change) {
         change.carry(now_.P.dense());
@@ -227,10 +240,10 @@ void ManifoldFilter::fitErrors() {
             tape_->push_back(std::move(change));
     };
     if (parameters_.sensors.gyroscopes)
-        shift(LimbShift(tree_, LimbTurns(tree_, now_.predicted), LimbTurns(tree_, now_.state.motion)));
+        shift(LimbShift(tree_, LimbTurns(tree_, now_.fitted), LimbTurns(tree_, now_.state.motion)));
     if (isFree())
-        shift(HeadingShift(now_.predicted, now_.state.motion));
-    now_.predicted = now_.state.motion;
+        shift(HeadingShift(now_.fitted, now_.state.motion));
+    now_.fitted = now_.state.motion;
 }
 
 void ManifoldFilter::updateRoot(const std::vector<RootMeasurement>& measurements) {

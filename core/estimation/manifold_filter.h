@@ -70,11 +70,12 @@ struct ManifoldParameters {
     double excess_rad_per_s = 20;
 
     /// While a gyroscope is at the end of its range, joints beside its segment are believed to turn about as
-    /// fast as they did when they were seen: a trunk that spins as one is no trunk that comes apart.
+    /// fast as they did when they were seen, once per `alike_s`: a trunk that spins as one is no trunk that
+    /// comes apart.
     struct Unseen {
         double times_usual = 3, least_rad_per_s = 4;
-        double memory_s = 5;   ///< of what is usual
-        double alike_s = 0.1;  ///< a rate lasts for so long
+        double memory_s = 5;  ///< of what is usual
+        double alike_s = 0.1;
     } unseen;
 
     double prior_interval_s = 0.1;
@@ -110,7 +111,7 @@ public:
         Covariance P;
         MotionNoise motion_noise;
         std::vector<double> mean_square_rates;  ///< per link, of one axis, while they are seen
-        MotionState predicted;  ///< state.motion as it was before the updates of the last step
+        MotionState fitted;                     ///< the motion that P's errors are those of
         int64_t step_index = 0;
         std::vector<BoardNoise> board_noise;
         std::vector<LimbAlignment> alignments;  ///< per board
@@ -169,6 +170,7 @@ private:
     GroundParameters groundParameters() const;
     void settle(const RestReadings& rest, const RootMeasurement* root);
     void predict(double dt_s);
+    std::vector<bool> clippedLinks(const std::vector<InertialMeasurement>& measurements) const;
     void allowForClipping(const std::vector<InertialMeasurement>& measurements);
     void updateRoot(const std::vector<RootMeasurement>& measurements);
     void updateTriads(const std::vector<InertialMeasurement>& measurements, bool gyro);
@@ -189,7 +191,7 @@ private:
     void useCarrier(DistanceMeasurement& measurement, ObservationBlock& block) const;
     void updateGround(const std::vector<InertialMeasurement>& measurements);
     void updatePriors();
-    void holdUnseenRates(const std::vector<InertialMeasurement>& measurements);
+    void holdUnseenRates(const std::vector<bool>& clipped_links);
     void observe(std::vector<ObservationBlock> blocks);
     bool isBlind(const Link& link) const { return !gyroscope_joints_[static_cast<size_t>(link.joint)]; }
     double valueOf(const BodyState& state, int column) const;
@@ -197,6 +199,7 @@ private:
     void widen(int first, int count, double sigma);
     void noteGating(bool gated);
     void beginAnew(int link);
+    void bringBackRunaways();
     /// Gyroscopes alone would lose at every onset of a motion what nothing gives back to them.
     bool learnsMotion() const {
         const SensorSelection& sensors = parameters_.sensors;

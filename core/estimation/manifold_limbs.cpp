@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the filter finds limbs again that it has lost, most often while a gyroscope was at the end of its
 // range.
+#include <cmath>
+
 #include "core/estimation/manifold_filter.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
 namespace {
 
+/// No joint turns faster (a pitcher's shoulder: 160).
+constexpr double kFastest_rad_per_s = 200, kFast_rad_per_s = 20;
 constexpr double kUnknownTurn_rad = 1.5, kLostHinge_rad = 0.5;
 
 }  // namespace
@@ -50,6 +54,7 @@ void ManifoldFilter::turnLimb(int link, const LimbAlignment::Found& found) {
 
 /// The limb may have turned alone, where boards tell how the limbs that it carries lie.
 void ManifoldFilter::loosen(int link, double sigma_rad) {
+    fitErrors();
     std::vector<bool> stays;
     for (const Link& other : tree_.links())
         stays.push_back(!isBlind(other));
@@ -79,6 +84,26 @@ ObservationBlock ManifoldFilter::turnOf(int link, const Quaterniond& q_parent_li
 void ManifoldFilter::beginAnew(int link) {
     ++now_.resets;
     loosen(link, kLostHinge_rad);
+}
+
+/// A joint that turns faster than any has been lost while its gyroscope was at the end of its range.
+void ManifoldFilter::bringBackRunaways() {
+    std::vector<ObservationBlock> blocks;
+    for (size_t i = 1; i < tree_.links().size(); ++i) {
+        const Link& link = tree_.links()[i];
+        if (now_.state.motion.rate.segment(link.first, link.count).norm() < kFastest_rad_per_s)
+            continue;
+        ++now_.resets;
+        for (int k = link.first; k < link.first + link.count; ++k) {
+            const double rate = now_.state.motion.rate[k], accel = now_.state.motion.accel[k];
+            widen(layout_.rate(k), 1, std::abs(rate));
+            widen(layout_.accel(k), 1, std::abs(accel));
+            blocks.push_back(pull(layout_.rate(k), -rate, kFast_rad_per_s * kFast_rad_per_s));
+            blocks.push_back(
+                pull(layout_.accel(k), -accel, std::pow(parameters_.motion_noise.most_rad_per_s2, 2)));
+        }
+    }
+    observe(std::move(blocks));
 }
 
 }  // namespace noctule

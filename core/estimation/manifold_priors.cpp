@@ -7,20 +7,6 @@
 #include "core/math/rotation.h"
 
 namespace noctule {
-namespace {
-
-ObservationBlock pull(int index, double residual, double variance) {
-    return {{index},
-            Eigen::MatrixXd::Ones(1, 1),
-            Eigen::VectorXd::Constant(1, residual),
-            Eigen::VectorXd::Constant(1, variance)};
-}
-
-/// No joint turns faster (a pitcher's shoulder: 160); the estimate has lost it.
-constexpr double kFastest_rad_per_s = 200;
-
-}  // namespace
-
 void ManifoldFilter::updatePriors() {
     for (const int link : now_.give.lostLinks(now_.state.motion))
         beginAnew(link);
@@ -55,16 +41,9 @@ void ManifoldFilter::updatePriors() {
 }
 
 /// Once per frame of readings.
-void ManifoldFilter::holdUnseenRates(const std::vector<InertialMeasurement>& measurements) {
-    if (measurements.empty())
-        return;
+void ManifoldFilter::holdUnseenRates(const std::vector<bool>& clipped_links) {
     const auto& p = parameters_.unseen;
     constexpr double kFrame_s = 1.0 / kInertialFramesPerSecond;
-    std::vector<bool> unseen(tree_.links().size(), false);
-    for (const InertialMeasurement& measurement : measurements)
-        if (const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
-            link >= 0 && measurement.gyro.isClipped())
-            unseen[static_cast<size_t>(tree_.movingLink(link))] = true;
     std::vector<ObservationBlock> blocks;
     for (size_t i = 1; i < tree_.links().size(); ++i) {
         const Link& link = tree_.links()[i];
@@ -72,13 +51,7 @@ void ManifoldFilter::holdUnseenRates(const std::vector<InertialMeasurement>& mea
             continue;
         double& usual = now_.mean_square_rates[i];
         const auto rate = now_.state.motion.rate.segment(link.first, link.count);
-        if (rate.norm() > kFastest_rad_per_s) {
-            ++now_.resets;
-            widen(layout_.rate(link.first), link.count, kFastest_rad_per_s);
-            widen(layout_.accel(link.first), link.count, parameters_.motion_noise.most_rad_per_s2);
-            unseen[i] = true;
-        }
-        if (!unseen[i] && !unseen[static_cast<size_t>(tree_.movingLink(link.parent))]) {
+        if (!clipped_links[i] && !clipped_links[static_cast<size_t>(tree_.movingLink(link.parent))]) {
             usual += kFrame_s / p.memory_s * (rate.squaredNorm() / link.count - usual);
             continue;
         }

@@ -51,7 +51,7 @@ void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, cons
     const int n = layout_.freedoms;
     now_.P.dense().diagonal().segment(n, n).array() += std::pow(parameters_.initial_rate_rad_per_s, 2);
     now_.P.dense().diagonal().segment(2 * n, n).array() += std::pow(parameters_.initial_accel_rad_per_s2, 2);
-    now_.predicted = now_.state.motion;
+    now_.fitted = now_.state.motion;
     emitRestPoses(rest);
 }
 

@@ -10,7 +10,8 @@
 // StateLayout.
 //
 // Left out of derivatives: where flesh takes a board, and how a step's noise turns another's, which counts
-// only where the filter had lost a limb and let it turn by tens of degrees at once.
+// only where the filter had lost a limb and let it turn by tens of degrees at once. There joints may also
+// turn independently that for the filter turned together.
 #pragma once
 
 #include <Eigen/Cholesky>

@@ -45,6 +45,13 @@ void limitPull(ObservationBlock& block, const Eigen::VectorXd& innovation_varian
     block.variance.array() += (ratio - 1).max(0) * innovation_variance.array();
 }
 
+ObservationBlock pull(int index, double residual, double variance) {
+    return {{index},
+            Eigen::MatrixXd::Ones(1, 1),
+            Eigen::VectorXd::Constant(1, residual),
+            Eigen::VectorXd::Constant(1, variance)};
+}
+
 ObservationBlock velocityOfRoot(const StateLayout& layout, const MotionState& motion,
                                 const Vector3d& residual, const Vector3d& variance) {
     const Vector3d up_root = motion.q_parent_link[0].conjugate() * Vector3d::UnitY();

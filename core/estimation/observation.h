@@ -61,6 +61,9 @@ struct ObservationBlock {
     Eigen::Index rows() const { return residual.size(); }
 };
 
+/// One state pulled towards a value that is `residual` away.
+ObservationBlock pull(int index, double residual, double variance);
+
 /// What is known of the root's velocity without knowing the heading: `residual` along the world's axes, but
 /// turned about the vertical together with the velocity the body would be as likely.
 ObservationBlock velocityOfRoot(const StateLayout& layout, const MotionState& motion,

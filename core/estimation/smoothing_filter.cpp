@@ -18,15 +18,13 @@ const TapedFrame* frameOf(const FilterTape::value_type& event) {
 
 bool goBackOver(const FilterTape& tape, BackwardPass& backward, const EachSmoothed& each, int64_t last_ns) {
     for (auto event = tape.rbegin(); event != tape.rend(); ++event) {
-        if (const auto* transition = std::get_if<MotionTransition>(&*event)) {
-            backward.back(*transition);
-        } else if (const auto* shift = std::get_if<HeadingShift>(&*event)) {
-            backward.back(*shift);
-        } else if (const auto* limb_shift = std::get_if<LimbShift>(&*event)) {
-            backward.back(*limb_shift);
-        } else if (const auto* update = std::get_if<ObservedUpdate>(&*event)) {
-            backward.back(*update);
-        } else if (const TapedFrame* frame = frameOf(*event); frame && frame->times_ns.back() <= last_ns) {
+        const auto goBack = [&](const auto& change) {
+            using Change = std::decay_t<decltype(change)>;
+            if constexpr (!std::is_same_v<Change, TapedFrame> && !std::is_same_v<Change, Widening>)
+                backward.back(change);
+        };
+        std::visit(goBack, *event);
+        if (const TapedFrame* frame = frameOf(*event); frame && frame->times_ns.back() <= last_ns) {
             if (!each(*frame, backward.smooth(frame->P_pose)))
                 return false;
         }

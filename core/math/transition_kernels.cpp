@@ -65,38 +65,50 @@ template <int kCount>
         back ? mixBack<1>(columns, link) : mixForth<1>(columns, link);
 }
 
-[[gnu::always_inline]] inline void shift(const LinkColumns& c, const LinkShift& link, bool back) {
+[[gnu::always_inline]] inline void shiftForth(const LinkColumns& c, const LinkShift& link) {
 #pragma GCC ivdep
     for (long i = 0; i < c.rows; ++i) {
-        double theta[3], rate[3], accel[3];
-        for (int k = 0; k < 3; ++k) {
+        double theta[3];
+        for (int k = 0; k < 3; ++k)
             theta[k] = c.theta[k * c.rows + i];
-            rate[k] = c.rate[k * c.rows + i];
-            accel[k] = c.accel[k * c.rows + i];
-        }
         for (int j = 0; j < 3; ++j) {
-            double sum = 0;
+            double turned = 0, rate = c.rate[j * c.rows + i], accel = c.accel[j * c.rows + i];
             for (int k = 0; k < 3; ++k) {
-                sum += (back ? link.to_theta(k, j) : link.to_theta(j, k)) * theta[k];
-                if (back)
-                    sum += link.to_rate(k, j) * rate[k] + link.to_accel(k, j) * accel[k];
+                turned += link.to_theta(j, k) * theta[k];
+                rate += link.to_rate(j, k) * theta[k];
+                accel += link.to_accel(j, k) * theta[k];
             }
-            c.theta[j * c.rows + i] = sum;
+            c.theta[j * c.rows + i] = turned;
+            c.rate[j * c.rows + i] = rate;
+            c.accel[j * c.rows + i] = accel;
         }
-        if (back)
-            continue;
-        for (int j = 0; j < 3; ++j)
-            for (int k = 0; k < 3; ++k) {
-                c.rate[j * c.rows + i] += link.to_rate(j, k) * theta[k];
-                c.accel[j * c.rows + i] += link.to_accel(j, k) * theta[k];
-            }
     }
+}
+
+[[gnu::always_inline]] inline void shiftBack(const LinkColumns& c, const LinkShift& link) {
+#pragma GCC ivdep
+    for (long i = 0; i < c.rows; ++i) {
+        double turned[3] = {0, 0, 0};
+        for (int k = 0; k < 3; ++k) {
+            const double theta = c.theta[k * c.rows + i], rate = c.rate[k * c.rows + i],
+                         accel = c.accel[k * c.rows + i];
+            for (int j = 0; j < 3; ++j)
+                turned[j] +=
+                    link.to_theta(k, j) * theta + link.to_rate(k, j) * rate + link.to_accel(k, j) * accel;
+        }
+        for (int j = 0; j < 3; ++j)
+            c.theta[j * c.rows + i] = turned[j];
+    }
+}
+
+[[gnu::always_inline]] inline void shift(const LinkColumns& columns, const LinkShift& link, bool back) {
+    back ? shiftBack(columns, link) : shiftForth(columns, link);
 }
 
 #ifdef NOCTULE_AVX2
 
 NOCTULE_AVX2 void shiftAvx2(const LinkColumns& columns, const LinkShift& link, bool back) {
-    back ? shift(columns, link, true) : shift(columns, link, false);
+    shift(columns, link, back);
 }
 
 NOCTULE_AVX2 void mixAvx2(const LinkColumns& columns, const LinkTransition& link, bool back) {

@@ -55,7 +55,7 @@ public:
                                accel_bias[static_cast<size_t>(board)];
         InertialMeasurement m{board, time_s, {}, {}};
         for (int i = 0; i < 3; ++i) {
-            m.gyro.add({Vector3d::Unit(i), omega[i] + random(kGyroSigma), kGyroSigma});
+            m.gyro.add({Vector3d::Unit(i), omega[i] + random(gyro_sigma), gyro_sigma});
             m.accel.add({Vector3d::Unit(i), force[i] + random(kAccelSigma), kAccelSigma});
         }
         return m;
@@ -68,6 +68,7 @@ public:
     }
 
     static constexpr double kGyroSigma = 0.005, kAccelSigma = 0.05, kDistanceSigma = 0.002;
+    double gyro_sigma = kGyroSigma;
     ManifoldParameters p;
     KinematicTree tree;
     Gaussian random;

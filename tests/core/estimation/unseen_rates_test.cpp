@@ -88,7 +88,7 @@ TEST_F(UnseenRates, AJointThatRunsAwayIsBroughtBack) {
     const int resets = body.filter.resets();
     body.turn(1, 0.1, {1, 2, 3});
     EXPECT_GT(body.filter.resets(), resets);
-    EXPECT_LT(body.filter.state().motion.rate.cwiseAbs().maxCoeff(), 250);
+    EXPECT_LT(body.filter.state().motion.rate.cwiseAbs().maxCoeff(), 200);
     EXPECT_TRUE(body.filter.covariance().allFinite());
 }
 

@@ -361,7 +361,9 @@ TEST(ProcessSimulation, APersonIsNotARobot) {
     simulate(path, simulation::Level::kReadings, 20, person);
     const double all_deg = meanError_deg(path, {true, true, true});
     EXPECT_LT(all_deg, 4);
-    EXPECT_LE(all_deg, meanError_deg(path, {true, true, false}) + 0.02) << "microphones shift with flesh";
+    // Flesh that nobody has calibrated shifts microphones; distances may then tell a little less than
+    // nothing.
+    EXPECT_LE(all_deg, meanError_deg(path, {true, true, false}) + 0.02);
 }
 
 TEST(ProcessSimulation, SoundGivesTheTruth) {
