@@ -144,6 +144,13 @@ std::vector<ObservationBlock> JointGive::observe(const MotionState& motion, cons
         const double whitened = 2 * (parameters_.trembles_s + relevant * lasts_s) / interval_s;
         block.variance[0] = is_lost ? square(parameters_.most_rad) : whitened * given;
         block.origin = {ObservationOrigin::Kind::kGive, static_cast<int>(std::ssize(blocks)), {}};
+        if (const double deviation = -block.residual[0];
+            !is_lost && std::abs(deviation) > parameters_.lasting_rad) {
+            block.origin.target =
+                Eigen::VectorXd::Constant(1, std::copysign(parameters_.lasting_rad, deviation));
+            block.residual += block.origin.target;
+            block.variance[0] = 2 * parameters_.trembles_s / interval_s * square(parameters_.most_rad);
+        }
         if (constraint.seen) {
             share += relevant;
             variance += given;

@@ -98,15 +98,15 @@ LimbShift::LimbShift(const KinematicTree& tree, const LimbTurns& before, const L
 
 // By columns, which lie in one piece; the matrix is symmetric before and after.
 void LimbShift::carry(Eigen::MatrixXd& P) const {
-    for (const LinkShift& shift : shifts_)
+    for (const RotationShift& shift : shifts_)
         shiftColumns(P, n_, shift);
     P.transposeInPlace();
-    for (const LinkShift& shift : shifts_)
+    for (const RotationShift& shift : shifts_)
         shiftColumns(P, n_, shift);
 }
 
 void LimbShift::carryBack(Eigen::VectorXd& lambda) const {
-    for (const LinkShift& shift : shifts_)
+    for (const RotationShift& shift : shifts_)
         lambda.segment<3>(shift.first) =
             (shift.to_theta.transpose() * lambda.segment<3>(shift.first) +
              shift.to_rate.transpose() * lambda.segment<3>(n_ + shift.first) +
@@ -115,10 +115,10 @@ void LimbShift::carryBack(Eigen::VectorXd& lambda) const {
 }
 
 void LimbShift::carryBack(Eigen::MatrixXd& Lambda) const {
-    for (const LinkShift& shift : shifts_)
+    for (const RotationShift& shift : shifts_)
         shiftColumnsBack(Lambda, n_, shift);
     Lambda.transposeInPlace();
-    for (const LinkShift& shift : shifts_)
+    for (const RotationShift& shift : shifts_)
         shiftColumnsBack(Lambda, n_, shift);
 }
 

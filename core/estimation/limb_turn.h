@@ -62,7 +62,7 @@ public:
 
 private:
     Eigen::Index n_;
-    std::vector<LinkShift> shifts_;
+    std::vector<RotationShift> shifts_;
 };
 
 }  // namespace noctule

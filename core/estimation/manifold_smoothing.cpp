@@ -55,7 +55,7 @@ ObservationBlock ManifoldFilter::again(const ObservationBlock& taped, const Step
             block = observations_.root(state, input.roots[index], input.roots[index].time_s - at_s);
             break;
         case ObservationOrigin::Kind::kGive:
-            block = now_.give.again(origin.index, state.motion);
+            block = now_.give.again(origin, state.motion);
             break;
     }
     const bool is_triad =

@@ -65,7 +65,7 @@ template <int kCount>
         back ? mixBack<1>(columns, link) : mixForth<1>(columns, link);
 }
 
-[[gnu::always_inline]] inline void shiftForth(const LinkColumns& c, const LinkShift& link) {
+[[gnu::always_inline]] inline void shiftForth(const LinkColumns& c, const RotationShift& link) {
 #pragma GCC ivdep
     for (long i = 0; i < c.rows; ++i) {
         double theta[3];
@@ -85,7 +85,7 @@ template <int kCount>
     }
 }
 
-[[gnu::always_inline]] inline void shiftBack(const LinkColumns& c, const LinkShift& link) {
+[[gnu::always_inline]] inline void shiftBack(const LinkColumns& c, const RotationShift& link) {
 #pragma GCC ivdep
     for (long i = 0; i < c.rows; ++i) {
         double turned[3] = {0, 0, 0};
@@ -101,13 +101,13 @@ template <int kCount>
     }
 }
 
-[[gnu::always_inline]] inline void shift(const LinkColumns& columns, const LinkShift& link, bool back) {
+[[gnu::always_inline]] inline void shift(const LinkColumns& columns, const RotationShift& link, bool back) {
     back ? shiftBack(columns, link) : shiftForth(columns, link);
 }
 
 #ifdef NOCTULE_AVX2
 
-NOCTULE_AVX2 void shiftAvx2(const LinkColumns& columns, const LinkShift& link, bool back) {
+NOCTULE_AVX2 void shiftAvx2(const LinkColumns& columns, const RotationShift& link, bool back) {
     shift(columns, link, back);
 }
 
@@ -123,7 +123,7 @@ LinkColumns columnsOf(Eigen::MatrixXd& M, Eigen::Index n, Eigen::Index first, in
     return {M.col(first).data(), M.col(n + first).data(), M.col(2 * n + first).data(), M.rows(), dt_s};
 }
 
-void shiftWithBest(Eigen::MatrixXd& M, Eigen::Index n, const LinkShift& link, bool back) {
+void shiftWithBest(Eigen::MatrixXd& M, Eigen::Index n, const RotationShift& link, bool back) {
     const LinkColumns columns = columnsOf(M, n, link.first, 3, 0);
 #ifdef NOCTULE_AVX2
     if (hasAvx2())
@@ -151,11 +151,11 @@ void mixColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkT
     mixWithBest(M, n, dt_s, link, true);
 }
 
-void shiftColumns(Eigen::MatrixXd& M, Eigen::Index n, const LinkShift& link) {
+void shiftColumns(Eigen::MatrixXd& M, Eigen::Index n, const RotationShift& link) {
     shiftWithBest(M, n, link, false);
 }
 
-void shiftColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, const LinkShift& link) {
+void shiftColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, const RotationShift& link) {
     shiftWithBest(M, n, link, true);
 }
 

@@ -22,14 +22,14 @@ void mixColumns(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkTrans
 void mixColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkTransition& link);
 
 /// theta' = to_theta theta, rate' = rate + to_rate theta, accel' = accel + to_accel theta; of a rotation.
-struct LinkShift {
+struct RotationShift {
     Eigen::Index first = 0;  ///< its first coordinate
     Eigen::Matrix3d to_theta, to_rate, to_accel;
 };
 
 /// The link's columns of M := M S^T.
-void shiftColumns(Eigen::MatrixXd& M, Eigen::Index n, const LinkShift& link);
+void shiftColumns(Eigen::MatrixXd& M, Eigen::Index n, const RotationShift& link);
 /// The same of M := M S.
-void shiftColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, const LinkShift& link);
+void shiftColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, const RotationShift& link);
 
 }  // namespace noctule

@@ -116,6 +116,28 @@ TEST_F(JointGiveTest, ADeviationThatStaysIsPulledBackSlowlyWhereJointsGive) {
         EXPECT_GT(std::sqrt(block.variance[0] / 100), 0.5 * std::sqrt(give.meanVariance_rad2()));
 }
 
+TEST_F(JointGiveTest, NoJointGivesFarForLong) {
+    observed(0.05);
+    const double lasting_rad = GiveParameters{}.lasting_rad;
+    const MotionState far = at(0.8, 0.5);
+    const auto before = give.initial(far);  // the whole deviations
+    const auto blocks = give.observe(far, P, 0.1);
+    int turned_back = 0;
+    for (size_t i = 0; i < blocks.size(); ++i) {
+        const double whole = before[i].residual[0], counts = blocks[i].residual[0];
+        EXPECT_EQ(give.again(blocks[i].origin, far).residual[0], counts);
+        if (std::abs(whole) < lasting_rad) {
+            EXPECT_EQ(counts, whole);
+            continue;
+        }
+        ++turned_back;
+        EXPECT_NEAR(std::abs(counts), std::abs(whole) - lasting_rad, 1e-12);
+        EXPECT_GT(counts * whole, 0);
+        EXPECT_LT(blocks[i].variance[0], 0.1);
+    }
+    EXPECT_GT(turned_back, 0);
+}
+
 TEST_F(JointGiveTest, WhatASegmentWithoutGyroscopeHidesCountsAsTheSeenJoints) {
     JointGive partly(actor, tree, gives, {false, false, true, false}, {});
     const auto blocks = observed(partly, 0.08);

@@ -50,8 +50,8 @@ TEST(TransitionKernels, ShiftsEqualTheDenseProducts) {
     std::srand(10);
     for (const Eigen::Index rows : {1, 4, 7, 34}) {
         constexpr Eigen::Index n = 8, size = 3 * n + 2;
-        const LinkShift link{4, Eigen::Matrix3d::Random(), Eigen::Matrix3d::Random(),
-                             Eigen::Matrix3d::Random()};
+        const RotationShift link{4, Eigen::Matrix3d::Random(), Eigen::Matrix3d::Random(),
+                                 Eigen::Matrix3d::Random()};
         Eigen::MatrixXd S = Eigen::MatrixXd::Identity(size, size);
         S.block<3, 3>(4, 4) = link.to_theta;
         S.block<3, 3>(n + 4, 4) = link.to_rate;
