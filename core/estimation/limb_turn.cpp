@@ -5,6 +5,21 @@
 #include "core/math/rotation.h"
 
 namespace noctule {
+namespace {
+
+/// By columns, which lie in one piece; the matrix is symmetric before and after.
+template <class ShiftColumns>
+void shiftBothSides(Eigen::MatrixXd& symmetric, Eigen::Index n, const std::vector<RotationShift>& shifts,
+                    const ShiftColumns& shiftColumns) {
+    for (int side = 0; side < 2; ++side) {
+        if (side > 0)
+            symmetric.transposeInPlace();
+        for (const RotationShift& shift : shifts)
+            shiftColumns(symmetric, n, shift);
+    }
+}
+
+}  // namespace
 
 LimbTurns::LimbTurns(const KinematicTree& tree, const MotionState& motion) {
     for (size_t i = 0; i < tree.links().size(); ++i) {
@@ -96,13 +111,8 @@ LimbShift::LimbShift(const KinematicTree& tree, const LimbTurns& before, const L
     }
 }
 
-// By columns, which lie in one piece; the matrix is symmetric before and after.
 void LimbShift::carry(Eigen::MatrixXd& P) const {
-    for (const RotationShift& shift : shifts_)
-        shiftColumns(P, n_, shift);
-    P.transposeInPlace();
-    for (const RotationShift& shift : shifts_)
-        shiftColumns(P, n_, shift);
+    shiftBothSides(P, n_, shifts_, shiftColumns);
 }
 
 void LimbShift::carryBack(Eigen::VectorXd& lambda) const {
@@ -115,11 +125,7 @@ void LimbShift::carryBack(Eigen::VectorXd& lambda) const {
 }
 
 void LimbShift::carryBack(Eigen::MatrixXd& Lambda) const {
-    for (const RotationShift& shift : shifts_)
-        shiftColumnsBack(Lambda, n_, shift);
-    Lambda.transposeInPlace();
-    for (const RotationShift& shift : shifts_)
-        shiftColumnsBack(Lambda, n_, shift);
+    shiftBothSides(Lambda, n_, shifts_, shiftColumnsBack);
 }
 
 }  // namespace noctule

@@ -5,7 +5,7 @@
 
 #include "core/estimation/error_state.h"
 #include "core/math/rotation.h"
-#include "tests/core/estimation/small_body.h"
+#include "tests/core/estimation/adjoint_law.h"
 
 namespace noctule {
 namespace {
@@ -35,10 +35,6 @@ struct TwoEstimates {
         turned.motion.accel.head<3>() = turn * Vector3d(state.motion.accel.head<3>());
         return errorBetween(tree, layout, state, turned) / kTurn_rad;
     }
-    MatrixXd symmetric() {
-        const MatrixXd A = MatrixXd::NullaryExpr(layout.size, layout.size, [this] { return random(1.0); });
-        return A * A.transpose();
-    }
 
     Gaussian random;
     KinematicTree tree{testing::smallSkeleton(), BallCoordinates::kManifold};
@@ -59,18 +55,7 @@ TEST(HeadingShift, ATurnOfTheBodyStaysOne) {
 
 TEST(HeadingShift, GoesBackByItsAdjoint) {
     TwoEstimates two(4);
-    const HeadingShift shift(two.before.motion, two.after.motion);
-    const MatrixXd P = two.symmetric(), Lambda = two.symmetric();
-    MatrixXd carried = P, back = Lambda;
-    shift.carry(carried);
-    shift.carryBack(back);
-    EXPECT_NEAR((Lambda * carried).trace(), (back * P).trace(), 1e-9 * (back * P).trace());
-    const VectorXd lambda = two.random.vector(two.layout.size, 1);
-    VectorXd lambda_back = lambda;
-    MatrixXd square_back = lambda * lambda.transpose();
-    shift.carryBack(lambda_back);
-    shift.carryBack(square_back);
-    EXPECT_LT((square_back - lambda_back * lambda_back.transpose()).norm(), 1e-9 * square_back.norm());
+    testing::expectAdjoint(HeadingShift(two.before.motion, two.after.motion), two.layout.size, two.random);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "core/estimation/error_state.h"
 #include "core/estimation/joint_give.h"
 #include "core/math/rotation.h"
-#include "tests/core/estimation/small_body.h"
+#include "tests/core/estimation/adjoint_law.h"
 
 namespace noctule {
 namespace {
@@ -121,22 +121,8 @@ TEST_F(LimbTurn, StaysOneAfterACorrection) {
 }
 
 TEST_F(LimbTurn, GoesBackByItsAdjoint) {
-    const LimbShift shift(tree, LimbTurns(tree, before), LimbTurns(tree, after));
-    const auto symmetric = [&] {
-        const MatrixXd A = MatrixXd::NullaryExpr(layout.size, layout.size, [&] { return random(1.0); });
-        return MatrixXd(A * A.transpose());
-    };
-    const MatrixXd P = symmetric(), Lambda = symmetric();
-    MatrixXd carried = P, back = Lambda;
-    shift.carry(carried);
-    shift.carryBack(back);
-    EXPECT_NEAR((Lambda * carried).trace(), (back * P).trace(), 1e-9 * (back * P).trace());
-    const VectorXd lambda = random.vector(layout.size, 1);
-    VectorXd lambda_back = lambda;
-    MatrixXd square_back = lambda * lambda.transpose();
-    shift.carryBack(lambda_back);
-    shift.carryBack(square_back);
-    EXPECT_LT((square_back - lambda_back * lambda_back.transpose()).norm(), 1e-9 * square_back.norm());
+    testing::expectAdjoint(LimbShift(tree, LimbTurns(tree, before), LimbTurns(tree, after)), layout.size,
+                           random);
 }
 
 }  // namespace
