@@ -18,8 +18,8 @@ namespace noctule {
 
 struct GiveParameters {
     double initial_rad = 0.01, least_rad = 0.0003, most_rad = 0.15;  ///< deviations from the actor's joint
-    double lost_rad = 0.7;     ///< no hinge gives so much: the estimate has lost it
-    double lasting_rad = 0.3;  ///< nor does any joint give more than this for long: it is turned back so far
+    double lost_rad = 0.7;             ///< no hinge gives so much: the estimate has lost it
+    double lasting_rad = 0.3;          ///< no joint gives more for long: it is turned back so far
     double relevant_rad = 0.02;        ///< below it a joint soon counts as rigid
     double first_s = 1, memory_s = 3;  ///< of learning
     double constant_s = 1;  ///< what stays longer is an error of the estimate, not a joint that gives
@@ -47,7 +47,7 @@ public:
     std::vector<ObservationBlock> observe(const MotionState& motion, const Covariance& P, double interval_s);
     /// Links on hinges that the state has turned farther than any hinge gives.
     std::vector<int> lostLinks(const MotionState& motion) const;
-    /// One of those again, elsewhere; of zero variance.
+    /// What observe() said of a joint, again about another state; of zero variance.
     ObservationBlock again(const ObservationOrigin& origin, const MotionState& motion) const {
         ObservationBlock block = blockOf(constraints_[static_cast<size_t>(origin.index)], motion);
         if (origin.target.size() > 0)

@@ -11,6 +11,8 @@ namespace {
 template <class ShiftColumns>
 void shiftBothSides(Eigen::MatrixXd& symmetric, Eigen::Index n, const std::vector<RotationShift>& shifts,
                     const ShiftColumns& shiftColumns) {
+    if (shifts.empty())
+        return;
     for (int side = 0; side < 2; ++side) {
         if (side > 0)
             symmetric.transposeInPlace();

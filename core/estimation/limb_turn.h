@@ -34,9 +34,9 @@ public:
     };
     const Turn& of(size_t link) const { return turns_[link]; }
 
-    /// Error of coordinates, rates and accelerations (3 freedoms x 3) by a right perturbation of the limb
-    /// (of a ball joint) with which ball joints that `stays` (per link) keep what hangs on them as it lies in
-    /// the world.
+    /// Error of coordinates, rates and accelerations (3 freedoms x 3) by a right perturbation of a link on a
+    /// ball joint. Links that it carries stay as they lie in the world where `stays` (per link) says so and a
+    /// ball joint lets them; the others go along.
     Eigen::MatrixX3d errorOf(const KinematicTree& tree, int link, const std::vector<bool>& stays) const;
 
 private:

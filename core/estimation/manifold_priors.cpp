@@ -7,6 +7,7 @@
 #include "core/math/rotation.h"
 
 namespace noctule {
+
 void ManifoldFilter::updatePriors() {
     for (const int link : now_.give.lostLinks(now_.state.motion))
         beginAnew(link);

@@ -90,7 +90,7 @@ TEST_F(LimbTurn, WhatNothingHoldsGoesAlong) {
         1e-3 * kSmall_rad);
 }
 
-TEST_F(LimbTurn, FarTurnsKeepRatesInTheWorld) {
+TEST_F(LimbTurn, FarTurnsKeepWhatGyroscopesRead) {
     const int chest = 1;
     const VectorXd straight = LimbTurns(tree, before).errorOf(tree, chest, all) * Vector3d(0.8, -0.5, 0.4);
     const MotionState turned = plus(before, bendTurns(tree, before, straight)),
