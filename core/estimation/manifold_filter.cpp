@@ -119,7 +119,7 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
         adapts.push_back(!isBlind(link));
         if (!turning_joints_[static_cast<size_t>(link.joint)])
             variance.segment(link.first, link.count)
-                .setConstant(std::pow(parameters_.blind.joint_accel_rad_per_s2, 2));
+                .setConstant(std::pow(blindness().joint_accel_rad_per_s2, 2));
     }
     if (!tree_.links().empty() && tree_.link(0).type == LinkType::kFree) {
         acceleration_decay_.head<3>().setConstant(std::exp(-step_s_ / parameters_.root_accel_time_s));
@@ -274,9 +274,10 @@ void ManifoldFilter::updateTriads(const std::vector<InertialMeasurement>& measur
         auto [block, motion_m_per_s2] = observations_.accel(now_.state, measurement, offset_s);
         if (block.rows() == 0)
             continue;
-        if (!parameters_.sensors.gyroscopes)
-            block.variance.array() += std::pow(parameters_.blind.accel_floor_m_per_s2, 2);
-        noise.adaptAccel(block, measurement.accel, motion_m_per_s2, now_.give.fleshShare(), now_.P);
+        noise.adaptAccel(
+            block, measurement.accel, motion_m_per_s2,
+            parameters_.sensors.gyroscopes ? now_.give.fleshShare() : parameters_.all_blind_flesh_share,
+            now_.P);
         block.origin = {ObservationOrigin::Kind::kAccel, reading, {}};
         believeBeyond(block, measurement.accel, kAnyExcess);
         blocks.push_back(std::move(block));

@@ -87,12 +87,14 @@ struct ManifoldParameters {
 
     /// Where no gyroscope rides on a segment, or none is listened to, nothing holds its joint and a
     /// linearised filter soon believes its own errors: a pull towards the rest pose and towards rest (per
-    /// prior_interval_s), and slower motion unless a gyroscope farther out turns with it. Without any
-    /// gyroscope accelerometers are coarse levels only.
+    /// prior_interval_s), and slower motion unless a gyroscope farther out turns with it.
     struct Blind {
-        double joint_accel_rad_per_s2 = 10, accel_floor_m_per_s2 = 10;
-        double pose_prior_rad = 0.3, rate_prior_rad_per_s = 0.5;
-    } blind;
+        double joint_accel_rad_per_s2, pose_prior_rad, rate_prior_rad_per_s;
+    };
+    Blind blind{10, 0.3, 0.5}, all_blind{30, 0.4, 0.7};  ///< all: without any gyroscope
+    /// Accelerometers without any gyroscope count as though boards rode on flesh by this share: as levels,
+    /// the less the more they were shaken lately.
+    double all_blind_flesh_share = 0.15;
 };
 
 class ManifoldFilter : public Estimator {
@@ -193,6 +195,9 @@ private:
     void updatePriors();
     void holdUnseenRates(const std::vector<bool>& clipped_links);
     void observe(std::vector<ObservationBlock> blocks);
+    const ManifoldParameters::Blind& blindness() const {
+        return parameters_.sensors.gyroscopes ? parameters_.blind : parameters_.all_blind;
+    }
     bool isBlind(const Link& link) const { return !gyroscope_joints_[static_cast<size_t>(link.joint)]; }
     double valueOf(const BodyState& state, int column) const;
     void correct(const Eigen::VectorXd& delta);

@@ -32,10 +32,9 @@ void ManifoldFilter::updatePriors() {
                                      ? now_.state.motion.angle_rad[i] - rest_.angle_rad[i]
                                      : away[k - rotation];
             if (i > 0)
-                blocks.push_back(
-                    pull(layout_.theta(index), -angle, std::pow(parameters_.blind.pose_prior_rad, 2)));
+                blocks.push_back(pull(layout_.theta(index), -angle, std::pow(blindness().pose_prior_rad, 2)));
             blocks.push_back(pull(layout_.rate(index), -now_.state.motion.rate[index],
-                                  std::pow(parameters_.blind.rate_prior_rad_per_s, 2)));
+                                  std::pow(blindness().rate_prior_rad_per_s, 2)));
         }
     }
     observe(std::move(blocks));
