@@ -65,10 +65,11 @@ struct JointRecord {
 
 class Comparer {
 public:
-    Comparer(const TimedMotion& estimate, const TimedMotion& reference, const ComparisonOptions& options)
+    /// Keeps references.
+    Comparer(const Skeleton& estimate, const Skeleton& reference, const ComparisonOptions& options)
         : estimate_(estimate),
           reference_(reference),
-          common_(commonJoints(estimate.skeleton, reference.skeleton)),
+          common_(commonJoints(estimate, reference)),
           records_(common_.size()) {
         result_.curves.reserve(common_.size());  // records point into it
         for (size_t i = 1; i < common_.size(); ++i)
@@ -85,8 +86,8 @@ public:
     }
 
     void add(const TimedPose& frame, const Pose& reference_pose) {
-        const View estimate(estimate_.skeleton, *frame.pose, &CommonJoint::first);
-        const View reference(reference_.skeleton, reference_pose, &CommonJoint::second);
+        const View estimate(estimate_, *frame.pose, &CommonJoint::first);
+        const View reference(reference_, reference_pose, &CommonJoint::second);
         if (result_.frames++ == 0)
             first_ns_ = frame.time_ns;
         const double since_first_s = static_cast<double>(frame.time_ns - first_ns_) * 1e-9;
@@ -162,8 +163,8 @@ private:
         curve.difference_deg.push_back(degrees(angleBetween(q_estimate, q_reference)));
     }
 
-    const TimedMotion& estimate_;
-    const TimedMotion& reference_;
+    const Skeleton& estimate_;
+    const Skeleton& reference_;
     std::vector<CommonJoint> common_;
     std::vector<JointRecord> records_;  // per common joint
     RootDrift drift_;
@@ -171,31 +172,26 @@ private:
     int64_t first_ns_ = 0;
 };
 
-/// The reference with the shift between the clocks taken off.
-TimedMotion onClockOf(const TimedMotion& estimate, const TimedMotion& reference,
-                      const ComparisonOptions& options, Comparison& report) {
+/// The shift between the clocks, as asked for or found.
+Status settleOffset(const PoseSource& estimate, const TimedMotion& reference,
+                    const ComparisonOptions& options, Comparison& report) {
     if (options.reference_offset_ns)
         report.offset.add_to_reference_ns = *options.reference_offset_ns;
-    else if (options.align_time)
-        if (const auto found = findTimeOffset(estimate, reference)) {
-            if (found->trusted())
-                report.offset = *found;
-            else
-                report.refused_offset = *found;
-        }
-    TimedMotion shifted = reference;
-    for (TimedPose& frame : shifted.frames)
-        frame.time_ns += report.offset.add_to_reference_ns;
-    return shifted;
+    if (options.reference_offset_ns || !options.align_time)
+        return Done{};
+    const auto whole = estimate.all();
+    if (!whole)
+        return whole.error();
+    const auto found = findTimeOffset(*whole, reference);
+    if (found && found->trusted())
+        report.offset = *found;
+    else
+        report.refused_offset = found;
+    return Done{};
 }
 
 bool isSeen(const TimedPose& frame) {
     return frame.pose && isUsable(*frame.pose);
-}
-
-Status checkBoth(const TimedMotion& estimate, const TimedMotion& reference) {
-    Status checked = checkMotion(estimate, "the estimate");
-    return checked ? checkMotion(reference, "the reference") : checked;
 }
 
 }  // namespace
@@ -206,38 +202,54 @@ const JointComparison* Comparison::find(const std::string& name) const {
     return found == joints.end() ? nullptr : &*found;
 }
 
-Result<Comparison> compareMotions(const TimedMotion& estimate, const TimedMotion& reference,
+Result<Comparison> compareMotions(const PoseSource& estimate, const TimedMotion& reference,
                                   const ComparisonOptions& options) {
-    if (Status checked = checkBoth(estimate, reference); !checked)
+    if (Status checked = checkMotion(reference, "the reference"); !checked)
         return checked.error();
-    Comparer comparer(estimate, reference, options);
+    Comparer comparer(estimate.skeleton, reference.skeleton, options);
     if (!comparer.hasMovingJoint())
         return Error{ErrorKind::kUnusable, "the estimate and the reference share no joint that moves",
                      "Name the reference's joints as the actor does, or give the actor aliases for them"};
     Comparison& result = comparer.result();
-    const TimedMotion shifted = onClockOf(estimate, reference, options, result);
-    const auto inWindow = [&](const TimedPose& frame) {
-        return frame.time_ns >= options.from_ns && frame.time_ns <= options.to_ns;
+    if (Status settled = settleOffset(estimate, reference, options, result); !settled)
+        return settled.error();
+    const int64_t shift_ns = result.offset.add_to_reference_ns;
+    const auto inWindow = [&](int64_t time_ns) {
+        return time_ns >= options.from_ns && time_ns <= options.to_ns;
     };
-    for (const TimedPose& frame : shifted.frames)
-        result.reference_missing += inWindow(frame) && !isSeen(frame);
-    PoseSampler sampler(shifted, bridgeableGap_ns(shifted));
-    for (const TimedPose& frame : estimate.frames) {
-        if (!inWindow(frame))
-            continue;
+    for (const TimedPose& frame : reference.frames)
+        result.reference_missing += inWindow(frame.time_ns + shift_ns) && !isSeen(frame);
+    PoseSampler sampler(reference, bridgeableGap_ns(reference));
+    MotionCheck check(estimate.skeleton, "the estimate");
+    Status checked = Done{};
+    const Status walked = estimate.forEach([&](TimedPose&& frame) {
+        checked = check.next(frame);
+        if (!checked)
+            return false;
+        if (!inWindow(frame.time_ns))
+            return true;
         if (!isSeen(frame)) {
             ++result.estimate_missing;
-        } else if (const auto reference_pose = sampler.at(frame.time_ns)) {
-            TimedPose normalised{frame.time_ns, interpolate(*frame.pose, *frame.pose, 0), frame.sigma_rad};
-            comparer.add(normalised, *reference_pose);
+        } else if (const auto reference_pose = sampler.at(frame.time_ns - shift_ns)) {
+            frame.pose = interpolate(*frame.pose, *frame.pose, 0);
+            comparer.add(frame, *reference_pose);
         } else {
             ++result.unmatched;
         }
-    }
+        return true;
+    });
+    for (const Status& status : {checked, walked})
+        if (!status)
+            return status.error();
     if (result.frames == 0)
         return Error{ErrorKind::kUnusable, "the estimate and the reference have no instant in common",
                      "Align their times first, or look at the part where both were recorded"};
     return comparer.finish();
+}
+
+Result<Comparison> compareMotions(const TimedMotion& estimate, const TimedMotion& reference,
+                                  const ComparisonOptions& options) {
+    return compareMotions(sourceOf(estimate), reference, options);
 }
 
 }  // namespace noctule

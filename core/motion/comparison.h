@@ -78,7 +78,10 @@ struct Comparison {
     const JointComparison* find(const std::string& name) const;
 };
 
-/// Fails (kUnusable) when the motions share no moving joint or no time, or do not fit their skeletons.
+/// Fails (kUnusable) when the motions share no moving joint or no time, or do not fit their skeletons. Goes
+/// through the estimate once; to find the clocks' shift it is read as a whole.
+Result<Comparison> compareMotions(const PoseSource& estimate, const TimedMotion& reference,
+                                  const ComparisonOptions& options = {});
 Result<Comparison> compareMotions(const TimedMotion& estimate, const TimedMotion& reference,
                                   const ComparisonOptions& options = {});
 

@@ -20,21 +20,46 @@ bool isUsable(const Pose& pose) {
            std::all_of(pose.q_parent_joint.begin(), pose.q_parent_joint.end(), good);
 }
 
+Result<TimedMotion> PoseSource::all() const {
+    TimedMotion motion{skeleton, {}};
+    const Status walked = forEach([&motion](TimedPose&& frame) {
+        motion.frames.push_back(std::move(frame));
+        return true;
+    });
+    if (!walked)
+        return walked.error();
+    return motion;
+}
+
+PoseSource sourceOf(const TimedMotion& motion) {
+    return {motion.skeleton, [&motion](const PoseSink& sink) -> Status {
+                for (TimedPose frame : motion.frames)
+                    if (!sink(std::move(frame)))
+                        break;
+                return Done{};
+            }};
+}
+
+Status MotionCheck::next(const TimedPose& frame) {
+    const std::string which = where_ + ": frame " + std::to_string(count_);
+    if (count_++ > 0 && frame.time_ns <= last_ns_)
+        return Error{ErrorKind::kUnusable, which + " is not later than the one before it",
+                     "Write the poses in the order of their times"};
+    last_ns_ = frame.time_ns;
+    const bool fits = (!frame.pose || frame.pose->q_parent_joint.size() == joints_) &&
+                      (frame.sigma_rad.empty() || frame.sigma_rad.size() == 3 * joints_);
+    if (!fits)
+        return Error{ErrorKind::kUnusable,
+                     which + " does not fit its skeleton of " + std::to_string(joints_) + " joints",
+                     "Use the actor that the poses were made with"};
+    return Done{};
+}
+
 Status checkMotion(const TimedMotion& motion, const std::string& where) {
-    const size_t joints = motion.skeleton.joints().size();
-    for (size_t i = 0; i < motion.frames.size(); ++i) {
-        const TimedPose& frame = motion.frames[i];
-        const std::string which = where + ": frame " + std::to_string(i);
-        if (i > 0 && frame.time_ns <= motion.frames[i - 1].time_ns)
-            return Error{ErrorKind::kUnusable, which + " is not later than the one before it",
-                         "Write the poses in the order of their times"};
-        const bool fits = (!frame.pose || frame.pose->q_parent_joint.size() == joints) &&
-                          (frame.sigma_rad.empty() || frame.sigma_rad.size() == 3 * joints);
-        if (!fits)
-            return Error{ErrorKind::kUnusable,
-                         which + " does not fit its skeleton of " + std::to_string(joints) + " joints",
-                         "Use the actor that the poses were made with"};
-    }
+    MotionCheck check(motion.skeleton, where);
+    for (const TimedPose& frame : motion.frames)
+        if (Status fits = check.next(frame); !fits)
+            return fits;
     return Done{};
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,8 +25,34 @@ struct TimedMotion {
     std::vector<TimedPose> frames;  ///< times strictly increasing
 };
 
-/// Fails (kUnusable) when times do not increase or a pose does not fit the skeleton; `where` names the
-/// motion.
+/// Called for every frame; false stops the walk.
+using PoseSink = std::function<bool(TimedPose&&)>;
+
+/// A motion that is gone through from its beginning whenever it is needed, and need not fit into memory.
+struct PoseSource {
+    Skeleton skeleton;
+    std::function<Status(const PoseSink&)> forEach;
+
+    Result<TimedMotion> all() const;
+};
+
+/// `motion` must outlive it.
+PoseSource sourceOf(const TimedMotion& motion);
+
+/// Looks at one frame after the other, and fails (kUnusable) when times do not increase or a pose does not
+/// fit the skeleton; `where` names the motion.
+class MotionCheck {
+public:
+    MotionCheck(const Skeleton& skeleton, std::string where)
+        : joints_(skeleton.joints().size()), where_(std::move(where)) {}
+    Status next(const TimedPose& frame);
+
+private:
+    size_t joints_;
+    std::string where_;
+    int64_t count_ = 0, last_ns_ = 0;
+};
+
 Status checkMotion(const TimedMotion& motion, const std::string& where);
 
 /// True when position and rotations are finite and no quaternion is near zero.

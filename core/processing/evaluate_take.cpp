@@ -195,8 +195,11 @@ Result<RunParts> partsOf(const Take& take, const DerivedRun& run) {
 }
 
 /// Boards, pulses and what each joint rested on, for the shown run.
-Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& settings,
-                  const TimedMotion& motion, ReportData& data, const JobContext& job) {
+Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& settings, ReportData& data,
+                  const JobContext& job) {
+    const auto motion = take.poseSource(run.run);
+    if (!motion)
+        return motion.error();
     const auto parts = partsOf(take, run);
     if (!parts)
         return parts.error();
@@ -211,7 +214,7 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
     }
     job.progress(0.5, "Counting pulses");
     LineOfSight sight(parts->suit, parts->calibration, parts->actor);
-    auto pairs = pairQuality(take, parts->suit, settings.range_run, &motion, &sight, job);
+    auto pairs = pairQuality(take, parts->suit, settings.range_run, &*motion, &sight, job);
     if (!pairs)
         return pairs.error();
     data.pairs = std::move(*pairs);
@@ -228,13 +231,16 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
     return Done{};
 }
 
-Status addRun(const Take& take, const DerivedRun& run, const RunSettings& settings, const TimedMotion& motion,
+Status addRun(const Take& take, const DerivedRun& run, const RunSettings& settings,
               const Reference& reference, ReportData& data) {
+    const auto motion = take.poseSource(run.run);
+    if (!motion)
+        return motion.error();
     ReportRun described = describeRun(take, run, settings);
     if (reference.there) {
         if (data.runs.empty())
-            warnOfOtherZeroPose(motion.skeleton, reference.motion.skeleton, data);
-        auto comparison = compareMotions(motion, reference.motion, reference.options);
+            warnOfOtherZeroPose(motion->skeleton, reference.motion.skeleton, data);
+        auto comparison = compareMotions(*motion, reference.motion, reference.options);
         if (!comparison)
             return comparison.error();
         described.comparison = std::move(*comparison);
@@ -272,17 +278,15 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
         if (job.cancelled())
             return JobContext::cancelledError();
         job.progress(0.5 * static_cast<double>(i) / static_cast<double>(runs.size()), "Comparing runs");
-        const auto motion = take.poses(runs[i].run);
-        if (!motion)
-            return motion.error();
         const RunSettings settings = runSettings(runs[i], *all_runs, take.level());
-        if (Status added = addRun(take, runs[i], settings, *motion, *reference, data); !added)
+        if (Status added = addRun(take, runs[i], settings, *reference, data); !added)
             return added.error();
         data.runs.back().is_shown = runs[i].run == shown->run;
-        if (data.runs.back().is_shown)
-            if (Status added = addQuality(take, runs[i], settings, *motion, data, job); !added)
-                return added.error();
     }
+    reference->motion = {};  // of an hour some 500 MB
+    if (Status added = addQuality(take, *shown, runSettings(*shown, *all_runs, take.level()), data, job);
+        !added)
+        return added.error();
     for (const SkippedRows& skipped : take.skippedRows())
         data.warnings.push_back(std::to_string(skipped.count) + " rows of " + skipped.table +
                                 " could not be used, first " + skipped.first + ".");

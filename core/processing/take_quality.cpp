@@ -64,31 +64,39 @@ public:
             pulse.residual_m = static_cast<float>(range.innovation_m);
     }
 
-    Status explain(const TimedMotion& motion, LineOfSight& sight, double sample_rate_hz,
+    /// Between frames that follow each other within 100 ms.
+    Status explain(const PoseSource& motion, LineOfSight& sight, double sample_rate_hz,
                    const JobContext& job) {
-        PoseSampler poses(motion, bridgeableGap_ns(motion));
-        for (size_t p = 0; p < pulses_.size(); ++p) {
-            if (p % 256 == 0 && job.cancelled())
-                return JobContext::cancelledError();
-            const auto pose =
-                poses.at(std::llround(static_cast<double>(pulses_[p].sample) * 1e9 / sample_rate_hz));
-            if (!pose)
-                continue;
-            sight.setPose(*pose);
-            for (size_t b = 0; b < suit_.boards.size(); ++b)
-                if (at(p, b).fate == PulseFate::kMissing &&
-                    sight.isBlocked(pulses_[p].source, static_cast<int>(b)))
-                    at(p, b).fate = PulseFate::kOccluded;
-        }
-        return Done{};
+        const auto time_ns = [&](size_t pulse) {
+            return std::llround(static_cast<double>(pulses_[pulse].sample) * 1e9 / sample_rate_hz);
+        };
+        TimedMotion latest{motion.skeleton, {}};  // the last two frames
+        size_t p = 0;
+        const Status walked = motion.forEach([&](TimedPose&& frame) {
+            latest.frames.push_back(std::move(frame));
+            if (latest.frames.size() > 2)
+                latest.frames.erase(latest.frames.begin());
+            for (; p < pulses_.size() && time_ns(p) <= latest.frames.back().time_ns; ++p)
+                if (const auto pose = poseAt(latest, time_ns(p))) {
+                    sight.setPose(*pose);
+                    explain(p, sight);
+                }
+            return p < pulses_.size() && !job.cancelled();
+        });
+        return job.cancelled() ? JobContext::cancelledError() : walked;
     }
 
     std::vector<ReportPair> pairs() {
         const size_t boards = suit_.boards.size();
+        std::vector<size_t> sent(suit_.sources.size());
+        for (const Pulse& pulse : pulses_)
+            ++sent[static_cast<size_t>(pulse.source)];
         std::vector<ReportPair> pairs;
         for (size_t s = 0; s < suit_.sources.size(); ++s)
-            for (size_t b = 0; b < boards; ++b)
+            for (size_t b = 0; b < boards; ++b) {
                 pairs.push_back({static_cast<int>(s), static_cast<int>(b), {}});
+                pairs.back().pulses.reserve(sent[s]);
+            }
         for (size_t p = 0; p < pulses_.size(); ++p)
             for (size_t b = 0; b < boards; ++b)
                 pairs[static_cast<size_t>(pulses_[p].source) * boards + b].pulses.push_back(at(p, b));
@@ -96,6 +104,12 @@ public:
     }
 
 private:
+    void explain(size_t pulse, const LineOfSight& sight) {
+        for (size_t b = 0; b < suit_.boards.size(); ++b)
+            if (at(pulse, b).fate == PulseFate::kMissing &&
+                sight.isBlocked(pulses_[pulse].source, static_cast<int>(b)))
+                at(pulse, b).fate = PulseFate::kOccluded;
+    }
     PulseAtBoard& at(size_t pulse, size_t board) { return at_boards_[pulse * suit_.boards.size() + board]; }
 
     std::vector<Pulse> pulses_;
@@ -149,7 +163,7 @@ Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit
 }
 
 Result<std::vector<ReportPair>> pairQuality(const Take& take, const Suit& suit,
-                                            std::optional<int64_t> range_run, const TimedMotion* motion,
+                                            std::optional<int64_t> range_run, const PoseSource* motion,
                                             LineOfSight* sight, const JobContext& job) {
     auto pulses = wholePulses(take);
     if (!pulses)

@@ -18,7 +18,7 @@ Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit
 /// What became of every pulse at every board, from the range rows of a run; without a run nothing was heard.
 /// `motion` and `sight` (both or neither) tell what the pose explains.
 Result<std::vector<ReportPair>> pairQuality(const Take& take, const Suit& suit,
-                                            std::optional<int64_t> range_run, const TimedMotion* motion,
+                                            std::optional<int64_t> range_run, const PoseSource* motion,
                                             LineOfSight* sight, const JobContext& job);
 
 }  // namespace noctule

@@ -28,29 +28,43 @@ private:
 using RowVerdict = std::string;
 
 /// Calls `read` for every row of the query. Column 0 names the row in the log. A Row that `read` finds good
-/// is kept. Fails only when the database does.
+/// goes to `sink`, which stops the walk by false. Fails only when the database does.
 template <class Row>
-Result<std::vector<Row>> collectRows(const Database& database, SkipLog& log, const std::string& what,
-                                     const std::string& sql,
-                                     const std::function<RowVerdict(const Statement&, Row&)>& read) {
+Status forEachRow(const Database& database, SkipLog& log, const std::string& what, const std::string& sql,
+                  const std::function<RowVerdict(const Statement&, Row&)>& read,
+                  const std::function<bool(Row&&)>& sink) {
     log.restart(what);
     Result<Statement> statement = database.prepare(sql);
     if (!statement)
         return statement.error();
-    std::vector<Row> rows;
     while (true) {
         const Result<bool> there = statement->step();
         if (!there)
             return there.error();
         if (!*there)
-            return rows;
+            return Done{};
         Row row;
         const RowVerdict verdict = read(*statement, row);
-        if (verdict.empty())
-            rows.push_back(std::move(row));
-        else
+        if (!verdict.empty())
             log.add(what, std::to_string(statement->integer(0).value_or(-1)), verdict);
+        else if (!sink(std::move(row)))
+            return Done{};
     }
+}
+
+/// All of them.
+template <class Row>
+Result<std::vector<Row>> collectRows(const Database& database, SkipLog& log, const std::string& what,
+                                     const std::string& sql,
+                                     const std::function<RowVerdict(const Statement&, Row&)>& read) {
+    std::vector<Row> rows;
+    const Status walked = forEachRow<Row>(database, log, what, sql, read, [&rows](Row&& row) {
+        rows.push_back(std::move(row));
+        return true;
+    });
+    if (!walked)
+        return walked.error();
+    return rows;
 }
 
 /// "adc_block" or, of a later suit, "adc_block of suit 2": what the log calls the rows of a suit.

@@ -96,6 +96,9 @@ public:
     Result<std::optional<std::vector<FootContacts>>> editedContacts(int suit = 1) const;
     /// On the skeleton of the actor that the run names, else of the one in force.
     Result<TimedMotion> poses(int64_t run, int suit = 1) const;
+    /// The same, read anew whenever it is gone through: an hour of it takes no memory. The take must outlive
+    /// it.
+    Result<PoseSource> poseSource(int64_t run, int suit = 1) const;
 
 private:
     friend class TakeEdit;
@@ -114,8 +117,8 @@ private:
     Result<Stored<T>> document(const std::string& table, const std::string& where, const std::string& who,
                                Parse parse) const;
     Result<Actor> referenceActor(int suit) const;
-    Result<std::vector<TimedPose>> timedPoses(const std::string& table, const std::string& filter, int suit,
-                                              size_t joint_count) const;
+    PoseSource timedPoses(Skeleton skeleton, const std::string& table, const std::string& filter,
+                          int suit) const;
     Result<RunOfTake> runOfTake(int64_t run, int suit) const;
     Error unusable(const std::string& what, const std::string& remedy) const;
     std::string ofSuit(const std::string& table, int suit) const;  ///< " WHERE suit=N"

@@ -164,14 +164,20 @@ Result<std::optional<SampleInterval>> Take::restInterval(int suit) const {
     return std::optional<SampleInterval>();
 }
 
-Result<std::vector<TimedPose>> Take::timedPoses(const std::string& table, const std::string& filter, int suit,
-                                                size_t joint_count) const {
-    return collectRows<TimedPose>(*database_, *log_, rowsOfSuit(table, suit),
-                                  schema_->select(table, {"time_ns", "px", "py", "pz", "q", "sigma"}) +
-                                      ofSuit(table, suit) + filter + " ORDER BY 1",
-                                  [joint_count](const Statement& row, TimedPose& timed) {
-                                      return readTimedPose(row, joint_count, timed);
-                                  });
+PoseSource Take::timedPoses(Skeleton skeleton, const std::string& table, const std::string& filter,
+                            int suit) const {
+    const auto joint_count = static_cast<size_t>(skeleton.size());
+    const std::string sql = schema_->select(table, {"time_ns", "px", "py", "pz", "q", "sigma"}) +
+                            ofSuit(table, suit) + filter + " ORDER BY 1";
+    return {std::move(skeleton),
+            [this, what = rowsOfSuit(table, suit), sql, joint_count](const PoseSink& sink) {
+                return forEachRow<TimedPose>(
+                    *database_, *log_, what, sql,
+                    [joint_count](const Statement& row, TimedPose& timed) {
+                        return readTimedPose(row, joint_count, timed);
+                    },
+                    sink);
+            }};
 }
 
 Result<TimedMotion> Take::reference(int suit) const {
@@ -180,10 +186,7 @@ Result<TimedMotion> Take::reference(int suit) const {
     const auto actor = referenceActor(suit);
     if (!actor)
         return actor.error();
-    auto frames = timedPoses("reference", "", suit, static_cast<size_t>(actor->skeleton.size()));
-    if (!frames)
-        return frames.error();
-    return TimedMotion{actor->skeleton, std::move(*frames)};
+    return timedPoses(actor->skeleton, "reference", "", suit).all();
 }
 
 Result<std::vector<ExternalRootRow>> Take::externalRoot(int suit) const {
@@ -296,6 +299,13 @@ Result<std::optional<std::vector<FootContacts>>> Take::editedContacts(int suit) 
 }
 
 Result<TimedMotion> Take::poses(int64_t run, int suit) const {
+    const auto source = poseSource(run, suit);
+    if (!source)
+        return source.error();
+    return source->all();
+}
+
+Result<PoseSource> Take::poseSource(int64_t run, int suit) const {
     const auto runs = derivedRuns();
     if (!runs)
         return runs.error();
@@ -310,11 +320,7 @@ Result<TimedMotion> Take::poses(int64_t run, int suit) const {
     }
     if (!own)
         return own.error();
-    auto frames = timedPoses("pose", " AND run=" + std::to_string(run), suit,
-                             static_cast<size_t>(own->skeleton.size()));
-    if (!frames)
-        return frames.error();
-    return TimedMotion{own->skeleton, std::move(*frames)};
+    return timedPoses(own->skeleton, "pose", " AND run=" + std::to_string(run), suit);
 }
 
 }  // namespace noctule

@@ -248,7 +248,7 @@ TEST(Comparison, SaysWhatCannotBeCompared) {
     TimedMotion stranger{Skeleton::make({{"Root", -1, {}, JointType::kFree, {}, {}, {}}}).value(), {}};
     stranger.frames.push_back({0, stranger.skeleton.zeroPose(), {}});
     EXPECT_NE(compareMotions(motion, stranger).error().message.find("share no joint"), std::string::npos);
-    EXPECT_FALSE(compareMotions({skeleton(), {}}, motion).ok());
+    EXPECT_FALSE(compareMotions(TimedMotion{skeleton(), {}}, motion).ok());
 }
 
 }  // namespace

@@ -118,5 +118,20 @@ TEST(TimeOffset, StillnessAndShortnessGiveNothing) {
     EXPECT_FALSE(findTimeOffset({skeleton(), {}}, brief));
 }
 
+TEST(PoseSource, IsGoneThroughAnewUntilItsReaderHasEnough) {
+    const TimedMotion motion = swinging(skeleton(), 1, 60, 0);
+    const PoseSource source = sourceOf(motion);
+    for (const size_t wanted : {size_t{3}, motion.frames.size()}) {
+        std::vector<int64_t> times_ns;
+        EXPECT_TRUE(source.forEach([&](TimedPose&& frame) {
+            times_ns.push_back(frame.time_ns);
+            return times_ns.size() < wanted;
+        }));
+        ASSERT_EQ(times_ns.size(), wanted);
+        EXPECT_EQ(times_ns[2], motion.frames[2].time_ns);
+    }
+    EXPECT_EQ(source.all()->frames.size(), motion.frames.size());
+}
+
 }  // namespace
 }  // namespace noctule
