@@ -89,9 +89,10 @@ struct ManifoldParameters {
     /// linearised filter soon believes its own errors: a pull towards the rest pose and towards rest (per
     /// prior_interval_s), and slower motion unless a gyroscope farther out turns with it.
     struct Blind {
-        double joint_accel_rad_per_s2, pose_prior_rad, rate_prior_rad_per_s;
-    };
-    Blind blind{10, 0.3, 0.5}, all_blind{30, 0.4, 0.7};  ///< all: without any gyroscope
+        double joint_accel_rad_per_s2 = 10, pose_prior_rad = 0.3, rate_prior_rad_per_s = 0.5;
+    } blind;
+    /// The same without any gyroscope.
+    Blind all_blind{.joint_accel_rad_per_s2 = 30, .pose_prior_rad = 0.4, .rate_prior_rad_per_s = 0.7};
     /// Accelerometers without any gyroscope count as though boards rode on flesh by this share: as levels,
     /// the less the more they were shaken lately.
     double all_blind_flesh_share = 0.15;

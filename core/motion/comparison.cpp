@@ -11,6 +11,7 @@ namespace noctule {
 namespace {
 
 constexpr double kNoSigma_rad = 1e-9;
+constexpr const char* kEstimate = "the estimate";
 
 struct Mean {
     double sum = 0;
@@ -65,7 +66,7 @@ struct JointRecord {
 
 class Comparer {
 public:
-    /// Keeps references.
+    /// Both skeletons must outlive it.
     Comparer(const Skeleton& estimate, const Skeleton& reference, const ComparisonOptions& options)
         : estimate_(estimate),
           reference_(reference),
@@ -175,13 +176,17 @@ private:
 /// The shift between the clocks, as asked for or found.
 Status settleOffset(const PoseSource& estimate, const TimedMotion& reference,
                     const ComparisonOptions& options, Comparison& report) {
-    if (options.reference_offset_ns)
+    if (options.reference_offset_ns) {
         report.offset.add_to_reference_ns = *options.reference_offset_ns;
-    if (options.reference_offset_ns || !options.align_time)
+        return Done{};
+    }
+    if (!options.align_time)
         return Done{};
     const auto whole = estimate.all();
     if (!whole)
         return whole.error();
+    if (Status checked = checkMotion(*whole, kEstimate); !checked)
+        return checked;
     const auto found = findTimeOffset(*whole, reference);
     if (found && found->trusted())
         report.offset = *found;
@@ -220,7 +225,7 @@ Result<Comparison> compareMotions(const PoseSource& estimate, const TimedMotion&
     for (const TimedPose& frame : reference.frames)
         result.reference_missing += inWindow(frame.time_ns + shift_ns) && !isSeen(frame);
     PoseSampler sampler(reference, bridgeableGap_ns(reference));
-    MotionCheck check(estimate.skeleton, "the estimate");
+    MotionCheck check(estimate.skeleton, kEstimate);
     Status checked = Done{};
     const Status walked = estimate.forEach([&](TimedPose&& frame) {
         checked = check.next(frame);
@@ -238,9 +243,10 @@ Result<Comparison> compareMotions(const PoseSource& estimate, const TimedMotion&
         }
         return true;
     });
-    for (const Status& status : {checked, walked})
-        if (!status)
-            return status.error();
+    if (!checked)
+        return checked.error();
+    if (!walked)
+        return walked.error();
     if (result.frames == 0)
         return Error{ErrorKind::kUnusable, "the estimate and the reference have no instant in common",
                      "Align their times first, or look at the part where both were recorded"};

@@ -41,16 +41,16 @@ PoseSource sourceOf(const TimedMotion& motion) {
 }
 
 Status MotionCheck::next(const TimedPose& frame) {
-    const std::string which = where_ + ": frame " + std::to_string(count_);
+    const auto which = [&] { return where_ + ": frame " + std::to_string(count_ - 1); };
     if (count_++ > 0 && frame.time_ns <= last_ns_)
-        return Error{ErrorKind::kUnusable, which + " is not later than the one before it",
+        return Error{ErrorKind::kUnusable, which() + " is not later than the one before it",
                      "Write the poses in the order of their times"};
     last_ns_ = frame.time_ns;
     const bool fits = (!frame.pose || frame.pose->q_parent_joint.size() == joints_) &&
                       (frame.sigma_rad.empty() || frame.sigma_rad.size() == 3 * joints_);
     if (!fits)
         return Error{ErrorKind::kUnusable,
-                     which + " does not fit its skeleton of " + std::to_string(joints_) + " joints",
+                     which() + " does not fit its skeleton of " + std::to_string(joints_) + " joints",
                      "Use the actor that the poses were made with"};
     return Done{};
 }

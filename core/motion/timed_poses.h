@@ -38,6 +38,7 @@ struct PoseSource {
 
 /// `motion` must outlive it.
 PoseSource sourceOf(const TimedMotion& motion);
+PoseSource sourceOf(TimedMotion&& motion) = delete;
 
 /// Looks at one frame after the other, and fails (kUnusable) when times do not increase or a pose does not
 /// fit the skeleton; `where` names the motion.
@@ -53,6 +54,7 @@ private:
     int64_t count_ = 0, last_ns_ = 0;
 };
 
+/// Every frame of it.
 Status checkMotion(const TimedMotion& motion, const std::string& where);
 
 /// True when position and rotations are finite and no quaternion is near zero.

@@ -283,7 +283,7 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
             return added.error();
         data.runs.back().is_shown = runs[i].run == shown->run;
     }
-    reference->motion = {};  // of an hour some 500 MB
+    reference->motion = {};  // not needed any more; an hour of it is some 500 MB
     if (Status added = addQuality(take, *shown, runSettings(*shown, *all_runs, take.level()), data, job);
         !added)
         return added.error();

@@ -64,24 +64,27 @@ public:
             pulse.residual_m = static_cast<float>(range.innovation_m);
     }
 
-    /// Between frames that follow each other within 100 ms.
+    /// What was missing and could not be heard: where the poses before and after are near enough.
     Status explain(const PoseSource& motion, LineOfSight& sight, double sample_rate_hz,
                    const JobContext& job) {
         const auto time_ns = [&](size_t pulse) {
             return std::llround(static_cast<double>(pulses_[pulse].sample) * 1e9 / sample_rate_hz);
         };
-        TimedMotion latest{motion.skeleton, {}};  // the last two frames
+        constexpr int64_t kNear_ns = 200'000'000;  // runs of other programs may hold ten poses a second
+        TimedMotion latest{motion.skeleton, {}};   // the last two that were seen
         size_t p = 0;
         const Status walked = motion.forEach([&](TimedPose&& frame) {
+            if (!frame.pose || !isUsable(*frame.pose))
+                return !job.cancelled();
             latest.frames.push_back(std::move(frame));
             if (latest.frames.size() > 2)
                 latest.frames.erase(latest.frames.begin());
             for (; p < pulses_.size() && time_ns(p) <= latest.frames.back().time_ns; ++p)
-                if (const auto pose = poseAt(latest, time_ns(p))) {
+                if (const auto pose = poseAt(latest, time_ns(p), kNear_ns)) {
                     sight.setPose(*pose);
-                    explain(p, sight);
+                    explainPulse(p, sight);
                 }
-            return p < pulses_.size() && !job.cancelled();
+            return !job.cancelled();
         });
         return job.cancelled() ? JobContext::cancelledError() : walked;
     }
@@ -104,7 +107,7 @@ public:
     }
 
 private:
-    void explain(size_t pulse, const LineOfSight& sight) {
+    void explainPulse(size_t pulse, const LineOfSight& sight) {
         for (size_t b = 0; b < suit_.boards.size(); ++b)
             if (at(pulse, b).fate == PulseFate::kMissing &&
                 sight.isBlocked(pulses_[pulse].source, static_cast<int>(b)))

@@ -28,7 +28,8 @@ private:
 using RowVerdict = std::string;
 
 /// Calls `read` for every row of the query. Column 0 names the row in the log. A Row that `read` finds good
-/// goes to `sink`, which stops the walk by false. Fails only when the database does.
+/// goes to `sink`, which stops the walk by false; the log then knows of the rows up to there. Fails only when
+/// the database does.
 template <class Row>
 Status forEachRow(const Database& database, SkipLog& log, const std::string& what, const std::string& sql,
                   const std::function<RowVerdict(const Statement&, Row&)>& read,
@@ -52,7 +53,7 @@ Status forEachRow(const Database& database, SkipLog& log, const std::string& wha
     }
 }
 
-/// All of them.
+/// All good rows.
 template <class Row>
 Result<std::vector<Row>> collectRows(const Database& database, SkipLog& log, const std::string& what,
                                      const std::string& sql,

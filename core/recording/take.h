@@ -96,8 +96,7 @@ public:
     Result<std::optional<std::vector<FootContacts>>> editedContacts(int suit = 1) const;
     /// On the skeleton of the actor that the run names, else of the one in force.
     Result<TimedMotion> poses(int64_t run, int suit = 1) const;
-    /// The same, read anew whenever it is gone through: an hour of it takes no memory. The take must outlive
-    /// it.
+    /// The same, read anew, one frame at a time, whenever it is gone through. The take must outlive it.
     Result<PoseSource> poseSource(int64_t run, int suit = 1) const;
 
 private:

@@ -169,10 +169,10 @@ PoseSource Take::timedPoses(Skeleton skeleton, const std::string& table, const s
     const auto joint_count = static_cast<size_t>(skeleton.size());
     const std::string sql = schema_->select(table, {"time_ns", "px", "py", "pz", "q", "sigma"}) +
                             ofSuit(table, suit) + filter + " ORDER BY 1";
-    return {std::move(skeleton),
-            [this, what = rowsOfSuit(table, suit), sql, joint_count](const PoseSink& sink) {
+    return {std::move(skeleton), [database = database_.get(), log = log_.get(),
+                                  what = rowsOfSuit(table, suit), sql, joint_count](const PoseSink& sink) {
                 return forEachRow<TimedPose>(
-                    *database_, *log_, what, sql,
+                    *database, *log, what, sql,
                     [joint_count](const Statement& row, TimedPose& timed) {
                         return readTimedPose(row, joint_count, timed);
                     },

@@ -242,6 +242,10 @@ TEST(Comparison, SaysWhatCannotBeCompared) {
     TimedMotion wrong = motion;
     wrong.frames[3].pose->q_parent_joint.pop_back();
     EXPECT_NE(compareMotions(wrong, motion).error().message.find("the estimate: frame 3"), std::string::npos);
+    ComparisonOptions aligned;
+    aligned.align_time = true;
+    EXPECT_NE(compareMotions(wrong, motion, aligned).error().message.find("the estimate: frame 3"),
+              std::string::npos);
     TimedMotion disordered = motion;
     disordered.frames[5].time_ns = 0;
     EXPECT_FALSE(compareMotions(motion, disordered).ok());
