@@ -79,7 +79,7 @@ struct Comparison {
 };
 
 /// Fails (kUnusable) when the motions share no moving joint or no time, or do not fit their skeletons. Goes
-/// through the estimate once; before, to find the clocks' shift, it is read as a whole.
+/// through the estimate once; with `align_time` it is first read as a whole.
 Result<Comparison> compareMotions(const PoseSource& estimate, const TimedMotion& reference,
                                   const ComparisonOptions& options = {});
 Result<Comparison> compareMotions(const TimedMotion& estimate, const TimedMotion& reference,

@@ -28,14 +28,18 @@ ProcessRequest requestFor(const std::string& path) {
     return request;
 }
 
-/// Of a run's poses against the take's reference, after its rest pose.
-Comparison compareRun(const std::string& path, int64_t pose_run) {
-    const Take take = Take::open(path).value();
+/// Against the take's reference, after its rest pose.
+Comparison compareAfterRest(const Take& take, const TimedMotion& motion) {
     const auto rest = take.restInterval().value();
     ComparisonOptions options;
     if (rest)
         options.from_ns = rest->last * 1'000'000'000 / take.header().sample_rate_hz;
-    return compareMotions(take.poses(pose_run).value(), take.reference().value(), options).value();
+    return compareMotions(motion, take.reference().value(), options).value();
+}
+
+Comparison compareRun(const std::string& path, int64_t pose_run) {
+    const Take take = Take::open(path).value();
+    return compareAfterRest(take, take.poses(pose_run).value());
 }
 
 struct SegmentError {
@@ -355,14 +359,12 @@ double heldRestPoseError_deg(const std::string& path, int64_t pose_run) {
     TimedMotion held = take.poses(pose_run).value();
     for (TimedPose& frame : held.frames)
         frame = {frame.time_ns, held.frames.front().pose, {}};
-    ComparisonOptions options;
-    options.from_ns = take.restInterval().value()->last * 1'000'000'000 / take.header().sample_rate_hz;
-    return compareMotions(held, take.reference().value(), options).value().mean_deg;
+    return compareAfterRest(take, held).mean_deg;
 }
 
 /// Accelerometers without gyroscopes are levels, the less the more they are shaken. Measured: rest pose 21.7,
-/// A 10.4, D 13.2, A+D 6.1 degrees; with a share of 0.9 (all_blind_flesh_share) A was at 19.5 and A+D
-/// at 13.5.
+/// A 10.4, D 13.2, A+D 6.1 degrees; with an all_blind_flesh_share of 0.9 and all_blind as blind A was at 19.5
+/// and A+D at 13.5.
 TEST(ProcessSimulation, WithoutGyroscopesForcesTellMoreThanTheRestPose) {
     if (!std::filesystem::exists(kMotion))
         GTEST_SKIP() << "no " << kMotion << " (package assimp-testmodels)";
