@@ -15,8 +15,7 @@
 
 #include "core/estimation/covariance.h"
 #include "core/estimation/heading_shift.h"
-#include "core/estimation/limb_turn.h"
-#include "core/estimation/prediction.h"
+#include "core/math/transition_kernels.h"
 
 namespace noctule {
 

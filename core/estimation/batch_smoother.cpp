@@ -203,7 +203,7 @@ Status BatchSmoother::improve(const JobContext& job) {
     for (auto event = tape.rbegin(); event != tape.rend(); ++event) {
         if (const auto* update = std::get_if<ObservedUpdate>(&*event))
             adjoint_.back(*update);
-        if (const auto* transition = std::get_if<MotionTransition>(&*event)) {
+        if (const auto* transition = std::get_if<LinkTransitions>(&*event)) {
             (step++)->lambda = adjoint_.lambda();
             adjoint_.back(*transition);
         }
@@ -213,7 +213,7 @@ Status BatchSmoother::improve(const JobContext& job) {
         motion_.replace(0, first_state, error);
     int64_t index = 0;
     for (const auto& event : tape)
-        if (const auto* transition = std::get_if<MotionTransition>(&event)) {
+        if (const auto* transition = std::get_if<LinkTransitions>(&event)) {
             const Passed& now = passed[static_cast<size_t>(index)];
             transition->carry(error);
             error += now.defect - problem_->noiseTimes(now.noise, now.lambda);

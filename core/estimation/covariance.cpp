@@ -2,7 +2,7 @@
 #include "core/estimation/covariance.h"
 
 #include <Eigen/Cholesky>
-#include <numeric>
+#include <algorithm>
 #include <utility>
 
 namespace noctule {
@@ -31,6 +31,7 @@ Eigen::MatrixXd& Covariance::dense() {
     if (hasPending())
         subtractOuterProduct(P_, pending());
     pending_rows_ = 0;
+    foresight_.count = 0;
     return P_;
 }
 
@@ -40,19 +41,33 @@ void Covariance::timesPending(const ObservationBlock& block, MatrixOut seen, Eig
     seen.middleRows(first, block.rows()) = product.transpose();
 }
 
+const Eigen::MatrixXd* Covariance::foreseen(const ObservationBlock& block) const {
+    const auto end = foresight_.blocks.begin() + static_cast<std::ptrdiff_t>(foresight_.count);
+    const auto found = std::find_if(foresight_.blocks.begin(), end, [&](const Foreseen& seen) {
+        return seen.columns == block.columns && seen.H.rows() == block.H.rows() && seen.H == block.H;
+    });
+    return found == end ? nullptr : &found->P_H;
+}
+
+const Eigen::MatrixXd& Covariance::foresee(const ObservationBlock& block) const {
+    if (const Eigen::MatrixXd* P_H = foreseen(block))
+        return *P_H;
+    if (foresight_.count == foresight_.blocks.size())
+        foresight_.blocks.emplace_back();
+    Foreseen& seen = foresight_.blocks[foresight_.count++];
+    seen.columns = block.columns;
+    seen.H = block.H;
+    seen.P_H.resize(P_.rows(), block.rows());
+    multiplySparse(P_, block.columns, block.H, seen.P_H, 0);
+    return seen.P_H;
+}
+
 Eigen::VectorXd Covariance::innovationVariance(const ObservationBlock& block) const {
-    const Eigen::Index count = block.H.cols();
-    Eigen::MatrixXd P_seen(count, count);
-    for (Eigen::Index j = 0; j < count; ++j) {
-        const double* column = P_.col(block.columns[static_cast<size_t>(j)]).data();
-        for (Eigen::Index i = 0; i < count; ++i)
-            P_seen(i, j) = column[block.columns[static_cast<size_t>(i)]];
-    }
-    std::vector<int> all(static_cast<size_t>(count));
-    std::iota(all.begin(), all.end(), 0);
-    Eigen::MatrixXd P_H(count, block.rows());
-    multiplySparse(P_seen, all, block.H, P_H, 0);
-    Eigen::VectorXd variance = block.variance + P_H.transpose().cwiseProduct(block.H).rowwise().sum();
+    const Eigen::MatrixXd& P_H = foresee(block);
+    Eigen::VectorXd variance = block.variance;
+    for (size_t k = 0; k < block.columns.size(); ++k)
+        variance +=
+            P_H.row(block.columns[k]).transpose().cwiseProduct(block.H.col(static_cast<Eigen::Index>(k)));
     if (hasPending()) {
         auto seen = seen_.shaped(block.rows(), pending_rows_);
         timesPending(block, seen, 0);
@@ -67,7 +82,10 @@ Eigen::MatrixXd Covariance::innovationCovariance(const Blocks& blocks, MatrixOut
     auto seen = seen_.shaped(m, pending_rows_);
     Eigen::Index row = 0;
     for (const ObservationBlock& block : blocks) {
-        multiplySparse(P_, block.columns, block.H, columns, row);
+        if (const Eigen::MatrixXd* P_H = foreseen(block))
+            columns.middleCols(row, block.rows()) = *P_H;
+        else
+            multiplySparse(P_, block.columns, block.H, columns, row);
         if (hasPending())
             timesPending(block, seen, row);
         row += block.rows();
@@ -103,7 +121,8 @@ Eigen::VectorXd Covariance::update(const std::vector<ObservationBlock>& blocks, 
     const Eigen::LLT<Eigen::MatrixXd> factor(innovationCovariance(blocks, gain));
     if (factor.info() != Eigen::Success)
         return Eigen::VectorXd::Zero(n);
-    Eigen::MatrixXd inverse_L = factor.matrixL().solve(Eigen::MatrixXd::Identity(m, m));
+    Eigen::MatrixXd inverse_L = factor.matrixL();
+    invertLowerTriangle(inverse_L);
     const Eigen::VectorXd whitened = inverse_L * residualOf(blocks, m);
 
     reservePending(m);

@@ -50,6 +50,10 @@ private:
     bool hasPending() const { return pending_rows_ > 0; }
     /// X^T of what is pending, m x n.
     auto pending() const { return pending_.topRows(pending_rows_); }
+    /// P_ H^T of a block that was asked about since P_ may have changed, as most are before they are
+    /// observed; foreseen() is null for others.
+    const Eigen::MatrixXd* foreseen(const ObservationBlock& block) const;
+    const Eigen::MatrixXd& foresee(const ObservationBlock& block) const;
     /// H times the pending X, rows x pending, into rows `first`.. of `seen`.
     void timesPending(const ObservationBlock& block, MatrixOut seen, Eigen::Index first) const;
     /// H P H^T + R of all blocks and, as `gain`, H P (m x n), with what is pending.
@@ -60,6 +64,22 @@ private:
     Eigen::MatrixXd P_;
     Eigen::MatrixXd pending_;  ///< X^T in its first rows: true covariance = P_ - X X^T
     Eigen::Index pending_rows_ = 0;
+    struct Foreseen {
+        std::vector<int> columns;
+        Eigen::MatrixXd H, P_H;
+    };
+    /// A copy has foreseen nothing.
+    struct Foresight {
+        Foresight() = default;
+        Foresight(const Foresight&) {}
+        Foresight& operator=(const Foresight&) {
+            count = 0;
+            return *this;
+        }
+        std::vector<Foreseen> blocks;  ///< the first `count`; the others are room for more
+        size_t count = 0;
+    };
+    mutable Foresight foresight_;
     mutable MatrixBuffer gain_columns_, gain_, seen_;  ///< room for the next update's work
 };
 

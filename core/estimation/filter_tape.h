@@ -10,12 +10,12 @@
 
 #include "core/estimation/covariance.h"
 #include "core/estimation/heading_shift.h"
-#include "core/estimation/limb_turn.h"
-#include "core/estimation/prediction.h"
+#include "core/math/transition_kernels.h"
 
 namespace noctule {
 
-/// The estimate at an instant at which a pose is wanted.
+/// The estimate at an instant at which a pose is wanted. Its covariance fits the estimate as it was before
+/// the step's corrections: the next step carries it over.
 struct TapedFrame {
     std::vector<int64_t> times_ns;  ///< several while the body is still
     MotionState motion;
@@ -30,6 +30,6 @@ struct Widening {
 };
 
 using FilterTape =
-    std::deque<std::variant<MotionTransition, HeadingShift, LimbShift, ObservedUpdate, TapedFrame, Widening>>;
+    std::deque<std::variant<LinkTransitions, HeadingShift, ObservedUpdate, TapedFrame, Widening>>;
 
 }  // namespace noctule

@@ -5,23 +5,6 @@
 #include "core/math/rotation.h"
 
 namespace noctule {
-namespace {
-
-/// By columns, which lie in one piece; the matrix is symmetric before and after.
-template <class ShiftColumns>
-void shiftBothSides(Eigen::MatrixXd& symmetric, Eigen::Index n, const std::vector<RotationShift>& shifts,
-                    const ShiftColumns& shiftColumns) {
-    if (shifts.empty())
-        return;
-    for (int side = 0; side < 2; ++side) {
-        if (side > 0)
-            symmetric.transposeInPlace();
-        for (const RotationShift& shift : shifts)
-            shiftColumns(symmetric, n, shift);
-    }
-}
-
-}  // namespace
 
 LimbTurns::LimbTurns(const KinematicTree& tree, const MotionState& motion) {
     for (size_t i = 0; i < tree.links().size(); ++i) {
@@ -101,33 +84,20 @@ Eigen::VectorXd bendTurns(const KinematicTree& tree, const MotionState& motion, 
     return correction;
 }
 
-LimbShift::LimbShift(const KinematicTree& tree, const LimbTurns& before, const LimbTurns& after)
-    : n_(tree.freedoms()) {
+LinkTransitions limbShift(const KinematicTree& tree, const LimbTurns& before, const LimbTurns& after) {
+    LinkTransitions shift{tree.freedoms()};
     for (size_t i = 1; i < tree.links().size(); ++i) {
         if (tree.links()[i].type != LinkType::kBall)
             continue;
         const LimbTurns::Turn &from = before.of(i), &to = after.of(i);
         const Matrix3d theta = to.R_world_link.transpose() * from.R_world_link;
-        shifts_.push_back({tree.links()[i].first, theta, to.rate_by_theta * theta - from.rate_by_theta,
-                           to.accel_by_theta * theta - from.accel_by_theta});
+        shift.links.push_back({.first = tree.links()[i].first,
+                               .count = 3,
+                               .turn = theta,
+                               .rate_by_theta = to.rate_by_theta * theta - from.rate_by_theta,
+                               .accel_by_theta = to.accel_by_theta * theta - from.accel_by_theta});
     }
-}
-
-void LimbShift::carry(Eigen::MatrixXd& P) const {
-    shiftBothSides(P, n_, shifts_, shiftColumns);
-}
-
-void LimbShift::carryBack(Eigen::VectorXd& lambda) const {
-    for (const RotationShift& shift : shifts_)
-        lambda.segment<3>(shift.first) =
-            (shift.to_theta.transpose() * lambda.segment<3>(shift.first) +
-             shift.to_rate.transpose() * lambda.segment<3>(n_ + shift.first) +
-             shift.to_accel.transpose() * lambda.segment<3>(2 * n_ + shift.first))
-                .eval();
-}
-
-void LimbShift::carryBack(Eigen::MatrixXd& Lambda) const {
-    shiftBothSides(Lambda, n_, shifts_, shiftColumnsBack);
+    return shift;
 }
 
 }  // namespace noctule

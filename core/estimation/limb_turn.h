@@ -48,21 +48,7 @@ private:
 /// rate is not corrected at the same time.
 Eigen::VectorXd bendTurns(const KinematicTree& tree, const MotionState& motion, Eigen::VectorXd correction);
 
-/// The change of the joints' errors with an estimate from `before` to `after` updates. Columns as in
-/// StateLayout.
-class LimbShift {
-public:
-    LimbShift(const KinematicTree& tree, const LimbTurns& before, const LimbTurns& after);
-
-    /// P := M P M^T, error := M error.
-    void carry(Eigen::MatrixXd& P) const;
-    /// The adjoint, against time: lambda := M^T lambda, Lambda := M^T Lambda M.
-    void carryBack(Eigen::VectorXd& lambda) const;
-    void carryBack(Eigen::MatrixXd& Lambda) const;
-
-private:
-    Eigen::Index n_;
-    std::vector<RotationShift> shifts_;
-};
+/// The change of the joints' errors with an estimate from `before` to `after` updates; takes no time.
+LinkTransitions limbShift(const KinematicTree& tree, const LimbTurns& before, const LimbTurns& after);
 
 }  // namespace noctule

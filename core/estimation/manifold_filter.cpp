@@ -183,7 +183,6 @@ void ManifoldFilter::step(const StepInput& input) {
     const auto prior_steps = std::max<int64_t>(1, std::llround(parameters_.prior_interval_s / step_s_));
     if (now_.step_index % prior_steps == 0)
         updatePriors();
-    fitErrors();
     if (now_.step_index % parameters_.steps_per_frame != 0)
         return;
     if (tape_)
@@ -219,8 +218,10 @@ void ManifoldFilter::allowForClipping(const std::vector<InertialMeasurement>& me
 }
 
 void ManifoldFilter::predict(double dt_s) {
-    MotionTransition transition = predictMotion(tree_, now_.state.motion, now_.P.dense(), dt_s,
-                                                acceleration_decay_, now_.motion_noise.variance());
+    fitHeading();
+    LinkTransitions transition =
+        predictMotion(tree_, now_.state.motion, now_.P.dense(), dt_s, acceleration_decay_,
+                      now_.motion_noise.variance(), shiftOfLimbs());
     if (tape_)
         tape_->push_back(std::move(transition));
     now_.P.dense().diagonal() += wander_;
@@ -232,17 +233,27 @@ void ManifoldFilter::correct(const Eigen::VectorXd& delta) {
              parameters_.sensors.gyroscopes ? bendTurns(tree_, now_.state.motion, delta) : delta, now_.state);
 }
 
-/// Makes P fit the corrected estimate, so that what no reading tells stays so.
-void ManifoldFilter::fitErrors() {
-    const auto shift = [this](auto change) {
-        change.carry(now_.P.dense());
-        if (tape_)
-            tape_->push_back(std::move(change));
-    };
-    if (parameters_.sensors.gyroscopes)
-        shift(LimbShift(tree_, LimbTurns(tree_, now_.fitted), LimbTurns(tree_, now_.state.motion)));
+LinkTransitions ManifoldFilter::shiftOfLimbs() const {
+    return parameters_.sensors.gyroscopes
+               ? limbShift(tree_, LimbTurns(tree_, now_.fitted), LimbTurns(tree_, now_.state.motion))
+               : LinkTransitions{tree_.freedoms()};
+}
+
+template <class Shift>
+void ManifoldFilter::carryErrors(Shift shift) {
+    shift.carry(now_.P.dense());
+    if (tape_)
+        tape_->push_back(std::move(shift));
+}
+
+void ManifoldFilter::fitHeading() {
     if (isFree())
-        shift(HeadingShift(now_.fitted, now_.state.motion));
+        carryErrors(HeadingShift(now_.fitted, now_.state.motion));
+}
+
+void ManifoldFilter::fitErrors() {
+    carryErrors(shiftOfLimbs());
+    fitHeading();
     now_.fitted = now_.state.motion;
 }
 

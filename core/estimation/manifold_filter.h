@@ -213,7 +213,13 @@ private:
     }
     /// Nobody else knows the root.
     bool isFree() const { return tree_.link(0).type == LinkType::kFree && !parameters_.root_given; }
+    /// Makes P fit the corrected estimate, so that what no reading tells stays so; a step begins with it,
+    /// too.
     void fitErrors();
+    void fitHeading();
+    LinkTransitions shiftOfLimbs() const;
+    template <class Shift>
+    void carryErrors(Shift shift);
     TimedPose estimateAt(double time_s) const;
     void emitRestPoses(const RestReadings& rest);
 

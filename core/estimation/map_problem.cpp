@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/map_problem.h"
 
+#include "core/estimation/prediction.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
@@ -75,7 +76,7 @@ MapProblem::Estimate MapProblem::prior(const BodyState& first) const {
 void MapProblem::filterStep(const DecidedStep& step, const Leg& leg, Estimate& estimate,
                             FilterTape* tape) const {
     MotionState motion = leg.from.motion;
-    MotionTransition transition =
+    LinkTransitions transition =
         predictMotion(filter_.tree(), motion, estimate.P.dense(), filter_.stepSeconds(),
                       filter_.accelerationDecay(), step.acceleration_variance);
     estimate.P.dense().diagonal() += otherNoise(step);

@@ -23,6 +23,8 @@ void append(ObservationBlock& block, const StateLayout& layout, const ChainMotio
     block.H.middleCols(old, n) = columns.theta;
     block.H.middleCols(old + n, n) = columns.rate;
     block.H.middleCols(old + 2 * n, n) = columns.accel;
+    constexpr size_t kMore = 3;  // biases
+    block.columns.reserve(static_cast<size_t>(block.H.cols()) + kMore);
     for (const auto& c : chain.coordinates())
         block.columns.push_back(layout.theta(c.index));
     for (const auto& c : chain.coordinates())

@@ -22,86 +22,30 @@ void addProcessNoise(Eigen::MatrixXd& P, Eigen::Index n, double dt, const Eigen:
 
 }  // namespace
 
-MotionTransition::MotionTransition(const KinematicTree& tree, const MotionState& motion, double dt_s,
-                                   const Eigen::VectorXd& decay)
-    : n_(tree.freedoms()), dt_(dt_s), decay_(decay) {
+LinkTransitions motionTransition(const KinematicTree& tree, const MotionState& motion, double dt_s,
+                                 const Eigen::VectorXd& decay, const LinkTransitions& shift) {
+    LinkTransitions transitions{tree.freedoms(), dt_s};
     const Eigen::VectorXd advance = dt_s * motion.rate + 0.5 * dt_s * dt_s * motion.accel;
     for (const Link& link : tree.links()) {
         const int turning =
             link.type == LinkType::kBall || (link.type == LinkType::kFree && link.count == 6) ? 3 : 0;
         const int rotation = link.first + link.count - turning;
         for (int i = link.first; i < rotation; ++i) {
-            links_.emplace_back();
-            links_.back().first = i;
-            links_.back().decay[0] = decay[i];
+            transitions.links.emplace_back();
+            transitions.links.back().first = i;
+            transitions.links.back().decay[0] = decay[i];
         }
         if (turning > 0) {
             const Vector3d u = advance.segment<3>(rotation);
-            links_.push_back({rotation, turning, expQuaternion(u).toRotationMatrix().transpose(),
-                              rightJacobian(u), decay.segment<3>(rotation)});
+            transitions.links.push_back({.first = rotation,
+                                         .count = turning,
+                                         .turn = expQuaternion(u).toRotationMatrix().transpose(),
+                                         .jacobian = rightJacobian(u),
+                                         .decay = decay.segment<3>(rotation)});
         }
     }
-}
-
-/// theta' = turn theta + J (dt rate + dt^2/2 accel), rate' = rate + dt accel, accel' = decay * accel; turn
-/// and J are identity except where a link turns.
-void MotionTransition::carryColumn(double* x) const {
-    Eigen::Map<Eigen::VectorXd> theta(x, n_), rate(x + n_, n_), accel(x + 2 * n_, n_);
-    for (const LinkTransition& link : links_) {
-        if (link.count == 1)
-            continue;
-        const Vector3d gained =
-            dt_ * rate.segment<3>(link.first) + 0.5 * dt_ * dt_ * accel.segment<3>(link.first);
-        // Written so that the plain gain below completes it.
-        theta.segment<3>(link.first) =
-            link.turn * theta.segment<3>(link.first) + link.jacobian * gained - gained;
-    }
-    theta += dt_ * rate + 0.5 * dt_ * dt_ * accel;
-    rate += dt_ * accel;
-    accel.array() *= decay_.array();
-}
-
-/// The transpose: accel' = decay * accel + dt rate + dt^2/2 J^T theta, rate' = rate + dt J^T theta, theta' =
-/// turn^T theta.
-void MotionTransition::carryColumnBack(double* x) const {
-    Eigen::Map<Eigen::VectorXd> theta(x, n_), rate(x + n_, n_), accel(x + 2 * n_, n_);
-    accel.array() = accel.array() * decay_.array() + dt_ * rate.array() + 0.5 * dt_ * dt_ * theta.array();
-    rate += dt_ * theta;
-    for (const LinkTransition& link : links_) {
-        if (link.count == 1)
-            continue;
-        const Vector3d old = theta.segment<3>(link.first);
-        const Vector3d more = link.jacobian.transpose() * old - old;
-        accel.segment<3>(link.first) += 0.5 * dt_ * dt_ * more;
-        rate.segment<3>(link.first) += dt_ * more;
-        theta.segment<3>(link.first) = link.turn.transpose() * old;
-    }
-}
-
-template <class Column, class Mix>
-void MotionTransition::bothSides(Eigen::MatrixXd& matrix, const Column& column, const Mix& mix) const {
-    for (const LinkTransition& link : links_) {
-        for (Eigen::Index i = link.first; i < link.first + link.count; ++i)
-            for (const Eigen::Index c : {i, n_ + i, 2 * n_ + i})
-                column(matrix.col(c).data());
-        mix(matrix, n_, dt_, link);
-    }
-    for (Eigen::Index c = 3 * n_; c < matrix.cols(); ++c)
-        column(matrix.col(c).data());
-}
-
-void MotionTransition::carry(Eigen::MatrixXd& P) const {
-    bothSides(
-        P, [this](double* x) { carryColumn(x); }, mixColumns);
-}
-
-void MotionTransition::carryBack(Eigen::VectorXd& lambda) const {
-    carryColumnBack(lambda.data());
-}
-
-void MotionTransition::carryBack(Eigen::MatrixXd& Lambda) const {
-    bothSides(
-        Lambda, [this](double* x) { carryColumnBack(x); }, mixColumnsBack);
+    transitions.beginWith(shift);
+    return transitions;
 }
 
 Matrix3d motionNoise(double dt, double decay, double variance) {
@@ -124,10 +68,10 @@ void predictMotion(const KinematicTree& tree, MotionState& motion, double dt_s,
     motion.accel.array() *= decay.array();
 }
 
-MotionTransition predictMotion(const KinematicTree& tree, MotionState& motion, Eigen::MatrixXd& P,
-                               double dt_s, const Eigen::VectorXd& decay,
-                               const Eigen::VectorXd& acceleration_variance) {
-    MotionTransition transition(tree, motion, dt_s, decay);
+LinkTransitions predictMotion(const KinematicTree& tree, MotionState& motion, Eigen::MatrixXd& P, double dt_s,
+                              const Eigen::VectorXd& decay, const Eigen::VectorXd& acceleration_variance,
+                              const LinkTransitions& shift) {
+    LinkTransitions transition = motionTransition(tree, motion, dt_s, decay, shift);
     transition.carry(P);
     addProcessNoise(P, tree.freedoms(), dt_s, decay, acceleration_variance);
     predictMotion(tree, motion, dt_s, decay);

@@ -122,7 +122,7 @@ NOCTULE_AVX2 void multiplyOneAvx2(const SparseFactors& s, const double* h, doubl
     multiplyOne(s, h, product);
 }
 
-/// kCount columns: C (m rows) += A * B; A's columns are padded with zeros to whole packs of four (a_rows). Of
+/// kCount columns: C (m rows) += A * B; A's columns are padded with zeros to whole eights (a_rows). Of
 /// a lower triangular A the upper part is not read.
 template <int kCount>
 NOCTULE_AVX2 void addColumnsAvx2(MatrixOut& C, long column, const Eigen::MatrixXd& A, const MatrixIn& B,
@@ -135,18 +135,17 @@ NOCTULE_AVX2 void addColumnsAvx2(MatrixOut& C, long column, const Eigen::MatrixX
     if (hasAvx512())
         for (; r + 16 <= m; r += 16)
             avx512::addBlock<2, kCount>(c + r, c_rows, a + r, a_rows, b, B.outerStride(), used(r + 16));
+    const auto addEight = hasAvx512() ? avx512::addBlock<1, kCount> : avx2::addBlock<2, kCount>;
     for (; r + 8 <= m; r += 8)
-        avx2::addBlock<2, kCount>(c + r, c_rows, a + r, a_rows, b, B.outerStride(), used(r + 8));
-    for (; r + 4 <= m; r += 4)
-        avx2::addBlock<1, kCount>(c + r, c_rows, a + r, a_rows, b, B.outerStride(), used(r + 4));
+        addEight(c + r, c_rows, a + r, a_rows, b, B.outerStride(), used(r + 8));
     if (r == m)
         return;
-    double last[4 * kCount] = {};
+    double last[8 * kCount] = {};
     for (long i = 0; i < kCount; ++i)
-        std::copy(c + i * c_rows + r, c + i * c_rows + m, last + 4 * i);
-    avx2::addBlock<1, kCount>(last, 4, a + r, a_rows, b, B.outerStride(), used(m));
+        std::copy(c + i * c_rows + r, c + i * c_rows + m, last + 8 * i);
+    addEight(last, 8, a + r, a_rows, b, B.outerStride(), used(m));
     for (long i = 0; i < kCount; ++i)
-        std::copy(last + 4 * i, last + 4 * i + m - r, c + i * c_rows + r);
+        std::copy(last + 8 * i, last + 8 * i + m - r, c + i * c_rows + r);
 }
 
 #endif
@@ -163,34 +162,48 @@ void bestTileSum(const double* panel, const double* factors, long stride, long m
     tileSum<kRows>(panel, factors, stride, m, sum);
 }
 
-/// Rows i .. i + kRows of P up to the diagonal, mirrored. Tiles that the diagonal crosses are computed whole
-/// and used below it.
+/// P(r, c) -= (X X^T)(r, c), mirrored, for the few at the end that fill no tile.
+void subtractOne(double* p, const MatrixIn& rows_of_x, long n, long r, long c) {
+    p[c * n + r] -= rows_of_x.col(r).dot(rows_of_x.col(c));
+    p[r * n + c] = p[c * n + r];
+}
+
+/// Rows i + done .. i + kRows of P up to the diagonal, mirrored. Tiles that the diagonal crosses are computed
+/// whole and used below it.
 template <int kRows>
-void subtractRows(double* p, const MatrixIn& rows_of_x, long n, long i, std::vector<double>& panel) {
+void subtractRows(double* p, const MatrixIn& rows_of_x, long n, long i, std::vector<double>& panel,
+                  long done = 0) {
     const long m = rows_of_x.rows();
     panel.resize(static_cast<size_t>(kRows * m));
     for (long r = 0; r < kRows; ++r)
         for (long k = 0; k < m; ++k)
             panel[static_cast<size_t>(k * kRows + r)] = rows_of_x(k, i + r);
-    for (long j = 0; j < i + kRows; j += kColumns) {
+    long j = 0;
+    for (; j < i + kRows && j + kColumns <= n; j += kColumns) {
         alignas(32) double sum[kColumns * kRows];
         bestTileSum<kRows>(panel.data(), rows_of_x.col(j).data(), rows_of_x.outerStride(), m, sum);
         for (long c = 0; c < kColumns; ++c)
-            for (long r = std::max(0L, j + c - i); r < kRows; ++r)
+            for (long r = std::max(done, j + c - i); r < kRows; ++r)
                 p[(j + c) * n + i + r] -= sum[c * kRows + r];
-        for (long r = 0; r < kRows; ++r)
+        for (long r = done; r < kRows; ++r)
             for (long c = 0; c < kColumns && j + c < i + r; ++c)
                 p[(i + r) * n + j + c] = p[(j + c) * n + i + r];
     }
+    for (; j < i + kRows; ++j)
+        for (long r = std::max(done + i, j); r < n; ++r)
+            subtractOne(p, rows_of_x, n, r, j);
 }
 
-/// Rows i .. n, one by one.
-void subtractLastRows(double* p, const MatrixIn& rows_of_x, long n, long i) {
-    for (long r = i; r < n; ++r)
-        for (long c = 0; c <= r; ++c) {
-            p[c * n + r] -= rows_of_x.col(r).dot(rows_of_x.col(c));
-            p[r * n + c] = p[c * n + r];
-        }
+/// All rows from i on by panels of kRows, the last of which begins early enough to be whole; returns the
+/// first row not done, n unless P is smaller than a panel.
+template <int kRows>
+long subtractFrom(double* p, const MatrixIn& rows_of_x, long n, long i, std::vector<double>& panel) {
+    for (; i + kRows <= n; i += kRows)
+        subtractRows<kRows>(p, rows_of_x, n, i, panel);
+    if (i == n || n < kRows)
+        return i;
+    subtractRows<kRows>(p, rows_of_x, n, n - kRows, panel, kRows - (n - i));
+    return n;
 }
 
 }  // namespace
@@ -198,21 +211,43 @@ void subtractLastRows(double* p, const MatrixIn& rows_of_x, long n, long i) {
 void subtractOuterProduct(MatrixOut P, const MatrixIn& X_transposed) {
     require(P.cols() == P.rows() && P.outerStride() == P.rows() && X_transposed.cols() == P.rows(),
             "subtractOuterProduct: shapes do not fit");
-    constexpr int kRows = 12;
-    static_assert(kRows % kColumns == 0, "the last tile of a row panel ends on the diagonal");
     const long n = P.rows();
     std::vector<double> panel;
     long i = 0;
 #ifdef NOCTULE_AVX2
-    constexpr int kWideRows = 24;  // by 512 bits only
-    for (; hasAvx512() && i + kWideRows <= n; i += kWideRows)
-        subtractRows<kWideRows>(P.data(), X_transposed, n, i, panel);
+    if (hasAvx512())
+        i = subtractFrom<24>(P.data(), X_transposed, n, i, panel);
 #endif
-    for (; i + kRows <= n; i += kRows)
-        subtractRows<kRows>(P.data(), X_transposed, n, i, panel);
-    for (; i + kColumns <= n; i += kColumns)
-        subtractRows<kColumns>(P.data(), X_transposed, n, i, panel);
-    subtractLastRows(P.data(), X_transposed, n, i);
+    i = subtractFrom<12>(P.data(), X_transposed, n, i, panel);
+    for (; i < n; ++i)
+        for (long c = 0; c <= i; ++c)
+            subtractOne(P.data(), X_transposed, n, i, c);
+}
+
+void invertLowerTriangle(MatrixOut L) {
+    constexpr Eigen::Index kSmall = 8;
+    const Eigen::Index n = L.rows(), half = (n / 2 + 3) / 4 * 4;
+    require(L.cols() == n, "invertLowerTriangle: not square");
+    if (n > kSmall) {  // [A 0; C D] becomes [1/A 0; -1/D C 1/A 1/D]
+        auto A = L.topLeftCorner(half, half), C = L.bottomLeftCorner(n - half, half),
+             D = L.bottomRightCorner(n - half, n - half);
+        invertLowerTriangle(A);
+        invertLowerTriangle(D);
+        Eigen::MatrixXd C_A = Eigen::MatrixXd::Zero(n - half, half);
+        addProduct(C_A, 1, C, A);
+        C.setZero();
+        addProduct(C, -1, D, C_A, Shape::kLowerTriangular);
+        return;
+    }
+    for (Eigen::Index j = n - 1; j >= 0; --j) {
+        L(j, j) = 1 / L(j, j);
+        for (Eigen::Index i = n - 1; i > j; --i) {
+            double sum = 0;
+            for (Eigen::Index k = j + 1; k <= i; ++k)
+                sum += L(i, k) * L(k, j);
+            L(i, j) = -L(j, j) * sum;
+        }
+    }
 }
 
 void multiplySparse(const MatrixIn& P, const std::vector<int>& columns, const Eigen::MatrixXd& H,
@@ -288,7 +323,7 @@ void addProduct(MatrixOut C, double factor, const MatrixIn& A, const MatrixIn& B
     const bool lower = shape == Shape::kLowerTriangular;
 #ifdef NOCTULE_AVX2
     if (hasAvx2()) {
-        const long m = C.rows(), n = C.cols(), padded = (m + 3) / 4 * 4;
+        const long m = C.rows(), n = C.cols(), padded = (m + 7) / 8 * 8;
         Eigen::MatrixXd scaled(padded, A.cols());
         scaled.topRows(m) = factor * A;
         scaled.bottomRows(padded - m).setZero();

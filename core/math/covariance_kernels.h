@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two expensive steps of a Kalman update with a large state and sparse measurements. Plain arrays inside,
+// The expensive steps of a Kalman update with a large state and sparse measurements. Plain arrays inside,
 // compiled for several instruction sets and chosen at run time: no Eigen type crosses a translation unit
 // built with other flags. Arguments may be parts of larger matrices (whole columns or some rows of them):
 // nothing is copied.
@@ -35,5 +35,8 @@ enum class Shape { kFull, kLowerTriangular };
 /// C (m x n) += factor * A (m x p) * B (p x n) for small m and p. What stands above the diagonal of a lower
 /// triangular A must be zero.
 void addProduct(MatrixOut C, double factor, const MatrixIn& A, const MatrixIn& B, Shape shape = Shape::kFull);
+
+/// L := L^-1 for a lower triangular L without zeros on its diagonal; what stands above it must be zero.
+void invertLowerTriangle(MatrixOut L);
 
 }  // namespace noctule

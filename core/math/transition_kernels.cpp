@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/math/transition_kernels.h"
 
+#include <algorithm>
+
 #include "core/job/contract.h"
 #include "core/math/instruction_sets.h"
 
@@ -8,52 +10,82 @@ namespace noctule {
 namespace {
 
 struct LinkColumns {
-    double *theta, *rate, *accel;  ///< `count` columns each
+    double *theta, *rate, *accel;  ///< `count` columns each, `rows` apart
     long rows;
     double dt;
 };
 
+/// A link's numbers where the compiler sees that nothing else changes them.
+template <int kCount>
+struct Factors {
+    explicit Factors(const LinkTransition& link) {
+        for (int j = 0; j < kCount; ++j) {
+            decay[j] = link.decay[j];
+            for (int k = 0; k < kCount; ++k) {
+                turn[j][k] = link.turn(j, k);
+                jacobian[j][k] = link.jacobian(j, k);
+                to_rate[j][k] = link.rate_by_theta(j, k);
+                to_accel[j][k] = link.accel_by_theta(j, k);
+            }
+        }
+    }
+    double turn[kCount][kCount], jacobian[kCount][kCount], to_rate[kCount][kCount], to_accel[kCount][kCount];
+    double decay[kCount];
+};
+
 /// Everything of one row at a time: each column is read and written once.
 template <int kCount>
-[[gnu::always_inline]] inline void mixForth(const LinkColumns& c, const LinkTransition& link) {
+[[gnu::always_inline]] inline void mixForth(const LinkColumns& columns, const LinkTransition& link) {
+    const LinkColumns c = columns;
+    const Factors<kCount> f(link);
     const double half = 0.5 * c.dt * c.dt;
 #pragma GCC ivdep
     for (long i = 0; i < c.rows; ++i) {
         double theta[kCount], gained[kCount];
-        for (int k = 0; k < kCount; ++k) {
-            double &rate = c.rate[k * c.rows + i], &accel = c.accel[k * c.rows + i];
+        for (int k = 0; k < kCount; ++k)
             theta[k] = c.theta[k * c.rows + i];
-            gained[k] = c.dt * rate + half * accel;
-            rate += c.dt * accel;
-            accel *= link.decay[k];
+        for (int j = 0; j < kCount; ++j) {
+            const double rate = c.rate[j * c.rows + i], accel = c.accel[j * c.rows + i];
+            gained[j] = c.dt * rate + half * accel;
+            double to_rate = rate + c.dt * accel, to_accel = f.decay[j] * accel;
+            for (int k = 0; k < kCount; ++k) {
+                to_rate += f.to_rate[j][k] * theta[k];
+                to_accel += f.to_accel[j][k] * theta[k];
+            }
+            c.rate[j * c.rows + i] = to_rate;
+            c.accel[j * c.rows + i] = to_accel;
         }
         for (int j = 0; j < kCount; ++j) {
             double sum = 0;
             for (int k = 0; k < kCount; ++k)
-                sum += link.turn(j, k) * theta[k] + link.jacobian(j, k) * gained[k];
+                sum += f.turn[j][k] * theta[k] + f.jacobian[j][k] * gained[k];
             c.theta[j * c.rows + i] = sum;
         }
     }
 }
 
 template <int kCount>
-[[gnu::always_inline]] inline void mixBack(const LinkColumns& c, const LinkTransition& link) {
+[[gnu::always_inline]] inline void mixBack(const LinkColumns& columns, const LinkTransition& link) {
+    const LinkColumns c = columns;
+    const Factors<kCount> f(link);
     const double half = 0.5 * c.dt * c.dt;
 #pragma GCC ivdep
     for (long i = 0; i < c.rows; ++i) {
-        double theta[kCount];
-        for (int k = 0; k < kCount; ++k)
+        double theta[kCount], rate[kCount], accel[kCount];
+        for (int k = 0; k < kCount; ++k) {
             theta[k] = c.theta[k * c.rows + i];
+            rate[k] = c.rate[k * c.rows + i];
+            accel[k] = c.accel[k * c.rows + i];
+        }
         for (int j = 0; j < kCount; ++j) {
             double turned = 0, gained = 0;
             for (int k = 0; k < kCount; ++k) {
-                turned += link.turn(k, j) * theta[k];
-                gained += link.jacobian(k, j) * theta[k];
+                turned += f.turn[k][j] * theta[k] + f.to_rate[k][j] * rate[k] + f.to_accel[k][j] * accel[k];
+                gained += f.jacobian[k][j] * theta[k];
             }
-            double &rate = c.rate[j * c.rows + i], &accel = c.accel[j * c.rows + i];
-            accel = link.decay[j] * accel + c.dt * rate + half * gained;
-            rate += c.dt * gained;
             c.theta[j * c.rows + i] = turned;
+            c.rate[j * c.rows + i] = rate[j] + c.dt * gained;
+            c.accel[j * c.rows + i] = f.decay[j] * accel[j] + c.dt * rate[j] + half * gained;
         }
     }
 }
@@ -65,98 +97,85 @@ template <int kCount>
         back ? mixBack<1>(columns, link) : mixForth<1>(columns, link);
 }
 
-[[gnu::always_inline]] inline void shiftForth(const LinkColumns& c, const RotationShift& link) {
-#pragma GCC ivdep
-    for (long i = 0; i < c.rows; ++i) {
-        double theta[3];
-        for (int k = 0; k < 3; ++k)
-            theta[k] = c.theta[k * c.rows + i];
-        for (int j = 0; j < 3; ++j) {
-            double turned = 0, rate = c.rate[j * c.rows + i], accel = c.accel[j * c.rows + i];
-            for (int k = 0; k < 3; ++k) {
-                turned += link.to_theta(j, k) * theta[k];
-                rate += link.to_rate(j, k) * theta[k];
-                accel += link.to_accel(j, k) * theta[k];
-            }
-            c.theta[j * c.rows + i] = turned;
-            c.rate[j * c.rows + i] = rate;
-            c.accel[j * c.rows + i] = accel;
-        }
-    }
-}
-
-[[gnu::always_inline]] inline void shiftBack(const LinkColumns& c, const RotationShift& link) {
-#pragma GCC ivdep
-    for (long i = 0; i < c.rows; ++i) {
-        double turned[3] = {0, 0, 0};
-        for (int k = 0; k < 3; ++k) {
-            const double theta = c.theta[k * c.rows + i], rate = c.rate[k * c.rows + i],
-                         accel = c.accel[k * c.rows + i];
-            for (int j = 0; j < 3; ++j)
-                turned[j] +=
-                    link.to_theta(k, j) * theta + link.to_rate(k, j) * rate + link.to_accel(k, j) * accel;
-        }
-        for (int j = 0; j < 3; ++j)
-            c.theta[j * c.rows + i] = turned[j];
-    }
-}
-
-[[gnu::always_inline]] inline void shift(const LinkColumns& columns, const RotationShift& link, bool back) {
-    back ? shiftBack(columns, link) : shiftForth(columns, link);
-}
-
 #ifdef NOCTULE_AVX2
-
-NOCTULE_AVX2 void shiftAvx2(const LinkColumns& columns, const RotationShift& link, bool back) {
-    shift(columns, link, back);
-}
 
 NOCTULE_AVX2 void mixAvx2(const LinkColumns& columns, const LinkTransition& link, bool back) {
     mix(columns, link, back);
 }
 
-#endif
-
-LinkColumns columnsOf(Eigen::MatrixXd& M, Eigen::Index n, Eigen::Index first, int count, double dt_s) {
-    require((count == 1 || count == 3) && first + count <= n && 3 * n <= M.cols(),
-            "columns of a link: shapes do not fit");
-    return {M.col(first).data(), M.col(n + first).data(), M.col(2 * n + first).data(), M.rows(), dt_s};
+NOCTULE_AVX512 void mixAvx512(const LinkColumns& columns, const LinkTransition& link, bool back) {
+    mix(columns, link, back);
 }
 
-void shiftWithBest(Eigen::MatrixXd& M, Eigen::Index n, const RotationShift& link, bool back) {
-    const LinkColumns columns = columnsOf(M, n, link.first, 3, 0);
-#ifdef NOCTULE_AVX2
-    if (hasAvx2())
-        return shiftAvx2(columns, link, back);
 #endif
-    shift(columns, link, back);
-}
 
-void mixWithBest(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkTransition& link, bool back) {
-    const LinkColumns columns = columnsOf(M, n, link.first, link.count, dt_s);
+void mixWithBest(const LinkColumns& columns, const LinkTransition& link, bool back) {
 #ifdef NOCTULE_AVX2
+    if (hasAvx512())
+        return mixAvx512(columns, link, back);
     if (hasAvx2())
         return mixAvx2(columns, link, back);
 #endif
     mix(columns, link, back);
 }
 
+void mixAll(const LinkTransitions& t, Eigen::Ref<Eigen::MatrixXd>& M, bool back) {
+    require(3 * t.n <= M.cols() && M.outerStride() == M.rows(), "transitions: shapes do not fit");
+    for (const LinkTransition& link : t.links) {
+        require((link.count == 1 || link.count == 3) && link.first + link.count <= t.n,
+                "transitions: no such link");
+        mixWithBest({M.col(link.first).data(), M.col(t.n + link.first).data(),
+                     M.col(2 * t.n + link.first).data(), M.rows(), t.dt_s},
+                    link, back);
+    }
+}
+
+Eigen::Map<Eigen::MatrixXd> asRow(Eigen::VectorXd& x) {
+    return {x.data(), 1, x.size()};
+}
+
 }  // namespace
 
-void mixColumns(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkTransition& link) {
-    mixWithBest(M, n, dt_s, link, false);
+void LinkTransitions::timesTransposed(Eigen::Ref<Eigen::MatrixXd> M) const {
+    mixAll(*this, M, false);
 }
 
-void mixColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkTransition& link) {
-    mixWithBest(M, n, dt_s, link, true);
+void LinkTransitions::times(Eigen::Ref<Eigen::MatrixXd> M) const {
+    mixAll(*this, M, true);
 }
 
-void shiftColumns(Eigen::MatrixXd& M, Eigen::Index n, const RotationShift& link) {
-    shiftWithBest(M, n, link, false);
+/// By columns, which lie in one piece, hence transposed in between.
+void LinkTransitions::carry(Eigen::MatrixXd& P) const {
+    timesTransposed(P);
+    P.transposeInPlace();
+    timesTransposed(P);
 }
 
-void shiftColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, const RotationShift& link) {
-    shiftWithBest(M, n, link, true);
+void LinkTransitions::carry(Eigen::VectorXd& x) const {
+    timesTransposed(asRow(x));
+}
+
+void LinkTransitions::carryBack(Eigen::MatrixXd& P) const {
+    times(P);
+    P.transposeInPlace();
+    times(P);
+}
+
+void LinkTransitions::carryBack(Eigen::VectorXd& x) const {
+    times(asRow(x));
+}
+
+void LinkTransitions::beginWith(const LinkTransitions& shift) {
+    auto link = links.begin();
+    for (const LinkTransition& first : shift.links) {
+        link = std::find_if(link, links.end(), [&](const auto& own) { return own.first == first.first; });
+        require(shift.dt_s == 0 && link != links.end() && link->count == 3 && first.count == 3,
+                "beginWith: not a shift of these rotations");
+        link->turn = link->turn * first.turn +
+                     link->jacobian * (dt_s * first.rate_by_theta + 0.5 * dt_s * dt_s * first.accel_by_theta);
+        link->rate_by_theta += first.rate_by_theta + dt_s * first.accel_by_theta;
+        link->accel_by_theta += link->decay.asDiagonal() * first.accel_by_theta;
+    }
 }
 
 }  // namespace noctule

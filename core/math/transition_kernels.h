@@ -1,35 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0
-// One link's part of a time step, or of a change of what its errors mean, for the columns of a large matrix:
-// compiled for several instruction sets and chosen at run time, as covariance_kernels.h.
+// How links' errors are carried over a time step, or changed in what they mean, in the columns of a large
+// matrix: compiled for several instruction sets and chosen at run time, as covariance_kernels.h.
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace noctule {
 
-/// theta' = turn theta + jacobian (dt rate + dt^2/2 accel), rate' = rate + dt accel, accel' = decay accel;
-/// for one coordinate (turn and jacobian 1) or the three of a rotation.
+/// One link's part, of one coordinate or the three of a rotation:
+///   theta' = turn theta + jacobian (dt rate + dt^2/2 accel),
+///   rate'  = rate + dt accel + rate_by_theta theta,
+///   accel' = decay accel + accel_by_theta theta.
 struct LinkTransition {
     Eigen::Index first = 0;  ///< its first coordinate
     int count = 1;           ///< 1 or 3
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity(), jacobian = Eigen::Matrix3d::Identity();
-    Eigen::Vector3d decay = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d rate_by_theta = Eigen::Matrix3d::Zero(), accel_by_theta = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d decay = Eigen::Vector3d::Ones();
 };
 
-/// The link's columns (coordinates at `first`, rates n columns further, accelerations 2 n) of M := M F^T.
-void mixColumns(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkTransition& link);
-/// The same of M := M F.
-void mixColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, double dt_s, const LinkTransition& link);
+/// F of some links: coordinates at `first`, rates n further, accelerations 2 n; all else stays as it is.
+struct LinkTransitions {
+    Eigen::Index n = 0;
+    double dt_s = 0;
+    std::vector<LinkTransition> links{};
 
-/// theta' = to_theta theta, rate' = rate + to_rate theta, accel' = accel + to_accel theta; of a rotation.
-struct RotationShift {
-    Eigen::Index first = 0;  ///< its first coordinate
-    Eigen::Matrix3d to_theta, to_rate, to_accel;
+    /// M := M F^T and M := M F, for any number of rows.
+    void timesTransposed(Eigen::Ref<Eigen::MatrixXd> M) const;
+    void times(Eigen::Ref<Eigen::MatrixXd> M) const;
+
+    /// P := F P F^T for a symmetric P, x := F x.
+    void carry(Eigen::MatrixXd& P) const;
+    void carry(Eigen::VectorXd& x) const;
+    /// The adjoint: P := F^T P F, x := F^T x.
+    void carryBack(Eigen::MatrixXd& P) const;
+    void carryBack(Eigen::VectorXd& x) const;
+
+    /// F := F S; `shift` is of rotations among these and takes no time.
+    void beginWith(const LinkTransitions& shift);
 };
-
-/// The link's columns of M := M S^T.
-void shiftColumns(Eigen::MatrixXd& M, Eigen::Index n, const RotationShift& link);
-/// The same of M := M S.
-void shiftColumnsBack(Eigen::MatrixXd& M, Eigen::Index n, const RotationShift& link);
 
 }  // namespace noctule

@@ -30,6 +30,7 @@
 #include "core/estimation/backward_pass.h"
 #include "core/estimation/censoring.h"
 #include "core/estimation/filter_tape.h"
+#include "core/estimation/prediction.h"
 #include "tests/benchmark/bound_scene.h"
 #include "tests/benchmark/judged_take.h"
 #include "tests/benchmark/run_scene.h"
@@ -88,7 +89,7 @@ public:
             FilterTape tape;
             run(at_stretch[stretch], stretch * kStretch, &tape);
             for (auto event = tape.rbegin(); event != tape.rend(); ++event) {
-                if (const auto* transition = std::get_if<MotionTransition>(&*event))
+                if (const auto* transition = std::get_if<LinkTransitions>(&*event))
                     backward.back(*transition);
                 else if (const auto* update = std::get_if<ObservedUpdate>(&*event))
                     backward.back(*update);
@@ -192,8 +193,8 @@ private:
         for (size_t k = begin; k < std::min(begin + kStretch, scene_.instants.size()); ++k) {
             const bool rests = static_cast<double>(k) * kStep_s <= scene_.rest_s();
             MotionState motion = scene_.instants[std::max<size_t>(k, 1) - 1].truth.motion;
-            MotionTransition transition = predictMotion(scene_.tree, motion, P.dense(), kStep_s, scene_.decay,
-                                                        rests ? still : scene_.variance);
+            LinkTransitions transition = predictMotion(scene_.tree, motion, P.dense(), kStep_s, scene_.decay,
+                                                       rests ? still : scene_.variance);
             if (tape)
                 tape->push_back(std::move(transition));
             if (layout_.gyro_bias >= 0)

@@ -7,6 +7,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/estimation/prediction.h"
 #include "core/math/rotation.h"
 #include "tests/core/estimation/small_body.h"
 
@@ -115,7 +116,7 @@ protected:
         motion_.rate = random_.vector(tree_.freedoms(), 3);
         motion_.accel = random_.vector(tree_.freedoms(), 20);
         const VectorXd decay = random_.vector(tree_.freedoms(), 0.2).array().abs().min(1);
-        const MotionTransition transition(tree_, motion_, kStep_s, decay);
+        const LinkTransitions transition = motionTransition(tree_, motion_, kStep_s, decay);
         const MatrixXd F = denseTransition(tree_, motion_, decay, size_);
         VectorXd noise = random_.vector(size_, 0.1).cwiseAbs();
         noise.tail(kConstants).setZero();
@@ -147,7 +148,7 @@ protected:
     }
 
     struct Taped {
-        std::optional<MotionTransition> transition;
+        std::optional<LinkTransitions> transition;
         std::vector<ObservedUpdate> updates;
     };
     struct Instant {

@@ -97,7 +97,7 @@ TEST(Consistency, NothingTellsTheHeading) {
 }
 
 /// Noise makes estimates of rates jump with every reading here, and whatever jumps seems to tell of
-/// attitudes: without LimbShift the NEES is 2.
+/// attitudes: without limbShift() the NEES is 2.
 TEST(Consistency, GyroscopesTellNoAttitudeHoweverLong) {
     const ManifoldParameters truth = testing::fittingParameters({false, true, false}, true);
     ManifoldParameters parameters = truth;

@@ -46,6 +46,18 @@ TEST(Covariance, EqualsThePlainFormulasStepByStep) {
     }
 }
 
+TEST(Covariance, WhatIsExpectedFollowsItsChanges) {
+    Covariance covariance(Eigen::VectorXd::Ones(5));
+    const ObservationBlock block = pull(2, 0.5, 1);
+    EXPECT_EQ(covariance.innovationVariance(block)[0], 2);
+    covariance.dense()(2, 2) = 3;
+    EXPECT_EQ(covariance.innovationVariance(block)[0], 4);
+    const Covariance copy = covariance;
+    EXPECT_NEAR(covariance.update({block})[2], 0.5 * 3 / 4, 1e-15);
+    EXPECT_NEAR(covariance.innovationVariance(block)[0], 1.75, 1e-15);
+    EXPECT_EQ(copy.innovationVariance(block)[0], 4);
+}
+
 TEST(Covariance, NothingObservedChangesNothing) {
     Covariance covariance(Eigen::VectorXd::Ones(5));
     EXPECT_EQ(covariance.update({}).norm(), 0);

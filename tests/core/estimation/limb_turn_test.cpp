@@ -114,14 +114,14 @@ TEST_F(LimbTurn, StaysOneAfterACorrection) {
         };
         const VectorXd turning = errorAt(before), expected = errorAt(after);
         MatrixXd P = turning * turning.transpose();
-        LimbShift(tree, LimbTurns(tree, before), LimbTurns(tree, after)).carry(P);
+        limbShift(tree, LimbTurns(tree, before), LimbTurns(tree, after)).carry(P);
         EXPECT_LT((P - expected * expected.transpose()).norm(), 1e-9 * expected.squaredNorm()) << link;
         EXPECT_GT((P - turning * turning.transpose()).norm(), 1) << "nothing was to do";
     }
 }
 
 TEST_F(LimbTurn, GoesBackByItsAdjoint) {
-    testing::expectAdjoint(LimbShift(tree, LimbTurns(tree, before), LimbTurns(tree, after)), layout.size,
+    testing::expectAdjoint(limbShift(tree, LimbTurns(tree, before), LimbTurns(tree, after)), layout.size,
                            random);
 }
 

@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
+
 namespace noctule {
 namespace {
 
 TEST(CovarianceKernels, OuterProductEqualsTheDenseProductForEverySize) {
     std::srand(3);
-    for (long n : {1, 3, 4, 7, 8, 13, 45, 150, 243})
+    for (long n : {1, 3, 4, 7, 8, 12, 13, 23, 24, 25, 45, 135, 150, 243})
         for (long m : {1, 3, 18, 54}) {
             const Eigen::MatrixXd half = Eigen::MatrixXd::Random(n, n), X = Eigen::MatrixXd::Random(n, m);
             const Eigen::MatrixXd P = half * half.transpose();
@@ -59,6 +61,19 @@ TEST(CovarianceKernels, ProductWithALowerTriangleEqualsTheFullOne) {
         Eigen::MatrixXd sum = C;
         addProduct(sum, 1.5, L, B, Shape::kLowerTriangular);
         EXPECT_LT((sum - (C + 1.5 * L * B)).cwiseAbs().maxCoeff(), 1e-13) << m;
+    }
+}
+
+TEST(CovarianceKernels, ALowerTriangleIsInverted) {
+    std::srand(9);
+    for (long n : {1, 2, 8, 9, 17, 54, 61}) {
+        const Eigen::MatrixXd half = Eigen::MatrixXd::Random(n, n);
+        const Eigen::MatrixXd S = half * half.transpose() + Eigen::MatrixXd::Identity(n, n);
+        const Eigen::MatrixXd L = S.llt().matrixL();
+        Eigen::MatrixXd inverse = L;
+        invertLowerTriangle(inverse);
+        EXPECT_LT((inverse * L - Eigen::MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff(), 1e-12) << n;
+        EXPECT_TRUE(inverse.isLowerTriangular(0)) << n;
     }
 }
 
