@@ -79,10 +79,10 @@ Eigen::MatrixXd BackwardPass::timesLambda(const Eigen::MatrixXd& x) const {
 void BackwardPass::carryOutPending() {
     if (pending_.empty())
         return;
-    Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(Lambda_.rows(), Lambda_.cols());
+    changes_.setZero(Lambda_.rows(), Lambda_.cols());
     for (const Pending& change : pending_)
-        addTimesBlocks(changes, change.B.transpose(), change.blocks);
-    addWithTranspose(Lambda_, changes);
+        addTimesBlocks(changes_, change.B.transpose(), change.blocks);
+    addWithTranspose(Lambda_, changes_);
     pending_.clear();
 }
 

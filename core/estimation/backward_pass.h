@@ -72,6 +72,7 @@ private:
         Eigen::MatrixXd B;
     };
     std::vector<Pending> pending_;
+    Eigen::MatrixXd changes_;  ///< room for their sum
 };
 
 }  // namespace noctule

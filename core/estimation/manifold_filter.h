@@ -86,13 +86,15 @@ struct ManifoldParameters {
     GroundParameters ground;  ///< where the root is free; needs gyroscopes
 
     /// Where no gyroscope rides on a segment, or none is listened to, nothing holds its joint and a
-    /// linearised filter soon believes its own errors: a pull towards the rest pose and towards rest (per
-    /// prior_interval_s), and slower motion unless a gyroscope farther out turns with it.
+    /// linearised filter soon believes its own errors: a pull towards how people hold it (usual_pose.h) and
+    /// towards rest (per prior_interval_s), and slower motion unless a gyroscope farther out turns with it.
     struct Blind {
-        double joint_accel_rad_per_s2 = 10, pose_prior_rad = 0.3, rate_prior_rad_per_s = 0.5;
+        double joint_accel_rad_per_s2 = 10, rate_prior_rad_per_s = 0.5;
     } blind;
     /// The same without any gyroscope.
-    Blind all_blind{.joint_accel_rad_per_s2 = 30, .pose_prior_rad = 0.4, .rate_prior_rad_per_s = 0.7};
+    Blind all_blind{.joint_accel_rad_per_s2 = 30, .rate_prior_rad_per_s = 0.7};
+    double unusual_rad = 0.3;  ///< how far people deviate from it beyond what was learnt; from rest, of
+                               ///< joints that nothing was learnt of
     /// Accelerometers without any gyroscope count as though boards rode on flesh by this share: as levels,
     /// the less the more they were shaken lately.
     double all_blind_flesh_share = 0.15;
@@ -170,6 +172,7 @@ public:
 
 private:
     void initialise(const Pose& rest_pose);
+    void expectUsualPose(const Pose& rest_pose);
     GroundParameters groundParameters() const;
     void settle(const RestReadings& rest, const RootMeasurement* root);
     void predict(double dt_s);
@@ -232,7 +235,8 @@ private:
     StateLayout layout_;
     ObservationModel observations_;
     Memory now_;                          ///< the state's time is step_index * step_s_
-    MotionState rest_;                    ///< for the pose prior
+    MotionState usual_;                   ///< for the pose prior
+    Eigen::VectorXd usual_variance_;      ///< of each coordinate about it, rad^2
     Eigen::VectorXd acceleration_decay_;  ///< per velocity index, for one step
     Eigen::VectorXd wander_;
     double step_s_ = 0;

@@ -25,14 +25,14 @@ void ManifoldFilter::updatePriors() {
             continue;
         const int rotation = link.type == LinkType::kFree ? 3 : 0;
         const Vector3d away =
-            logQuaternion(rest_.q_parent_link[i].conjugate() * now_.state.motion.q_parent_link[i]);
+            logQuaternion(usual_.q_parent_link[i].conjugate() * now_.state.motion.q_parent_link[i]);
         for (int k = rotation; k < link.count; ++k) {
             const int index = link.first + k;
             const double angle = link.type == LinkType::kHinge
-                                     ? now_.state.motion.angle_rad[i] - rest_.angle_rad[i]
+                                     ? now_.state.motion.angle_rad[i] - usual_.angle_rad[i]
                                      : away[k - rotation];
             if (i > 0)
-                blocks.push_back(pull(layout_.theta(index), -angle, std::pow(blindness().pose_prior_rad, 2)));
+                blocks.push_back(pull(layout_.theta(index), -angle, usual_variance_[index]));
             blocks.push_back(pull(layout_.rate(index), -now_.state.motion.rate[index],
                                   std::pow(blindness().rate_prior_rad_per_s, 2)));
         }

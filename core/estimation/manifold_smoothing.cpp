@@ -5,14 +5,14 @@
 
 namespace noctule {
 
-/// Of a coordinate that is pulled: the root's place in the world, a joint's turn away from its rest; of a
+/// Of a coordinate that is pulled: the root's place in the world, a joint's turn away from the usual; of a
 /// rate.
 double ManifoldFilter::valueOf(const BodyState& state, int column) const {
     if (column >= layout_.freedoms)
         return state.motion.rate[column - layout_.freedoms];
     if (tree_.link(0).type == LinkType::kFree && column < 3)
         return state.motion.p_world_root[column];
-    return coordinateError(tree_, rest_, state.motion)[column];
+    return coordinateError(tree_, usual_, state.motion)[column];
 }
 
 ObservationBlock ManifoldFilter::again(const ObservationBlock& taped, const StepInput& input,

@@ -2,6 +2,7 @@
 // How the filter begins: from the pose that was asked for and what the boards read while it was held.
 #include <cmath>
 
+#include "core/body/usual_pose.h"
 #include "core/estimation/manifold_filter.h"
 
 namespace noctule {
@@ -14,7 +15,7 @@ constexpr int kRestIterations = 6;
 void ManifoldFilter::initialise(const Pose& rest_pose) {
     const auto square = [](double x) { return x * x; };
     now_.state.motion = tree_.stateFromPose(rest_pose);
-    rest_ = now_.state.motion;
+    expectUsualPose(rest_pose);
     now_.state.gyro_bias.assign(suit_.boards.size(), Vector3d::Zero());
     now_.state.accel_bias.assign(suit_.boards.size(), Vector3d::Zero());
     now_.state.source_offset_m.assign(suit_.sources.size(), 0.0);
@@ -33,6 +34,23 @@ void ManifoldFilter::initialise(const Pose& rest_pose) {
     fill(layout_.source_offset, suit_.sources.size(), parameters_.source_offset_m);
     fill(layout_.sound_scale, 1, parameters_.sound_scale);
     now_.P = Covariance(variance);
+}
+
+void ManifoldFilter::expectUsualPose(const Pose& rest_pose) {
+    Pose pose = rest_pose;
+    usual_variance_.setConstant(tree_.freedoms(), std::pow(parameters_.unusual_rad, 2));
+    for (const Link& link : tree_.links()) {
+        const auto usual = usualTurn(skeleton_.joint(link.joint).name);
+        if (!usual)
+            continue;
+        pose.q_parent_joint[static_cast<size_t>(link.joint)] = usual->q_parent_joint;
+        const Eigen::Array3d variance = usual->sigma_rad.array().square();
+        if (link.type == LinkType::kHinge)
+            usual_variance_[link.first] += (variance * link.axis.array().square()).sum();
+        else if (link.type == LinkType::kBall)
+            usual_variance_.segment<3>(link.first).array() += variance;
+    }
+    usual_ = tree_.stateFromPose(pose);
 }
 
 void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement* root) {

@@ -63,6 +63,10 @@ Quaterniond axisAngle(const Vector3d& unit_axis, double angle_rad) {
     return Quaterniond(Eigen::AngleAxisd(angle_rad, unit_axis));
 }
 
+Quaterniond mirroredInX(const Quaterniond& q) {
+    return {q.w(), q.x(), -q.y(), -q.z()};
+}
+
 Quaterniond smallestRotation(const Vector3d& from, const Vector3d& to) {
     return Quaterniond::FromTwoVectors(from, to);
 }

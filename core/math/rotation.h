@@ -29,6 +29,9 @@ double angleBetween(const Quaterniond& a, const Quaterniond& b);
 /// Rotation by `angle_rad` about a unit axis.
 Quaterniond axisAngle(const Vector3d& unit_axis, double angle_rad);
 
+/// The same turn seen in a mirror in the plane x = 0.
+Quaterniond mirroredInX(const Quaterniond& q);
+
 /// The smallest rotation that takes direction `from` to direction `to` (any lengths; opposite directions turn
 /// about some perpendicular axis).
 Quaterniond smallestRotation(const Vector3d& from, const Vector3d& to);

@@ -10,8 +10,8 @@ namespace noctule {
 namespace {
 
 struct LinkColumns {
-    double *theta, *rate, *accel;  ///< `count` columns each, `rows` apart
-    long rows;
+    double *theta, *rate, *accel;  ///< `count` columns each, `stride` apart
+    long rows, stride;
     double dt;
 };
 
@@ -43,23 +43,23 @@ template <int kCount>
     for (long i = 0; i < c.rows; ++i) {
         double theta[kCount], gained[kCount];
         for (int k = 0; k < kCount; ++k)
-            theta[k] = c.theta[k * c.rows + i];
+            theta[k] = c.theta[k * c.stride + i];
         for (int j = 0; j < kCount; ++j) {
-            const double rate = c.rate[j * c.rows + i], accel = c.accel[j * c.rows + i];
+            const double rate = c.rate[j * c.stride + i], accel = c.accel[j * c.stride + i];
             gained[j] = c.dt * rate + half * accel;
             double to_rate = rate + c.dt * accel, to_accel = f.decay[j] * accel;
             for (int k = 0; k < kCount; ++k) {
                 to_rate += f.to_rate[j][k] * theta[k];
                 to_accel += f.to_accel[j][k] * theta[k];
             }
-            c.rate[j * c.rows + i] = to_rate;
-            c.accel[j * c.rows + i] = to_accel;
+            c.rate[j * c.stride + i] = to_rate;
+            c.accel[j * c.stride + i] = to_accel;
         }
         for (int j = 0; j < kCount; ++j) {
             double sum = 0;
             for (int k = 0; k < kCount; ++k)
                 sum += f.turn[j][k] * theta[k] + f.jacobian[j][k] * gained[k];
-            c.theta[j * c.rows + i] = sum;
+            c.theta[j * c.stride + i] = sum;
         }
     }
 }
@@ -73,9 +73,9 @@ template <int kCount>
     for (long i = 0; i < c.rows; ++i) {
         double theta[kCount], rate[kCount], accel[kCount];
         for (int k = 0; k < kCount; ++k) {
-            theta[k] = c.theta[k * c.rows + i];
-            rate[k] = c.rate[k * c.rows + i];
-            accel[k] = c.accel[k * c.rows + i];
+            theta[k] = c.theta[k * c.stride + i];
+            rate[k] = c.rate[k * c.stride + i];
+            accel[k] = c.accel[k * c.stride + i];
         }
         for (int j = 0; j < kCount; ++j) {
             double turned = 0, gained = 0;
@@ -83,9 +83,9 @@ template <int kCount>
                 turned += f.turn[k][j] * theta[k] + f.to_rate[k][j] * rate[k] + f.to_accel[k][j] * accel[k];
                 gained += f.jacobian[k][j] * theta[k];
             }
-            c.theta[j * c.rows + i] = turned;
-            c.rate[j * c.rows + i] = rate[j] + c.dt * gained;
-            c.accel[j * c.rows + i] = f.decay[j] * accel[j] + c.dt * rate[j] + half * gained;
+            c.theta[j * c.stride + i] = turned;
+            c.rate[j * c.stride + i] = rate[j] + c.dt * gained;
+            c.accel[j * c.stride + i] = f.decay[j] * accel[j] + c.dt * rate[j] + half * gained;
         }
     }
 }
@@ -120,14 +120,28 @@ void mixWithBest(const LinkColumns& columns, const LinkTransition& link, bool ba
 }
 
 void mixAll(const LinkTransitions& t, Eigen::Ref<Eigen::MatrixXd>& M, bool back) {
-    require(3 * t.n <= M.cols() && M.outerStride() == M.rows(), "transitions: shapes do not fit");
+    require(3 * t.n <= M.cols(), "transitions: shapes do not fit");
     for (const LinkTransition& link : t.links) {
         require((link.count == 1 || link.count == 3) && link.first + link.count <= t.n,
                 "transitions: no such link");
         mixWithBest({M.col(link.first).data(), M.col(t.n + link.first).data(),
-                     M.col(2 * t.n + link.first).data(), M.rows(), t.dt_s},
+                     M.col(2 * t.n + link.first).data(), M.rows(), M.outerStride(), t.dt_s},
                     link, back);
     }
+}
+
+/// By columns, which lie in one piece: with the first side done, what is carried twice is the transpose of
+/// what it was to be, and what is carried once is mirrored.
+void carryBothSides(const LinkTransitions& t, Eigen::MatrixXd& P, bool back) {
+    if (t.links.empty())
+        return;
+    const Eigen::Index moving = 3 * t.n, constant = P.cols() - moving;
+    Eigen::Ref<Eigen::MatrixXd> once = P;
+    mixAll(t, once, back);
+    P.topRightCorner(moving, constant) = P.bottomLeftCorner(constant, moving).transpose();
+    P.topLeftCorner(moving, moving).transposeInPlace();
+    Eigen::Ref<Eigen::MatrixXd> twice = P.topLeftCorner(moving, moving);
+    mixAll(t, twice, back);
 }
 
 Eigen::Map<Eigen::MatrixXd> asRow(Eigen::VectorXd& x) {
@@ -144,11 +158,8 @@ void LinkTransitions::times(Eigen::Ref<Eigen::MatrixXd> M) const {
     mixAll(*this, M, true);
 }
 
-/// By columns, which lie in one piece, hence transposed in between.
 void LinkTransitions::carry(Eigen::MatrixXd& P) const {
-    timesTransposed(P);
-    P.transposeInPlace();
-    timesTransposed(P);
+    carryBothSides(*this, P, false);
 }
 
 void LinkTransitions::carry(Eigen::VectorXd& x) const {
@@ -156,9 +167,7 @@ void LinkTransitions::carry(Eigen::VectorXd& x) const {
 }
 
 void LinkTransitions::carryBack(Eigen::MatrixXd& P) const {
-    times(P);
-    P.transposeInPlace();
-    times(P);
+    carryBothSides(*this, P, true);
 }
 
 void LinkTransitions::carryBack(Eigen::VectorXd& x) const {

@@ -362,9 +362,9 @@ double heldRestPoseError_deg(const std::string& path, int64_t pose_run) {
     return compareAfterRest(take, held).mean_deg;
 }
 
-/// Accelerometers without gyroscopes are levels, the less the more they are shaken. Measured: rest pose 21.7,
-/// A 10.4, D 13.2, A+D 6.1 degrees; with an all_blind_flesh_share of 0.9 and all_blind as blind A was at 19.5
-/// and A+D at 13.5.
+/// Accelerometers without gyroscopes are levels, the less the more they are shaken; joints are held as people
+/// usually do. Measured: rest pose 21.7, A 11.9, D 10.8, A+D 6.4 degrees; with an all_blind_flesh_share of
+/// 0.9 and all_blind as blind A was at 19.5 and A+D at 13.5; D at 13.2 with a pull to the rest pose instead.
 TEST(ProcessSimulation, WithoutGyroscopesForcesTellMoreThanTheRestPose) {
     if (!std::filesystem::exists(kMotion))
         GTEST_SKIP() << "no " << kMotion << " (package assimp-testmodels)";
@@ -378,6 +378,7 @@ TEST(ProcessSimulation, WithoutGyroscopesForcesTellMoreThanTheRestPose) {
     std::printf("rest pose: %.3f degrees\n", rest_deg);
     EXPECT_LT(forces_deg, 0.6 * rest_deg);
     EXPECT_LT(both_deg, 0.4 * rest_deg);
+    EXPECT_LT(distances_deg, 0.55 * rest_deg);
     EXPECT_LT(both_deg, std::min(forces_deg, distances_deg));
 }
 
