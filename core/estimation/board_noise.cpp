@@ -11,8 +11,8 @@ namespace noctule {
 BoardNoise::BoardNoise(const BoardNoiseParameters& parameters, size_t sources)
     : parameters_(parameters),
       accel_(parameters.accel),
-      distance_(parameters.distance),
       gyro_(parameters.gyro),
+      distance_(sources, ExcessNoise(parameters.distance)),
       distance_before_(sources) {}
 
 void BoardNoise::adaptAccel(ObservationBlock& block, const TriadReading& reading, double motion_m_per_s2,
@@ -43,8 +43,9 @@ void BoardNoise::adapt(ObservationBlock& block, const TriadReading& reading, Exc
 
 double BoardNoise::learnDistance(const ObservationBlock& block, int source, const Covariance& P) {
     const Eigen::VectorXd expected = P.innovationVariance(block);
-    const double variance = expected[0] + distance_.variance();
-    distance_.learn(block.residual, expected, distance_before_[static_cast<size_t>(source)]);
+    ExcessNoise& noise = distance_[static_cast<size_t>(source)];
+    const double variance = expected[0] + noise.variance();
+    noise.learn(block.residual, expected, distance_before_[static_cast<size_t>(source)]);
     return variance;
 }
 

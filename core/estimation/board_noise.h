@@ -12,7 +12,7 @@ namespace noctule {
 
 struct BoardNoiseParameters {
     /// Accelerometers' biases are constant, distances' errors come from echoes and from where boards sit.
-    ExcessNoiseParameters accel{280}, distance{80}, gyro{280};
+    ExcessNoiseParameters accel{280}, distance{20}, gyro{280};
     double huber_sigma = 2.5;  ///< beyond it an innovation pulls no further
 
     /// On flesh an accelerometer reads its own wobble as well, more than the motion that drives it (a damped
@@ -21,7 +21,7 @@ struct BoardNoiseParameters {
 
     /// Microphones shift with the pose and stay so for a while: what a filter follows is no innovation, so it
     /// is not learnt. Per distance, as white noise with the same effect (some millimetres for half a second).
-    double flesh_distance_m = 0.01;
+    double flesh_distance_m = 0.007;
 };
 
 class BoardNoise {
@@ -35,8 +35,8 @@ public:
     /// Learns from a distance; returns the variance of its innovation, with what was learnt before, for the
     /// gate.
     double learnDistance(const ObservationBlock& block, int source, const Covariance& P);
-    double distanceVariance(double flesh_share) const {
-        return distance_.whitenedVariance() + std::pow(flesh_share * parameters_.flesh_distance_m, 2);
+    double distanceVariance(int source, double flesh_share) const {
+        return distance_[static_cast<size_t>(source)].whitenedVariance() + std::pow(flesh_share * parameters_.flesh_distance_m, 2);
     }
 
 private:
@@ -44,7 +44,8 @@ private:
                Eigen::VectorXd& before, const Covariance& P) const;
 
     BoardNoiseParameters parameters_;
-    ExcessNoise accel_, distance_, gyro_;
+    ExcessNoise accel_, gyro_;
+    std::vector<ExcessNoise> distance_;  ///< per source: what stands between them is between them
     Eigen::VectorXd accel_before_, gyro_before_;
     std::vector<Eigen::VectorXd> distance_before_;  ///< per source
     double shaken_m_per_s2_ = 0;

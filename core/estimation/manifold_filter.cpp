@@ -351,7 +351,7 @@ bool ManifoldFilter::judgeDistance(const DistanceMeasurement& known, Observation
                                                                : RangeFate::kUsed;
     limitPull(block, Eigen::VectorXd::Constant(1, decision.sigma_m * decision.sigma_m),
               parameters_.distance_huber_sigma);
-    block.variance[0] += noise.distanceVariance(now_.give.fleshShare());
+    block.variance[0] += noise.distanceVariance(known.source, now_.give.fleshShare());
     if (known.carrier.cycle_m == 0)
         block.variance[0] += parameters_.echo_pull_m * parameters_.echo_pull_m;
     return !gated;
@@ -365,7 +365,7 @@ void ManifoldFilter::useCarrier(DistanceMeasurement& measurement, ObservationBlo
     const double expected_m = measurement.distance_m - block.residual[0];
     block.variance[0] =
         carrier.sigma_m * carrier.sigma_m + parameters_.distance_floor_m * parameters_.distance_floor_m +
-        now_.board_noise[static_cast<size_t>(measurement.board)].distanceVariance(now_.give.fleshShare());
+        now_.board_noise[static_cast<size_t>(measurement.board)].distanceVariance(measurement.source, now_.give.fleshShare());
     // Without gyroscopes the pose is a coarse model's, surer of itself than it is true: the envelope decides.
     const double expected_variance_m2 = now_.P.innovationVariance(block)[0] +
                                         (parameters_.sensors.gyroscopes ? 0 : kCoarsePose_m * kCoarsePose_m);
