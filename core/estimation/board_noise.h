@@ -36,7 +36,8 @@ public:
     /// gate.
     double learnDistance(const ObservationBlock& block, int source, const Covariance& P);
     double distanceVariance(int source, double flesh_share) const {
-        return distance_[static_cast<size_t>(source)].whitenedVariance() + std::pow(flesh_share * parameters_.flesh_distance_m, 2);
+        return distance_[static_cast<size_t>(source)].whitenedVariance() +
+               std::pow(flesh_share * parameters_.flesh_distance_m, 2);
     }
 
 private:
