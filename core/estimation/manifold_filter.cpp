@@ -363,9 +363,10 @@ void ManifoldFilter::useCarrier(DistanceMeasurement& measurement, ObservationBlo
     if (carrier.cycle_m == 0)
         return;
     const double expected_m = measurement.distance_m - block.residual[0];
-    block.variance[0] =
-        carrier.sigma_m * carrier.sigma_m + parameters_.distance_floor_m * parameters_.distance_floor_m +
-        now_.board_noise[static_cast<size_t>(measurement.board)].distanceVariance(measurement.source, now_.give.fleshShare());
+    block.variance[0] = carrier.sigma_m * carrier.sigma_m +
+                        parameters_.distance_floor_m * parameters_.distance_floor_m +
+                        now_.board_noise[static_cast<size_t>(measurement.board)].distanceVariance(
+                            measurement.source, now_.give.fleshShare());
     // Without gyroscopes the pose is a coarse model's, surer of itself than it is true: the envelope decides.
     const double expected_variance_m2 = now_.P.innovationVariance(block)[0] +
                                         (parameters_.sensors.gyroscopes ? 0 : kCoarsePose_m * kCoarsePose_m);
