@@ -328,6 +328,8 @@ void addProduct(MatrixOut C, double factor, const MatrixIn& A, const MatrixIn& B
         scaled.topRows(m) = factor * A;
         scaled.bottomRows(padded - m).setZero();
         long j = 0;
+        for (; hasAvx512() && j + 8 <= n; j += 8)  // it has the registers for as many sums
+            addColumnsAvx2<8>(C, j, scaled, B, lower);
         for (; j + 4 <= n; j += 4)
             addColumnsAvx2<4>(C, j, scaled, B, lower);
         for (; j < n; ++j)
