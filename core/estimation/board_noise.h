@@ -46,7 +46,7 @@ private:
 
     BoardNoiseParameters parameters_;
     ExcessNoise accel_, gyro_;
-    std::vector<ExcessNoise> distance_;  ///< per source: what stands between them is between them
+    std::vector<ExcessNoise> distance_;  ///< per source: an echo or an obstacle concerns one pair
     Eigen::VectorXd accel_before_, gyro_before_;
     std::vector<Eigen::VectorXd> distance_before_;  ///< per source
     double shaken_m_per_s2_ = 0;

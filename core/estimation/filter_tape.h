@@ -14,8 +14,8 @@
 
 namespace noctule {
 
-/// The estimate at an instant at which a pose is wanted. Its covariance fits the estimate as it was before
-/// the step's corrections: the next step carries it over.
+/// The estimate at an instant at which a pose is wanted. Its covariance is that of the errors before the
+/// step's last corrections, the same to first order: the next step carries it over.
 struct TapedFrame {
     std::vector<int64_t> times_ns;  ///< several while the body is still
     MotionState motion;
@@ -29,6 +29,7 @@ struct Widening {
     Eigen::VectorXd variance;
 };
 
+/// LinkTransitions: of a step, or of corrections within one.
 using FilterTape =
     std::deque<std::variant<LinkTransitions, HeadingShift, ObservedUpdate, TapedFrame, Widening>>;
 

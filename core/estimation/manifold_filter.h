@@ -93,8 +93,9 @@ struct ManifoldParameters {
     } blind;
     /// The same without any gyroscope.
     Blind all_blind{.joint_accel_rad_per_s2 = 30, .rate_prior_rad_per_s = 0.7};
-    double unusual_rad = 0.3;  ///< how far people deviate from it beyond what was learnt; from rest, of
-                               ///< joints that nothing was learnt of
+    /// What a pull's variance has beyond that of the usual pose; all of it, about the rest pose, where
+    /// nothing was learnt of a joint. Weights of a pull per prior_interval_s, not how far people deviate.
+    double unusual_rad = 0.3, unlearnt_rad = 0.4;
     /// Accelerometers without any gyroscope count as though boards rode on flesh by this share: as levels,
     /// the less the more they were shaken lately.
     double all_blind_flesh_share = 0.15;
@@ -216,8 +217,8 @@ private:
     }
     /// Nobody else knows the root.
     bool isFree() const { return tree_.link(0).type == LinkType::kFree && !parameters_.root_given; }
-    /// Makes P fit the corrected estimate, so that what no reading tells stays so; a step begins with it,
-    /// too.
+    /// Makes P fit the corrected estimate, so that what no reading tells stays so. A step begins with the
+    /// same: predict() carries the limbs' part in one pass with its own.
     void fitErrors();
     void fitHeading();
     LinkTransitions shiftOfLimbs() const;

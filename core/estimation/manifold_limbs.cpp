@@ -50,6 +50,7 @@ void ManifoldFilter::turnLimb(int link, const LimbAlignment::Found& found) {
     ObservationBlock block = turnOf(link, q_parent_limb, now_.state.motion);
     block.variance = found.variance_rad2;
     observe({block});
+    fitErrors();  // it may have turned far, and this step's frame is yet to come
 }
 
 /// The limb may have turned alone, where boards tell how the limbs that it carries lie.

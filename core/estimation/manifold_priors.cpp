@@ -4,7 +4,6 @@
 
 #include "core/estimation/manifold_filter.h"
 #include "core/inertial/reading.h"
-#include "core/math/rotation.h"
 
 namespace noctule {
 
@@ -19,20 +18,15 @@ void ManifoldFilter::updatePriors() {
         blocks.push_back(
             velocityOfRoot(layout_, now_.state.motion, still, Vector3d::Constant(sigma * sigma)));
     }
+    const Eigen::VectorXd away = coordinateError(tree_, usual_, now_.state.motion);
     for (size_t i = 0; i < tree_.links().size(); ++i) {
         const Link& link = tree_.links()[i];
         if (!isBlind(link) || (i == 0 && parameters_.root_given))
             continue;
         const int rotation = link.type == LinkType::kFree ? 3 : 0;
-        const Vector3d away =
-            logQuaternion(usual_.q_parent_link[i].conjugate() * now_.state.motion.q_parent_link[i]);
-        for (int k = rotation; k < link.count; ++k) {
-            const int index = link.first + k;
-            const double angle = link.type == LinkType::kHinge
-                                     ? now_.state.motion.angle_rad[i] - usual_.angle_rad[i]
-                                     : away[k - rotation];
+        for (int index = link.first + rotation; index < link.first + link.count; ++index) {
             if (i > 0)
-                blocks.push_back(pull(layout_.theta(index), -angle, usual_variance_[index]));
+                blocks.push_back(pull(layout_.theta(index), -away[index], usual_variance_[index]));
             blocks.push_back(pull(layout_.rate(index), -now_.state.motion.rate[index],
                                   std::pow(blindness().rate_prior_rad_per_s, 2)));
         }

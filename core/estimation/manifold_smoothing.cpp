@@ -6,8 +6,10 @@
 namespace noctule {
 
 /// Of a coordinate that is pulled: the root's place in the world, a joint's turn away from the usual; of a
-/// rate.
+/// rate; of an acceleration.
 double ManifoldFilter::valueOf(const BodyState& state, int column) const {
+    if (column >= 2 * layout_.freedoms)
+        return state.motion.accel[column - 2 * layout_.freedoms];
     if (column >= layout_.freedoms)
         return state.motion.rate[column - layout_.freedoms];
     if (tree_.link(0).type == LinkType::kFree && column < 3)

@@ -25,6 +25,7 @@ void predictMotion(const KinematicTree& tree, MotionState& motion, double dt_s, 
 /// Carries the state and its covariance P (coordinates, rates, accelerations first; the rest is constant)
 /// over dt_s: accelerations decay by `decay` per step towards zero and keep the stationary variance
 /// `acceleration_variance` (both per velocity index); coordinates and rates follow with accelerations held.
+/// `shift` as in motionTransition().
 LinkTransitions predictMotion(const KinematicTree& tree, MotionState& motion, Eigen::MatrixXd& P, double dt_s,
                               const Eigen::VectorXd& decay, const Eigen::VectorXd& acceleration_variance,
                               const LinkTransitions& shift = {});

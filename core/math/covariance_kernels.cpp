@@ -162,7 +162,7 @@ void bestTileSum(const double* panel, const double* factors, long stride, long m
     tileSum<kRows>(panel, factors, stride, m, sum);
 }
 
-/// P(r, c) -= (X X^T)(r, c), mirrored, for the few at the end that fill no tile.
+/// P(r, c) -= (X X^T)(r, c), mirrored: for what fills no tile, and for small P.
 void subtractOne(double* p, const MatrixIn& rows_of_x, long n, long r, long c) {
     p[c * n + r] -= rows_of_x.col(r).dot(rows_of_x.col(c));
     p[r * n + c] = p[c * n + r];

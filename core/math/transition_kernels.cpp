@@ -130,8 +130,9 @@ void mixAll(const LinkTransitions& t, Eigen::Ref<Eigen::MatrixXd>& M, bool back)
     }
 }
 
-/// By columns, which lie in one piece: with the first side done, what is carried twice is the transpose of
-/// what it was to be, and what is carried once is mirrored.
+/// By columns, which lie in one piece. P F^T first; the transpose of its moving block is F P, which the
+/// second pass makes F P F^T. Of what moves with what does not the rows below are then done, and are
+/// mirrored.
 void carryBothSides(const LinkTransitions& t, Eigen::MatrixXd& P, bool back) {
     if (t.links.empty())
         return;
@@ -182,8 +183,10 @@ void LinkTransitions::beginWith(const LinkTransitions& shift) {
                 "beginWith: not a shift of these rotations");
         link->turn = link->turn * first.turn +
                      link->jacobian * (dt_s * first.rate_by_theta + 0.5 * dt_s * dt_s * first.accel_by_theta);
-        link->rate_by_theta += first.rate_by_theta + dt_s * first.accel_by_theta;
-        link->accel_by_theta += link->decay.asDiagonal() * first.accel_by_theta;
+        link->rate_by_theta =
+            link->rate_by_theta * first.turn + first.rate_by_theta + dt_s * first.accel_by_theta;
+        link->accel_by_theta =
+            link->accel_by_theta * first.turn + link->decay.asDiagonal() * first.accel_by_theta;
     }
 }
 

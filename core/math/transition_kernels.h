@@ -37,7 +37,7 @@ struct LinkTransitions {
     void carryBack(Eigen::MatrixXd& P) const;
     void carryBack(Eigen::VectorXd& x) const;
 
-    /// F := F S; `shift` is of rotations among these and takes no time.
+    /// F := F S; `shift` is of rotations among these, takes no time and lets nothing decay.
     void beginWith(const LinkTransitions& shift);
 };
 

@@ -71,6 +71,20 @@ TEST_F(BoardNoiseTest, OnlyFleshIsShaken) {
     EXPECT_GT(after.variance[0], 15 * 15);
 }
 
+TEST_F(BoardNoiseTest, APairThatHearsEchoesSpoilsNoOther) {
+    BoardNoise of_two{{}, 2};
+    const auto distance = [](double off_m) {
+        return ObservationBlock{
+            {0}, Eigen::MatrixXd::Zero(1, 1), VectorXd::Constant(1, off_m), VectorXd::Constant(1, 1e-6)};
+    };
+    for (int i = 0; i < 200; ++i) {
+        of_two.learnDistance(distance(i % 2 ? 0.001 : -0.001), 0, P);
+        of_two.learnDistance(distance(0.03), 1, P);
+    }
+    EXPECT_LT(of_two.distanceVariance(0, 0), 1e-6);
+    EXPECT_GT(of_two.distanceVariance(1, 0), 1e-4);
+}
+
 TEST_F(BoardNoiseTest, AClippedReadingTeachesNothing) {
     // Half a metre per second squared too much, all the time: excess noise, which one clipped reading must
     // not hide.

@@ -86,10 +86,19 @@ TEST_F(UnseenRates, AJointThatRunsAwayIsBroughtBack) {
     memory.state.motion.rate[7] = 500;  // of the chest, about the vertical
     body.filter.recall(memory);
     const int resets = body.filter.resets();
+    FilterTape tape;  // which is told what was pulled to which value
+    body.filter.setTape(&tape);
     body.turn(1, 0.1, {1, 2, 3});
     EXPECT_GT(body.filter.resets(), resets);
     EXPECT_LT(body.filter.state().motion.rate.cwiseAbs().maxCoeff(), 200);
     EXPECT_TRUE(body.filter.covariance().allFinite());
+    for (const auto& event : tape)
+        if (const auto* update = std::get_if<ObservedUpdate>(&event))
+            for (const ObservationBlock& block : update->blocks)
+                if (block.origin.kind == ObservationOrigin::Kind::kPull) {
+                    EXPECT_NEAR(block.origin.target.cwiseAbs().maxCoeff(), 0, 1e-9)
+                        << "all are pulled to rest";
+                }
 }
 
 }  // namespace

@@ -75,8 +75,6 @@ TEST(TransitionKernels, AStepThatBeginsWithAShiftIsBoth) {
     LinkTransitions step = randomTransitions(0.3), shift = randomTransitions(0);
     shift.links.resize(1);
     shift.links[0].first = 4;
-    for (LinkTransition& link : step.links)  // as steps are
-        link.rate_by_theta = link.accel_by_theta = Eigen::Matrix3d::Zero();
     shift.links[0].decay.setOnes();
     const Eigen::MatrixXd expected = dense(step, 26) * dense(shift, 26);
     step.beginWith(shift);
