@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "core/body/joint_names.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
@@ -28,14 +29,12 @@ const Row kRows[] = {
 
 std::optional<UsualTurn> usualTurn(const std::string& joint) {
     constexpr double kRadians = std::numbers::pi / 180;
-    const std::string right = "Right";
-    const bool is_right = joint.starts_with(right);
-    const std::string learnt = is_right ? "Left" + joint.substr(right.size()) : joint;
+    const std::string other_side = mirroredSegment(joint);
     for (const Row& row : kRows) {
-        if (row.joint != learnt)
+        if (row.joint != joint && row.joint != other_side)
             continue;
         const Quaterniond q = expQuaternion(kRadians * row.turn_deg);
-        return UsualTurn{is_right ? mirroredInX(q) : q, kRadians * row.sigma_deg};
+        return UsualTurn{row.joint == joint ? q : mirroredInX(q), kRadians * row.sigma_deg};
     }
     return std::nullopt;
 }

@@ -37,15 +37,15 @@ void ManifoldFilter::initialise(const Pose& rest_pose) {
 }
 
 void ManifoldFilter::expectUsualPose(const Pose& rest_pose) {
-    const auto square = [](double x) { return x * x; };
     Pose pose = rest_pose;
-    usual_variance_.setConstant(tree_.freedoms(), square(parameters_.unlearnt_rad));
+    usual_variance_.setConstant(tree_.freedoms(), std::pow(parameters_.unlearnt_rad, 2));
     for (const Link& link : tree_.links()) {
         const auto usual = usualTurn(skeleton_.joint(link.joint).name);
         if (!usual || link.count == 0)
             continue;
         pose.q_parent_joint[static_cast<size_t>(link.joint)] = usual->q_parent_joint;
-        const Eigen::Array3d variance = usual->sigma_rad.array().square() + square(parameters_.unusual_rad);
+        const Eigen::Array3d variance =
+            usual->sigma_rad.array().square() + std::pow(parameters_.unusual_rad, 2);
         if (link.type == LinkType::kHinge)
             usual_variance_[link.first] = (variance * link.axis.array().square()).sum();
         else

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <optional>
 
+#include "core/body/joint_names.h"
+
 namespace noctule {
 namespace {
 
-constexpr const char* kSegmentSides[] = {"Left", "Right"};
 constexpr const char* kIdPrefixes[] = {"l_", "r_"};
 constexpr const char* kIdSuffixes[] = {"_l", "_r"};
 
@@ -79,13 +80,6 @@ Vector3d onActor(const Vector3d& p_m, const std::string& segment, const Actor& f
 }
 
 }  // namespace
-
-std::string mirroredSegment(const std::string& segment) {
-    for (const int side : {0, 1})
-        if (segment.starts_with(kSegmentSides[side]))
-            return kSegmentSides[1 - side] + segment.substr(std::string(kSegmentSides[side]).size());
-    return segment;
-}
 
 Board mirrorBoard(const Board& board) {
     Board image = board;

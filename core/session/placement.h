@@ -11,9 +11,6 @@
 
 namespace noctule {
 
-/// "LeftLeg" <-> "RightLeg"; others stay.
-std::string mirroredSegment(const std::string& segment);
-
 /// The board as it would sit on the other side: place and segment mirrored; along its y axis, which points
 /// across the limb, it is turned over, so that x (along the limb) and z (outwards) are mirrored and the axes
 /// stay right-handed. Identity and capabilities stay. Twice is the same board again.

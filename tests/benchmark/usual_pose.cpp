@@ -12,9 +12,9 @@
 #include <numbers>
 #include <vector>
 
+#include "core/body/joint_names.h"
 #include "core/formats/bvh.h"
 #include "core/math/rotation.h"
-#include "core/session/placement.h"
 #include "core/simulation/motion_fit.h"
 
 namespace noctule {
