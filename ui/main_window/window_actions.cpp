@@ -55,7 +55,7 @@ void WindowActions::addSuitAndHelpActions() {
     add(Command::kPutSuitOn, tr("Put the suit on"), {}, "note");
     add(Command::kShortcuts, tr("Shortcuts"), {QKeySequence("F1")}, "");
     add(Command::kTour, tr("Tour of the five steps"), {}, "info");
-    add(Command::kNews, tr("What is new"), {}, "recover");
+    add(Command::kNews, tr("What is new"), {}, "history");
     add(Command::kAbout, tr("About Noctule"), {}, "")->setMenuRole(QAction::AboutRole);
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/style/icons.h"
 
+#include <QFile>
 #include <QIconEngine>
+#include <QLoggingCategory>
 #include <QPainter>
 #include <QPixmapCache>
 #include <QSvgRenderer>
@@ -12,7 +14,21 @@ namespace noctule::ui {
 
 namespace {
 
+Q_LOGGING_CATEGORY(missing_icon, "noctule.icons")
+
 constexpr char kColorInDrawings[] = "#6F7B8D";
+/// Stands for an icon that the program was built without: a missing picture must not end a recording.
+constexpr char kMissingDrawing[] =
+    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'>"
+    "<path d='M3 3h10v10H3zM3 3l10 10M13 3L3 13' fill='none' stroke='#6F7B8D'/></svg>";
+
+QByteArray drawingOf(const QString& name) {
+    QFile file(resourcePath("icons/" + name + ".svg"));
+    if (file.open(QIODevice::ReadOnly))
+        return file.readAll();
+    qCWarning(missing_icon).noquote() << "The program was built without the icon" << name;
+    return kMissingDrawing;
+}
 
 class DrawnIcon : public QIconEngine {
 public:
@@ -52,7 +68,7 @@ QPixmap drawIcon(const QString& name, int size_px, const QColor& color, double r
     QPixmap pixmap;
     if (QPixmapCache::find(key, &pixmap))
         return pixmap;
-    QByteArray drawing = resourceBytes("icons/" + name + ".svg");
+    QByteArray drawing = drawingOf(name);
     drawing.replace(kColorInDrawings, color.name().toLatin1());
     QSvgRenderer renderer(drawing);
     pixmap = QPixmap(QSize(size_px, size_px) * ratio);

@@ -10,7 +10,8 @@
 
 namespace noctule::ui {
 
-/// `size_px` logical pixels at `ratio` physical ones each. Cached. An unknown name throws std::logic_error.
+/// `size_px` logical pixels at `ratio` physical ones each. Cached. An unknown name gives a crossed box
+/// and a warning in the category noctule.icons, which fails every test of the studio.
 QPixmap drawIcon(const QString& name, int size_px, const QColor& color, double ratio);
 
 /// Drawn anew for each size and screen that asks.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the tests of the studio's rooms: one application, a settings folder of its own, C numbers.
+// Runs the tests of the studio's rooms: one application, a settings folder of its own, C numbers. A test in
+// which an icon was missing fails.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -8,12 +9,26 @@
 #include <QTemporaryDir>
 #include <clocale>
 
+namespace {
+
+QtMessageHandler usual_handler = nullptr;
+
+void failOnMissingIcons(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+    if (qstrcmp(context.category, "noctule.icons") == 0)
+        ADD_FAILURE() << message.toStdString();
+    else
+        usual_handler(type, context, message);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     if (testing::GTEST_FLAG(list_tests))
         return RUN_ALL_TESTS();
     QStandardPaths::setTestModeEnabled(true);
     QApplication application(argc, argv);
+    usual_handler = qInstallMessageHandler(failOnMissingIcons);
     std::setlocale(LC_NUMERIC, "C");
     QApplication::setOrganizationName("Noctule");
     QApplication::setApplicationName("noctule-test");

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QMenu>
+#include <QMenuBar>
+
+#include "tests/ui/main_window/studio_fixture.h"
+#include "ui/style/theme.h"
+
+namespace noctule::ui {
+namespace {
+
+/// Opens every menu of the window as an operator does. A missing icon or an exception ends the test.
+class MenusTest : public test::StudioWindow {
+protected:
+    void openAll(QMenu& menu) {
+        menu.popup(window_->mapToGlobal(QPoint(0, 0)));
+        ASSERT_TRUE(waitFor([&] { return menu.isVisible(); })) << menu.title().toStdString();
+        EXPECT_FALSE(menu.isEmpty()) << menu.title().toStdString();
+        EXPECT_FALSE(menu.grab().isNull());
+        ++opened_;
+        for (QAction* action : menu.actions()) {
+            EXPECT_TRUE(action->isSeparator() || !action->text().isEmpty()) << menu.title().toStdString();
+            if (QMenu* inner = action->menu())
+                openAll(*inner);
+        }
+        menu.close();
+    }
+
+    void openAllOnEveryPage() {
+        for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview,
+                                Step::kExport, Step::kPerformer}) {
+            window_->goTo(step);
+            opened_ = 0;
+            for (QAction* title : window_->menuBar()->actions())
+                openAll(*title->menu());
+            EXPECT_GE(opened_, 7) << "File, its recent sessions, Edit, View, Suit, Take, Help";
+        }
+    }
+
+    int opened_ = 0;
+};
+
+TEST_F(MenusTest, EveryMenuOpensOnEveryPageWithoutASession) {
+    for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
+        Theme::get().setScheme(scheme);
+        openAllOnEveryPage();
+    }
+}
+
+TEST_F(MenusTest, EveryMenuOpensOnEveryPageWithATake) {
+    openSampleTake();
+    openAllOnEveryPage();
+}
+
+}  // namespace
+}  // namespace noctule::ui
