@@ -121,13 +121,13 @@ Code BoxConversation::start(ByteView payload) {
     queue_.allowData(true);
     streaming_ = started_by_this_client_ = true;
     next_sample_ = dropped_samples_ = 0;
-    events_.push_back(StartWanted{});
+    events_.emplace_back(std::in_place_type<StartWanted>);
     return Code::kOk;
 }
 
 void BoxConversation::stopStreaming() {
     streaming_ = started_by_this_client_ = false;
-    events_.push_back(StopWanted{});
+    events_.emplace_back(std::in_place_type<StopWanted>);
 }
 
 void BoxConversation::stop(uint32_t request) {

@@ -131,7 +131,9 @@ TEST_F(WornExport, PicturesAndFilmsAreDrawnAndChecked) {
     ExportRequest other = request_;
     other.film.size = {96, 96};
     other.film.frames_per_second = 24;
-    for (const ExportCheck& check : *checkExport(other, {}))
+    const auto checks = checkExport(other, {});
+    ASSERT_TRUE(checks);
+    for (const ExportCheck& check : *checks)
         EXPECT_FALSE(check.ok()) << check.path;
 }
 
