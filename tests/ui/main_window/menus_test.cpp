@@ -3,6 +3,7 @@
 #include <QMenuBar>
 
 #include "tests/ui/main_window/studio_fixture.h"
+#include "ui/main_window/top_bar.h"
 #include "ui/style/theme.h"
 
 namespace noctule::ui {
@@ -30,7 +31,7 @@ protected:
                                 Step::kExport, Step::kPerformer}) {
             window_->goTo(step);
             opened_ = 0;
-            for (QAction* title : window_->menuBar()->actions())
+            for (QAction* title : window_->topBar().menuBar().actions())
                 openAll(*title->menu());
             EXPECT_GE(opened_, 7) << "File, its recent sessions, Edit, View, Suit, Take, Help";
         }
