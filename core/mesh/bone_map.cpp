@@ -34,14 +34,6 @@ int nodeAbove(const BoneMap& map, const RiggedMesh& mesh, const Skeleton& skelet
 
 }  // namespace
 
-const std::vector<std::string>& mainJoints() {
-    static const std::vector<std::string> joints = {"Hips",        "Spine",     "Head",     "LeftArm",
-                                                    "LeftForeArm", "LeftHand",  "RightArm", "RightForeArm",
-                                                    "RightHand",   "LeftUpLeg", "LeftLeg",  "LeftFoot",
-                                                    "RightUpLeg",  "RightLeg",  "RightFoot"};
-    return joints;
-}
-
 std::vector<std::string> missingMainJoints(const BoneMap& map) {
     std::vector<std::string> missing;
     for (const std::string& joint : mainJoints())

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/body/bone_names.h"
 #include "core/mesh/rigged_mesh.h"
 
 namespace noctule {
@@ -18,12 +19,10 @@ struct BoneMap {
     bool operator==(const BoneMap&) const = default;
 };
 
-/// The joints without which a body cannot move as ours: hips, spine, head and the three joints of each limb.
-const std::vector<std::string>& mainJoints();
+/// Those of mainJoints() without a node.
 std::vector<std::string> missingMainJoints(const BoneMap& map);
 
-/// By names of HumanIK, Mixamo, VRM, Rigify, CMU (BVH and ASF), MakeHuman, Xsens, Unreal and 3ds Max's Biped,
-/// with any prefix and way of writing the sides.
+/// By the names of its nodes; see core/body/bone_names.h.
 BoneMap mapByNames(const RiggedMesh& mesh);
 /// By where the nodes of a body that stands upright branch and end, whatever they are called.
 BoneMap mapByShape(const RiggedMesh& mesh);

@@ -141,7 +141,7 @@ constexpr BoneList kBoneLists[] = {
      "root(LEGS lowerback(upperback(thorax(lowerneck(upperneck(head)) ARMS))))",
      "%clavicle(%humerus(%radius(%wrist(%hand(%fingers) %thumb))))",
      "%hipjoint(%femur(%tibia(%foot(%toes))))",
-     {"root", "lowerback", "thorax", "lowerneck", "head", "%clavicle", "%humerus", "%radius", "%hand",
+     {"root", "lowerback", "thorax", "lowerneck", "head", "%clavicle", "%humerus", "%radius", "%wrist",
       "%femur", "%tibia", "%foot", "%toes"}},
     {"MakeHuman's rig for games, and Unreal's",
      "l",
