@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/mesh/mesh_reader.h"
+#include "core/mesh/other_skeletons.h"
 #include "core/mesh/surface_graph.h"
 
 namespace noctule {
@@ -28,6 +29,7 @@ Result<WearableBody> withBones(RiggedMesh mesh, const std::string& where,
         return noSkeleton(where, missing);
     if (const Status checked = checkBoneMap(body.bones, body.mesh, where); !checked)
         return checked.error();
+    body.mesh = dressed(std::move(body.mesh), body.bones);
     return body;
 }
 
