@@ -49,6 +49,15 @@ std::optional<Eigen::Affine3d> gltfBindSpace(const std::vector<Eigen::Affine3d>&
                                              const std::vector<Eigen::Affine3d>& T_file,
                                              const Eigen::Affine3d& T_mesh);
 
+/// Points, triangles, normals (of the surface where there are none) and texture coordinates. Null: no
+/// triangles.
+Result<std::unique_ptr<aiMesh>> gltfPrimitive(const GltfDocument& document, const nlohmann::json& primitive);
+/// All that nodes of the shown scene show, with skins; `ai_nodes` as the document's nodes.
+Status addGltfMeshes(const GltfDocument& document, const GltfNodes& nodes, const std::string& path,
+                     const std::vector<aiNode*>& ai_nodes, GltfScene& made);
+/// Materials and textures; materials as many as the document has.
+void addGltfLooks(const GltfDocument& document, aiScene& scene);
+
 /// Which texture coordinates a material uses, and how it places them (KHR_texture_transform).
 struct GltfTexturePlace {
     size_t set = 0;
