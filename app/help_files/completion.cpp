@@ -147,7 +147,7 @@ _noctule_values() {
     case "$1" in
 )";
 
-constexpr const char* kBashTail = R"(
+constexpr const char* kBashTail = R"sh(
 _noctule_words() {
     mapfile -t COMPREPLY < <(compgen -W "$1" -- "$2")
 }
@@ -163,40 +163,30 @@ _noctule_of_verb() {
     values=$(_noctule_values "$1 $2")
     case $3 in -*) [ -n "$values" ] && [ "$values" != ":flag" ] || values=:option ;; esac
     case $values in
-        :option) _noctule_words "$(_noctule_options "$1")"
-                                  "$3";
-;
-        :number) COMPREPLY=() ;
-        ;
-        ""|:flag) _noctule_files "$3" ;
-        ;
-        *) _noctule_words "$values" "$3" ;
-        ;
-        esac
-        }
+        :option) _noctule_words "$(_noctule_options "$1")" "$3" ;;
+        :number) COMPREPLY=() ;;
+        ""|:flag) _noctule_files "$3" ;;
+        *) _noctule_words "$values" "$3" ;;
+    esac
+}
 
-        _noctule() {
-            local word = ${COMP_WORDS[COMP_CWORD]} before = ${COMP_WORDS[COMP_CWORD - 1]} verb = $ {
-                COMP_WORDS[2]
-            }
-            if
-                ["$COMP_CWORD" - gt 1] && ["${COMP_WORDS[1]}" = --batch];
-            then if["$COMP_CWORD" - eq 2];
-            then _noctule_words
-                "$_noctule_verbs --help"
-                "$word" elif["$verb" = calibrate] &&
-                ["$COMP_CWORD" - eq 3];
-            then _noctule_words
-                "$_noctule_calibrations"
-                "$word" else["$verb" != calibrate] ||
-                verb = "calibrate ${COMP_WORDS[3]}" _noctule_of_verb
-                       "$verb"
-                       "$before"
-                       "$word" fi elif [[$word == -*]];
-            then _noctule_words
-                "--batch --help --version"
-                "$word" else _noctule_files "$word" fi
-        }
+_noctule() {
+    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} verb=${COMP_WORDS[2]}
+    if [ "$COMP_CWORD" -gt 1 ] && [ "${COMP_WORDS[1]}" = --batch ]; then
+        if [ "$COMP_CWORD" -eq 2 ]; then
+            _noctule_words "$_noctule_verbs --help" "$word"
+        elif [ "$verb" = calibrate ] && [ "$COMP_CWORD" -eq 3 ]; then
+            _noctule_words "$_noctule_calibrations" "$word"
+        else
+            [ "$verb" != calibrate ] || verb="calibrate ${COMP_WORDS[3]}"
+            _noctule_of_verb "$verb" "$before" "$word"
+        fi
+    elif [[ $word == -* ]]; then
+        _noctule_words "--batch --help --version" "$word"
+    else
+        _noctule_files "$word"
+    fi
+}
 
 _noctule_virtual_suit() {
     _noctule_of_verb suit "${COMP_WORDS[COMP_CWORD-1]}" "${COMP_WORDS[COMP_CWORD]}"
@@ -204,9 +194,9 @@ _noctule_virtual_suit() {
 
 complete -F _noctule noctule
 complete -F _noctule_virtual_suit noctule-virtual-suit
-)";
+)sh";
 
-constexpr const char* kZshTail = R"(_noctule() {
+constexpr const char* kZshTail = R"sh(_noctule() {
     if [[ $service == noctule-virtual-suit ]]; then
         _noctule_suit
         return
@@ -236,7 +226,7 @@ constexpr const char* kZshTail = R"(_noctule() {
 }
 
 _noctule "$@"
-)";
+)sh";
 
 /// Words with their explanations, as _describe takes them; of `calibrate` one word stands for all.
 std::string zshVerbList(bool calibrations) {
