@@ -52,6 +52,7 @@ protected:
     void SetUp() override {
         Theme::install(*qApp);
         QSettings().clear();
+        QSettings().setValue("folders/suits", folder_.filePath("suits"));
         start();
     }
     void start() {
