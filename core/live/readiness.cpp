@@ -45,6 +45,20 @@ void joinAlike(Readiness& readiness, int ReadinessProblem::*part, int parts) {
     }
 }
 
+/// What most boards do not deliver cannot tell what they hear: silent sources then follow from it.
+void forgetConsequences(Readiness& readiness) {
+    const bool stream_is_poor = std::ranges::any_of(readiness.problems, [](const ReadinessProblem& problem) {
+        return !problem.alike.empty() &&
+               (problem.kind == ProblemKind::kBoardSilent || problem.kind == ProblemKind::kBoardUnreadable ||
+                problem.kind == ProblemKind::kBoardLosesFrames);
+    });
+    if (stream_is_poor)
+        std::erase_if(readiness.problems, [](const ReadinessProblem& problem) {
+            return problem.kind == ProblemKind::kSourceSilent || problem.kind == ProblemKind::kSourceFaint ||
+                   problem.kind == ProblemKind::kBoardDeaf;
+        });
+}
+
 /// All of a joined problem must be accepted.
 bool isAccepted(const ReadinessProblem& problem, const ReadinessFacts& facts) {
     const auto& without =
@@ -226,6 +240,7 @@ Readiness ReadinessJudge::judge(const ReadinessFacts& facts) {
     judgeSupplies(facts, readiness);
     joinAlike(readiness, &ReadinessProblem::board, board_count_);
     joinAlike(readiness, &ReadinessProblem::source, source_count_);
+    forgetConsequences(readiness);
     judgeFit(facts, readiness);
     if (!facts.is_assigned)
         addProblem(readiness, ProblemKind::kNotAssigned, false);

@@ -260,9 +260,10 @@ void RecordReadiness::showVerdict() {
     if (studio_.suit().phase() == LiveSuit::Phase::kRecording) {
         const Readiness& readiness = studio_.check().readiness();
         const int others = problems_->countBesideFit();
+        const bool only_problems = readiness.isFit() && others > 0;
         words = VerdictWords{problems_->count() == 0 ? Tone::kOk : problems_->worst(),
-                             others > 0 ? tr("Recording, with problems") : recordingWords(readiness),
-                             others > 0 && !readiness.isFit() ? fitSentence(readiness) : QString()};
+                             only_problems ? tr("Recording, with problems") : recordingWords(readiness),
+                             {}};
     }
     verdict_text_ = words.verdict;
     verdict_->setVerdict(words.tone, words.verdict, words.text);

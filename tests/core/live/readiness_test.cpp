@@ -197,6 +197,11 @@ TEST_F(ReadinessTest, WhatBefallsMostBoardsAlikeIsOneProblem) {
     EXPECT_FALSE(only(judge(health)).accepted);
     facts_.without_boards = {0, 1, 2, 3};
     EXPECT_TRUE(only(judge(health)).accepted);
+    for (PairHealth& unheard : health.pairs)
+        unheard = {};
+    health.sample = 9 * kJudgedRate_hz;
+    EXPECT_EQ(judge(health).problems.size(), 1U) << "sources that are not heard follow from it";
+    health.pairs = wellAt(3).pairs;
     health.boards[0].frames_per_s = health.boards[1].frames_per_s = 140;
     EXPECT_EQ(judge(health).problems.size(), 2U) << "half of them each have their own card";
 }
