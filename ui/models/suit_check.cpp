@@ -16,6 +16,7 @@ SuitCheck::SuitCheck(Jobs& jobs, LiveSuit& suit, std::function<QString()> folder
     timer_.setInterval(kJudgeEvery_ms);
     connect(&timer_, &QTimer::timeout, this, &SuitCheck::judge);
     connect(&suit_, &LiveSuit::phaseChanged, this, &SuitCheck::follow);
+    connect(&suit_, &LiveSuit::wearingChanged, this, &SuitCheck::judge);
 }
 
 void SuitCheck::follow() {

@@ -87,7 +87,7 @@ TEST_F(ReviewPageTest, ReprocessedResultIsShownAndComparedWithTheEarlierOne) {
     EXPECT_EQ(take.shownRun(), 1);
     EXPECT_EQ(take.overview()->runs[1].settings.sensors, "G");
     EXPECT_EQ(take.comparedRun(), 0);
-    EXPECT_EQ(page_->sidebar().runs().row(1)->text(), "Gyroscopes only");
+    EXPECT_EQ(page_->sidebar().runs().row(1)->text(), "Gyroscopes only, smoothed");
     EXPECT_EQ(page_->sidebar().runs().row(0)->letter(), "B");
     ASSERT_TRUE(waitFor([this] { return page_->sidebar().runs().row(0)->detail().contains("mean"); }))
         << "all results are compared in the background";
