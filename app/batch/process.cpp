@@ -96,6 +96,7 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
                     {"contacts", {{"found", s.contacts}, {"edited", s.contacts_edited}}},
                     {"clipped_readings", s.clipped_readings},
                     {"resets", s.resets},
+                    {"calibrated", gradeWord(s.calibrated)},
                     {"warnings", s.warnings}};
     char text[240];
     std::snprintf(text, sizeof text,
@@ -104,6 +105,8 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
                   static_cast<long long>(s.ranges), static_cast<long long>(s.ranges_gated),
                   static_cast<long long>(s.frames_lost), static_cast<long long>(s.frames_seen));
     outcome.text = path + ": run " + s.run_name + ", " + text;
+    if (s.calibrated == Grade::kNotUsable)
+        outcome.text += path + ": Not usable: " + lackClause(s.lack) + "\n";
     if (s.contacts_edited)
         outcome.text += path + ": contacts of the feet as they were edited, none were looked for.\n";
     return outcome;

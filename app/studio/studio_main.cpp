@@ -18,6 +18,7 @@
 #include "devices/device/clock.h"
 #include "ui/main_window/look.h"
 #include "ui/main_window/studio_windows.h"
+#include "ui/models/end_signals.h"
 #include "ui/models/studio.h"
 #include "ui/style/theme.h"
 
@@ -96,6 +97,9 @@ int runStudio(int argc, char** argv) {
     StudioWindows windows(studio);
     MainWindow& window = windows.show(Step::kStart);
     logFirstFrame(window);
+    const EndSignals end_signals;
+    QObject::connect(&end_signals, &EndSignals::endWanted, &windows,
+                     [&windows] { windows.window()->endInGoodOrder(); });
     studio.finder().start();
     studio.remoteStart().begin();
     if (application.arguments().size() > 1)

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/math/rotation.h"
+#include "core/processing/ingredients.h"
 #include "core/processing/pose_runs.h"
 #include "core/processing/reference_motion.h"
 #include "core/processing/take_quality.h"
@@ -204,6 +205,7 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
     if (!parts)
         return parts.error();
     describeProvenance(take, parts->calibration, run, data);
+    data.lack = lackOfTake(take, parts->suit, parts->calibration);
     for (const Source& source : parts->suit.sources)
         data.sources.push_back({source.id, source.segment});
     if (settings.inertial_run) {

@@ -7,6 +7,13 @@ Error unusableTake(const Take& take, const std::string& what, const std::string&
     return {ErrorKind::kUnusable, take.path() + ": " + what, remedy};
 }
 
+CalibrationLack lackOfTake(const Take& take, const Suit& suit, const Calibration& calibration) {
+    CalibrationLack lack = lackOf(suit, calibration);
+    if (take.level() == TakeLevel::kReadings)
+        lack.sources.clear();
+    return lack;
+}
+
 namespace {
 
 /// "l_hand (is NB-21, calibrated was NB-17)"; empty when nothing speaks against it.
@@ -52,19 +59,14 @@ Status checkCalibration(const Take& take, const Suit& suit, const Calibration& c
     return Done{};
 }
 
-Result<Calibration> chooseCalibration(const Take& take, const ProcessRequest& request, Ingredients& in,
-                                      std::vector<std::string>& warnings) {
+Result<Calibration> chooseCalibration(const Take& take, const ProcessRequest& request, Ingredients& in) {
     if (request.calibration)
         return *request.calibration;
     const auto stored = take.calibrations();
     if (!stored)
         return stored.error();
-    if (stored->empty()) {
-        warnings.push_back(
-            "The take has no calibration: nominal values are used for the boards, and distances cannot be "
-            "measured.");
+    if (stored->empty())
         return nominalCalibration(in.suit);
-    }
     auto in_force = take.calibrationInForce();
     if (!in_force)
         return in_force.error();
@@ -119,12 +121,13 @@ Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& re
     in.suit = *suit;
     if (Status ready = readDecoderSettings(take, request, in); !ready)
         return ready.error();
-    auto calibration = chooseCalibration(take, request, in, warnings);
+    auto calibration = chooseCalibration(take, request, in);
     if (!calibration)
         return calibration.error();
     in.calibration = *calibration;
     if (Status fits = checkCalibration(take, in.suit, in.calibration, warnings); !fits)
         return fits.error();
+    in.lack = lackOfTake(take, in.suit, in.calibration);
     auto actor = chooseActor(take, request, in, warnings);
     if (!actor)
         return actor.error();

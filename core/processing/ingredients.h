@@ -9,12 +9,14 @@
 
 #include "core/live/suit_decoder.h"
 #include "core/processing/process_take.h"
+#include "core/suit/calibration_lack.h"
 
 namespace noctule {
 
 struct Ingredients {
     Suit suit;
     Calibration calibration;
+    CalibrationLack lack;  ///< of it
     Actor actor;
     std::optional<int64_t> calibration_id, actor_id;
     DecoderSettings decoder;
@@ -29,6 +31,10 @@ struct Ingredients {
 /// `warnings` where a default stands in for something that is missing.
 Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& request,
                                       std::vector<std::string>& warnings);
+
+/// What the take lacks with that calibration; one that holds readings needs no source offsets, for its ranges
+/// are distances already.
+CalibrationLack lackOfTake(const Take& take, const Suit& suit, const Calibration& calibration);
 
 /// kUnusable, with the take's file in front.
 Error unusableTake(const Take& take, const std::string& what, const std::string& remedy);

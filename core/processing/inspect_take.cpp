@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/processing/ingredients.h"
 #include "core/processing/take_quality.h"
 #include "core/report/range_statistics.h"
 
@@ -84,6 +85,18 @@ private:
         }
         in_.calibration = inForce(take_.calibrations(), &Take::calibrationInForce);
         in_.actor = inForce(take_.actors(), &Take::actorInForce);
+        judgeCalibration();
+    }
+
+    void judgeCalibration() {
+        if (!suit_)
+            return;
+        const auto stored = in_.calibration.empty() ? std::nullopt : keep(take_.calibrationInForce());
+        in_.lack = lackOfTake(take_, *suit_, stored ? stored->value : nominalCalibration(*suit_));
+        if (gradeOf(in_.lack, "AGD") == Grade::kNotUsable)
+            in_.problems.push_back("Not usable: " + lackClause(in_.lack));
+        else if (!in_.lack.isNone())
+            in_.problems.push_back(lackSentence(in_.lack));
     }
 
     void readRows() {
@@ -276,6 +289,7 @@ nlohmann::json toJson(const TakeInspection& in) {
         {"sources", in.sources},
         {"calibration", textOrNull(in.calibration)},
         {"actor", textOrNull(in.actor)},
+        {"not_calibrated", textOrNull(lackInWords(in.lack))},
         {"blocks", in.blocks},
         {"block_samples", in.block_samples},
         {"hole_samples", in.hole_samples},

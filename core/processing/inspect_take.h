@@ -10,6 +10,7 @@
 #include "core/job/job.h"
 #include "core/recording/take.h"
 #include "core/report/report_data.h"
+#include "core/suit/calibration_lack.h"
 
 namespace noctule {
 
@@ -35,6 +36,7 @@ struct TakeInspection {
     std::string suit_name;
     std::vector<std::string> boards, sources;
     std::string calibration, actor;  ///< in force: "2 of 2026-11-18T10:00:00Z"; empty: none
+    CalibrationLack lack;            ///< of the calibration in force
     int64_t blocks = 0, block_samples = 0, hole_samples = 0, pulses = 0;
     int64_t reference_frames = 0, external_root_rows = 0;
     std::string reference_kind;

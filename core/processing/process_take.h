@@ -12,6 +12,7 @@
 #include "core/job/job.h"
 #include "core/live/motion_tracker.h"
 #include "core/recording/take.h"
+#include "core/suit/calibration_lack.h"
 
 namespace noctule {
 
@@ -36,6 +37,8 @@ struct ProcessSummary {
     int resets = 0;
     int64_t contacts = 0;               ///< of all feet
     bool contacts_edited = false;       ///< an operator's, instead of those in the readings
+    CalibrationLack lack;               ///< of the calibration it was made with
+    Grade calibrated = Grade::kGood;    ///< what that makes of the run; kNotUsable: the poses mean nothing
     std::vector<std::string> warnings;  ///< whole sentences
 };
 

@@ -176,6 +176,10 @@ Result<ProcessSummary> writeRuns(const ProcessRequest& request, const FillRuns& 
     if (!runs)
         return runs.error();
     runs->summary.warnings = warnings;
+    runs->summary.lack = in->lack;
+    runs->summary.calibrated = gradeOf(in->lack, sensorLetters(request.tracker.sensors));
+    if (runs->summary.calibrated != Grade::kGood)
+        runs->summary.warnings.push_back(lackSentence(in->lack));
     if (Status filled = fill(*take, *in, *runs); !filled)
         return filled.error();
     if (runs->summary.poses == 0)

@@ -146,9 +146,7 @@ void LiveSession::keepResults(Stream& stream, StreamResult& result) {
         return;
     // Only what the file holds to the last sample, and nothing else, may stand in it as its result.
     if (recording.trouble || recording.queue.dropped_samples > 0 || result.frame->queue.dropped_samples > 0) {
-        result.warnings.push_back(
-            "The live results are not those of the take, which lacks some of the sound "
-            "or has more of it; process it.");
+        result.lacks_poses = true;
         return;
     }
     if (result.frame->poses == 0 && stream.request.rest_s > 0 && recording.samples > 0) {

@@ -44,6 +44,7 @@ struct StreamResult {
     std::optional<ProcessSummary> results;   ///< in the take
     std::vector<std::string> warnings;       ///< whole sentences
     std::optional<Error> trouble;            ///< of the device; the recorder's own stands in recording
+    bool lacks_poses = false;                ///< the live view skipped part of the sound: process the take
 };
 
 }  // namespace noctule

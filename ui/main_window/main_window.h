@@ -54,6 +54,9 @@ public slots:
     /// Once, on the first start of the program.
     void offerTour();
     void focusNextPanel(bool forward = true);
+    /// Log-out, shutdown, a polite kill: nothing is asked, a take that runs is completed, then the window
+    /// closes.
+    void endInGoodOrder();
 
 signals:
     /// Everything must be made anew in the other language.
@@ -88,6 +91,7 @@ private:
     RecordRun& recordRun();
     void recordOrStop();
     void showRecording();
+    void tellPosesMissing(const QString& take);
     bool mayStopTake();
 
     Studio& studio_;
@@ -105,6 +109,7 @@ private:
     StatusLine* status_;
     JobsPanel* jobs_panel_;
     bool closes_after_take_ = false;  ///< everything has been asked
+    bool asks_nothing_ = false;       ///< nobody may be there to answer
     QString recovery_wanted_;         ///< path of a take whose session is being opened
 };
 

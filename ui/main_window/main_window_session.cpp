@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is open: sessions and takes from the command line, the start page and the desktop; what is told when
 // they cannot be read; and what is asked before the window closes.
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
 #include <QDragEnterEvent>
@@ -225,8 +226,16 @@ bool MainWindow::mayClose() {
     return box.clickedButton() == cancel;
 }
 
+void MainWindow::endInGoodOrder() {
+    asks_nothing_ = true;
+    // A question that stands is answered with its safe answer; each dialog may have one below it.
+    for (QWidget* dialog = QApplication::activeModalWidget(); dialog && dialog->close();)
+        dialog = QApplication::activeModalWidget();
+    close();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!mayStopTake() || (!closes_after_take_ && !mayClose())) {
+    if (!mayStopTake() || (!closes_after_take_ && !asks_nothing_ && !mayClose())) {
         event->ignore();
         return;
     }

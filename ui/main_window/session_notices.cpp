@@ -87,14 +87,14 @@ Notice SessionNotices::interruptedNotice(const QStringList& names) {
             if (session.isOpen())
                 session.recover(session.session().findTake(name.toStdString()));
     };
-    return {Tone::kWarn,
-            one ? tr("The recording of %1 was not ended").arg(names.first())
-                : tr("%n recordings were not ended", nullptr, names.size()),
-            tr("What came in until then is safe on disk: %1. %2", "names of takes, an offer")
-                .arg(names.join(QStringLiteral(", ")), recoverOffer()),
-            one ? tr("Recover %1").arg(names.first()) : tr("Recover all"),
-            recover,
-            kInterrupted};
+    return {
+        Tone::kWarn,
+        one ? tr("Take %1 broke off").arg(names.first()) : tr("%n takes broke off", nullptr, names.size()),
+        tr("What came in until then is safe on disk: %1. %2", "names of takes, an offer")
+            .arg(names.join(QStringLiteral(", ")), recoverOffer()),
+        one ? tr("Recover %1").arg(names.first()) : tr("Recover all"),
+        recover,
+        kInterrupted};
 }
 
 }  // namespace noctule::ui

@@ -147,7 +147,7 @@ void ExportForm::addFigureRows(FormRows& rows) {
     unit->addItem(tr("Centimetres"), 0.01);
     unit->addItem(tr("Metres"), 1.0);
     not_of_pictures_.push_back(rows.addRow(tr("Unit"), unit));
-    names->addItem(tr("Noctule's own"), static_cast<int>(JointNames::kOwn));
+    names->addItem(tr("Common (Hips, Spine, LeftArm)"), static_cast<int>(JointNames::kOwn));
     names->addItem(tr("HumanIK"), static_cast<int>(JointNames::kHumanIk));
     not_of_pictures_.push_back(rows.addRow(tr("Names"), names));
     not_of_pictures_.insert(not_of_pictures_.end(), {unit, names});

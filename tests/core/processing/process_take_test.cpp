@@ -8,6 +8,7 @@
 
 #include "core/formats/bvh.h"
 #include "core/motion/comparison.h"
+#include "core/processing/inspect_take.h"
 #include "core/processing/pose_runs.h"
 #include "tests/core/recording/collect.h"
 #include "tests/support/simulated_take.h"
@@ -278,6 +279,22 @@ TEST(ProcessTinyTake, CancelledWhileSmoothingItLeavesTheFileAsItWas) {
         EXPECT_TRUE(test::readBytes(path) == before);
         EXPECT_EQ(folder.names().size(), 1u);
     }
+}
+
+TEST(ProcessTinyTake, WithoutACalibrationItSaysThatTheResultIsNotUsable) {
+    const Folder folder;
+    const std::string path = tinyTake(folder);
+    test::runSql(path, "DELETE FROM calibration");
+    const auto summary = processTake(requestFor(path), {});
+    ASSERT_TRUE(summary) << summary.error().text();
+    EXPECT_EQ(summary->calibrated, Grade::kNotUsable);
+    EXPECT_TRUE(summary->lack.isTotal());
+    EXPECT_EQ(std::ranges::count(summary->warnings, "This take has no calibration. Process it with one."), 1);
+    const auto inspection = inspectTake(path, {});
+    ASSERT_TRUE(inspection);
+    EXPECT_EQ(std::ranges::count(inspection->problems,
+                                 "Not usable: this take has no calibration. Process it with one."),
+              1);
 }
 
 TEST(ProcessTinyTake, RefusesACalibrationOfAnotherSuit) {

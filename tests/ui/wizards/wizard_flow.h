@@ -53,6 +53,7 @@ protected:
     void SetUp() override {
         Theme::install(*qApp);
         QSettings().clear();
+        QSettings().setValue("folders/suits", folder_.filePath("suits"));
         start();
     }
     void start() {
