@@ -312,18 +312,6 @@
         <translation>Beschleunigungssensor %2 (m/s2) von %1</translation>
     </message>
     <message>
-        <source>result A</source>
-        <translation>Ergebnis A</translation>
-    </message>
-    <message>
-        <source>result B</source>
-        <translation>Ergebnis B</translation>
-    </message>
-    <message>
-        <source>B %1</source>
-        <translation>B %1</translation>
-    </message>
-    <message>
         <source>reference</source>
         <translation>Referenz</translation>
     </message>
@@ -418,6 +406,10 @@
     <message>
         <source>Measured minus expected (mm), %1</source>
         <translation>Gemessen minus erwartet (mm), %1</translation>
+    </message>
+    <message>
+        <source>result %1</source>
+        <translation>Ergebnis %1</translation>
     </message>
 </context>
 <context>
@@ -2572,6 +2564,18 @@
         <source>Chosen seconds</source>
         <translation>Gewählte Sekunden</translation>
     </message>
+    <message>
+        <source>All of each take</source>
+        <translation>Alle jedes Takes</translation>
+    </message>
+    <message>
+        <source>Also as</source>
+        <translation>Auch als</translation>
+    </message>
+    <message>
+        <source>Each take is written in this format too.</source>
+        <translation>Jeder Take wird auch in diesem Format geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportPage</name>
@@ -2633,13 +2637,6 @@
         <source>Took %1. %2</source>
         <translation>Dauerte %1. %2</translation>
     </message>
-    <message numerus="yes">
-        <source>Exporting %n takes</source>
-        <translation>
-            <numerusform>%n Aufnahme wird exportiert</numerusform>
-            <numerusform>%n Aufnahmen werden exportiert</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Writing one frame of %1</source>
         <translation>Ein Bild von %1 wird geschrieben</translation>
@@ -2686,6 +2683,13 @@
     <message>
         <source>Nothing is overwritten: a second export gets _2. %1</source>
         <translation>Nichts wird überschrieben: ein zweiter Export bekommt _2. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Writing %n files</source>
+        <translation>
+            <numerusform>%n Datei wird geschrieben</numerusform>
+            <numerusform>%n Dateien werden geschrieben</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2778,6 +2782,10 @@
         <source>Written files are listed here, each with its check.</source>
         <translation>Geschriebene Dateien stehen hier, jede mit ihrer Prüfung.</translation>
     </message>
+    <message>
+        <source>Written before</source>
+        <translation>Früher geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportRun</name>
@@ -2828,10 +2836,6 @@
         </translation>
     </message>
     <message>
-        <source>Take %1, result %2</source>
-        <translation>Aufnahme %1, Ergebnis %2</translation>
-    </message>
-    <message>
         <source>%1 of %2 frames at %3 per second, %4</source>
         <translation>%1 von %2 Bildern, %3 je Sekunde, %4</translation>
     </message>
@@ -2858,6 +2862,10 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>Take %1, result: %2</source>
+        <translation>Take %1, Ergebnis: %2</translation>
     </message>
 </context>
 <context>
@@ -3021,6 +3029,13 @@
         <source>Looking at results</source>
         <translation>Ergebnisse werden angesehen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n results</source>
+        <translation>
+            <numerusform>%n Ergebnis</numerusform>
+            <numerusform>%n Ergebnisse</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::FullReport</name>
@@ -3087,6 +3102,10 @@
     <message>
         <source>%1 ranges heard, none used by this result</source>
         <translation>%1 Entfernungen gehört, von diesem Ergebnis keine benutzt</translation>
+    </message>
+    <message>
+        <source>This take has no result yet. Process it to see which board heard which source.</source>
+        <translation>Dieser Take hat noch kein Ergebnis. Verarbeite ihn, um zu sehen, welche Platine welche Quelle gehört hat.</translation>
     </message>
 </context>
 <context>
@@ -3678,6 +3697,26 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Delete the marker %1</source>
         <translation>Die Marke %1 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MarkersPanel</name>
+    <message>
+        <source>Markers</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <comment>time, name</comment>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>M sets a marker at the cursor.</source>
+        <translation>M setzt eine Marke am Zeitzeiger.</translation>
     </message>
 </context>
 <context>
@@ -6026,6 +6065,17 @@ keine Lücken</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::ReviewCenter</name>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Confidence per pair</source>
+        <translation>Konfidenz je Paar</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ReviewPage</name>
     <message>
         <source>A take will be seen here: its body, the confidence of its ranges and its curves.</source>
@@ -6105,6 +6155,14 @@ keine Lücken</translation>
     <message>
         <source>Process</source>
         <translation>Verarbeiten</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Process all unprocessed takes</source>
+        <translation>Alle unverarbeiteten Takes verarbeiten</translation>
     </message>
 </context>
 <context>
@@ -6291,14 +6349,6 @@ keine Lücken</translation>
         <translation>Ergebnisse</translation>
     </message>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>%1 mean, shown</source>
         <translation>%1 Mittel, gezeigt</translation>
     </message>
@@ -6329,10 +6379,6 @@ keine Lücken</translation>
 </context>
 <context>
     <name>noctule::ui::RunRow</name>
-    <message>
-        <source>Result %1, %2</source>
-        <translation>Ergebnis %1, %2</translation>
-    </message>
     <message>
         <source>Result %1, %2, %3</source>
         <translation>Ergebnis %1, %2, %3</translation>
@@ -6485,14 +6531,6 @@ keine Lücken</translation>
         <translation>Referenz</translation>
     </message>
     <message>
-        <source>Result B</source>
-        <translation>Ergebnis B</translation>
-    </message>
-    <message>
-        <source>Result A</source>
-        <translation>Ergebnis A</translation>
-    </message>
-    <message>
         <source>Body at %1</source>
         <translation>Körper bei %1</translation>
     </message>
@@ -6531,6 +6569,10 @@ keine Lücken</translation>
     <message>
         <source>The live body appears here with the suit&apos;s first pose.</source>
         <translation>Der Körper erscheint hier mit der ersten Haltung des Anzugs.</translation>
+    </message>
+    <message>
+        <source>Result %1</source>
+        <translation>Ergebnis %1</translation>
     </message>
 </context>
 <context>
@@ -6730,6 +6772,18 @@ keine Lücken</translation>
         <source>Recover all</source>
         <translation>Alle wiederherstellen</translation>
     </message>
+    <message>
+        <source>%1 was moved to the trash</source>
+        <translation>%1 liegt im Papierkorb</translation>
+    </message>
+    <message>
+        <source>The trash is a folder of the session.</source>
+        <translation>Der Papierkorb ist ein Ordner der Sitzung.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::SessionSaver</name>
@@ -6920,6 +6974,25 @@ Drehen, beide Richtungen x3</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::ShowFolder</name>
+    <message>
+        <source>No file manager could be started</source>
+        <translation>Kein Dateiverwalter ließ sich starten</translation>
+    </message>
+    <message>
+        <source>The folder is %1. Open it by hand, or install a file manager.</source>
+        <translation>Der Ordner ist %1. Öffne ihn von Hand, oder installiere einen Dateiverwalter.</translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation>%1 ist nicht da</translation>
+    </message>
+    <message>
+        <source>It may have been moved, or its disk is not connected.</source>
+        <translation>Vielleicht wurde es verschoben, oder sein Datenträger ist nicht angeschlossen.</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ShownBody</name>
     <message>
         <source>Reading the file</source>
@@ -7051,14 +7124,6 @@ Drehen, beide Richtungen x3</translation>
         <translation>%1 prüfen</translation>
     </message>
     <message>
-        <source>The take %1 was recovered</source>
-        <translation>Die Aufnahme %1 wurde wiederhergestellt</translation>
-    </message>
-    <message>
-        <source>The take %1 was not ended</source>
-        <translation>Die Aufnahme %1 wurde nicht beendet</translation>
-    </message>
-    <message>
         <source>Recording in “%1” stopped unexpectedly. %2 are safe on disk; the other takes were not touched.</source>
         <translation>Das Aufzeichnen in „%1“ brach unerwartet ab. %2 liegen sicher auf der Platte; die anderen Aufnahmen sind unberührt.</translation>
     </message>
@@ -7104,6 +7169,14 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>No driver box is found. Switch one on, or connect it by USB; the virtual suit on Connect stands in for one.</source>
         <translation>Keine Steuerbox ist gefunden. Eine einschalten oder über USB anschließen; der virtuelle Anzug auf Verbinden vertritt sie.</translation>
+    </message>
+    <message>
+        <source>Take %1 was recovered</source>
+        <translation>Take %1 wurde wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Take %1 broke off</source>
+        <translation>Take %1 brach ab</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,7 @@
 #include "ui/views/recovery_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/session_list.h"
+#include "ui/views/show_folder.h"
 #include "ui/views/take_picture.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
@@ -179,6 +180,8 @@ QWidget* StartPage::makeRecent() {
     column->addStretch();
     connect(search_, &SearchField::searched, this, &StartPage::search);
     connect(list_, &SessionList::openRequested, this, &StartPage::openRequested);
+    connect(list_, &SessionList::folderWanted, this,
+            [this](const QString& folder) { showFolder(studio_, folder); });
     return recent;
 }
 
@@ -190,6 +193,8 @@ void StartPage::search(const QString& text) {
 
 void StartPage::tryVirtualSuit() {
     progress_->follow(studio_.tryVirtualSuit());
+    if (try_->hasFocus())
+        setFocus();  // a disabled button would hand the keyboard to the next one
     try_->setEnabled(false);
 }
 
@@ -252,12 +257,12 @@ ProblemCard* StartPage::interruptedCard(const RecentSession& session) {
            "not touched.")
             .arg(session.name, secondsText(take.duration_s));
     if (take.recovered) {
-        auto* card = new ProblemCard(Tone::kWarn, tr("The take %1 was recovered").arg(take.name), safe);
+        auto* card = new ProblemCard(Tone::kOk, tr("Take %1 was recovered").arg(take.name), safe);
         connect(card->addAction(tr("Review %1").arg(take.name)), &QPushButton::clicked, this,
                 [this, path] { emit openRequested(path); });
         return card;
     }
-    auto* card = new ProblemCard(Tone::kWarn, tr("The take %1 was not ended").arg(take.name),
+    auto* card = new ProblemCard(Tone::kWarn, tr("Take %1 broke off").arg(take.name),
                                  safe + QLatin1Char(' ') + recoverOffer());
     connect(card->addAction(tr("Recover %1").arg(take.name)), &QPushButton::clicked, this,
             [this, path] { emit recoverRequested(path); });
