@@ -312,18 +312,6 @@
         <translation>Beschleunigungssensor %2 (m/s2) von %1</translation>
     </message>
     <message>
-        <source>result A</source>
-        <translation>Ergebnis A</translation>
-    </message>
-    <message>
-        <source>result B</source>
-        <translation>Ergebnis B</translation>
-    </message>
-    <message>
-        <source>B %1</source>
-        <translation>B %1</translation>
-    </message>
-    <message>
         <source>reference</source>
         <translation>Referenz</translation>
     </message>
@@ -418,6 +406,10 @@
     <message>
         <source>Measured minus expected (mm), %1</source>
         <translation>Gemessen minus erwartet (mm), %1</translation>
+    </message>
+    <message>
+        <source>result %1</source>
+        <translation>Ergebnis %1</translation>
     </message>
 </context>
 <context>
@@ -2705,6 +2697,18 @@
         <source>Common (Hips, Spine, LeftArm)</source>
         <translation>Übliche (Hips, Spine, LeftArm)</translation>
     </message>
+    <message>
+        <source>All of each take</source>
+        <translation>Alle jedes Takes</translation>
+    </message>
+    <message>
+        <source>Also as</source>
+        <translation>Auch als</translation>
+    </message>
+    <message>
+        <source>Each take is written in this format too.</source>
+        <translation>Jeder Take wird auch in diesem Format geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportPage</name>
@@ -2766,13 +2770,6 @@
         <source>Took %1. %2</source>
         <translation>Dauerte %1. %2</translation>
     </message>
-    <message numerus="yes">
-        <source>Exporting %n takes</source>
-        <translation>
-            <numerusform>%n Aufnahme wird exportiert</numerusform>
-            <numerusform>%n Aufnahmen werden exportiert</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Writing one frame of %1</source>
         <translation>Ein Bild von %1 wird geschrieben</translation>
@@ -2819,6 +2816,13 @@
     <message>
         <source>Nothing is overwritten: a second export gets _2. %1</source>
         <translation>Nichts wird überschrieben: ein zweiter Export bekommt _2. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Writing %n files</source>
+        <translation>
+            <numerusform>%n Datei wird geschrieben</numerusform>
+            <numerusform>%n Dateien werden geschrieben</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2911,6 +2915,10 @@
         <source>Written files are listed here, each with its check.</source>
         <translation>Geschriebene Dateien stehen hier, jede mit ihrer Prüfung.</translation>
     </message>
+    <message>
+        <source>Written before</source>
+        <translation>Früher geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportRun</name>
@@ -2961,10 +2969,6 @@
         </translation>
     </message>
     <message>
-        <source>Take %1, result %2</source>
-        <translation>Aufnahme %1, Ergebnis %2</translation>
-    </message>
-    <message>
         <source>%1 of %2 frames at %3 per second, %4</source>
         <translation>%1 von %2 Bildern, %3 je Sekunde, %4</translation>
     </message>
@@ -2991,6 +2995,10 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>Take %1, result: %2</source>
+        <translation>Take %1, Ergebnis: %2</translation>
     </message>
 </context>
 <context>
@@ -3153,6 +3161,13 @@
     <message>
         <source>Looking at results</source>
         <translation>Ergebnisse werden angesehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n results</source>
+        <translation>
+            <numerusform>%n Ergebnis</numerusform>
+            <numerusform>%n Ergebnisse</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3340,6 +3355,10 @@
     <message>
         <source>%1 ranges kept, %2 left out</source>
         <translation>%1 Entfernungen behalten, %2 ausgelassen</translation>
+    </message>
+    <message>
+        <source>This take has no result yet. Process it to see which board heard which source.</source>
+        <translation>Dieser Take hat noch kein Ergebnis. Verarbeite ihn, um zu sehen, welche Platine welche Quelle gehört hat.</translation>
     </message>
 </context>
 <context>
@@ -3944,6 +3963,26 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Delete the marker %1</source>
         <translation>Die Marke %1 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MarkersPanel</name>
+    <message>
+        <source>Markers</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <comment>time, name</comment>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>M sets a marker at the cursor.</source>
+        <translation>M setzt eine Marke am Zeitzeiger.</translation>
     </message>
 </context>
 <context>
@@ -6510,6 +6549,17 @@ Median; gut: unter %1</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::ReviewCenter</name>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Confidence per pair</source>
+        <translation>Konfidenz je Paar</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ReviewPage</name>
     <message>
         <source>A take will be seen here: its body, the confidence of its ranges and its curves.</source>
@@ -6589,6 +6639,14 @@ Median; gut: unter %1</translation>
     <message>
         <source>Process</source>
         <translation>Verarbeiten</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Process all unprocessed takes</source>
+        <translation>Alle unverarbeiteten Takes verarbeiten</translation>
     </message>
 </context>
 <context>
@@ -6807,14 +6865,6 @@ Median; gut: unter %1</translation>
         <translation>Ergebnisse</translation>
     </message>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
         <source>%1 mean, shown</source>
         <translation>%1 Mittel, gezeigt</translation>
     </message>
@@ -6845,10 +6895,6 @@ Median; gut: unter %1</translation>
 </context>
 <context>
     <name>noctule::ui::RunRow</name>
-    <message>
-        <source>Result %1, %2</source>
-        <translation>Ergebnis %1, %2</translation>
-    </message>
     <message>
         <source>Result %1, %2, %3</source>
         <translation>Ergebnis %1, %2, %3</translation>
@@ -7001,14 +7047,6 @@ Median; gut: unter %1</translation>
         <translation>Referenz</translation>
     </message>
     <message>
-        <source>Result B</source>
-        <translation>Ergebnis B</translation>
-    </message>
-    <message>
-        <source>Result A</source>
-        <translation>Ergebnis A</translation>
-    </message>
-    <message>
         <source>Body at %1</source>
         <translation>Körper bei %1</translation>
     </message>
@@ -7047,6 +7085,10 @@ Median; gut: unter %1</translation>
     <message>
         <source>The live body appears here with the suit&apos;s first pose.</source>
         <translation>Der Körper erscheint hier mit der ersten Haltung des Anzugs.</translation>
+    </message>
+    <message>
+        <source>Result %1</source>
+        <translation>Ergebnis %1</translation>
     </message>
 </context>
 <context>
@@ -7246,6 +7288,18 @@ Median; gut: unter %1</translation>
             <numerusform>%n Aufnahmen brachen ab</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 was moved to the trash</source>
+        <translation>%1 liegt im Papierkorb</translation>
+    </message>
+    <message>
+        <source>The trash is a folder of the session.</source>
+        <translation>Der Papierkorb ist ein Ordner der Sitzung.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::SessionSaver</name>
@@ -7433,6 +7487,25 @@ Drehen, beide Richtungen x3</translation>
             <numerusform>%n Aufnahme</numerusform>
             <numerusform>%n Aufnahmen</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ShowFolder</name>
+    <message>
+        <source>No file manager could be started</source>
+        <translation>Kein Dateiverwalter ließ sich starten</translation>
+    </message>
+    <message>
+        <source>The folder is %1. Open it by hand, or install a file manager.</source>
+        <translation>Der Ordner ist %1. Öffne ihn von Hand, oder installiere einen Dateiverwalter.</translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation>%1 ist nicht da</translation>
+    </message>
+    <message>
+        <source>It may have been moved, or its disk is not connected.</source>
+        <translation>Vielleicht wurde es verschoben, oder sein Datenträger ist nicht angeschlossen.</translation>
     </message>
 </context>
 <context>

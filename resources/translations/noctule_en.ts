@@ -112,17 +112,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Exporting %n takes</source>
-        <translation>
-            <numerusform>Exporting %n take</numerusform>
-            <numerusform>Exporting %n takes</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n files written and checked.</source>
         <translation>
             <numerusform>%n file written and checked.</numerusform>
             <numerusform>%n files written and checked.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Writing %n files</source>
+        <translation>
+            <numerusform>Writing %n file</numerusform>
+            <numerusform>Writing %n files</numerusform>
         </translation>
     </message>
 </context>
@@ -164,6 +164,16 @@
         <translation>
             <numerusform>Board %1 (%2) was silent from %3 to %4. It follows its neighbours in that %n frame.</numerusform>
             <numerusform>Board %1 (%2) was silent from %3 to %4. It follows its neighbours in those %n frames.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ExportTakeList</name>
+    <message numerus="yes">
+        <source>%n results</source>
+        <translation>
+            <numerusform>%n result</numerusform>
+            <numerusform>%n results</numerusform>
         </translation>
     </message>
 </context>

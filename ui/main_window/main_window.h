@@ -86,6 +86,7 @@ private:
     void onFailure(const QString& what, const QString& remedy);
     void onSessionFailure(const QString& message);
     void onWarning(const QString& message);
+    void forgetNotices();
     bool mayClose();
     void connectSuit();
     RecordRun& recordRun();
@@ -108,6 +109,8 @@ private:
     QStackedWidget* stack_;
     StatusLine* status_;
     JobsPanel* jobs_panel_;
+    QString folder_;                  ///< of the session that was open last
+    QStringList of_session_;          ///< topics of notices that are about what is open
     bool closes_after_take_ = false;  ///< everything has been asked
     bool asks_nothing_ = false;       ///< nobody may be there to answer
     QString recovery_wanted_;         ///< path of a take whose session is being opened

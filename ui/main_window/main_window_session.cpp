@@ -139,6 +139,9 @@ void MainWindow::recoverWanted(SessionMarker::Finding finding) {
 void MainWindow::onSessionOpened() {
     SessionModel& session = studio_.session();
     const bool open = session.isOpen();
+    if (const QString now = open ? QString::fromStdString(session.session().folder.string()) : QString();
+        now != std::exchange(folder_, now))
+        forgetNotices();
     for (const Command command : {Command::kBody, Command::kShowFolder, Command::kCloseSession})
         (*actions_)[command]->setEnabled(open);
     if (!open) {
@@ -174,7 +177,14 @@ void MainWindow::onTakeOpened() {
          [this, path = take.path()] { SessionCommands::import(this, studio_, {path}); }, kLooseTake});
 }
 
+/// What was said of one session says nothing of the next.
+void MainWindow::forgetNotices() {
+    for (const QString& topic : std::exchange(of_session_, {}))
+        notices_->remove(topic);
+}
+
 void MainWindow::onFailure(const QString& what, const QString& remedy) {
+    of_session_ += what;
     notices_->add({Tone::kError, what, remedy, {}, {}, {}});
 }
 
@@ -184,6 +194,7 @@ void MainWindow::onSessionFailure(const QString& message) {
 }
 
 void MainWindow::onWarning(const QString& message) {
+    of_session_ += firstSentence(message);
     notices_->add({Tone::kWarn, firstSentence(message), otherSentences(message), {}, {}, {}});
 }
 

@@ -174,6 +174,12 @@ void HeatMap::tellPair() {
         detail_text_->clear();
         return;
     }
+    if (studio_.take().shownRun() < 0) {
+        pair_text_->setText(
+            tr("This take has no result yet. Process it to see which board heard which source."));
+        detail_text_->clear();
+        return;
+    }
     if (!summaries_) {
         const bool failed = !studio_.take().problem().isEmpty() && !studio_.take().isLoading();
         pair_text_->setText(failed ? studio_.take().problem() : tr("Reading ranges"));

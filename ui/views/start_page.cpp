@@ -13,6 +13,7 @@
 #include "ui/views/recovery_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/session_list.h"
+#include "ui/views/show_folder.h"
 #include "ui/views/take_picture.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
@@ -225,6 +226,8 @@ QWidget* StartPage::makeRecent() {
     column->addStretch();
     connect(search_, &SearchField::searched, this, &StartPage::search);
     connect(list_, &SessionList::openRequested, this, &StartPage::openRequested);
+    connect(list_, &SessionList::folderWanted, this,
+            [this](const QString& folder) { showFolder(studio_, folder); });
     return recent;
 }
 
@@ -236,6 +239,8 @@ void StartPage::search(const QString& text) {
 
 void StartPage::tryVirtualSuit() {
     progress_->follow(studio_.tryVirtualSuit());
+    if (try_->hasFocus())
+        setFocus();  // a disabled button would hand the keyboard to the next one
     try_->setEnabled(false);
 }
 
@@ -298,7 +303,7 @@ ProblemCard* StartPage::interruptedCard(const RecentSession& session) {
            "not touched.")
             .arg(session.name, secondsText(take.duration_s));
     if (take.recovered) {
-        auto* card = new ProblemCard(Tone::kWarn, tr("Take %1 was recovered").arg(take.name), safe);
+        auto* card = new ProblemCard(Tone::kOk, tr("Take %1 was recovered").arg(take.name), safe);
         connect(card->addAction(tr("Review %1").arg(take.name)), &QPushButton::clicked, this,
                 [this, path] { emit openRequested(path); });
         return card;

@@ -67,7 +67,7 @@ protected:
 TEST_F(ReviewPageTest, JudgesTheTake) {
     ASSERT_EQ(page_->sidebar().runs().count(), 1);
     EXPECT_TRUE(page_->sidebar().runs().row(0)->isChecked());
-    EXPECT_EQ(page_->sidebar().runs().row(0)->letter(), "A");
+    EXPECT_EQ(page_->sidebar().runs().row(0)->number(), "1");
     EXPECT_TRUE(page_->sidebar().runs().row(0)->detail().contains("shown"));
     const auto verdict = studio_->take().verdict();
     ASSERT_TRUE(verdict->mean_error_deg);
@@ -88,7 +88,8 @@ TEST_F(ReviewPageTest, ReprocessedResultIsShownAndComparedWithTheEarlierOne) {
     EXPECT_EQ(take.overview()->runs[1].settings.sensors, "G");
     EXPECT_EQ(take.comparedRun(), 0);
     EXPECT_EQ(page_->sidebar().runs().row(1)->text(), "Gyroscopes only, smoothed");
-    EXPECT_EQ(page_->sidebar().runs().row(0)->letter(), "B");
+    EXPECT_EQ(page_->sidebar().runs().row(0)->number(), "1") << "it keeps its number";
+    EXPECT_EQ(page_->sidebar().runs().row(1)->number(), "2");
     ASSERT_TRUE(waitFor([this] { return page_->sidebar().runs().row(0)->detail().contains("mean"); }))
         << "all results are compared in the background";
 
