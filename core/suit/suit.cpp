@@ -26,6 +26,12 @@ nlohmann::json toJson(const Board& board) {
                            {"accel_full_scale_m_s2", board.accel_full_scale_m_per_s2}};
     if (!board.p_board_mic_m.isZero(0))
         members["p_board_mic_m"] = json::fromVector(board.p_board_mic_m);
+    if (board.rate_hz != kUsualBoardRate_hz)
+        members["rate_hz"] = board.rate_hz;
+    if (board.gyro_noise_rad_per_s)
+        members["gyro_noise_rad_per_s"] = *board.gyro_noise_rad_per_s;
+    if (board.accel_noise_m_per_s2)
+        members["accel_noise_m_per_s2"] = *board.accel_noise_m_per_s2;
     return members;
 }
 
@@ -55,6 +61,11 @@ Board readBoard(JsonObject& json) {
         json.positiveOr("gyro_full_scale_rad_s", board.gyro_full_scale_rad_per_s);
     board.accel_full_scale_m_per_s2 =
         json.positiveOr("accel_full_scale_m_s2", board.accel_full_scale_m_per_s2);
+    board.rate_hz = json.numberOr("rate_hz", board.rate_hz);
+    if (!(board.rate_hz >= kLeastBoardRate_hz && board.rate_hz <= kMostBoardRate_hz))
+        json.fail(ErrorKind::kUnreadable, "rate_hz", "must be 10 to 1000 readings a second");
+    board.gyro_noise_rad_per_s = json.optionalPositive("gyro_noise_rad_per_s");
+    board.accel_noise_m_per_s2 = json.optionalPositive("accel_noise_m_per_s2");
     return board;
 }
 
