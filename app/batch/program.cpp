@@ -136,8 +136,4 @@ int runBatch(const std::vector<std::string>& words, const CancelFlag& cancel) {
     }
 }
 
-std::string softwareName() {
-    return "noctule " NOCTULE_VERSION;
-}
-
 }  // namespace noctule::batch

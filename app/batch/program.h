@@ -12,7 +12,9 @@ namespace noctule::batch {
 /// `words` follow `--batch`. Returns the exit code.
 int runBatch(const std::vector<std::string>& words, const CancelFlag& cancel);
 
-/// "noctule 0.1.0", as it stands in takes.
+/// "0.1.0-6d3d257": the version and what `git describe` said when it was built.
+std::string programVersion();
+/// "noctule 0.1.0-6d3d257", as it stands in takes.
 std::string softwareName();
 
 }  // namespace noctule::batch

@@ -85,7 +85,7 @@ int runStudio(int argc, char** argv) {
     QApplication::setOrganizationName("Noctule");
     QApplication::setApplicationName("noctule");
     QApplication::setApplicationDisplayName("Noctule");
-    QApplication::setApplicationVersion(NOCTULE_VERSION);
+    QApplication::setApplicationVersion(QString::fromStdString(batch::programVersion()));
     QApplication::setQuitOnLastWindowClosed(true);
     Theme::install(application);
 

@@ -20,9 +20,9 @@ struct ProcessRequest {
     std::optional<Calibration> calibration;  ///< else the one in force in the take; becomes the one in force
     std::optional<Actor> actor;              ///< likewise
     TrackerSettings tracker;                 ///< sensors, root, estimator
-    Detector detector = Detector::kInflection;
-    std::string run_name;  ///< empty: defaultRunName()
-    std::string software;  ///< goes into the runs' rows
+    std::optional<Detector> detector{};      ///< none: the estimator's own (EstimatorEntry::detector)
+    std::string run_name;                    ///< empty: defaultRunName()
+    std::string software;                    ///< goes into the runs' rows
     std::string created_utc;
 };
 

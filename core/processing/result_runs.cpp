@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/estimation/paper_parameters.h"
+#include "core/job/text_hash.h"
+#include "core/live/estimators.h"
+
 namespace noctule {
 namespace {
 
@@ -25,33 +29,61 @@ std::string freeRunName(const std::vector<DerivedRun>& runs, const ProcessReques
     return name;
 }
 
+const EstimatorEntry& estimatorOf(const ProcessRequest& request) {
+    const EstimatorEntry* entry = findEstimator(request.tracker.estimator);
+    require(entry != nullptr, "an estimator that was checked before");
+    return *entry;
+}
+
+/// Everything that a pose run was made with; `made_by` is the hash of it all.
 nlohmann::json settingsJson(const ProcessRequest& request, const Ingredients& in,
                             const ProcessSummary& runs) {
+    const EstimatorEntry& estimator = estimatorOf(request);
+    const ParameterValues parameters = completeParameters(estimator.parameters, request.tracker.parameters);
     nlohmann::json settings{{"sensors", sensorLetters(request.tracker.sensors)},
                             {"root", request.tracker.root_given ? "given" : "free"},
-                            {"estimator", estimatorName(request.tracker.estimator)},
-                            {"detector", detectorName(request.detector)},
+                            {"estimator", estimator.name},
+                            {"detector", detectorName(in.decoder.detector)},
                             {"smooth", smootherName(request.tracker.smoother)},
-                            {"inertial_run", runs.inertial_run},
-                            {"range_run", runs.range_run}};
-    if (request.tracker.estimator == EstimatorKind::kManifold) {
+                            {"program", request.software},
+                            {"parameters", parameters}};
+    if (estimator.finds_contacts) {
         const bool looks = request.tracker.sensors.gyroscopes;
         settings["ground"] = groundName(looks ? request.tracker.ground : Ground::kNone);
         settings["contacts"] = in.contacts ? kContactsEdited : kContactsDetected;
     }
     if (in.rest)
         settings["rest_end_s"] = static_cast<double>(in.rest->second) / in.decoder.train.sample_rate_hz;
-    if (request.tracker.estimator == EstimatorKind::kPaper)
-        settings["process_sigma_rad_per_s2"] = request.tracker.paper_process_sigma_rad_per_s2;
+    if (const auto sigma = parameters.find(kPaperProcessSigma); sigma != parameters.end())
+        settings["process_sigma_rad_per_s2"] = sigma->second;
+    settings["made_by"] = textHash(settings.dump() + toJson(in.suit).dump() + toJson(in.calibration).dump() +
+                                   toJson(in.actor).dump());
+    settings["inertial_run"] = runs.inertial_run;
+    settings["range_run"] = runs.range_run;
     return settings;
 }
 
-constexpr const char* kDecodedFromSound = R"({"from":"sound"})";
+/// What decoding readings depends on: the program, the wires, and which samples are there.
+Result<std::string> decodedSettings(const Take& take, const ProcessRequest& request, const Ingredients& in) {
+    const auto gaps = take.gaps();
+    if (!gaps)
+        return gaps.error();
+    std::string made = request.software + " " + std::to_string(in.decoder.train.sample_rate_hz) + " " +
+                       std::to_string(in.sample_count);
+    for (const Board& board : in.suit.boards)
+        made += " " + board.id + (board.has_magnetometer ? " imu9" : " imu6");
+    for (const GapRow& gap : *gaps)
+        made += " gap " + std::to_string(gap.first_sample) + " " + std::to_string(gap.sample_count) + " " +
+                std::to_string(gap.board.value_or(-1));
+    return nlohmann::json{{"from", "sound"}, {"made_by", textHash(made)}}.dump();
+}
 
-/// Readings do not depend on calibration or estimator: one run of them serves all.
-int64_t earlierInertialRun(const std::vector<DerivedRun>& runs, const std::string& software) {
+/// Readings do not depend on calibration or estimator: one run of them serves all that agree in the hash of
+/// what made it.
+int64_t earlierInertialRun(const std::vector<DerivedRun>& runs, const std::string& settings,
+                           const std::string& software) {
     for (const DerivedRun& run : runs)
-        if (run.kind == "inertial" && run.settings_json == kDecodedFromSound && run.software == software)
+        if (run.kind == "inertial" && run.settings_json == settings && run.software == software)
             return run.run;
     return 0;
 }
@@ -76,7 +108,8 @@ Status addDocuments(TakeEdit& edit, const ProcessRequest& request, Ingredients& 
 }  // namespace
 
 std::string defaultRunName(const TrackerSettings& tracker) {
-    return sensorLetters(tracker.sensors) + (tracker.estimator == EstimatorKind::kPaper ? " paper" : "") +
+    return sensorLetters(tracker.sensors) +
+           (tracker.estimator == kManifoldEstimator ? "" : " " + tracker.estimator) +
            (tracker.smoother == Smoother::kFull    ? " smoothed"
             : tracker.smoother == Smoother::kLag   ? " lag"
             : tracker.smoother == Smoother::kBatch ? " batch"
@@ -88,7 +121,7 @@ Result<ResultRuns> ResultRuns::begin(const Take& take, TakeEdit& edit, const Pro
     const auto earlier_runs = take.derivedRuns();
     if (!earlier_runs)
         return earlier_runs.error();
-    ResultRuns runs(edit, detectorName(request.detector));
+    ResultRuns runs(edit, detectorName(in.decoder.detector));
     ProcessSummary& summary = runs.summary;
     summary.run_name = freeRunName(*earlier_runs, request);
     const auto add = [&](const char* kind, const std::string& name, const std::string& settings) {
@@ -96,9 +129,12 @@ Result<ResultRuns> ResultRuns::begin(const Take& take, TakeEdit& edit, const Pro
             {0, kind, name, request.created_utc, request.software, settings, in.calibration_id, in.actor_id});
     };
     const bool sound = take.level() == TakeLevel::kSignal;
-    summary.inertial_run = earlierInertialRun(*earlier_runs, request.software);
+    const auto decoded = decodedSettings(take, request, in);
+    if (!decoded)
+        return decoded.error();
+    summary.inertial_run = earlierInertialRun(*earlier_runs, *decoded, request.software);
     if (sound && summary.inertial_run == 0) {
-        auto run = add("inertial", "decoded", kDecodedFromSound);
+        auto run = add("inertial", "decoded", *decoded);
         if (!run)
             return run.error();
         summary.inertial_run = *run;
