@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "app/batch/files.h"
@@ -30,6 +31,18 @@ Result<SensorSelection> sensorSelection(const std::string& letters) {
         *sensor = true;
     }
     return sensors;
+}
+
+/// "A,B"; blanks around a name are left out.
+std::vector<std::string> splitNames(const std::string& text) {
+    std::vector<std::string> names;
+    std::istringstream from(text);
+    for (std::string name; std::getline(from, name, ',');) {
+        const size_t begin = name.find_first_not_of(' '), end = name.find_last_not_of(' ');
+        if (begin != std::string::npos)
+            names.push_back(name.substr(begin, end - begin + 1));
+    }
+    return names;
 }
 
 /// --params, then --param, then --paper-sigma.
@@ -78,6 +91,7 @@ Result<ProcessRequest> requestOf(const Arguments& arguments) {
         return read.error();
     if (const Status read = readGiven(arguments, "actor", readActor, request.actor); !read)
         return read.error();
+    request.subjects = splitNames(arguments.text("subjects"));
     request.run_name = arguments.text("run-name");
     request.software = softwareName();
     request.created_utc = utcNow();
@@ -119,6 +133,13 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
                     {"clipped_readings", s.clipped_readings},
                     {"resets", s.resets},
                     {"warnings", s.warnings}};
+    if (s.subjects.size() > 1)
+        for (const ProcessSummary::Subject& subject : s.subjects)
+            outcome.json["subjects"].push_back(
+                {{"name", subject.name},
+                 {"suit", subject.suit},
+                 {"poses", subject.poses},
+                 {"ranges", {{"heard", subject.ranges}, {"used", subject.ranges_used}}}});
     char text[240];
     std::snprintf(text, sizeof text,
                   "%lld poses over %.1f s; %lld of %lld ranges used, %lld gated; %lld of %lld frames lost.\n",
@@ -126,6 +147,11 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
                   static_cast<long long>(s.ranges), static_cast<long long>(s.ranges_gated),
                   static_cast<long long>(s.frames_lost), static_cast<long long>(s.frames_seen));
     outcome.text = path + ": run " + s.run_name + ", " + text;
+    if (s.subjects.size() > 1)
+        for (const ProcessSummary::Subject& subject : s.subjects)
+            outcome.text += path + ": " + subject.name + ", suit " + std::to_string(subject.suit) + ": " +
+                            std::to_string(subject.poses) + " poses, " + std::to_string(subject.ranges_used) +
+                            " of " + std::to_string(subject.ranges) + " ranges used.\n";
     if (s.contacts_edited)
         outcome.text += path + ": contacts of the feet as they were edited, none were looked for.\n";
     return outcome;
@@ -203,6 +229,7 @@ Verb processVerb() {
                "poses that know what came later: half a second of it (lag) or all (full); batch: all, "
                "linearised again until the most probable motion is found, several times as long")
             .orElse("none"),
+        text("subjects", "A,B", "whose poses, of a take of several; all of them when not given"),
         text("run-name", "NAME", "name of the new run; from sensors, estimator and smoother when not given"),
         text("out-dir", "D", "copy the take there and write into the copy")};
     verb.remarks = {"Nothing is replaced: every call adds a run, and the raw data stay as they are."};

@@ -126,6 +126,14 @@ Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& re
     if (!suit)
         return suit.error();
     in.suit = *suit;
+    in.clock = take.suitClock();
+    for (const Board& board : in.suit.boards)
+        if (take.level() == TakeLevel::kSignal && board.rate_hz != kUsualBoardRate_hz)
+            return unusableTake(take,
+                                "board " + board.id +
+                                    " is said to read other than 140 times a second, "
+                                    "which sound cannot carry",
+                                "Correct rate_hz in the suit's JSON");
     if (Status ready = readDecoderSettings(take, request, in); !ready)
         return ready.error();
     auto calibration = chooseCalibration(take, request, in, warnings);

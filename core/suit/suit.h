@@ -40,12 +40,16 @@ struct Source {
     Vector3d p_segment_source_m = Vector3d::Zero();
     Vector3d normal_segment = Vector3d::UnitZ();  ///< unit vector of the source's axis
     double nominal_hz = 40000;
+    std::string board = {};  ///< in the same housing; empty: none
 };
 
 struct Suit {
     std::string name;
     std::vector<Board> boards;    ///< at most kMaxPerSuit
     std::vector<Source> sources;  ///< at most kMaxPerSuit
+    /// None: as the take says.
+    std::optional<double> carrier_hz{}, pulse_cycles{};
+    std::optional<int64_t> pulse_interval_samples{}, sample_rate_hz{};
 
     static constexpr size_t kMaxPerSuit = 32;
 
