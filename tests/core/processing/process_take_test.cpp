@@ -114,8 +114,8 @@ TEST(ProcessTinyTake, SaysWhenTheCalibrationIsOfAnotherBoard) {
 TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {
     const Folder folder;
     const std::string path = tinyTake(folder);
-    for (const EstimatorKind estimator : {EstimatorKind::kManifold, EstimatorKind::kPaper}) {
-        SCOPED_TRACE(estimatorName(estimator));
+    for (const std::string estimator : {kManifoldEstimator, kPaperEstimator}) {
+        SCOPED_TRACE(estimator);
         ProcessRequest request = requestFor(path);
         request.tracker.estimator = estimator;
         const auto summary = processTake(request, {});
@@ -134,7 +134,7 @@ TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {
             EXPECT_TRUE(poses.frames[i].pose && isUsable(*poses.frames[i].pose));
         }
         // Measured means: manifold 0.15, 0.6 and 1.0 degrees, paper 0.1, 2.3 and 1.9.
-        const bool paper = estimator == EstimatorKind::kPaper;
+        const bool paper = estimator == kPaperEstimator;
         const TimedMotion reference = take.reference().value();
         EXPECT_LT(segmentError(poses, reference, "Hips").mean_deg, 0.5);
         EXPECT_LT(segmentError(poses, reference, "Chest").mean_deg, paper ? 4 : 1.5);
