@@ -45,8 +45,9 @@ protected:
         const auto summary = processTake(request(), {});
         EXPECT_FALSE(summary) << sql;
         const auto take = Take::open(path_);
-        if (take)
+        if (take) {
             EXPECT_TRUE(take->derivedRuns()->empty()) << "something was written";
+        }
         return summary ? Error{} : summary.error();
     }
 
