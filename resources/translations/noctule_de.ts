@@ -2566,7 +2566,7 @@
     </message>
     <message>
         <source>All of each take</source>
-        <translation>Alle jedes Takes</translation>
+        <translation>Alle jeder Aufnahme</translation>
     </message>
     <message>
         <source>Also as</source>
@@ -2574,7 +2574,7 @@
     </message>
     <message>
         <source>Each take is written in this format too.</source>
-        <translation>Jeder Take wird auch in diesem Format geschrieben.</translation>
+        <translation>Jede Aufnahme wird auch in diesem Format geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -2865,7 +2865,7 @@
     </message>
     <message>
         <source>Take %1, result: %2</source>
-        <translation>Take %1, Ergebnis: %2</translation>
+        <translation>Aufnahme %1, Ergebnis: %2</translation>
     </message>
 </context>
 <context>
@@ -3105,7 +3105,7 @@
     </message>
     <message>
         <source>This take has no result yet. Process it to see which board heard which source.</source>
-        <translation>Dieser Take hat noch kein Ergebnis. Verarbeite ihn, um zu sehen, welche Platine welche Quelle gehört hat.</translation>
+        <translation>Diese Aufnahme hat noch kein Ergebnis. Erst nach dem Verarbeiten ist zu sehen, welche Platine welche Quelle gehört hat.</translation>
     </message>
 </context>
 <context>
@@ -6162,7 +6162,7 @@ keine Lücken</translation>
     </message>
     <message>
         <source>Process all unprocessed takes</source>
-        <translation>Alle unverarbeiteten Takes verarbeiten</translation>
+        <translation>Alle unverarbeiteten Aufnahmen verarbeiten</translation>
     </message>
 </context>
 <context>
@@ -6981,7 +6981,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>The folder is %1. Open it by hand, or install a file manager.</source>
-        <translation>Der Ordner ist %1. Öffne ihn von Hand, oder installiere einen Dateiverwalter.</translation>
+        <translation>Der Ordner ist %1. Er lässt sich von Hand öffnen, oder mit einem Dateiverwalter, der noch zu installieren ist.</translation>
     </message>
     <message>
         <source>%1 is not there</source>
@@ -7172,11 +7172,11 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Take %1 was recovered</source>
-        <translation>Take %1 wurde wiederhergestellt</translation>
+        <translation>Aufnahme %1 wurde wiederhergestellt</translation>
     </message>
     <message>
         <source>Take %1 broke off</source>
-        <translation>Take %1 brach ab</translation>
+        <translation>Aufnahme %1 brach ab</translation>
     </message>
 </context>
 <context>
