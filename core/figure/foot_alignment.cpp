@@ -115,7 +115,7 @@ void Aligner::alignFoot(const std::string& side) {
         const Vector3d seen_left = meanIn(foot, [&](const GlobalPose& pose) {
             return Vector3d(canonical(pose, shin) * Vector3d::UnitX());
         });
-        constexpr double kFar = radians(40);
+        constexpr double kFar = radians(25);
         Vector3d left = q_[foot] * Vector3d::UnitX();
         if (angleOf(left, seen_left) > kFar)
             left = seen_left;

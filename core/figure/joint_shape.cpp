@@ -55,16 +55,26 @@ private:
     double lengthOf(int joint) const { return length_[static_cast<size_t>(joint)]; }
     const std::vector<int>& childrenOf(int joint) const { return children_[static_cast<size_t>(joint)]; }
 
+    /// As many joints, and bones of about the same lengths.
+    bool alike(const Chain& a, const Chain& b) const {
+        constexpr double kAlike = 0.2, kOfChain = 0.03;
+        if (a.size() != b.size())
+            return false;
+        for (size_t i = 0; i < a.size(); ++i)
+            if (std::abs(lengthOf(a[i]) - lengthOf(b[i])) >
+                kAlike * std::max(lengthOf(a[i]), lengthOf(b[i])) + kOfChain * branch(a[0]))
+                return false;
+        return true;
+    }
+
     std::vector<Pair> likeBranches() const {
         std::vector<Pair> pairs;
         for (int top = 0; top < skeleton_.size(); ++top)
             for (size_t i = 0; i < childrenOf(top).size(); ++i)
                 for (size_t k = i + 1; k < childrenOf(top).size(); ++k) {
                     const int a = childrenOf(top)[i], b = childrenOf(top)[k];
-                    const double size = std::min(branch(a), branch(b));
-                    if (size > 0.85 * std::max(branch(a), branch(b)) && limb(longestChain(a)) &&
-                        limb(longestChain(b)))
-                        pairs.push_back({top, a, b, size});
+                    if (const Chain left = longestChain(a); alike(left, longestChain(b)) && limb(left))
+                        pairs.push_back({top, a, b, std::min(branch(a), branch(b))});
                 }
         std::sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) { return x.size > y.size; });
         return pairs;
@@ -97,7 +107,7 @@ private:
             for (size_t k = i + 1; k < pairs.size(); ++k) {
                 const Pair &x = pairs[i], &y = pairs[k];
                 if (y.size < 0.4 * x.size || isBelow(y.top, x) || isBelow(x.top, y) || x.a == y.a ||
-                    x.b == y.b)
+                    x.b == y.b || x.a == y.b || x.b == y.a)
                     continue;
                 const bool x_has_head = headOf(x, y) >= 0, y_has_head = headOf(y, x) >= 0;
                 if (x_has_head == y_has_head && x.top != y.top)

@@ -57,7 +57,7 @@ void Aligner::alignLimb(const std::string& side, const std::string& upper_name, 
     q_[lower] = smallestRotation(straight, lower_bone) * q_[upper];
     if (!has(end))
         return;
-    constexpr double kPronation = radians(110), kShin = radians(40), kFolded = radians(150);
+    constexpr double kPronation = radians(110), kShin = radians(25), kFolded = radians(150);
     const double twist = hingeTwist(upper, lower, end);
     const bool folded = angleOf(straight, lower_bone) > kFolded;
     if (std::abs(twist) > (folded ? radians(5) : upper_name == "Arm" ? kPronation : kShin))

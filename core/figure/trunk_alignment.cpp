@@ -9,7 +9,7 @@
 namespace noctule::figure {
 namespace {
 
-constexpr double kSnap_rad = radians(15), kSnapSide_rad = radians(25);
+constexpr double kSnap_rad = radians(8), kSnapSide_rad = radians(12);
 
 }  // namespace
 

@@ -35,7 +35,7 @@ Vector3d directionOf(UpAxis axis) {
 /// Trunk and legs in one line count fully; a crawling or sitting body hardly.
 double standingWeight(const GlobalPose& pose, const JointMapping& mapping) {
     const double line = trunkOf(pose, mapping).normalized().dot(legsOf(pose, mapping).normalized());
-    return std::clamp((line - 0.6) / 0.3, 0.0, 1.0);
+    return std::clamp((line - 0.8) / 0.15, 0.0, 1.0);
 }
 
 double uprightness(const GlobalPose& pose, const JointMapping& mapping, const Vector3d& up) {

@@ -69,19 +69,21 @@ std::vector<Dialect> dialects() {
                  rest[clip.skeleton.joint(j).name] = clip.frames[20].q_parent_joint[static_cast<size_t>(j)];
              return withZeroPose(clip, rest);
          }},
-        {"all bones along X", [none] { return alongAxis(walk(), kX, none); }},
-        {"all bones along Y with tips", [none] { return alongAxis(walk(), kY, none, true); }},
-        {"all bones along -Z", [none] { return alongAxis(walk(), -kZ, none); }},
+        {"all bones along X", [none] { return alongAxis(walk(), kX, none); }, 6},
+        {"all bones along Y with tips", [none] { return alongAxis(walk(), kY, none, true); }, 6},
+        {"all bones along -Z", [none] { return alongAxis(walk(), -kZ, none); }, 6},
         {"bones along X, quarter turns about them",
          [] {
              return alongAxis(
                  walk(), kX, [](int j) { return (j % 4) * std::numbers::pi / 2; }, true);
-         }},
+         },
+         6},
         {"bones along Y, any turns about them",
          [] {
              return alongAxis(
                  walk(), kY, [](int j) { return 0.7 * j; }, true);
-         }},
+         },
+         6},
         {"the whole figure turned in its zero pose",
          [] {
              return withZeroPose(walk(), {{"Hips", axisAngle(Vector3d(1, 2, 3).normalized(), 2)}});
@@ -91,12 +93,12 @@ std::vector<Dialect> dialects() {
         {"Z up with the zero pose",
          [] {
              const Quaterniond up = axisAngle(kX, std::numbers::pi / 2);
-             return turnedInWorld(withZeroPose(walk(), {{"Hips", up.conjugate()}}), up);
+             return turnedInWorld(withZeroPose(walk(), {{"Hips", up}}), up);
          }},
         {"X up with the zero pose",
          [] {
              const Quaterniond up = axisAngle(kZ, -std::numbers::pi / 2);
-             return turnedInWorld(withZeroPose(walk(), {{"Hips", up.conjugate()}}), up);
+             return turnedInWorld(withZeroPose(walk(), {{"Hips", up}}), up);
          }},
         {"walking to the side of the file", [] { return turnedInWorld(walk(), axisAngle(kY, 2.1)); }},
     };
