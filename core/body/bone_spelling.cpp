@@ -290,6 +290,18 @@ bool isKnownPrefixWord(const std::string& word) {
     return words.contains(word);
 }
 
+/// With a word behind it that a whole body carries: "Hips_jnt", "LeftArm_cloth".
+BoneSpelling withoutLastWord(std::vector<std::string> words) {
+    const std::string last = words.empty() ? std::string() : inSmallLetters(words.back());
+    if (words.size() < 2 || isNumber(last) || isHelperWord(last) || last.size() < 2 || last == "left" ||
+        last == "right")
+        return {};
+    words.pop_back();
+    BoneSpelling spelling = SpelledName(words).made();
+    spelling.prefix = "..." + last;
+    return spelling;
+}
+
 }  // namespace
 
 std::string canonicalJoint(JointRole role, BodySide side) {
@@ -312,9 +324,9 @@ BoneSpelling spellingOf(const std::string& name) {
     std::vector<std::string> words = wordsOf(name);
     std::string prefix;
     for (size_t dropped = 0; !words.empty() && dropped <= kMostPrefixWords; ++dropped) {
-        for (BoneSpelling spelling : {SpelledName(words).made(), copyOf(words)})
+        for (BoneSpelling spelling : {SpelledName(words).made(), copyOf(words), withoutLastWord(words)})
             if (spelling.isKnown()) {
-                spelling.prefix = prefix;
+                spelling.prefix = prefix + spelling.prefix;
                 return spelling;
             }
         const std::string word = inSmallLetters(words.front());
