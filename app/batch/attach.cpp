@@ -114,7 +114,8 @@ Verb attachVerb() {
     verb.min_operands = verb.max_operands = 1;
     verb.example = "noctule --batch attach hops_001.noctule --reference optical.bvh --align auto";
     verb.options = {
-        text("reference", "M.bvh|P.csv", "the recording; CSV: time_s and JOINT.x, JOINT.y, JOINT.z in metres")
+        text("reference", "M.bvh|P.csv",
+             "the recording; CSV: time_s or time_ms, and JOINT.x, .y, .z in metres")
             .needed(),
         text("align", "auto|MILLISECONDS",
              "when the recording starts on the take's clock; auto: found from the last run's motion")
@@ -125,7 +126,8 @@ Verb attachVerb() {
         bvhUnitOption()};
     verb.remarks = {
         "Positions (CSV) do not say how limbs are twisted: they serve as external-root, from the "
-        "joints that sit on the hips, with --align MILLISECONDS."};
+        "joints that sit on the hips, with --align MILLISECONDS.",
+        "With auto, a motion that repeats itself is refused, since several shifts fit."};
     verb.run = runAttach;
     return verb;
 }
