@@ -7,6 +7,7 @@
 #include "app/batch/option.h"
 #include "core/formats/bvh.h"
 #include "core/job/atomic_file.h"
+#include "core/math/json.h"
 
 namespace noctule::batch {
 namespace {
@@ -15,7 +16,7 @@ Result<nlohmann::json> readJson(const std::string& path) {
     const auto text = readWholeFile(path);
     if (!text)
         return text.error();
-    nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
+    nlohmann::json json = noctule::json::parse(*text);
     if (json.is_discarded())
         return Error{ErrorKind::kUnreadable, path + ": is not JSON", "Check that it is the right file"};
     return json;
