@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/job/outside_text.h"
+
 namespace noctule::batch {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenUpdates{100};
+constexpr size_t kLongest = 8000, kLongestStage = 200;  ///< bytes of a message and of a line of progress
 
 bool writeAll(const std::string& text) {
     return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
@@ -40,7 +43,7 @@ void Console::warn(const std::string& sentence) {
     const std::lock_guard lock(mutex_);
     eraseProgress();
     if (!quiet_)
-        std::fprintf(stderr, "warning: %s\n", sentence.c_str());
+        std::fprintf(stderr, "warning: %s\n", visibleText(shortText(sentence, kLongest)).c_str());
 }
 
 void Console::error(const Error& error) {
@@ -49,19 +52,19 @@ void Console::error(const Error& error) {
     std::string text = error.text();
     if (!text.ends_with('.') && !text.ends_with('?'))
         text += '.';
-    std::fprintf(stderr, "%s: %s\n", program_.c_str(), text.c_str());
+    std::fprintf(stderr, "%s: %s\n", program_.c_str(), visibleText(shortText(text, kLongest)).c_str());
 }
 
 bool Console::print(const std::string& text) {
     const std::lock_guard lock(mutex_);
     eraseProgress();
-    return quiet_ || json_ || writeAll(text);
+    return quiet_ || json_ || writeAll(visibleText(text, Lines::kMany));
 }
 
 bool Console::printJson(const std::string& json) {
     const std::lock_guard lock(mutex_);
     eraseProgress();
-    return writeAll(json + "\n");
+    return writeAll(visibleJson(json) + "\n");
 }
 
 void Console::progress(double fraction, const std::string& stage) {
@@ -73,7 +76,8 @@ void Console::progress(double fraction, const std::string& stage) {
         return;
     next_ = now + kBetweenUpdates;
     line_open_ = true;
-    std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * std::clamp(fraction, 0.0, 1.0), stage.c_str());
+    std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * std::clamp(fraction, 0.0, 1.0),
+                 visibleText(shortText(stage, kLongestStage)).c_str());
     std::fflush(stderr);
 }
 

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "app/batch/verb.h"
+#include "core/job/outside_text.h"
 #include "devices/discovery/discovery.h"
 
 namespace noctule::batch {
@@ -61,10 +62,10 @@ nlohmann::json deviceJson(const FoundDevice& device) {
 }
 
 std::string deviceText(const FoundDevice& device) {
-    std::string text = device.address + "\n";
+    std::string text = visibleText(device.address) + "\n";
     const auto add = [&](const std::string& what) {
         if (!what.empty())
-            text += (text.ends_with('\n') ? "  " : ", ") + what;
+            text += (text.ends_with('\n') ? "  " : ", ") + visibleText(what);
     };
     add(device.name);
     add(device.model);

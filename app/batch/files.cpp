@@ -9,6 +9,7 @@
 #include "core/formats/bvh.h"
 #include "core/formats/text_file.h"
 #include "core/job/atomic_file.h"
+#include "core/math/json.h"
 
 namespace noctule::batch {
 namespace {
@@ -26,7 +27,7 @@ Result<nlohmann::json> readJson(const std::string& path) {
     const auto text = readTextFile(path, &signalFlag());
     if (!text)
         return text.error();
-    nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
+    nlohmann::json json = noctule::json::parse(*text);
     if (json.is_discarded())
         return Error{ErrorKind::kUnreadable, path + ": is not JSON", "Check that it is the right file"};
     return json;

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <span>
+
 #include "app/batch/takes.h"
+#include "core/job/limits.h"
+#include "core/job/outside_text.h"
 #include "core/processing/inspect_take.h"
 
 namespace noctule::batch {
 namespace {
 
+constexpr size_t kShown = 2000;  ///< bytes of a line's value
+
 std::string line(const std::string& what, const std::string& value) {
     char text[32];
     std::snprintf(text, sizeof text, "  %-14s ", what.c_str());
-    return value.empty() ? "" : text + value + "\n";
+    return value.empty() ? "" : text + visibleText(shortText(value, kShown)) + "\n";
 }
 
 std::string counted(int64_t count, const std::string& what) {
@@ -63,18 +70,21 @@ std::string suitText(const SuitSummary& suit) {
 
 std::string rowsText(const TakeInspection& in) {
     std::string text;
+    const auto listed = [](const auto& rows) {
+        return std::span(rows).first(std::min(rows.size(), limits::kListedRows));
+    };
     for (const SuitSummary& suit : in.suits)
         text += suitText(suit);
-    for (const GapRow& gap : in.gaps)
+    for (const GapRow& gap : listed(in.gaps))
         text += line("gap", counted(gap.sample_count, "samples from ") + std::to_string(gap.first_sample) +
                                 (gap.board ? ", board " + std::to_string(*gap.board + 1) : ", all boards") +
                                 (gap.reason.empty() ? "" : ", " + gap.reason));
-    for (const MarkerRow& marker : in.markers)
+    for (const MarkerRow& marker : listed(in.markers))
         text +=
             line("marker", marker.kind + " " + marker.label + " at sample " + std::to_string(marker.sample));
-    for (const NoteRow& note : in.notes)
+    for (const NoteRow& note : listed(in.notes))
         text += line("note", note.text);
-    for (const DerivedRun& run : in.runs)
+    for (const DerivedRun& run : listed(in.runs))
         text += line("run " + std::to_string(run.run),
                      run.kind + " '" + run.name + "', " + run.created_utc + ", " + run.software);
     return text;
@@ -96,7 +106,7 @@ std::string boardsText(const TakeInspection& in) {
         const double share = board.readings_expected == 0 ? 0
                                                           : static_cast<double>(board.readings_present) /
                                                                 static_cast<double>(board.readings_expected);
-        std::snprintf(row, sizeof row, "  %-14s %10lld %10lld %10s %10lld\n", board.id.c_str(),
+        std::snprintf(row, sizeof row, "  %-14s %10lld %10lld %10s %10lld\n", visibleText(board.id).c_str(),
                       static_cast<long long>(board.frames_expected),
                       static_cast<long long>(board.frames_lost), percent(share).c_str(),
                       static_cast<long long>(board.clipped_gyro + board.clipped_accel));
@@ -113,11 +123,11 @@ std::string pairsText(const TakeInspection& in) {
     std::snprintf(cell, sizeof cell, "\n  %-14s", "heard %");
     std::string text = cell;
     for (const std::string& source : in.sources) {
-        std::snprintf(cell, sizeof cell, " %8s", source.c_str());
+        std::snprintf(cell, sizeof cell, " %8s", visibleText(source).c_str());
         text += cell;
     }
     for (const std::string& board : in.boards) {
-        std::snprintf(cell, sizeof cell, "\n  %-14s", board.c_str());
+        std::snprintf(cell, sizeof cell, "\n  %-14s", visibleText(board).c_str());
         text += cell;
         for (const PairSummary& pair : in.pairs)
             if (pair.board == board) {

@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "core/body/actor.h"
+#include "core/job/limits.h"
+#include "core/job/outside_text.h"
 #include "core/math/json.h"
 
 namespace noctule {
@@ -63,11 +65,18 @@ Result<Joint> jointFromJson(const Json& j, const std::string& where, size_t inde
     if (!name || !parent || !offset)
         return notReadable(where,
                            "joint number " + std::to_string(index) + " lacks name, parent or offset_m");
-    joint.name = *name;
+    if (offset->norm() > limits::kLengthOfBody_m)
+        return notReadable(where,
+                           "joint " + shortText(*name, limits::kName) + ": offset_m is longer than 10 m");
+    joint.name = shortText(*name, limits::kName);
     joint.parent = static_cast<int>(std::clamp(*parent, -1.0, 1e6));
     joint.offset_m = *offset;
     joint.end_m = json::vector3(j, "end_m");
+    if (joint.end_m && joint.end_m->norm() > limits::kLengthOfBody_m)
+        return notReadable(where, "joint " + joint.name + ": end_m is farther than 10 m");
     if (const auto dofs = j.find("dof"); dofs != j.end() && dofs->is_array()) {
+        if (dofs->size() > limits::kFreedomsOfJoint)
+            return notReadable(where, "joint " + joint.name + ": dof has more than three entries");
         for (const Json& d : *dofs) {
             Result<DegreeOfFreedom> dof = dofFromJson(d, where, joint.name);
             if (!dof)
@@ -110,12 +119,16 @@ Result<std::vector<Capsule>> capsulesFromJson(const Json& j, const std::string& 
     const auto list = j.find("capsules");
     if (list == j.end() || !list->is_array())
         return capsules;
+    if (list->size() > limits::kCapsules)
+        return notReadable(where, "there are more than 1024 capsules");
     for (const Json& c : *list) {
         const auto segment = json::text(c, "segment");
         const auto a = json::vector3(c, "a_m"), b = json::vector3(c, "b_m");
         const auto radius = json::number(c, "radius_m");
         if (!segment || !a || !b || !radius || *radius <= 0)
             return notReadable(where, "a capsule lacks segment, a_m, b_m or radius_m");
+        if (std::max({a->norm(), b->norm(), *radius}) > limits::kLengthOfBody_m)
+            return notReadable(where, "the capsule of " + *segment + " reaches farther than 10 m");
         if (skeleton.find(*segment) < 0)
             return notReadable(where, "a capsule names the unknown segment " + *segment);
         capsules.push_back({*segment, *a, *b, *radius});
@@ -165,6 +178,10 @@ Result<Actor> actorFromJson(const nlohmann::json& j, const std::string& where) {
     const auto list = j.find("joints");
     if (list == j.end() || !list->is_array())
         return notReadable(where, "the actor has no joints");
+    if (list->size() > limits::kJoints)
+        return notReadable(where, "there are " + std::to_string(list->size()) + " joints, more than 256");
+    if (json::number(j, "height_m").value_or(0) > limits::kLengthOfBody_m)
+        return notReadable(where, "height_m is more than 10 m");
     std::vector<Joint> joints;
     for (size_t i = 0; i < list->size(); ++i) {
         Result<Joint> joint = jointFromJson((*list)[i], where, i);

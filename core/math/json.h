@@ -1,18 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading small JSON members without exceptions: every function returns false (or nothing) when the member is
-// missing, of another type or not finite, and the caller names the thing in its error.
+// Parsing JSON from outside and reading small members of it without exceptions: every function returns false
+// (or nothing) when the member is missing, of another type or not finite, and the caller names the thing in
+// its error.
 #pragma once
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
+#include "core/job/limits.h"
 #include "core/math/conventions.h"
 
 namespace noctule::json {
 
 using Json = nlohmann::json;
+
+/// Whether no list or object lies deeper than limits::kJsonDepth: copying and writing JSON call themselves.
+inline bool isShallow(std::string_view text) {
+    int depth = 0;
+    bool quoted = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"')
+            quoted = !quoted;
+        else if (quoted)
+            i += c == '\\';
+        else if (c == '[' || c == '{')
+            ++depth;
+        else if (c == ']' || c == '}')
+            --depth;
+        if (depth > limits::kJsonDepth)
+            return false;
+    }
+    return true;
+}
+
+/// Text from outside; discarded when it is no JSON, too long or too deep.
+inline Json parse(std::string_view text) {
+    if (text.size() > limits::kJsonBytes || !isShallow(text))
+        return Json::value_t::discarded;
+    return Json::parse(text, nullptr, false);
+}
 
 /// A finite number.
 inline std::optional<double> number(const Json& value) {

@@ -107,7 +107,7 @@ Result<BoneMap> readBoneMap(const std::string& path) {
     const auto text = readWholeFile(path);
     if (!text)
         return text.error();
-    return boneMapFromJson(nlohmann::json::parse(*text, nullptr, false), path);
+    return boneMapFromJson(json::parse(*text), path);
 }
 
 }  // namespace noctule

@@ -247,7 +247,7 @@ Result<AttachSummary> attachReference(const AttachRequest& request, const JobCon
                          ": positions do not say how the limbs are twisted, so angles cannot be "
                          "compared with them",
                      "Give the motion as BVH, or attach the positions with --as external-root"};
-    auto opened = Take::open(request.take_path, Access::kReadWrite);
+    auto opened = Take::open(request.take_path, Access::kReadWrite, {job.cancel});
     if (!opened)
         return opened.error();
     Take& take = *opened;

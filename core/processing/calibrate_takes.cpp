@@ -12,7 +12,7 @@ namespace {
 
 Result<Observations> observe(const std::string& path, const CalibrateRequest& request,
                              const JobContext& job) {
-    const auto take = Take::open(path);
+    const auto take = Take::open(path, Access::kRead, {job.cancel});
     if (!take)
         return take.error();
     return readObservations(*take, request.detector, job, request.base, request.actor);

@@ -252,7 +252,7 @@ Status addRun(const Take& take, const DerivedRun& run, const RunSettings& settin
 }  // namespace
 
 Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext& job) {
-    auto opened = Take::open(request.take_path);
+    auto opened = Take::open(request.take_path, Access::kRead, {job.cancel});
     if (!opened)
         return opened.error();
     opened->view(request.suit);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/job/limits.h"
+#include "core/math/json.h"
 #include "core/processing/ingredients.h"
 #include "core/processing/take_quality.h"
 #include "core/report/range_statistics.h"
@@ -24,6 +26,12 @@ public:
         judgePairs();
         if (job_.cancelled())
             return JobContext::cancelledError();
+        for (const auto& [rows, what] :
+             {std::pair(in_.gaps.size(), "gaps"), std::pair(in_.markers.size(), "markers"),
+              std::pair(in_.notes.size(), "notes"), std::pair(in_.runs.size(), "runs")})
+            if (rows > limits::kListedRows)
+                in_.problems.push_back("Of " + std::to_string(rows) + " " + what + " only the first " +
+                                       std::to_string(limits::kListedRows) + " are listed.");
         for (const SkippedRows& skipped : take_.skippedRows())
             in_.problems.push_back(std::to_string(skipped.count) + " rows of " + skipped.table +
                                    " could not be used, first " + skipped.first + ".");
@@ -268,8 +276,8 @@ nlohmann::json suitJson(const SuitSummary& suit) {
 template <class T, class ToJson>
 nlohmann::json list(const std::vector<T>& values, ToJson toJson) {
     nlohmann::json array = nlohmann::json::array();
-    for (const T& value : values)
-        array.push_back(toJson(value));
+    for (size_t i = 0; i < std::min(values.size(), limits::kListedRows); ++i)
+        array.push_back(toJson(values[i]));
     return array;
 }
 
@@ -297,7 +305,7 @@ nlohmann::json rowsJson(const TakeInspection& in) {
                                return json{{"created_utc", note.created_utc}, {"text", note.text}};
                            })},
             {"runs", list(in.runs, [](const DerivedRun& run) {
-                 const json settings = json::parse(run.settings_json, nullptr, false);
+                 const json settings = noctule::json::parse(run.settings_json);
                  return json{{"run", run.run},
                              {"kind", run.kind},
                              {"name", run.name},
@@ -338,7 +346,7 @@ nlohmann::json qualityJson(const TakeInspection& in) {
 }  // namespace
 
 Result<TakeInspection> inspectTake(const std::string& path, const JobContext& job) {
-    auto take = Take::open(path);
+    auto take = Take::open(path, Access::kRead, {job.cancel});
     if (!take)
         return take.error();
     std::vector<std::string> problems;

@@ -7,6 +7,7 @@
 #include "core/formats/bvh.h"
 #include "core/formats/number_text.h"
 #include "core/job/atomic_file.h"
+#include "core/math/json.h"
 #include "core/motion/common_joints.h"
 #include "core/recording/take.h"
 
@@ -57,7 +58,7 @@ Result<Calibration> readCalibrationFile(const std::string& path) {
     const auto text = readWholeFile(path);
     if (!text)
         return text.error();
-    const nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
+    const nlohmann::json json = noctule::json::parse(*text);
     if (json.is_discarded())
         return Error{ErrorKind::kUnreadable, path + ": is not JSON", "Check that it is the right file"};
     return calibrationFromJson(json, path);

@@ -29,7 +29,7 @@ std::optional<int64_t> likelyRun(const char* kind, const DerivedRun& pose_run,
 }  // namespace
 
 RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun>& runs, TakeLevel level) {
-    const json::Json read = json::Json::parse(pose_run.settings_json, nullptr, false);
+    const json::Json read = json::parse(pose_run.settings_json);
     RunSettings settings;
     settings.sensors = json::text(read, "sensors").value_or(settings.sensors);
     settings.estimator = json::text(read, "estimator").value_or("");

@@ -168,15 +168,18 @@ Status processReadings(const Take& take, const Ingredients& in, const TrackerSet
 }  // namespace
 
 Result<ProcessSummary> processTake(const ProcessRequest& request, const JobContext& job) {
-    return writeRuns(request, [&](const Take& take, const Ingredients& in, ResultRuns& results) {
-        TrackerSettings tracker = request.tracker;
-        tracker.g_m_per_s2 = take.header().g_m_per_s2;
-        tracker.contacts = in.contacts;
-        const std::filesystem::path folder = std::filesystem::path(request.take_path).parent_path();
-        tracker.spool_folder = folder.empty() ? "." : folder.string();
-        return take.level() == TakeLevel::kSignal ? processSound(take, in, tracker, results, job)
-                                                  : processReadings(take, in, tracker, results, job);
-    });
+    return writeRuns(
+        request,
+        [&](const Take& take, const Ingredients& in, ResultRuns& results) {
+            TrackerSettings tracker = request.tracker;
+            tracker.g_m_per_s2 = take.header().g_m_per_s2;
+            tracker.contacts = in.contacts;
+            const std::filesystem::path folder = std::filesystem::path(request.take_path).parent_path();
+            tracker.spool_folder = folder.empty() ? "." : folder.string();
+            return take.level() == TakeLevel::kSignal ? processSound(take, in, tracker, results, job)
+                                                      : processReadings(take, in, tracker, results, job);
+        },
+        job.cancel);
 }
 
 }  // namespace noctule

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "core/estimation/paper_parameters.h"
@@ -143,30 +144,59 @@ std::string defaultRunName(const TrackerSettings& tracker) {
                                                    : "");
 }
 
-Result<ResultRuns> ResultRuns::begin(Take& take, TakeEdit& edit, const ProcessRequest& request,
+Result<ResultRuns> ResultRuns::begin(Take& take, const ProcessRequest& request,
                                      const std::vector<Ingredients>& subjects) {
     const Ingredients& in = subjects.front();
     const auto earlier_runs = take.derivedRuns();
     if (!earlier_runs)
         return earlier_runs.error();
-    ResultRuns runs(edit, detectorName(in.decoder.detector));
-    ProcessSummary& summary = runs.summary;
+    const auto decoded = decodedSettings(take, request, subjects);
+    if (!decoded)
+        return decoded.error();
+    ResultRuns runs(take.path());
+    runs.summary.inertial_run = earlierInertialRun(*earlier_runs, *decoded, request.software);
+    runs.writes_readings_ = take.level() == TakeLevel::kSignal && runs.summary.inertial_run == 0;
+    runs.summary.contacts_edited = in.contacts.has_value();
+    runs.summary.duration_s = static_cast<double>(in.sample_count) / in.decoder.train.sample_rate_hz;
+    return runs;
+}
+
+Status ResultRuns::beginSubject(const Ingredients& in) {
+    const std::filesystem::path folder = std::filesystem::path(take_path_).parent_path();
+    auto spool = ResultSpool::make(folder.empty() ? "." : folder);
+    if (!spool)
+        return spool.error();
+    parts_.push_back({in.subject.suit(), in.clock, std::move(*spool), {}});
+    summary.subjects.push_back({in.subject.name, in.subject.suit(), 0, 0, 0});
+    return Done{};
+}
+
+/// The rows that name the runs, and their numbers.
+Status ResultRuns::nameRuns(TakeEdit& edit, Take& take, const ProcessRequest& request,
+                            const std::vector<Ingredients>& subjects) {
+    const Ingredients& in = subjects.front();
+    const auto earlier_runs = take.derivedRuns();
+    if (!earlier_runs)
+        return earlier_runs.error();
     summary.run_name = freeRunName(*earlier_runs, request);
     const auto add = [&](const char* kind, const std::string& name, const std::string& settings) {
         return edit.beginRun(
             {0, kind, name, request.created_utc, request.software, settings, in.calibration_id, in.actor_id});
     };
-    const bool sound = take.level() == TakeLevel::kSignal;
     const auto decoded = decodedSettings(take, request, subjects);
     if (!decoded)
         return decoded.error();
-    summary.inertial_run = earlierInertialRun(*earlier_runs, *decoded, request.software);
-    if (sound && summary.inertial_run == 0) {
+    // Another processing may have added one meanwhile.
+    const int64_t inertial_run = earlierInertialRun(*earlier_runs, *decoded, request.software);
+    if (!writes_readings_ && inertial_run != summary.inertial_run)
+        return unusableTake(take, "its readings were dropped while it was processed", "Process it again");
+    writes_readings_ = writes_readings_ && inertial_run == 0;
+    summary.inertial_run = inertial_run;
+    if (writes_readings_) {
         auto run = add("inertial", "decoded", *decoded);
         if (!run)
             return run.error();
         summary.inertial_run = *run;
-        runs.writes_readings_ = true;
     }
     auto range_run = add("range", summary.run_name, "{}");
     if (!range_run)
@@ -176,25 +206,16 @@ Result<ResultRuns> ResultRuns::begin(Take& take, TakeEdit& edit, const ProcessRe
     if (!pose_run)
         return pose_run.error();
     summary.pose_run = *pose_run;
-    summary.contacts_edited = in.contacts.has_value();
-    summary.duration_s = static_cast<double>(in.sample_count) / in.decoder.train.sample_rate_hz;
-    return runs;
-}
-
-void ResultRuns::beginSubject(const Ingredients& in) {
-    edit_->view(in.subject.suit());
-    clock_ = in.clock;
-    summary.subjects.push_back({in.subject.name, in.subject.suit(), 0, 0, 0});
+    return Done{};
 }
 
 Status ResultRuns::write(const std::vector<InertialReading>& readings) {
     for (const InertialReading& reading : readings) {
         summary.frames_seen += 1;
         summary.frames_lost += reading.corrected_bits ? 0 : 1;
-        if (writes_readings_)
-            if (Status done = edit_->addInertial(summary.inertial_run, reading); !done)
-                return done;
     }
+    if (writes_readings_)
+        parts_.back().spool.add(readings);
     return Done{};
 }
 
@@ -206,37 +227,96 @@ Status ResultRuns::write(const std::vector<RangeMeasurement>& ranges) {
         summary.subjects.back().ranges += 1;
         summary.subjects.back().ranges_used += used;
         summary.ranges_gated += range.fate == RangeFate::kGated;
-        if (Status done = edit_->addRange(summary.range_run, range, detector_); !done)
-            return done;
     }
+    parts_.back().spool.add(ranges);
     return Done{};
 }
 
 Status ResultRuns::write(const std::vector<FootContacts>& contacts) {
-    for (const FootContacts& foot : contacts)
+    const SuitClock& clock = parts_.back().clock;
+    for (FootContacts foot : contacts) {
         summary.contacts += std::ssize(foot.contacts);
-    std::vector<FootContacts> on_take_time = contacts;
-    for (FootContacts& foot : on_take_time)
         for (FootContact& contact : foot.contacts) {
-            contact.from_s = clock_.takeTime_s(contact.from_s);
-            contact.to_s = clock_.takeTime_s(contact.to_s);
+            contact.from_s = clock.takeTime_s(contact.from_s);
+            contact.to_s = clock.takeTime_s(contact.to_s);
         }
-    return edit_->addContacts(summary.pose_run, on_take_time);
+        parts_.back().contacts.push_back(std::move(foot));
+    }
+    return Done{};
 }
 
 Status ResultRuns::write(const std::vector<TimedPose>& poses) {
+    std::vector<TimedPose> on_take_time;
     for (const TimedPose& pose : poses) {
         summary.poses += 1;
         summary.subjects.back().poses += 1;
         if (!pose.pose || !isUsable(*pose.pose))
-            return Error{ErrorKind::kInternal,
+            return Error{ErrorKind::kUnusable,
                          "the estimator lost its state at " +
-                             std::to_string(static_cast<double>(pose.time_ns) * 1e-9) + " s",
-                         "Please report this take; another choice of sensors may work"};
-        if (Status done = edit_->addPose(summary.pose_run, onTakeTime(pose, clock_)); !done)
-            return done;
+                             std::to_string(static_cast<double>(pose.time_ns) * 1e-9) +
+                             " s: the data contradict each other",
+                         "Check the calibration and the actor; another choice of sensors may work"};
+        on_take_time.push_back(onTakeTime(pose, parts_.back().clock));
     }
+    parts_.back().spool.add(on_take_time);
     return Done{};
+}
+
+namespace {
+
+/// From beside the take into it.
+class RunRows : public ResultSink {
+public:
+    RunRows(TakeEdit& edit, const ProcessSummary& runs, const char* detector, bool writes_readings)
+        : edit_(edit), runs_(runs), detector_(detector), writes_readings_(writes_readings) {}
+
+    Status write(const std::vector<InertialReading>& readings) override {
+        if (writes_readings_)
+            for (const InertialReading& reading : readings)
+                if (Status done = edit_.addInertial(runs_.inertial_run, reading); !done)
+                    return done;
+        return Done{};
+    }
+    Status write(const std::vector<RangeMeasurement>& ranges) override {
+        for (const RangeMeasurement& range : ranges)
+            if (Status done = edit_.addRange(runs_.range_run, range, detector_); !done)
+                return done;
+        return Done{};
+    }
+    Status write(const std::vector<TimedPose>& poses) override {
+        for (const TimedPose& pose : poses)
+            if (Status done = edit_.addPose(runs_.pose_run, pose); !done)
+                return done;
+        return Done{};
+    }
+
+private:
+    TakeEdit& edit_;
+    const ProcessSummary& runs_;
+    const char* detector_;
+    bool writes_readings_;
+};
+
+}  // namespace
+
+Status ResultRuns::store(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects) {
+    auto edit = TakeEdit::begin(take);
+    if (!edit)
+        return edit.error();
+    edit->view(subjects.front().subject.suit());
+    if (Status added = addDocuments(*edit, request, subjects.front()); !added)
+        return added;
+    if (Status named = nameRuns(*edit, take, request, subjects); !named)
+        return named;
+    RunRows rows(*edit, summary, detectorName(subjects.front().decoder.detector), writes_readings_);
+    for (Part& part : parts_) {
+        edit->view(part.suit);
+        if (Status replayed = part.spool.replay(rows); !replayed)
+            return replayed;
+        if (Status added = edit->addContacts(summary.pose_run, part.contacts); !added)
+            return added;
+    }
+    return edit->commit();
 }
 
 namespace {
@@ -298,50 +378,74 @@ Result<std::vector<Ingredients>> gatherAll(Take& take, const ProcessRequest& req
     return all;
 }
 
-}  // namespace
+constexpr double kPatience_s = 3600;  ///< several processings of one take wait for each other
 
-Result<ProcessSummary> writeRuns(const ProcessRequest& request, const FillRuns& fill) {
-    auto take = Take::open(request.take_path, Access::kReadWrite);
-    if (!take)
-        return take.error();
+struct SubjectWork {
+    const ProcessRequest& request;
+    const FillRuns& fill;
+};
+
+/// `who`: "Anna: " when there are several subjects.
+Status fillSubject(const Take& take, const Ingredients& in, const std::string& who, const SubjectWork& work,
+                   ResultRuns& runs) {
+    if (Status begun = runs.beginSubject(in); !begun)
+        return begun;
+    const bool first = runs.summary.subjects.size() == 1;
+    const Grade calibrated = gradeOf(in.lack, sensorLetters(work.request.tracker.sensors));
+    if (calibrated > runs.summary.calibrated || first) {
+        runs.summary.lack = in.lack;
+        runs.summary.calibrated = calibrated;
+    }
+    if (calibrated != Grade::kGood)
+        runs.summary.warnings.push_back(who + lackSentence(in.lack));
+    if (Status filled = work.fill(take, in, runs); !filled)
+        return filled;
+    if (runs.summary.subjects.back().poses == 0)
+        return unusableTake(take, who + "it is too short or holds no sound: no pose came out",
+                            "`noctule --batch inspect` shows what is in it");
+    return Done{};
+}
+
+/// Reads and computes; nothing is written into the take.
+Result<ResultRuns> compute(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects,
+                           const FillRuns& fill) {
+    const auto moment = take.snapshot();
+    if (!moment)
+        return moment.error();
     std::vector<std::string> warnings;
-    auto all = gatherAll(*take, request, warnings);
+    auto all = gatherAll(take, request, warnings);
     if (!all)
         return all.error();
-    auto edit = TakeEdit::begin(*take);
-    if (!edit)
-        return edit.error();
-    edit->view(all->front().subject.suit());
-    if (Status added = addDocuments(*edit, request, all->front()); !added)
-        return added.error();
-    auto runs = ResultRuns::begin(*take, *edit, request, *all);
+    subjects = std::move(*all);
+    auto runs = ResultRuns::begin(take, request, subjects);
     if (!runs)
         return runs.error();
     runs->summary.warnings = warnings;
-    for (const Ingredients& in : *all) {
-        take->view(in.subject.suit());
-        runs->beginSubject(in);
-        const Grade calibrated = gradeOf(in.lack, sensorLetters(request.tracker.sensors));
-        if (calibrated > runs->summary.calibrated || all->front().subject.suit() == in.subject.suit()) {
-            runs->summary.lack = in.lack;
-            runs->summary.calibrated = calibrated;
-        }
-        if (calibrated != Grade::kGood)
-            runs->summary.warnings.push_back((all->size() > 1 ? in.subject.name + ": " : std::string()) +
-                                             lackSentence(in.lack));
-        if (Status filled = fill(*take, in, *runs); !filled)
+    for (const Ingredients& in : subjects) {
+        take.view(in.subject.suit());
+        const std::string who = subjects.size() > 1 ? in.subject.name + ": " : "";
+        if (Status filled = fillSubject(take, in, who, {request, fill}, *runs); !filled)
             return filled.error();
-        if (runs->summary.subjects.back().poses == 0)
-            return unusableTake(*take,
-                                (all->size() > 1 ? in.subject.name + ": " : std::string()) +
-                                    "it is too short or holds no sound: no pose came out",
-                                "`noctule --batch inspect` shows what is in it");
     }
-    for (const SkippedRows& skipped : take->skippedRows())
+    for (const SkippedRows& skipped : take.skippedRows())
         runs->summary.warnings.push_back(std::to_string(skipped.count) + " rows of " + skipped.table +
                                          " could not be used, first " + skipped.first + ".");
-    if (Status committed = edit->commit(); !committed)
-        return committed.error();
+    return runs;
+}
+
+}  // namespace
+
+Result<ProcessSummary> writeRuns(const ProcessRequest& request, const FillRuns& fill,
+                                 const CancelFlag* cancel) {
+    auto take = Take::open(request.take_path, Access::kReadWrite, {cancel, kPatience_s});
+    if (!take)
+        return take.error();
+    std::vector<Ingredients> subjects;
+    auto runs = compute(*take, request, subjects, fill);
+    if (!runs)
+        return runs.error();
+    if (Status stored = runs->store(*take, request, subjects); !stored)
+        return stored.error();
     return std::move(runs->summary);
 }
 

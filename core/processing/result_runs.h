@@ -8,41 +8,56 @@
 
 #include "core/processing/ingredients.h"
 #include "core/processing/process_take.h"
+#include "core/processing/result_spool.h"
 #include "core/recording/take_edit.h"
 
 namespace noctule {
 
-/// Where results go while the data are still being read; one transaction.
-class ResultRuns {
+/// Where results go while the data are still being read: beside the take, which stays free for others until
+/// store() writes them.
+class ResultRuns : public ResultSink {
 public:
-    /// Adds the rows that name the runs. Readings do not depend on calibration or estimator: a run of them by
-    /// the same software serves all, and those given here are then only counted.
-    static Result<ResultRuns> begin(Take& take, TakeEdit& edit, const ProcessRequest& request,
+    /// Readings do not depend on calibration or estimator: a run of them by the same software serves all, and
+    /// those given here are then only counted.
+    static Result<ResultRuns> begin(Take& take, const ProcessRequest& request,
                                     const std::vector<Ingredients>& subjects);
     /// What is written from now on is this subject's.
-    void beginSubject(const Ingredients& in);
+    Status beginSubject(const Ingredients& in);
 
-    Status write(const std::vector<InertialReading>& readings);
-    Status write(const std::vector<RangeMeasurement>& ranges);
-    /// Fails (kInternal) for a pose that is not finite.
-    Status write(const std::vector<TimedPose>& poses);
+    Status write(const std::vector<InertialReading>& readings) override;
+    Status write(const std::vector<RangeMeasurement>& ranges) override;
+    /// Fails (kUnusable) for a pose that is not finite.
+    Status write(const std::vector<TimedPose>& poses) override;
     Status write(const std::vector<FootContacts>& contacts);
+
+    /// All of it as one transaction, with the calibration and the actor of the request in force.
+    Status store(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects);
 
     ProcessSummary summary;
 
 private:
-    ResultRuns(TakeEdit& edit, const char* detector) : edit_(&edit), detector_(detector) {}
+    /// What one subject yields; poses and contacts on the take's time.
+    struct Part {
+        int suit = 1;
+        SuitClock clock;
+        ResultSpool spool;
+        std::vector<FootContacts> contacts;
+    };
+    explicit ResultRuns(const std::string& take_path) : take_path_(take_path) {}
+    Status nameRuns(TakeEdit& edit, Take& take, const ProcessRequest& request,
+                    const std::vector<Ingredients>& subjects);
 
-    TakeEdit* edit_;
-    const char* detector_;
-    SuitClock clock_;
+    std::string take_path_;
+    std::vector<Part> parts_;
     bool writes_readings_ = false;
 };
 
 /// Gives everything that the processing of one subject, whose suit is in view, yields to the runs.
 using FillRuns = std::function<Status(const Take& take, const Ingredients& in, ResultRuns& runs)>;
 
-/// Everything or nothing: when filling fails or yields no pose, the take stays as it was.
-Result<ProcessSummary> writeRuns(const ProcessRequest& request, const FillRuns& fill);
+/// Everything or nothing: when filling fails or yields no pose, the take stays as it was. Reads in one
+/// snapshot; another program that writes the take meanwhile is waited for, at most an hour.
+Result<ProcessSummary> writeRuns(const ProcessRequest& request, const FillRuns& fill,
+                                 const CancelFlag* cancel = nullptr);
 
 }  // namespace noctule

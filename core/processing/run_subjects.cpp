@@ -14,7 +14,7 @@ Result<std::vector<TakeSubject>> subjectsOfRun(const std::string& take_path, con
     if (!chosen)
         return chosen.error();
     std::vector<TakeSubject> subjects;
-    const json::Json settings = json::Json::parse(chosen->settings_json, nullptr, false);
+    const json::Json settings = json::parse(chosen->settings_json);
     const auto list = settings.is_object() ? settings.find("subjects") : settings.end();
     if (list != settings.end() && list->is_array())
         for (const json::Json& entry : *list)

@@ -23,7 +23,7 @@ Status checkContacts(const std::string& path, const std::vector<FootContacts>& f
 }  // namespace
 
 Status changeContacts(const std::string& path, const ContactsChange& change, const JobContext& job) {
-    auto take = Take::open(path, Access::kReadWrite);
+    auto take = Take::open(path, Access::kReadWrite, {job.cancel});
     if (!take)
         return take.error();
     const auto duration_s = take->duration_s();

@@ -18,7 +18,7 @@ Error outside(const std::string& path, double t_s, double duration_s) {
 }  // namespace
 
 Status changeMarker(const std::string& path, const MarkerChange& change, const JobContext& job) {
-    auto take = Take::open(path, Access::kReadWrite);
+    auto take = Take::open(path, Access::kReadWrite, {job.cancel});
     if (!take)
         return take.error();
     const auto rate_hz = take->sampleRate_hz();

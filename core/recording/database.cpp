@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+#include "core/job/job.h"
+#include "core/job/limits.h"
 #include "core/recording/sqlite_error.h"
 
 namespace noctule {
@@ -14,7 +16,8 @@ namespace {
 // The longest value we write is a block of 65536 samples of 32 boards, 4 MiB. A damaged length field must not
 // make SQLite ask for a gigabyte.
 constexpr int kLongestValue = 64 * 1024 * 1024;
-constexpr int kBusyTimeout_ms = 5000;
+constexpr int kBetweenLooks_ms = 10;      // at a lock of another program
+constexpr int kStepsBetweenLooks = 5000;  // of SQLite's machine, some 0.1 ms
 
 /// file: URI for SQLite, which then does not ask for locks or write-ahead files.
 std::string immutableUri(const std::string& path) {
@@ -36,22 +39,55 @@ bool hasWriteAheadLog(const std::string& path) {
     return !ignored && size > 0;
 }
 
+}  // namespace
+
+int Database::onProgress(void* watching) {
+    auto& watch = *static_cast<Watch*>(watching);
+    watch.steps += kStepsBetweenLooks;
+    watch.endless = watch.steps > limits::kStepsOfRow;
+    return watch.endless || (watch.cancel && watch.cancel->cancelled());
+}
+
+int Database::onBusy(void* watching, int waits) {
+    const auto& watch = *static_cast<const Watch*>(watching);
+    if (waits >= watch.most_waits || (watch.cancel && watch.cancel->cancelled()))
+        return 0;
+    sqlite3_sleep(kBetweenLooks_ms);
+    return 1;
+}
+
+void Database::setPatience_s(double patience_s) {
+    watch_->most_waits = static_cast<int>(patience_s * 1000 / kBetweenLooks_ms);
+}
+
+Error Database::failure(sqlite3* handle, const std::string& name, const Watch& watch) {
+    if (watch.cancel && watch.cancel->cancelled())
+        return JobContext::cancelledError();
+    if (watch.endless)
+        return {ErrorKind::kUnreadable, name + ": reading one row takes too long",
+                "Ask its author what is in it; `noctule --batch recover` may save the rest"};
+    return sqliteError(handle, name);
+}
+
 /// Foreign files are data, not programs.
-void harden(sqlite3* handle) {
-    sqlite3_busy_timeout(handle, kBusyTimeout_ms);
+void Database::harden(const Waiting& waiting) {
+    sqlite3* handle = handle_.get();
+    watch_->cancel = waiting.cancel;
+    setPatience_s(waiting.patience_s);
+    sqlite3_busy_handler(handle, onBusy, watch_.get());
+    sqlite3_progress_handler(handle, kStepsBetweenLooks, onProgress, watch_.get());
     sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, kLongestValue);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
 }
 
-}  // namespace
-
 void Database::Closer::operator()(sqlite3* handle) const {
     sqlite3_close_v2(handle);
 }
 
-Result<Database> Database::openWith(const std::string& path, const std::string& uri, int flags) {
+Result<Database> Database::openWith(const std::string& path, const std::string& uri, int flags,
+                                    const Waiting& waiting) {
     Database database;
     database.path_ = path;
     database.name_ = path;
@@ -60,16 +96,16 @@ Result<Database> Database::openWith(const std::string& path, const std::string& 
     database.handle_.reset(handle);
     if (code != SQLITE_OK)
         return database.lastError();
-    harden(handle);
+    database.harden(waiting);
     return database;
 }
 
-Result<Database> Database::open(const std::string& path, Access access) {
+Result<Database> Database::open(const std::string& path, Access access, const Waiting& waiting) {
     std::error_code status_error;
     if (!std::filesystem::is_regular_file(path, status_error))
         return Error{ErrorKind::kUnreadable, path + ": there is no such file", "Check the path"};
     const int flags = access == Access::kRead ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;
-    Result<Database> database = openWith(path, path, flags);
+    Result<Database> database = openWith(path, path, flags, waiting);
     // SQLite opens lazily: the first read tells.
     const bool readable = database.ok() && database->queryInteger("PRAGMA schema_version").ok();
     if (readable || access == Access::kReadWrite)
@@ -83,7 +119,7 @@ Result<Database> Database::open(const std::string& path, Access access) {
                          "Copy both files to a folder where you may write"};
         return database;
     }
-    return openWith(path, immutableUri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    return openWith(path, immutableUri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, waiting);
 }
 
 Result<Database> Database::create(const std::string& path) {
@@ -97,10 +133,11 @@ Result<Database> Database::create(const std::string& path) {
 }
 
 Error Database::lastError() const {
-    return sqliteError(handle_.get(), name_);
+    return failure(handle_.get(), name_, *watch_);
 }
 
 Status Database::execute(const std::string& sql) const {
+    watch_->steps = 0;
     if (sqlite3_exec(handle_.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
         return lastError();
     return Done{};
@@ -113,6 +150,7 @@ Result<Statement> Database::prepare(const std::string& sql) const {
     Statement statement;
     statement.statement_.reset(compiled);
     statement.name_ = name_;
+    statement.watch_ = watch_.get();
     return statement;
 }
 
@@ -130,6 +168,11 @@ int64_t Database::lastInsertId() const {
     return sqlite3_last_insert_rowid(handle_.get());
 }
 
+bool Database::isLocked() const {
+    const int code = sqlite3_errcode(handle_.get()) & 0xff;
+    return code == SQLITE_BUSY || code == SQLITE_LOCKED;
+}
+
 bool Database::inTransaction() const {
     return sqlite3_get_autocommit(handle_.get()) == 0;
 }
@@ -139,6 +182,21 @@ Status Database::close() {
         return lastError();
     (void)handle_.release();
     return Done{};
+}
+
+Result<Snapshot> Snapshot::begin(const Database& database) {
+    if (const Status begun = database.execute("BEGIN"); !begun)
+        return begun.error();
+    Snapshot snapshot(database);
+    // SQLite takes the moment of the first read.
+    if (const auto first = database.queryInteger("SELECT 1 FROM sqlite_schema LIMIT 1"); !first)
+        return first.error();
+    return snapshot;
+}
+
+Snapshot::~Snapshot() {
+    if (database_ && database_->inTransaction())
+        (void)database_->execute("COMMIT");
 }
 
 Result<Transaction> Transaction::begin(const Database& database) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SQLite behind values and Results. A Database is one connection, a Statement one prepared query, a
 // Transaction rolls back unless committed. Not for several threads at once. Errors name the file and the
-// remedy; their kind is kUnreadable while reading and kDisk while writing.
+// remedy; their kind is kUnreadable while reading and kDisk while writing. Foreign files are data, not
+// programs: triggers and functions of their schema do not run, a walk that is cancelled or endless ends.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +23,25 @@ namespace noctule {
 
 enum class Access { kRead, kReadWrite };
 
+class CancelFlag;
+
+/// For a file that another program holds, and for long walks.
+struct Waiting {
+    const CancelFlag* cancel = nullptr;  ///< must outlive the connection
+    double patience_s = 5;               ///< larger: later told that another program holds the file
+};
+
 class Statement;
 
 class Database {
 public:
     /// Opens an existing file. kRead also works where nothing can be written beside it.
-    static Result<Database> open(const std::string& path, Access access);
+    static Result<Database> open(const std::string& path, Access access, const Waiting& waiting = {});
     /// Makes a new, empty file; the path must not exist.
     static Result<Database> create(const std::string& path);
+    void setPatience_s(double patience_s);
+    /// The last failure was a lock of another program.
+    bool isLocked() const;
 
     const std::string& path() const { return path_; }
     /// The name in errors when the file on disk has a temporary one.
@@ -52,8 +64,22 @@ private:
     struct Closer {
         void operator()(sqlite3* handle) const;
     };
-    static Result<Database> openWith(const std::string& path, const std::string& uri, int flags);
+    static Result<Database> openWith(const std::string& path, const std::string& uri, int flags,
+                                     const Waiting& waiting = {});
 
+    struct Watch {
+        const CancelFlag* cancel = nullptr;
+        int64_t steps = 0;  ///< since the last row
+        int most_waits = 0;
+        bool endless = false;
+    };
+    friend class Statement;
+    static int onProgress(void* watch);
+    static int onBusy(void* watch, int waits);
+    static Error failure(sqlite3* handle, const std::string& name, const Watch& watch);
+    void harden(const Waiting& waiting);
+
+    std::unique_ptr<Watch> watch_ = std::make_unique<Watch>();  ///< outlives the handle, which refers to it
     std::unique_ptr<sqlite3, Closer> handle_;
     std::string path_;
     std::string name_;
@@ -84,6 +110,8 @@ public:
     std::optional<int64_t> integer(int column) const;  ///< also a REAL without fraction
     std::optional<double> real(int column) const;      ///< finite
     std::optional<std::string> text(int column) const;
+    /// Cut to so many bytes; empty when it is no text.
+    std::string shortened(int column, size_t most) const;
     /// Valid until the next step() or reset().
     std::optional<std::span<const std::byte>> blob(int column) const;
 
@@ -96,7 +124,21 @@ private:
 
     std::unique_ptr<sqlite3_stmt, Finalizer> statement_;
     std::string name_;
+    Database::Watch* watch_ = nullptr;
     bool not_finite_ = false;
+};
+
+/// Everything read while it lives is of one moment, whatever other programs write meanwhile.
+class Snapshot {
+public:
+    static Result<Snapshot> begin(const Database& database);
+    Snapshot(Snapshot&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
+    Snapshot& operator=(Snapshot&&) = delete;
+    ~Snapshot();
+
+private:
+    explicit Snapshot(const Database& database) : database_(&database) {}
+    const Database* database_;
 };
 
 /// BEGIN IMMEDIATE ... COMMIT; rolled back by the destructor unless committed.

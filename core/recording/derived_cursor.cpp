@@ -2,6 +2,9 @@
 #include "core/recording/derived_cursor.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "core/job/limits.h"
 
 namespace noctule {
 
@@ -21,7 +24,7 @@ bool readCounts(const Statement& row, int first_column, std::array<std::optional
     for (size_t i = 0; i < N; ++i) {
         const int column = first_column + static_cast<int>(i);
         counts[i] = row.real(column);
-        if (!counts[i] && !row.isNull(column))
+        if ((!counts[i] && !row.isNull(column)) || std::abs(counts[i].value_or(0)) > limits::kLargestCount)
             return false;
     }
     return true;
@@ -38,7 +41,7 @@ RowVerdict readReading(const Statement& row, int board, InertialReading& reading
     reading.frame = *frame;
     reading.sample = *sample;
     if (!readCounts(row, 2, reading.counts) || !readCounts(row, 8, reading.magnetometer_counts))
-        return "a count is not a number";
+        return "a count is not a number or out of range";
     const auto corrected = row.integer(11);
     if (corrected)
         reading.corrected_bits = static_cast<int>(std::clamp<int64_t>(*corrected, 0, 1 << 20));
@@ -74,7 +77,8 @@ RowVerdict readRange(const Statement& row, const RunOfTake& run, RangeMeasuremen
         return "its pulse is missing or out of range";
     if (*source < 0 || *source >= run.source_count || !board || *board < 0 || *board >= run.board_count)
         return "source or board is not in the suit";
-    if (!arrival || !distance || !isConfidence(w_s) || !isConfidence(w_t) || !isConfidence(w_a))
+    if (!arrival || !distance || std::abs(*distance) > limits::kFarthest_m || !isConfidence(w_s) ||
+        !isConfidence(w_t) || !isConfidence(w_a))
         return "a number is missing or out of range";
     range.pulse = row.integer(0).value_or(0);
     range.pulse_sample = *pulse_sample;

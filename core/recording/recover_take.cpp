@@ -89,6 +89,8 @@ namespace {
 /// not see its own. Hence a child asks: it inherits no locks, so it has none to lose.
 bool isBeingWritten(const std::string& recording) {
     const std::string index = recording + "-shm";
+    if (access(index.c_str(), F_OK) != 0)
+        return false;
     const pid_t child = fork();
     if (child == 0)
         lookForConnection(index.c_str());
@@ -96,6 +98,11 @@ bool isBeingWritten(const std::string& recording) {
     while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     return child < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+}
+
+Error beingRecorded(const std::string& recording) {
+    return {ErrorKind::kUnusable, recording + ": is being recorded, so it is left alone",
+            "Wait until the recording has ended"};
 }
 
 }  // namespace noctule

@@ -18,4 +18,7 @@ Status recoverTake(const std::string& recording, const std::string& recovered_pa
 /// be found out. Safe to ask about a take that this process is writing.
 bool isBeingWritten(const std::string& recording);
 
+/// kUnusable, for those who would write into it.
+Error beingRecorded(const std::string& recording);
+
 }  // namespace noctule

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/job/limits.h"
 #include "core/recording/database.h"
 #include "core/recording/rows.h"
 
@@ -28,8 +29,8 @@ private:
 using RowVerdict = std::string;
 
 /// Calls `read` for every row of the query. Column 0 names the row in the log. A Row that `read` finds good
-/// goes to `sink`, which stops the walk by false; the log then knows of the rows up to there. Fails only when
-/// the database does.
+/// goes to `sink`, which stops the walk by false; the log then knows of the rows up to there. Rows beyond the
+/// table's limit are bad ones. Fails only when the database does, or when cancelled.
 template <class Row>
 Status forEachRow(const Database& database, SkipLog& log, const std::string& what, const std::string& sql,
                   const std::function<RowVerdict(const Statement&, Row&)>& read,
@@ -38,14 +39,17 @@ Status forEachRow(const Database& database, SkipLog& log, const std::string& wha
     Result<Statement> statement = database.prepare(sql);
     if (!statement)
         return statement.error();
-    while (true) {
+    const int64_t limit = limits::rowsOf(what);
+    for (int64_t number = 1;; ++number) {
         const Result<bool> there = statement->step();
         if (!there)
             return there.error();
         if (!*there)
             return Done{};
         Row row;
-        const RowVerdict verdict = read(*statement, row);
+        const RowVerdict verdict = number > limit
+                                       ? "the table has more than " + std::to_string(limit) + " rows"
+                                       : read(*statement, row);
         if (!verdict.empty())
             log.add(what, std::to_string(statement->integer(0).value_or(-1)), verdict);
         else if (!sink(std::move(row)))

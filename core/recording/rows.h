@@ -144,6 +144,7 @@ inline constexpr const char* kContactsDetected = "detected";
 /// Run number of primary inertial and range rows and of contacts that an operator has set; has no row in
 /// `derived`.
 inline constexpr int64_t kPrimaryRun = 0;
+inline constexpr int64_t kHighestRun = INT32_MAX;  ///< higher ones are damage
 /// Later samples (two years at 150 kHz) are damage.
 inline constexpr int64_t kLastSample = 10'000'000'000'000;
 inline constexpr int64_t kMaxBlockSamples = 65536;

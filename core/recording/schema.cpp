@@ -2,6 +2,7 @@
 #include "core/recording/schema.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace noctule {
 
@@ -117,6 +118,35 @@ std::vector<TableDefinition> makeTables() {
     return tables;
 }
 
+std::string lowerCase(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+/// SQLite does not tell upper from lower case in names.
+bool isTakeTable(const std::string& name) {
+    return std::ranges::find(takeTables(), lowerCase(name), &TableDefinition::name) != takeTables().end();
+}
+
+Status checkOnlyTables(const Database& database) {
+    Result<Statement> list = database.prepare("PRAGMA table_list");
+    if (!list)
+        return list.error();
+    while (true) {
+        const Result<bool> row = list->step();
+        if (!row)
+            return row.error();
+        if (!*row)
+            return Done{};
+        const std::string name = list->text(1).value_or(""), type = list->text(2).value_or("");
+        if (list->text(0) == "main" && type != "table" && isTakeTable(name))
+            return Error{ErrorKind::kUnreadable,
+                         database.name() + ": is not a take, its '" + name + "' is a " + type +
+                             (type == "view" ? "" : " table") + " instead of a table of rows",
+                         "Choose a .noctule file from a source that you trust"};
+    }
+}
+
 std::string createStatement(const TableDefinition& table) {
     std::string sql = "CREATE TABLE " + table.name + "(";
     for (size_t i = 0; i < table.columns.size(); ++i)
@@ -143,6 +173,8 @@ const TableDefinition& takeTable(const std::string& name) {
 
 Result<TakeSchema> TakeSchema::read(const Database& database) {
     TakeSchema schema;
+    if (const Status plain = checkOnlyTables(database); !plain)
+        return plain.error();
     for (const TableDefinition& table : takeTables()) {
         Result<Statement> statement = database.prepare("PRAGMA table_info(" + table.name + ")");
         if (!statement)

@@ -37,7 +37,8 @@ const TableDefinition& takeTable(const std::string& name);
 
 class TakeSchema {
 public:
-    /// What the file has of each table.
+    /// What the file has of each table. kUnreadable when a view or a virtual table stands for one: it would
+    /// make rows up, without end.
     static Result<TakeSchema> read(const Database& database);
 
     bool has(const std::string& table) const { return columns_.count(table) > 0; }

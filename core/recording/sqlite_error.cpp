@@ -3,6 +3,8 @@
 
 #include <sqlite3.h>
 
+#include "core/job/job.h"
+
 namespace noctule {
 
 Error sqliteError(sqlite3* handle, const std::string& name) {
@@ -15,10 +17,12 @@ Error sqliteError(sqlite3* handle, const std::string& name) {
         case SQLITE_TOOBIG:
             return {ErrorKind::kUnreadable, name + ": the file is damaged" + detail,
                     "Run `noctule --batch recover` on it, which saves what can be read into a new file"};
+        case SQLITE_INTERRUPT:
+            return JobContext::cancelledError();
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
-            return {ErrorKind::kUnreadable, name + ": another program is using the file",
-                    "Close the other program and try again"};
+            return {ErrorKind::kUnreadable, name + ": another program holds a lock on the file",
+                    "Wait until the other program is done, or close it, and try again"};
         case SQLITE_CANTOPEN:
             return {ErrorKind::kUnreadable, name + ": cannot be opened" + detail,
                     "Check the path and the permissions of the file and its folder"};

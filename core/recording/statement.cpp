@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "core/job/outside_text.h"
 #include "core/recording/database.h"
-#include "core/recording/sqlite_error.h"
 
 namespace noctule {
 
@@ -13,7 +13,7 @@ void Statement::Finalizer::operator()(sqlite3_stmt* statement) const {
 }
 
 Error Statement::failure() const {
-    return sqliteError(sqlite3_db_handle(statement_.get()), name_);
+    return Database::failure(sqlite3_db_handle(statement_.get()), name_, *watch_);
 }
 
 Statement& Statement::bind(int parameter, int64_t value) {
@@ -64,6 +64,7 @@ Result<bool> Statement::step() {
     if (std::exchange(not_finite_, false))
         return Error{ErrorKind::kInternal, name_ + ": a number to be stored is not finite",
                      "Please report this with the take"};
+    watch_->steps = 0;
     const int code = sqlite3_step(statement_.get());
     if (code == SQLITE_ROW)
         return true;
@@ -107,6 +108,14 @@ std::optional<std::string> Statement::text(int column) const {
     if (!text)
         return std::nullopt;
     return std::string(text, static_cast<size_t>(sqlite3_column_bytes(statement_.get(), column)));
+}
+
+std::string Statement::shortened(int column, size_t most) const {
+    if (sqlite3_column_type(statement_.get(), column) != SQLITE_TEXT)
+        return "";
+    const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+    const auto size = static_cast<size_t>(sqlite3_column_bytes(statement_.get(), column));
+    return text ? shortText({text, size}, most) : "";
 }
 
 std::optional<std::span<const std::byte>> Statement::blob(int column) const {

@@ -7,13 +7,13 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/job/limits.h"
 #include "core/math/json.h"
+#include "core/recording/recover_take.h"
 
 namespace noctule {
 
 namespace {
-
-constexpr int64_t kMaxSampleRate_hz = 100'000'000;
 
 /// The number in a meta value; `fallback` when it is missing, no number or out of range.
 double metaNumber(const std::map<std::string, std::string>& meta, const char* key, double fallback,
@@ -34,18 +34,44 @@ std::string metaText(const std::map<std::string, std::string>& meta, const char*
     return found == meta.end() ? fallback : found->second;
 }
 
+/// A document, which is as long as it must be.
+bool isDocument(const std::string& key) {
+    return key == "reference_actor" || key == "subjects";
+}
+
+/// Names a value that metaNumber() would not take.
+void noteRefused(const std::map<std::string, std::string>& meta, SkipLog& log, const char* key, double min,
+                 double max) {
+    if (meta.contains(key) && std::isnan(metaNumber(meta, key, NAN, min, max)))
+        log.add("meta", key,
+                "is not a number from " + std::to_string(std::llround(min)) + " to " +
+                    std::to_string(std::llround(max)));
+}
+
+void noteRefused(const std::map<std::string, std::string>& meta, SkipLog& log) {
+    noteRefused(meta, log, "sample_rate_hz", limits::kLowestRate_hz, limits::kHighestRate_hz);
+    noteRefused(meta, log, "board_count", 1, Suit::kMaxPerSuit);
+    noteRefused(meta, log, "source_count", 0, Suit::kMaxPerSuit);
+    noteRefused(meta, log, "sample_count", 0, static_cast<double>(kLastSample));
+    noteRefused(meta, log, "pulse_interval_samples", 1, 1e9);
+    noteRefused(meta, log, "pulse_cycles", 0, 1e4);
+    noteRefused(meta, log, "drive_hz", 1, 1e9);
+    noteRefused(meta, log, "g_m_per_s2", 9, 10);
+}
+
 TakeHeader headerFrom(const std::map<std::string, std::string>& meta) {
     TakeHeader header;
     header.uuid = metaText(meta, "uuid");
     header.name = metaText(meta, "name");
     header.created_utc = metaText(meta, "created_utc");
     header.software = metaText(meta, "software");
-    header.sample_rate_hz = std::llround(metaNumber(meta, "sample_rate_hz", 0, 1, kMaxSampleRate_hz));
+    header.sample_rate_hz =
+        std::llround(metaNumber(meta, "sample_rate_hz", 0, limits::kLowestRate_hz, limits::kHighestRate_hz));
     header.board_count = static_cast<int>(metaNumber(meta, "board_count", 0, 1, Suit::kMaxPerSuit));
     header.source_count = static_cast<int>(metaNumber(meta, "source_count", 0, 1, Suit::kMaxPerSuit));
     header.pulse_interval_samples = std::llround(metaNumber(
         meta, "pulse_interval_samples", static_cast<double>(header.pulse_interval_samples), 1, 1e9));
-    header.pulse_cycles = metaNumber(meta, "pulse_cycles", header.pulse_cycles, 0.1, 1e6);
+    header.pulse_cycles = metaNumber(meta, "pulse_cycles", header.pulse_cycles, 0.1, 1e4);
     header.drive_hz = metaNumber(meta, "drive_hz", header.drive_hz, 1, 1e9);
     header.take_kind = metaText(meta, "take_kind", header.take_kind);
     header.g_m_per_s2 = metaNumber(meta, "g_m_per_s2", header.g_m_per_s2, 9, 10);
@@ -81,8 +107,10 @@ void Take::view(int suit) {
     header_.source_count = static_cast<int>(viewed.sources.size());
 }
 
-Result<Take> Take::open(const std::string& path, Access access) {
-    Result<Database> database = Database::open(path, access);
+Result<Take> Take::open(const std::string& path, Access access, const Waiting& waiting) {
+    // To be asked before there is a connection of our own.
+    const bool in_use = access == Access::kReadWrite && isBeingWritten(path);
+    Result<Database> database = Database::open(path, access, waiting);
     if (!database)
         return database.error();
     Take take;
@@ -92,6 +120,8 @@ Result<Take> Take::open(const std::string& path, Access access) {
         return known.error();
     if (const Status loaded = take.load(); !loaded)
         return loaded.error();
+    if (in_use && metaText(take.meta_, "state") == "recording")
+        return beingRecorded(path);
     return take;
 }
 
@@ -132,7 +162,8 @@ Status Take::loadMeta() {
                                 : "SELECT 1 WHERE 0";
     const auto entries = collectRows<Entry>(
         *database_, *log_, "meta", sql, [](const Statement& row, Entry& entry) -> RowVerdict {
-            entry = {row.text(1).value_or(""), row.text(2).value_or("")};
+            entry.first = row.shortened(1, limits::kName);
+            entry.second = row.shortened(2, isDocument(entry.first) ? limits::kJsonBytes : limits::kName);
             return entry.first.empty() || row.isNull(2) ? "key or value is missing" : "";
         });
     if (!entries)
@@ -143,18 +174,22 @@ Status Take::loadMeta() {
         return Error{ErrorKind::kUnreadable, path() + ": is not a take, its format is '" + format + "'",
                      "Choose a .noctule file"};
     header_ = headerFrom(meta_);
+    noteRefused(meta_, *log_);
     return Done{};
 }
 
 Status Take::loadSuits() {
     using Entry = std::pair<int, SuitEntry>;
-    const auto read = [this](const Statement& row, Entry& entry) -> RowVerdict {
+    size_t read_suits = 0;
+    const auto read = [this, &read_suits](const Statement& row, Entry& entry) -> RowVerdict {
         const int64_t id = row.integer(0).value_or(0);
         if (id < 1 || id > 1000)
             return "id is not 1, 2, ...";
+        if (++read_suits > limits::kSuitsOfTake)
+            return "the take has more than 64 suits";
         entry.first = static_cast<int>(id);
         const std::string where = path() + ": suit " + std::to_string(id);
-        entry.second.suit = suitFromJson(json::Json::parse(row.text(1).value_or(""), nullptr, false), where);
+        entry.second.suit = suitFromJson(json::parse(row.text(1).value_or("")), where);
         entry.second.clock.offset_ns = row.real(2).value_or(0);
         entry.second.clock.rate = row.real(3).value_or(1);
         return "";
@@ -230,9 +265,15 @@ Result<int> Take::sourceCount(int suit) const {
     return described.error();
 }
 
+int64_t Take::lastSample() const {
+    return header_.sample_rate_hz == 0
+               ? kLastSample
+               : std::min(kLastSample, limits::kLongestTake_s * header_.sample_rate_hz);
+}
+
 Result<int64_t> Take::sampleCount(int suit) const {
     suit = seen(suit);
-    const double stated = metaNumber(meta_, "sample_count", 0, 1, static_cast<double>(kLastSample));
+    const double stated = metaNumber(meta_, "sample_count", 0, 1, static_cast<double>(lastSample()));
     if (stated > 0 && (suit == 1 || level() == TakeLevel::kReadings))  // meta speaks of suit 1
         return std::llround(stated);
     if (!schema_->has("adc_block"))
@@ -244,7 +285,7 @@ Result<int64_t> Take::sampleCount(int suit) const {
         ofSuit("adc_block", suit) + " ORDER BY first_sample DESC LIMIT 16)");
     if (!end)
         return end.error();
-    return std::clamp<int64_t>(end->value_or(0), 0, kLastSample);
+    return std::clamp<int64_t>(end->value_or(0), 0, lastSample());
 }
 
 Result<double> Take::duration_s(int suit) const {

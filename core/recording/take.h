@@ -34,7 +34,12 @@ using BlockSink = std::function<bool(const AdcBlock&)>;
 
 class Take {
 public:
-    static Result<Take> open(const std::string& path, Access access = Access::kRead);
+    /// Opened to be written, a take that is being recorded is left alone (kUnusable). Everything that is read
+    /// ends with kCancelled soon after the flag of `waiting` is raised.
+    static Result<Take> open(const std::string& path, Access access = Access::kRead,
+                             const Waiting& waiting = {});
+    /// What is read while it lives is of one moment.
+    Result<Snapshot> snapshot() const { return Snapshot::begin(*database_); }
 
     const std::string& path() const { return database_->path(); }
     const std::map<std::string, std::string>& meta() const { return meta_; }
@@ -49,6 +54,7 @@ public:
     /// Of everything that was read so far.
     std::vector<SkippedRows> skippedRows() const { return log_->all(); }
 
+    int64_t lastSample() const;             ///< no row may lie beyond: the longest take at this rate
     Result<int64_t> sampleRate_hz() const;  ///< error: it is missing, nothing can be processed
     std::vector<int> suitIds() const;
     /// By meta `subjects`, else each suit with an actor; at least one. kUnreadable names a suit that is there

@@ -23,10 +23,10 @@ struct BlockRow {
     int64_t codec = kPlain;
 };
 
-RowVerdict readBlockRow(const Statement& row, int64_t next_sample, BlockRow& block) {
+RowVerdict readBlockRow(const Statement& row, int64_t next_sample, int64_t last_sample, BlockRow& block) {
     const auto first = row.integer(1);
     const auto count = row.integer(2);
-    if (!isSample(first))
+    if (!isSample(first) || *first > last_sample)
         return "first_sample is missing or out of range";
     if (!count || *count < 1 || *count > kMaxBlockSamples)
         return "sample_count is not 1 to 65536";
@@ -118,7 +118,7 @@ Status Take::forEachBlockWhere(const std::string& filter, int suit, const BlockS
         if (!*there)
             return Done{};
         BlockRow block;
-        RowVerdict verdict = readBlockRow(*rows, next_sample, block);
+        RowVerdict verdict = readBlockRow(*rows, next_sample, lastSample(), block);
         if (verdict.empty()) {
             data->reset();
             const Result<bool> found = data->bind(0, block.id).step();

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recording/take_copy.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <utility>
@@ -8,21 +12,37 @@
 
 #include "core/job/atomic_file.h"
 #include "core/recording/database.h"
+#include "core/recording/recover_take.h"
 
 namespace noctule {
 namespace {
 
 constexpr size_t kChunk_bytes = 4 << 20;
 
+/// An empty file that those may read who may read the original: before there is anything in it.
+Status makePrivate(const std::string& from, const std::string& to) {
+    struct stat original {};
+    const bool known = stat(from.c_str(), &original) == 0;
+    const int file = ::open(to.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    const bool made = file >= 0 && known && fchmod(file, original.st_mode & 0777) == 0;
+    if (file >= 0)
+        close(file);
+    return made ? Status(Done{})
+                : Status(
+                      Error{ErrorKind::kDisk, to + ": cannot be written", "Check that you may write there"});
+}
+
 Status copyFile(const std::string& from, const std::string& to, const JobContext& job) {
     std::ifstream in(from, std::ios::binary);
     if (!in)
         return Error{ErrorKind::kUnreadable, from + ": cannot be read", "Check the path and its permissions"};
     const Error disk{ErrorKind::kDisk, to + ": cannot be written", "Check that the folder has room"};
+    std::error_code ignored;
+    if (Status made = makePrivate(from, to); !made)
+        return made;
     std::ofstream out(to, std::ios::binary);
     if (!out)
         return disk;
-    std::error_code ignored;
     const auto size = static_cast<double>(std::max<uintmax_t>(1, std::filesystem::file_size(from, ignored)));
     std::vector<char> chunk(kChunk_bytes);
     double done = 0;
@@ -59,6 +79,8 @@ TakeCopy::~TakeCopy() {
 }
 
 Result<TakeCopy> TakeCopy::make(const std::string& original, const std::string& path, const JobContext& job) {
+    if (isBeingWritten(original))
+        return beingRecorded(original);
     TakeCopy copy(original, path, asidePath(path));
     if (Status copied = copyFile(original, copy.aside_, job); !copied)
         return copied.error();

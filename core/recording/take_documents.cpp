@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Calibrations and actors of a take: several stand side by side, the highest id of a suit is in force.
+#include "core/job/limits.h"
 #include "core/math/json.h"
 #include "core/recording/take.h"
 
@@ -12,7 +13,7 @@ Result<std::vector<DocumentRow>> Take::documents(const std::string& table) const
             const int64_t suit = row.integer(1).value_or(0);
             if (suit < 1 || suit > 1000)
                 return "suit is not 1, 2, ...";
-            document = {row.integer(0).value_or(0), static_cast<int>(suit), row.text(2).value_or("")};
+            document = {row.integer(0).value_or(0), static_cast<int>(suit), row.shortened(2, limits::kName)};
             return "";
         });
 }
@@ -38,8 +39,8 @@ Result<Stored<T>> Take::document(const std::string& table, const std::string& wh
     if (!*there)
         return unusable("there is no " + table + " " + who, "Name one with --" + table);
     const int64_t id = row->integer(0).value_or(0);
-    Result<T> value = parse(json::Json::parse(row->text(1).value_or(""), nullptr, false),
-                            path() + ": " + table + " " + std::to_string(id));
+    Result<T> value =
+        parse(json::parse(row->text(1).value_or("")), path() + ": " + table + " " + std::to_string(id));
     if (!value)
         return value.error();
     return Stored<T>{id, std::move(*value)};
@@ -76,7 +77,7 @@ Result<Actor> Take::referenceActor(int suit) const {
     suit = seen(suit);
     const auto own = meta_.find(suit == 1 ? "reference_actor" : "reference_actor_" + std::to_string(suit));
     if (own != meta_.end())
-        return actorFromJson(json::Json::parse(own->second, nullptr, false), path() + ": reference_actor");
+        return actorFromJson(json::parse(own->second), path() + ": reference_actor");
     auto in_force = actorInForce(suit);
     if (!in_force)
         return in_force.error();

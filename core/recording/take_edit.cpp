@@ -25,6 +25,10 @@ Result<TakeEdit> TakeEdit::begin(Take& take) {
     Result<Transaction> transaction = Transaction::begin(*take.database_);
     if (!transaction)
         return transaction.error();
+    // Another program may have written since the take was opened.
+    if (const Status current = take.load(); !current)
+        return current.error();
+    take.view(take.viewed());
     TakeEdit edit(take, std::move(*transaction));
     edit.view(take.viewed());
     return edit;
@@ -33,7 +37,8 @@ Result<TakeEdit> TakeEdit::begin(Take& take) {
 Result<int64_t> TakeEdit::highestRun(const std::string& table) {
     if (!schema().has(table, "run"))
         return int64_t{0};
-    const auto highest = database().queryInteger("SELECT max(run) FROM " + table);
+    const auto highest = database().queryInteger("SELECT max(run) FROM " + table +
+                                                 " WHERE run<=" + std::to_string(kHighestRun));
     if (!highest)
         return highest.error();
     return highest->value_or(0);

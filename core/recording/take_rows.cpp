@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/job/limits.h"
 #include "core/math/json.h"
 #include "core/recording/pose_blob.h"
+#include "core/recording/pulse_rate.h"
 #include "core/recording/take.h"
 
 namespace noctule {
@@ -21,16 +23,27 @@ std::optional<int> readIndex(const Statement& row, int column, int count) {
 
 std::optional<Vector3d> readPosition(const Statement& row, int column) {
     const auto x = row.real(column), y = row.real(column + 1), z = row.real(column + 2);
-    return x && y && z ? std::optional(Vector3d(*x, *y, *z)) : std::nullopt;
+    const auto near = [](const std::optional<double>& p) { return p && std::abs(*p) <= limits::kFarthest_m; };
+    return near(x) && near(y) && near(z) ? std::optional(Vector3d(*x, *y, *z)) : std::nullopt;
 }
 
 bool isNullPosition(const Statement& row, int column) {
     return row.isNull(column) || row.isNull(column + 1) || row.isNull(column + 2);
 }
 
+/// On the take's clock; references may begin before the take and end after it.
+struct TimeSpan {
+    int64_t first_ns = -limits::kLongestTake_s * 1'000'000'000;
+    int64_t last_ns = limits::kLongestTake_s * 1'000'000'000;
+
+    bool holds(const std::optional<int64_t>& time_ns) const {
+        return time_ns && *time_ns >= first_ns && *time_ns <= last_ns;
+    }
+};
+
 /// A run of several subjects names the calibration and the actor of each in its settings.
 void namePartsOf(int suit, DerivedRun& run) {
-    const json::Json settings = json::Json::parse(run.settings_json, nullptr, false);
+    const json::Json settings = json::parse(run.settings_json);
     const auto subjects = settings.is_object() ? settings.find("subjects") : settings.end();
     if (subjects == settings.end() || !subjects->is_array())
         return;
@@ -47,10 +60,10 @@ void namePartsOf(int suit, DerivedRun& run) {
 }
 
 /// Columns time_ns, px, py, pz, q, sigma.
-RowVerdict readTimedPose(const Statement& row, size_t joint_count, TimedPose& timed) {
+RowVerdict readTimedPose(const Statement& row, size_t joint_count, const TimeSpan& span, TimedPose& timed) {
     const auto time_ns = row.integer(0);
-    if (!time_ns)
-        return "time_ns is missing";
+    if (!span.holds(time_ns))
+        return "time_ns is missing or outside the take";
     timed.time_ns = *time_ns;
     if (isNullPosition(row, 1) || row.isNull(4))
         return "";  // not seen
@@ -75,8 +88,9 @@ RowVerdict readExternalRoot(const Statement& row, ExternalRootRow& root) {
     const auto w = row.real(4);
     const auto xyz = readPosition(row, 5);
     const auto sigma_p = row.real(8), sigma_q = row.real(9);
-    if (!time_ns || !position || !w || !xyz || !sigma_p || !sigma_q || *sigma_p <= 0 || *sigma_q <= 0)
-        return "a value is missing or a sigma is not greater than zero";
+    if (!TimeSpan().holds(time_ns) || !position || !w || !xyz || !sigma_p || !sigma_q || *sigma_p <= 0 ||
+        *sigma_q <= 0)
+        return "a value is missing or out of range, or a sigma is not greater than zero";
     const Quaterniond q(*w, xyz->x(), xyz->y(), xyz->z());
     const double deviation = std::abs(q.norm() - 1);
     if (!(deviation < 0.01))
@@ -105,13 +119,16 @@ Result<std::vector<Pulse>> Take::pulsesWhere(const std::string& filter, int suit
     return collectRows<Pulse>(
         *database_, *log_, rowsOfSuit("pulse", suit),
         schema_->select("pulse", {"id", "sample", "source"}) + ofSuit("pulse", suit) + filter + " ORDER BY 2",
-        [source_count](const Statement& row, Pulse& pulse) -> RowVerdict {
+        [source_count, last = lastSample(), rate = PulseRate(header_.sample_rate_hz)](
+            const Statement& row, Pulse& pulse) mutable -> RowVerdict {
             const auto sample = row.integer(1);
-            if (!isSample(sample))
+            if (!isSample(sample) || *sample > last)
                 return "sample is missing or out of range";
             const int source = readIndex(row, 2, source_count).value_or(-1);
             if (source < 0)
                 return "source is not in the suit";
+            if (!rate.allows(*sample))
+                return "there are more than four pulses in a millisecond";
             pulse = {row.integer(0).value_or(0), *sample, source};
             return "";
         });
@@ -129,6 +146,12 @@ Result<std::vector<StatusRow>> Take::statusRows(int suit) const {
             if (!isSample(sample))
                 return "sample is missing or out of range";
             status = {*sample, row.real(2), row.real(3), row.real(4), row.real(5)};
+            const auto within = [](const std::optional<double>& value, double lowest, double highest) {
+                return !value || (*value >= lowest && *value <= highest);
+            };
+            if (!within(status.temperature_c, limits::kColdest_c, limits::kHottest_c) ||
+                !within(status.humidity_percent, 0, 100))
+                return "temperature_c is not -60 to 90 or humidity_percent not 0 to 100";
             return "";
         });
 }
@@ -145,30 +168,31 @@ Result<std::vector<GapRow>> Take::gaps(int suit) const {
             const auto first = row.integer(1), count = row.integer(2);
             if (!isSample(first) || !isSample(count))
                 return "first_sample or sample_count is missing or out of range";
-            gap = {*first, *count, readIndex(row, 3, board_count), row.text(4).value_or("")};
+            gap = {*first, *count, readIndex(row, 3, board_count), row.shortened(4, limits::kName)};
             return gap.board && *gap.board < 0 ? "board is not in the suit" : "";
         });
 }
 
 Result<std::vector<MarkerRow>> Take::markers(int suit) const {
     suit = seen(suit);
-    return collectRows<MarkerRow>(*database_, *log_, rowsOfSuit("marker", suit),
-                                  schema_->select("marker", {"id", "sample", "kind", "label"}) +
-                                      ofSuit("marker", suit) + " ORDER BY 2,1",
-                                  [](const Statement& row, MarkerRow& marker) -> RowVerdict {
-                                      const auto sample = row.integer(1);
-                                      if (!isSample(sample))
-                                          return "sample is missing or out of range";
-                                      marker = {*sample, row.text(2).value_or(""), row.text(3).value_or("")};
-                                      return "";
-                                  });
+    return collectRows<MarkerRow>(
+        *database_, *log_, rowsOfSuit("marker", suit),
+        schema_->select("marker", {"id", "sample", "kind", "label"}) + ofSuit("marker", suit) +
+            " ORDER BY 2,1",
+        [](const Statement& row, MarkerRow& marker) -> RowVerdict {
+            const auto sample = row.integer(1);
+            if (!isSample(sample))
+                return "sample is missing or out of range";
+            marker = {*sample, row.shortened(2, limits::kName), row.shortened(3, limits::kName)};
+            return "";
+        });
 }
 
 Result<std::vector<NoteRow>> Take::notes() const {
     return collectRows<NoteRow>(*database_, *log_, "note",
                                 schema_->select("note", {"id", "created_utc", "text"}) + " ORDER BY 1",
                                 [](const Statement& row, NoteRow& note) -> RowVerdict {
-                                    note = {row.text(1).value_or(""), row.text(2).value_or("")};
+                                    note = {row.shortened(1, limits::kName), row.shortened(2, limits::kNote)};
                                     return row.isNull(2) ? "text is missing" : "";
                                 });
 }
@@ -194,14 +218,24 @@ PoseSource Take::timedPoses(Skeleton skeleton, const std::string& table, const s
                             int suit) const {
     suit = seen(suit);
     const auto joint_count = static_cast<size_t>(skeleton.size());
+    TimeSpan span;
+    if (const auto end_s = duration_s(suit); table == "pose") {
+        const SuitClock clock = suitClock(suit);
+        span.first_ns = std::llround(std::clamp(clock.offset_ns, static_cast<double>(span.first_ns), 0.0)) -
+                        limits::kBeyondTake_ns;
+        const double end_ns = end_s ? clock.takeTime_s(*end_s) * 1e9 : 0;
+        if (end_ns > 0 && end_ns < static_cast<double>(span.last_ns))
+            span.last_ns = std::llround(end_ns) + limits::kBeyondTake_ns;
+    }
     const std::string sql = schema_->select(table, {"time_ns", "px", "py", "pz", "q", "sigma"}) +
                             ofSuit(table, suit) + filter + " ORDER BY 1";
-    return {std::move(skeleton), [database = database_.get(), log = log_.get(),
-                                  what = rowsOfSuit(table, suit), sql, joint_count](const PoseSink& sink) {
+    return {std::move(skeleton),
+            [database = database_.get(), log = log_.get(), what = rowsOfSuit(table, suit), sql, span,
+             joint_count](const PoseSink& sink) {
                 return forEachRow<TimedPose>(
                     *database, *log, what, sql,
-                    [joint_count](const Statement& row, TimedPose& timed) {
-                        return readTimedPose(row, joint_count, timed);
+                    [joint_count, span](const Statement& row, TimedPose& timed) {
+                        return readTimedPose(row, joint_count, span, timed);
                     },
                     sink);
             }};
@@ -244,16 +278,10 @@ Result<std::vector<DerivedRun>> Take::derivedRuns() const {
                                     "calibration_id", "actor_id"}) +
             " ORDER BY 1",
         [](const Statement& row, DerivedRun& run) -> RowVerdict {
-            const auto text = [&](int column) { return row.text(column).value_or(""); };
-            run = {row.integer(0).value_or(0),
-                   text(1),
-                   text(2),
-                   text(3),
-                   text(4),
-                   text(5),
-                   row.integer(6),
-                   row.integer(7)};
-            return run.run < 1 ? "run is not 1, 2, ..." : "";
+            const auto text = [&](int column) { return row.shortened(column, limits::kName); };
+            run = {row.integer(0).value_or(0),      text(1),        text(2),       text(3), text(4),
+                   row.shortened(5, limits::kNote), row.integer(6), row.integer(7)};
+            return run.run < 1 || run.run > kHighestRun ? "run is not 1, 2, ..." : "";
         });
     if (runs)
         for (DerivedRun& run : *runs)
@@ -311,7 +339,7 @@ Result<std::vector<FootContacts>> Take::contacts(int64_t run, int suit) const {
         [&feet, run](const Statement& row, FootContact& contact) -> RowVerdict {
             const auto foot = row.text(0);
             const auto from_ns = row.integer(1), to_ns = row.integer(2);
-            if (!foot || !from_ns || !to_ns || *to_ns < *from_ns)
+            if (!foot || !TimeSpan().holds(from_ns) || !TimeSpan().holds(to_ns) || *to_ns < *from_ns)
                 return "a value is missing, or it ends before it begins";
             if (feet.empty() || feet.back().foot != *foot)
                 feet.push_back({*foot, {}});

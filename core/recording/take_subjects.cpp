@@ -56,7 +56,7 @@ Result<std::vector<TakeSubject>> Take::subjects() const {
     const auto stated = meta_.find("subjects");
     if (stated == meta_.end())
         return subjectsByActor(*actors);
-    const json::Json list = json::Json::parse(stated->second, nullptr, false);
+    const json::Json list = json::parse(stated->second);
     if (!list.is_array() || list.empty())
         return badSubjects(path(), "is no list of subjects");
     std::vector<TakeSubject> all;

@@ -16,6 +16,8 @@ namespace {
 // Blocks of sound are long: big pages keep their chains of overflow pages short.
 constexpr const char* kPageSize = "PRAGMA page_size=16384";
 constexpr int kZstdLevel = 1;
+constexpr double kPatienceAtEnd_s = 120;  // for another program that writes: without it nothing is complete
+constexpr double kPatienceWithReaders_s = 10;  // their take is complete all the same
 
 std::string number(double value) {
     char text[32];
@@ -137,10 +139,22 @@ Status TakeWriter::addBlock(const AdcBlock& block, int board_count, int suit, bo
 Status TakeWriter::commit() {
     if (options_.journal == Journal::kAside)
         return Done{};
-    const Status committed = file_->execute("COMMIT; BEGIN");
-    if (committed)
-        committed_end_sample_ = end_sample_;
-    return committed;
+    if (file_->inTransaction())
+        if (const Status committed = file_->execute("COMMIT"); !committed)
+            return committed;
+    committed_end_sample_ = end_sample_;
+    const auto goes_on = ready();
+    return goes_on ? Status(Done{}) : Status(goes_on.error());
+}
+
+Result<bool> TakeWriter::ready() {
+    if (options_.journal == Journal::kAside || file_->inTransaction())
+        return true;
+    file_->setPatience_s(0);
+    const Status begun = file_->execute("BEGIN IMMEDIATE");
+    const bool locked = !begun && file_->isLocked();
+    file_->setPatience_s(Waiting().patience_s);
+    return begun || locked ? Result<bool>(begun.ok()) : Result<bool>(begun.error());
 }
 
 Status TakeWriter::rollBack() {
@@ -151,10 +165,23 @@ Status TakeWriter::rollBack() {
     if (file_->inTransaction())
         if (const Status back = file_->execute("ROLLBACK"); !back)
             return back;
-    return file_->execute("BEGIN");
+    const auto begun = ready();
+    return begun ? Status(Done{}) : Status(begun.error());
+}
+
+/// Readers keep it from being folded in; the take is whole with it, too.
+Status TakeWriter::foldLog() {
+    file_->setPatience_s(kPatienceWithReaders_s);
+    const Status folded = file_->execute("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode=DELETE");
+    left_log_ = !folded && file_->isLocked();
+    return left_log_ ? Status(Done{}) : folded;
 }
 
 Status TakeWriter::closeFile() {
+    file_->setPatience_s(kPatienceAtEnd_s);
+    if (!file_->inTransaction())
+        if (const Status begun = file_->execute("BEGIN IMMEDIATE"); !begun)
+            return begun;
     if (end_sample_ > 0)
         if (const Status set = setMeta("sample_count", std::to_string(end_sample_)); !set)
             return set;
@@ -164,8 +191,7 @@ Status TakeWriter::closeFile() {
     if (const Status done = file_->execute("COMMIT"); !done)
         return done;
     if (options_.journal == Journal::kWal)
-        if (const Status done = file_->execute("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode=DELETE");
-            !done)
+        if (const Status done = foldLog(); !done)
             return done;
     return file_->close();
 }

@@ -39,10 +39,15 @@ public:
 
     /// Makes everything so far safe (kWal); a recorder calls it at least every 200 ms.
     Status commit();
+    /// Takes the right to write (kWal), which commit() keeps as far as it can. False: another program has it,
+    /// and what would be added now would wait for that program. Does not wait.
+    Result<bool> ready();
     /// After a write that failed (kWal): everything since the last commit() is gone, finish() may follow.
     Status rollBack();
-    /// Sets `state` to complete and `sample_count`, and leaves one file under its name.
+    /// Sets `state` to complete and `sample_count`, and leaves one file under its name; a recording that
+    /// another program reads keeps its log beside it, which the next to open it folds in.
     Status finish();
+    bool leftLog() const { return left_log_; }
     /// Removes what was written.
     void abandon();
 
@@ -52,11 +57,13 @@ private:
     Status prepare(const TakeHeader& header);
     Status writeHeader(const TakeHeader& header);
     Status closeFile();
+    Status foldLog();
 
     std::unique_ptr<Database> file_;  ///< empty once finished or abandoned
     std::string path_;
     Options options_;
     int64_t end_sample_ = 0, committed_end_sample_ = 0;
+    bool left_log_ = false;
     std::vector<std::byte> packed_;
 };
 

@@ -172,7 +172,7 @@ Result<Session> sessionFromJson(const nlohmann::json& json, const std::string& w
 }
 
 Result<Session> sessionFromText(const std::string& text, const std::string& where) {
-    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+    const nlohmann::json json = noctule::json::parse(text);
     if (json.is_discarded())
         return Error{ErrorKind::kUnreadable, where + ": is damaged, it is not JSON",
                      "Restore it from a copy"};

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <mutex>
 #include <set>
+#include <utility>
 
 #include "devices/device/address.h"
 #include "devices/device/clock.h"
@@ -18,7 +19,7 @@ namespace noctule {
 
 namespace {
 
-constexpr int kLookEvery_ms = 500;
+constexpr int kLookEvery_ms = 500, kTellAfter_ms = 20;
 constexpr int kProbe_ms = link::kSerialProbes * link::kSerialProbe_ms;
 
 FoundDevice serialPort(const std::string& path) {
@@ -79,7 +80,7 @@ private:
     void begin() {
         lan_ = std::make_unique<LanSearch>(
             options_.udp_port, [this](const link::Announcement& announcement, const std::string& host) {
-                tell(list_.announced(announcement, host, steadyNow_ns()));
+                tellSoon(list_.announced(announcement, host, steadyNow_ns()));
             });
         look_ = std::make_unique<QTimer>();
         QObject::connect(look_.get(), &QTimer::timeout, look_.get(), [this] { look(); });
@@ -142,6 +143,16 @@ private:
         --unsettled_;
     }
 
+    /// Answers may come by the thousand: the list is handed out once for all of a moment.
+    void tellSoon(bool changed) {
+        if (!changed || closing_ || std::exchange(tells_soon_, true))
+            return;
+        QTimer::singleShot(kTellAfter_ms, look_.get(), [this] {
+            tells_soon_ = false;
+            tell(true);
+        });
+    }
+
     void tell(bool changed) {
         if (!changed || closing_)
             return;
@@ -157,6 +168,7 @@ private:
     const DiscoveryOptions options_;
     const Listener listener_;
     std::atomic<bool> closing_ = false;
+    bool tells_soon_ = false;
     FoundList list_;
     std::set<std::string> probed_paths_;
     std::unique_ptr<LanSearch> lan_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/job/limits.h"
+
 namespace noctule {
 
 namespace {
@@ -24,8 +26,19 @@ std::string FoundList::addressOf(const Box& box) {
     return "tcp://" + host + ":" + std::to_string(box.announcement.tcp_port);
 }
 
+FoundDevice FoundList::deviceOf(const Box& box) {
+    const link::Announcement& said = box.announcement;
+    return {addressOf(box),      said.serial, said.name,
+            said.model,          said.boards, said.sources,
+            said.sample_rate_hz, said.busy,   FoundDevice::Contact::kAnswers};
+}
+
 bool FoundList::announced(const link::Announcement& announcement, const std::string& host, int64_t now_ns) {
-    const auto before = devices();
+    const auto known_box = boxes_.find({announcement.serial, announcement.tcp_port});
+    if (known_box == boxes_.end() && boxes_.size() >= limits::kAnnouncedBoxes)
+        return false;
+    // Only of this box: with every answer of a flood the whole list would be compared.
+    const auto before = known_box == boxes_.end() ? std::nullopt : std::optional(deviceOf(known_box->second));
     Box& box = boxes_[{announcement.serial, announcement.tcp_port}];
     box.announcement = announcement;
     const auto known = std::ranges::find(box.hosts, host, &Heard::host);
@@ -33,7 +46,7 @@ bool FoundList::announced(const link::Announcement& announcement, const std::str
         box.hosts.push_back({host, now_ns});
     else
         known->when_ns = now_ns;
-    return devices() != before;
+    return deviceOf(box) != before;
 }
 
 bool FoundList::forgetSilent(int64_t now_ns) {
@@ -85,11 +98,8 @@ bool FoundList::probed(const std::string& address, const std::optional<link::Hel
 
 std::vector<FoundDevice> FoundList::devices() const {
     std::vector<FoundDevice> devices;
-    for (const auto& [key, box] : boxes_) {
-        const link::Announcement& said = box.announcement;
-        devices.push_back({addressOf(box), said.serial, said.name, said.model, said.boards, said.sources,
-                           said.sample_rate_hz, said.busy, FoundDevice::Contact::kAnswers});
-    }
+    for (const auto& [key, box] : boxes_)
+        devices.push_back(deviceOf(box));
     std::ranges::sort(devices, {}, [](const FoundDevice& device) {
         return std::tie(device.name, device.serial, device.address);
     });

@@ -41,6 +41,7 @@ private:
         std::vector<Heard> hosts;  ///< in the order in which they were first heard
     };
     static std::string addressOf(const Box& box);
+    static FoundDevice deviceOf(const Box& box);
 
     /// Virtual suits on one computer may share a serial number, not a port.
     std::map<std::pair<std::string, uint16_t>, Box> boxes_;

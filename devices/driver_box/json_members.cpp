@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/job/limits.h"
+#include "core/job/outside_text.h"
 #include "core/math/json.h"
 #include "devices/driver_box/hello.h"
 
@@ -12,13 +14,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kDeepest = 16;  ///< arrays and objects inside each other; a suit needs five
-
 }  // namespace
 
 Json parseObject(ByteView payload) {
-    const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= kDeepest; };
-    Json json = Json::parse(payload.begin(), payload.end(), shallow, false);
+    Json json = json::parse({reinterpret_cast<const char*>(payload.data()), payload.size()});
     if (!json.is_object())
         json = Json::value_t::discarded;
     return json;
@@ -74,7 +73,8 @@ std::string JsonMembers::text(const char* name) {
     const Json* found = find(name);
     if (found && !found->is_string())
         bad(name);
-    return found && found->is_string() ? found->get<std::string>() : std::string();
+    return found && found->is_string() ? shortText(found->get_ref<const std::string&>(), limits::kBoxText)
+                                       : std::string();
 }
 
 std::string JsonMembers::requiredText(const char* name) {

@@ -12,9 +12,9 @@
 #include "core/live/health.h"
 #include "core/live/latency.h"
 #include "core/live/live_pipeline.h"
+#include "core/processing/result_spool.h"
 #include "devices/live/live_queue.h"
 #include "devices/live/published.h"
-#include "devices/live/result_spool.h"
 
 namespace noctule {
 

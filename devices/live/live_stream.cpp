@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/processing/result_runs.h"
 #include "devices/live/live_plans.h"
 #include "devices/live/live_session.h"
 
@@ -215,6 +216,9 @@ StreamResult LiveSession::finishNewest() {
     result.warnings = stream->warnings;
     if (stream->recorder)
         result.recording = stream->recorder->finish();
+    if (result.recording)
+        result.warnings.insert(result.warnings.end(), result.recording->notices.begin(),
+                               result.recording->notices.end());
     if (stream->processor) {
         stream->processor->finish();
         result.frame = stream->processor->latest();

@@ -48,7 +48,8 @@ std::string progressText(const LiveSession& session, double reached_s) {
                   static_cast<double>(recording->lost_samples) /
                       static_cast<double>(session.status()->hello->sample_rate_hz),
                   recording->remaining_s.value_or(0) / 60);
-    return text;
+    return text +
+           std::string(recording->is_locked ? "; another program holds the take, what comes waits" : "");
 }
 
 /// Until the time is over, somebody stops it or ends it from elsewhere, or it ends by itself.

@@ -13,6 +13,19 @@ std::string megabytes(int64_t bytes) {
     return std::to_string(bytes / 1'000'000) + " MB";
 }
 
+constexpr int kAtOnce = 64;  // of a backlog, before the queue is looked at again
+constexpr std::chrono::milliseconds kLookAtLock{10};
+constexpr double kWorthTelling_s = 1;
+
+std::string lockNotice(const RecorderState& state) {
+    char text[80];
+    std::snprintf(text, sizeof text, ": another program held the take for up to %.1f s; ",
+                  state.longest_lock_s);
+    return state.path + text + megabytes(state.backlog.most_memory_bytes) +
+           " of sound waited in memory and " + megabytes(state.backlog.most_file_bytes) + " beside the take" +
+           (state.lost_samples == 0 && !state.trouble ? ", nothing was lost." : ".");
+}
+
 /// What a row does to the counts.
 struct RowCounter {
     RecorderState& state;
@@ -34,7 +47,8 @@ struct RowCounter {
 Recorder::Recorder(std::unique_ptr<TakeSink> sink, const RecorderSettings& settings)
     : sink_(std::move(sink)),
       settings_(settings),
-      queue_(static_cast<int64_t>(settings.queue_s * settings.sample_rate_hz)) {
+      queue_(static_cast<int64_t>(settings.queue_s * settings.sample_rate_hz)),
+      backlog_(std::filesystem::absolute(sink_->path()).parent_path()) {
     state_.path = sink_->path();
     thread_ = std::thread([this] { work(); });
 }
@@ -61,21 +75,67 @@ void Recorder::work() {
     try {
         auto next_commit = SteadyClock::now();
         while (true) {
-            const std::optional<LiveItem> item = queue_.pop(next_commit);
-            if (item && !write(*item))
+            const bool behind = !backlog_.empty() && !locked_since_;
+            std::optional<LiveItem> item = queue_.pop(behind ? SteadyClock::now() : next_commit);
+            const bool came = item.has_value();
+            if (came)
+                backlog_.push(std::move(*item));
+            if (!drain())
                 return;
             if (SteadyClock::now() >= next_commit) {
-                if (!commit() || !hasRoom())
+                if ((!locked_since_ && !commit()) || !hasRoom())
                     return;
                 next_commit = SteadyClock::now() + kCommitEvery;
             }
-            if (!item && queue_.drained())
+            if (came || !queue_.drained())
+                continue;
+            if (backlog_.empty())
                 return complete(std::nullopt);
+            if (waitsTooLong())
+                return endWith({ErrorKind::kUnreadable,
+                                sink_->path() + ": another program has locked the take for two minutes",
+                                "Close the other program"});
+            std::this_thread::sleep_for(kLookAtLock);
         }
     } catch (const std::exception& mistake) {
         endWith({ErrorKind::kInternal, sink_->path() + ": internal error: " + mistake.what(),
                  "Please report it"});
     }
+}
+
+/// Writes what waits, some blocks at a time, as far as no other program holds the take.
+bool Recorder::drain() {
+    for (int n = 0; n < kAtOnce && !backlog_.empty(); ++n) {
+        const Result<bool> ready = sink_->ready();
+        if (!ready) {
+            endWith(ready.error());
+            return false;
+        }
+        noteLock(!*ready);
+        if (!*ready)
+            return true;
+        if (!write(backlog_.pop()))
+            return false;
+    }
+    return true;
+}
+
+void Recorder::noteLock(bool is_locked) {
+    const auto now = SteadyClock::now();
+    if (is_locked && !locked_since_)
+        locked_since_ = now;
+    const std::lock_guard lock(mutex_);
+    state_.is_locked = is_locked;
+    state_.backlog = backlog_.extent();
+    if (locked_since_)
+        state_.longest_lock_s =
+            std::max(state_.longest_lock_s, std::chrono::duration<double>(now - *locked_since_).count());
+    if (!is_locked)
+        locked_since_.reset();
+}
+
+bool Recorder::waitsTooLong() const {
+    return locked_since_ && SteadyClock::now() - *locked_since_ > kLongestWaitAtEnd;
 }
 
 bool Recorder::write(const LiveItem& item) {
@@ -153,10 +213,17 @@ void Recorder::complete(std::optional<Error> trouble) {
             trouble = finished.error();
         trouble->message += "; the file could not be completed, the first " + safeLength() +
                             " stand in it and in the -wal file beside it";
-        trouble->remedy = "Free some space and run `noctule --batch recover` on it";
+        trouble->remedy = (trouble->kind == ErrorKind::kDisk ? "Free some space and run" : "Run") +
+                          std::string(" `noctule --batch recover` on it");
     }
     const std::lock_guard lock(mutex_);
     state_.ended = true;
+    if (state_.longest_lock_s >= kWorthTelling_s)
+        state_.notices.push_back(lockNotice(state_));
+    if (sink_->leftLog())
+        state_.notices.push_back(sink_->path() +
+                                 ": another program reads the take, so a -wal file stands beside it; keep "
+                                 "both together until the take is opened again.");
     if (!trouble)
         state_.committed_samples = state_.samples;
     state_.trouble = std::move(trouble);

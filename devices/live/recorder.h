@@ -2,6 +2,7 @@
 // Writes what a device sends into a take, on a thread of its own, with a commit ten times a second: what was
 // committed survives a crash. A disk that is slow for less than two seconds costs nothing; a longer one costs
 // the oldest sound, marked as gaps. A disk that fills up or fails ends the take intact, with the reason.
+// Another program that reads or locks the take costs nothing: what comes waits for it (recorder_backlog.h).
 #pragma once
 
 #include <memory>
@@ -11,6 +12,7 @@
 #include <thread>
 
 #include "devices/live/live_queue.h"
+#include "devices/live/recorder_backlog.h"
 #include "devices/live/take_sink.h"
 
 namespace noctule {
@@ -36,12 +38,18 @@ struct RecorderState {
     std::optional<int64_t> free_bytes;
     std::optional<double> remaining_s;  ///< until the reserve is reached, at the rate so far
     bool ended = false;                 ///< nothing more is written
-    std::optional<Error> trouble;       ///< why it ended unasked, and what is safe
+    bool is_locked = false;             ///< another program holds the take; what comes waits
+    double longest_lock_s = 0;
+    RecorderBacklog::Extent backlog;
+    std::vector<std::string> notices;  ///< whole sentences, when it has ended
+    std::optional<Error> trouble;      ///< why it ended unasked, and what is safe
 };
 
 class Recorder {
 public:
     static constexpr std::chrono::milliseconds kCommitEvery{100};
+    /// After everything has come, so long at most for another program that holds the take.
+    static constexpr std::chrono::seconds kLongestWaitAtEnd{120};
 
     Recorder(std::unique_ptr<TakeSink> sink, const RecorderSettings& settings);
     Recorder(const Recorder&) = delete;
@@ -58,6 +66,9 @@ public:
 
 private:
     void work();
+    bool drain();
+    void noteLock(bool is_locked);
+    bool waitsTooLong() const;
     bool write(const LiveItem& item);
     bool commit();
     bool hasRoom();
@@ -68,6 +79,8 @@ private:
     std::unique_ptr<TakeSink> sink_;
     const RecorderSettings settings_;
     LiveQueue queue_;
+    RecorderBacklog backlog_;
+    std::optional<std::chrono::steady_clock::time_point> locked_since_;
     mutable std::mutex mutex_;
     RecorderState state_;  ///< written by the thread only
     std::thread thread_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/job/limits.h"
+#include "core/job/outside_text.h"
 #include "devices/device/clock.h"
 
 namespace noctule {
@@ -41,6 +43,7 @@ StreamFeed::StreamFeed(std::shared_ptr<Recorder> recorder, std::shared_ptr<LiveP
     : recorder_(std::move(recorder)),
       processor_(std::move(processor)),
       clock_(clock),
+      pulse_rate_(clock.sample_rate_hz),
       silences_(static_cast<size_t>(board_count)) {}
 
 void StreamFeed::take(const StreamEvent& event) {
@@ -92,12 +95,25 @@ void StreamFeed::flush() {
     const std::lock_guard lock(mutex_);
     for (size_t board = 0; board < silences_.size(); ++board)
         flushSilence(board);
+    if (errors_left_out_ > 0)
+        handNote("Driver box: " + std::to_string(std::exchange(errors_left_out_, 0)) +
+                 " further errors came too fast to be noted.");
+}
+
+/// The first ones, then one a second of sound.
+bool StreamFeed::Allowance::allow(int64_t sample, int64_t sample_rate_hz) {
+    if (given_ >= limits::kBoxNotes && static_cast<double>(sample - last_sample_) <
+                                           limits::kBoxNoteEvery_s * static_cast<double>(sample_rate_hz))
+        return false;
+    ++given_;
+    last_sample_ = sample;
+    return true;
 }
 
 void StreamFeed::give(const link::Pulses& pulses) {
     std::vector<Pulse> numbered;
     for (const link::Pulse& pulse : pulses)
-        if (pulse.sample >= clock_.origin)
+        if (pulse.sample >= clock_.origin && pulse_rate_.allows(pulse.sample))
             numbered.push_back({++last_pulse_id_, pulse.sample - clock_.origin, pulse.source});
     if (!numbered.empty())
         hand(numbered);
@@ -109,6 +125,8 @@ void StreamFeed::give(const link::Gap& gap) {
 }
 
 void StreamFeed::give(const link::BoxStatus& status) {
+    if (!statuses_.allow(reached_sample_, clock_.sample_rate_hz))
+        return;
     // Never before what has come already: live and from file it must count from the same sample on.
     hand(StatusRow{std::max(status.sample - clock_.origin, reached_sample_.load()),
                    widened(status.temperature_c), widened(status.humidity_percent), widened(status.battery_v),
@@ -116,8 +134,13 @@ void StreamFeed::give(const link::BoxStatus& status) {
 }
 
 void StreamFeed::give(const link::BoxError& error) {
-    handNote(takeTime(error.sample - clock_.origin, clock_.sample_rate_hz) +
-             " Driver box: " + (error.text.empty() ? nameOf(error.code) : error.text));
+    if (!errors_.allow(reached_sample_, clock_.sample_rate_hz)) {
+        ++errors_left_out_;
+        return;
+    }
+    handNote(
+        takeTime(error.sample - clock_.origin, clock_.sample_rate_hz) + " Driver box: " +
+        (error.text.empty() ? nameOf(error.code) : visibleText(shortText(error.text, limits::kBoxText))));
 }
 
 void StreamFeed::addMarker(const std::string& kind, const std::string& label, std::optional<int64_t> sample) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/recording/pulse_rate.h"
 #include "devices/live/live_processor.h"
 #include "devices/live/recorder.h"
 #include "devices/live/stream_event.h"
@@ -45,6 +46,15 @@ private:
     void give(const link::BoxError& error);
     void noteSilence(const ArrivedBlock& block);
     void flushSilence(size_t board);
+    /// Of what a box may send without end; counted in samples.
+    class Allowance {
+    public:
+        bool allow(int64_t sample, int64_t sample_rate_hz);
+
+    private:
+        int given_ = 0;
+        int64_t last_sample_ = 0;
+    };
     void hand(const LiveItem& item);
     void handNote(const std::string& text);
 
@@ -53,6 +63,9 @@ private:
     std::shared_ptr<LiveProcessor> processor_;
     const Clock clock_;
     std::atomic<int64_t> reached_sample_{0};
+    PulseRate pulse_rate_;
+    Allowance errors_, statuses_;
+    int64_t errors_left_out_ = 0;
     int64_t last_pulse_id_ = 0;
     std::vector<Silence> silences_;  ///< per board, not yet recorded
 };

@@ -21,9 +21,11 @@ public:
     Status write(const LiveItem& item) override {
         return std::visit([this](const auto& row) { return add(row); }, item);
     }
+    Result<bool> ready() override { return writer_.ready(); }
     Status commit() override { return writer_.commit(); }
     Status rollBack() override { return writer_.rollBack(); }
     Status finish() override { return writer_.finish(); }
+    bool leftLog() const override { return writer_.leftLog(); }
     std::optional<int64_t> freeBytes() const override {
         std::error_code error;
         const auto space = std::filesystem::space(std::filesystem::path(path_).parent_path(), error);

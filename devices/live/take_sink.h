@@ -20,6 +20,8 @@ public:
     virtual ~TakeSink() = default;
 
     virtual const std::string& path() const = 0;
+    /// Whether what is written now would not wait for another program; does not wait itself.
+    virtual Result<bool> ready() { return true; }
     virtual Status write(const LiveItem& item) = 0;
     /// Makes safe what was written.
     virtual Status commit() = 0;
@@ -27,6 +29,8 @@ public:
     virtual Status rollBack() = 0;
     /// Leaves one complete file.
     virtual Status finish() = 0;
+    /// After finish(): the take is complete with the -wal file beside it, for another program reads it.
+    virtual bool leftLog() const { return false; }
     /// On the disk that it is written to; absent: cannot be told.
     virtual std::optional<int64_t> freeBytes() const = 0;
 };

@@ -17,6 +17,7 @@ import calibration
 import drift
 import fuzz
 import ground
+import hostile
 import interface
 import kills
 import live
@@ -46,6 +47,7 @@ FIGURES = {
     "blender": ("Exports opened in Blender", blender.figure),
     "calibration": ("Calibration", calibration.figure),
     "kills": ("Recordings that are killed, without power, with every fault", kills.figure),
+    "hostile": ("Takes, boxes, announcements and clients made to do harm", hostile.figure),
     "fuzz": ("Damaged bytes into every reader", fuzz.figure),
     "sanitizers": ("Unit tests under sanitizers", sanitizers.figure),
     "long-fuzz": ("Damaged inputs", long_fuzz.figure),

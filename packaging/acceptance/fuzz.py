@@ -14,6 +14,7 @@ def figure(options):
             ("link, payloads to the studio", "test_devices_driver_box", "FuzzLink.PayloadsToTheStudio"),
             ("link, payloads to the box", "test_devices_driver_box", "FuzzLink.PayloadsToTheBox"),
             ("takes", "test_core_recording", "FuzzTake.DamagedFiles"),
+            ("rows of takes", "test_core_recording", "FuzzRows.DamagedValues"),
             ("JSON of takes", "test_core_recording", "FuzzJson.DamagedDocuments"),
             ("JSON of sessions", "test_core_session", "FuzzSession.DamagedDocuments")):
         found = built_tests.run(program, cases, "damaged inputs|could be opened", NOCTULE_FUZZ_INPUTS=count, **in_memory)

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/job/atomic_file.h"
+#include "core/math/json.h"
 
 namespace noctule::ui {
 namespace {
@@ -48,7 +49,7 @@ Status writeUnfinished(const QString& path, const QString& task, const Unfinishe
 
 UnfinishedCalibration readUnfinished(const QString& path, const QString& evidence_folder) {
     const auto text = readWholeFile(path.toStdString());
-    const auto json = nlohmann::json::parse(text ? *text : std::string(), nullptr, false);
+    const auto json = noctule::json::parse(text ? *text : std::string());
     if (!json.is_object())
         return {};
     UnfinishedCalibration unfinished;

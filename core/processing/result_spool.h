@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holds what the live pipeline yields while its take is being recorded, to be written into the take as
-// derived runs afterwards. A file without a name beside the take (1 MB a second): memory does not grow with
-// the take's length.
+// Holds what the pipeline yields while its take is being recorded or read, to be written into the take as
+// derived runs afterwards: the take stays free for other programs. A file without a name beside the take (1
+// MB a second): memory does not grow with the take's length.
 #pragma once
 
 #include <filesystem>
 #include <vector>
 
+#include "core/acoustics/range.h"
+#include "core/inertial/reading.h"
 #include "core/job/unnamed_file.h"
-#include "core/processing/result_runs.h"
+#include "core/motion/timed_poses.h"
 
 namespace noctule {
+
+/// Takes results in the order in which they came.
+class ResultSink {
+public:
+    virtual ~ResultSink() = default;
+    virtual Status write(const std::vector<InertialReading>& readings) = 0;
+    virtual Status write(const std::vector<RangeMeasurement>& ranges) = 0;
+    virtual Status write(const std::vector<TimedPose>& poses) = 0;
+};
 
 class ResultSpool {
 public:
@@ -21,7 +32,7 @@ public:
     void add(const std::vector<TimedPose>& poses);
 
     /// kDisk when something could not be written or read back.
-    Status replay(ResultRuns& runs);
+    Status replay(ResultSink& runs);
 
 private:
     explicit ResultSpool(UnnamedFile file) : file_(std::move(file)) {}

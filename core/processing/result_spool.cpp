@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "devices/live/result_spool.h"
+#include "core/processing/result_spool.h"
 
 namespace noctule {
 namespace {
@@ -9,8 +9,7 @@ constexpr char kReadings = 'i', kRanges = 'r', kPoses = 'p';
 }  // namespace
 
 Result<ResultSpool> ResultSpool::make(const std::filesystem::path& folder) {
-    auto file = UnnamedFile::make(folder, "live results",
-                                  "Check that you may write there, or process the take afterwards");
+    auto file = UnnamedFile::make(folder, "results", "Check that you may write there and that it has room");
     if (!file)
         return file.error();
     return ResultSpool(std::move(*file));
@@ -92,9 +91,9 @@ bool ResultSpool::takePoses(std::vector<TimedPose>& poses) {
     return true;
 }
 
-Status ResultSpool::replay(ResultRuns& runs) {
-    const Error lost{ErrorKind::kDisk, "the results of the live pipeline could not be kept on the disk",
-                     "Process the take instead"};
+Status ResultSpool::replay(ResultSink& runs) {
+    const Error lost{ErrorKind::kDisk, "the results could not be kept beside the take",
+                     "Free some space there and process the take"};
     if (!file_.good())
         return lost;
     file_.seek(0);
