@@ -313,7 +313,7 @@ BoneSpelling withoutPrefix(std::vector<std::string> words) {
     return {};
 }
 
-/// Without a word behind it that a whole body carries: "Hips_jnt", "LeftArm_cloth".
+/// Without a word behind it that a whole body carries: "Hips_jnt", "LeftArm_outfit".
 BoneSpelling withoutLastWord(std::vector<std::string> words) {
     const std::string last = words.empty() ? std::string() : inSmallLetters(words.back());
     if (words.size() < 2 || isNumber(last) || isHelperWord(last) || isSideWord(last))
