@@ -7,7 +7,6 @@
 namespace noctule::test {
 namespace {
 
-using Zero = std::map<std::string, Quaterniond>;
 using Names = std::map<std::string, std::string>;
 
 Comparison againstOurs(const TimedMotion& reference, const TimedMotion& estimate) {
