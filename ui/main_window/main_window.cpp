@@ -42,12 +42,11 @@ protected:
     void paintEvent(QPaintEvent*) override { QPainter(this).fillRect(rect(), Theme::get().tokens().bg); }
 };
 
-/// As small as the page that is shown may be; others would hold the window wide that have been left.
+/// Takes what docks and bars leave: a page that wanted more would push the right dock out of the window.
+/// Pages fold and scroll instead.
 class PageStack : public QStackedWidget {
 public:
-    QSize minimumSizeHint() const override {
-        return currentWidget() ? currentWidget()->minimumSizeHint() : QStackedWidget::minimumSizeHint();
-    }
+    QSize minimumSizeHint() const override { return {Theme::get().px(320), Theme::get().px(200)}; }
 };
 
 }  // namespace
