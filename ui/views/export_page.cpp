@@ -174,6 +174,8 @@ Result<std::vector<ExportJob>> ExportPage::planOf(const ExportSettings& settings
 
 ExportPage::Asked ExportPage::asked() const {
     Asked asked{form_->settings(), form_->takes(), {}};
+    if (asked.settings.range != ExportRange::kOwn)
+        asked.settings.own_from_s = asked.settings.own_to_s = 0;  // nobody asks for them
     for (const QString& take : asked.takes)
         asked.results += form_->resultsOf(take);
     return asked;

@@ -155,12 +155,12 @@ QString runInWords(const RunSettings& settings) {
 
 QString runTitle(const ReviewRun& run) {
     // As defaultRunName() and its numbering make them.
-    static const QRegularExpression kMadeUp("^[AGD]+( paper| manifold)?( (\\d+))?$");
+    static const QRegularExpression kMadeUp("^[AGD]+( paper| manifold)?( smoothed| lag| batch)?( (\\d+))?$");
     const QString name = QString::fromStdString(run.run.name);
     const auto match = kMadeUp.match(name);
     if (!match.hasMatch() && !name.isEmpty())
         return name;
-    const QString number = match.captured(3), words = runInWords(run.settings);
+    const QString number = match.captured(4), words = runInWords(run.settings);
     return number.isEmpty() ? words : Words::tr("%1 (%2)").arg(words, number);
 }
 
