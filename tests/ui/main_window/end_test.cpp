@@ -19,9 +19,9 @@ using noctule::test::TestBox;
 class EndOfStudio : public test::StudioWindow {
 protected:
     QString makeSession(const QString& name) {
-        EXPECT_TRUE(studio_->session().create(home() + '/' + name, name));
+        EXPECT_TRUE(studio_->session().create(home() + '-' + name, name));
         EXPECT_TRUE(waitFor([&] { return studio_->session().isOpen(); }));
-        return home() + '/' + name;
+        return home() + '-' + name;
     }
     static bool isLocked(const QString& session) { return QFile::exists(session + "/session.lock"); }
     bool connectTo(const TestBox& box) {
