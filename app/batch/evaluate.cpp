@@ -4,6 +4,8 @@
 #include "core/body/text.h"
 #include "core/job/atomic_file.h"
 #include "core/processing/evaluate_take.h"
+#include "core/processing/orient_take.h"
+#include "core/processing/run_subjects.h"
 #include "core/report/evaluation_json.h"
 #include "core/report/html_report.h"
 #include "core/report/verdict.h"
@@ -55,12 +57,66 @@ std::string evaluationText(const ReportData& data, const ReportRun& run) {
     return text;
 }
 
+Outcome orientationOutcome(const std::string& take, const OrientationEvaluation& evaluation) {
+    const OrientationScore& score = evaluation.score;
+    const auto angle = [](const char* name, double deg) {
+        return std::string(name) + fixed(deg) + " deg rms\n";
+    };
+    return {{{"take", take},
+             {"run", evaluation.run_name},
+             {"board", evaluation.board},
+             {"total_deg", score.total_deg},
+             {"heading_deg", score.heading_deg},
+             {"inclination_deg", score.inclination_deg},
+             {"heading_offset_deg", score.heading_offset_deg},
+             {"readings", score.samples}},
+            takeName(take) + ", run " + evaluation.run_name + ", sensor " + evaluation.board + "\n" +
+                angle("total                 ", score.total_deg) +
+                angle("heading               ", score.heading_deg) +
+                angle("inclination           ", score.inclination_deg) + "north differed by     " +
+                fixed(score.heading_offset_deg) + " deg, taken off\ncompared              " +
+                std::to_string(score.samples) + " readings in movement\n",
+            std::nullopt};
+}
+
+/// One entry of `subjects` and one line each; the rest of the outcome is the first subject's.
+Status addSubjects(const VerbContext& context, EvaluateRequest request,
+                   const std::vector<TakeSubject>& subjects, Outcome& outcome) {
+    request.all_runs = false;
+    outcome.json["subject"] = subjects.front().name;
+    outcome.text =
+        "subject " + subjects.front().name + ", of " + std::to_string(subjects.size()) + "\n" + outcome.text;
+    for (const TakeSubject& subject : subjects) {
+        request.suit = subject.suit();
+        const auto data = evaluateTake(request, context.job());
+        if (!data)
+            return data.error();
+        const nlohmann::json all = evaluationJson(*data, *data->shownRun());
+        nlohmann::json own{{"name", subject.name}, {"suit", subject.suit()}};
+        for (const char* member : {"mean_deg", "end_effector_mm", "root", "nees", "duration_s"})
+            own[member] = all.value(member, nlohmann::json(nullptr));
+        outcome.json["subjects"].push_back(own);
+        const auto& comparison = data->shownRun()->comparison;
+        outcome.text += "subject " + subject.name + ": " +
+                        (comparison ? fixed(comparison->mean_deg) + " deg mean, root position " +
+                                          fixed(comparison->root.position_m, 3) + " m"
+                                    : std::string("no reference")) +
+                        "\n";
+    }
+    return Done{};
+}
+
 Result<Outcome> runEvaluate(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     const bool overwrite = arguments.given("overwrite");
     const std::string report_path = arguments.text("report");
     if (Status free = checkOutputs({report_path}, overwrite); !free)
         return free.error();
+    const auto oriented = evaluateOrientation(arguments.operands()[0], arguments.text("run"));
+    if (!oriented)
+        return oriented.error();
+    if (*oriented)
+        return orientationOutcome(arguments.operands()[0], **oriented);
     EvaluateRequest request;
     request.take_path = arguments.operands()[0];
     request.run = arguments.text("run");
@@ -72,6 +128,10 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
             return clip.error();
         request.reference = std::move(*clip);
     }
+    const auto subjects = subjectsOfRun(request.take_path, request.run);
+    if (!subjects)
+        return subjects.error();
+    request.suit = subjects->front().suit();
     const auto data = evaluateTake(request, context.job());
     if (!data)
         return data.error();
@@ -79,6 +139,9 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
         context.console.warn(warning);
     const ReportRun& shown = *data->shownRun();
     Outcome outcome{evaluationJson(*data, shown), evaluationText(*data, shown), std::nullopt};
+    if (subjects->size() > 1)
+        if (Status added = addSubjects(context, request, *subjects, outcome); !added)
+            return added.error();
     if (!report_path.empty()) {
         if (context.cancel.cancelled())
             return JobContext::cancelledError();

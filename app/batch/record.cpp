@@ -50,6 +50,7 @@ nlohmann::json recordingJson(const RecordReport& report) {
         {"slowest_commit_ms", static_cast<double>(recording.slowest_commit_ns) * 1e-6},
         {"deepest_queue_s", static_cast<double>(recording.queue.deepest_samples) / report.sample_rate_hz},
         {"reconnections", report.link.reconnections},
+        {"lacks_poses", report.stream.lacks_poses},
         {"warnings", report.stream.warnings}};
     if (const auto& frame = report.stream.frame)
         json["live"] = {{"poses", frame->poses},
@@ -114,6 +115,9 @@ Result<Outcome> runRecord(const VerbContext& context) {
         return report.error();
     for (const std::string& warning : report->stream.warnings)
         context.console.warn(warning);
+    if (report->stream.lacks_poses)
+        context.console.warn(
+            "The take has no poses yet: the live view skipped part of the sound. Process it.");
     Outcome outcome{recordingJson(*report), recordingText(*report), std::nullopt};
     for (const std::optional<Error>& trouble : {report->stream.recording->trouble, report->stream.trouble})
         if (trouble && !outcome.failure) {

@@ -11,12 +11,14 @@
 #include <cstring>
 
 #include "app/batch/program.h"
+#include "app/batch/version.h"
 #include "app/studio/sample_take.h"
 #include "app/studio/start_clock.h"
 #include "core/job/heap.h"
 #include "devices/device/clock.h"
 #include "ui/main_window/look.h"
 #include "ui/main_window/studio_windows.h"
+#include "ui/models/end_signals.h"
 #include "ui/models/studio.h"
 #include "ui/style/theme.h"
 
@@ -85,8 +87,9 @@ int runStudio(int argc, char** argv) {
     QApplication::setOrganizationName("Noctule");
     QApplication::setApplicationName("noctule");
     QApplication::setApplicationDisplayName("Noctule");
-    QApplication::setApplicationVersion(NOCTULE_VERSION);
+    QApplication::setApplicationVersion(batch::softwareVersion());
     QApplication::setQuitOnLastWindowClosed(true);
+    QGuiApplication::setDesktopFileName("noctule");  // desktops take the window's icon from there
     Theme::install(application);
 
     Studio studio(parts());
@@ -94,6 +97,9 @@ int runStudio(int argc, char** argv) {
     StudioWindows windows(studio);
     MainWindow& window = windows.show(Step::kStart);
     logFirstFrame(window);
+    const EndSignals end_signals;
+    QObject::connect(&end_signals, &EndSignals::endWanted, &windows,
+                     [&windows] { windows.window()->endInGoodOrder(); });
     studio.finder().start();
     studio.remoteStart().begin();
     if (application.arguments().size() > 1)

@@ -31,6 +31,7 @@ struct PairStillCheck {
 
 struct StillCheckReport {
     std::vector<Finding> findings;        ///< none: good
+    std::string unchecked;                ///< "gyroscopes are not calibrated": why nothing was compared
     Stretch stretch;                      ///< that was used
     std::vector<BoardStillCheck> boards;  ///< per board of the suit
     std::vector<PairStillCheck> pairs;

@@ -2,7 +2,9 @@
 #include "core/live/readiness.h"
 
 #include <algorithm>
+#include <map>
 #include <tuple>
+#include <utility>
 
 #include "core/job/contract.h"
 
@@ -14,6 +16,58 @@ constexpr int64_t kNever = -1;
 void addProblem(Readiness& readiness, ProblemKind kind, bool hinders, double value = 0, int board = -1,
                 int source = -1) {
     readiness.problems.push_back({kind, hinders, board, source, value, false});
+}
+
+constexpr int kFewAlike = 3;
+
+/// Board problems and source problems of one kind that befall more than half become one: their common cause
+/// is the link, the computer or the box, not each plug.
+void joinAlike(Readiness& readiness, int ReadinessProblem::*part, int parts) {
+    std::map<ProblemKind, std::vector<int>> alike;
+    for (const ReadinessProblem& problem : readiness.problems)
+        if (problem.*part >= 0)
+            alike[problem.kind].push_back(problem.*part);
+    for (auto& [kind, sufferers] : alike) {
+        const auto count = static_cast<int>(sufferers.size());
+        if (count < kFewAlike || 2 * count <= parts)
+            continue;
+        ReadinessProblem joined;
+        joined.kind = kind;
+        for (const ReadinessProblem& problem : readiness.problems)
+            if (problem.kind == kind) {
+                joined.hinders = problem.hinders;
+                joined.value += problem.value / count;
+            }
+        joined.alike = std::move(sufferers);
+        std::erase_if(readiness.problems,
+                      [kind = kind](const ReadinessProblem& problem) { return problem.kind == kind; });
+        readiness.problems.push_back(std::move(joined));
+    }
+}
+
+/// What most boards do not deliver cannot tell what they hear: silent sources then follow from it.
+void forgetConsequences(Readiness& readiness) {
+    const bool stream_is_poor = std::ranges::any_of(readiness.problems, [](const ReadinessProblem& problem) {
+        return !problem.alike.empty() &&
+               (problem.kind == ProblemKind::kBoardSilent || problem.kind == ProblemKind::kBoardUnreadable ||
+                problem.kind == ProblemKind::kBoardLosesFrames);
+    });
+    if (stream_is_poor)
+        std::erase_if(readiness.problems, [](const ReadinessProblem& problem) {
+            return problem.kind == ProblemKind::kSourceSilent || problem.kind == ProblemKind::kSourceFaint ||
+                   problem.kind == ProblemKind::kBoardDeaf;
+        });
+}
+
+/// All of a joined problem must be accepted.
+bool isAccepted(const ReadinessProblem& problem, const ReadinessFacts& facts) {
+    const auto& without =
+        problem.kind == ProblemKind::kSourceSilent || problem.kind == ProblemKind::kSourceFaint
+            ? facts.without_sources
+            : facts.without_boards;
+    if (!problem.alike.empty())
+        return std::ranges::all_of(problem.alike, [&](int part) { return without.contains(part); });
+    return facts.without_boards.contains(problem.board) || facts.without_sources.contains(problem.source);
 }
 
 }  // namespace
@@ -58,6 +112,23 @@ void ReadinessJudge::remember(const HealthReport& health) {
                 raise(board_heard_at_[static_cast<size_t>(board)]);
             }
         }
+}
+
+/// Nothing came while the link was broken, which is no fault of boards and sources: they get their time anew.
+void ReadinessJudge::forgive() {
+    for (auto* times : {&board_heard_at_, &board_whole_at_, &source_heard_at_, &source_clear_at_})
+        for (int64_t& at : *times)
+            at = std::max(at, now_);
+}
+
+void ReadinessJudge::judgeFit(const ReadinessFacts& facts, Readiness& readiness) const {
+    readiness.lack = facts.lack;
+    if (!facts.lack.isNone())
+        addProblem(readiness, ProblemKind::kNotCalibrated, false);
+    else if (facts.fit == SuitFit::kMoved)
+        addProblem(readiness, ProblemKind::kMoved, false);
+    else if (facts.fit == SuitFit::kUnchecked)
+        addProblem(readiness, ProblemKind::kNotChecked, false, facts.rest_pose_age_h);
 }
 
 double ReadinessJudge::secondsSince(int64_t sample) const {
@@ -136,6 +207,13 @@ void ReadinessJudge::judgeSupplies(const ReadinessFacts& facts, Readiness& readi
         addProblem(readiness, ProblemKind::kStorageShort, *storage_s < limits_.storage_empty_s, *storage_s);
 }
 
+bool Readiness::isFit() const {
+    return std::ranges::none_of(problems, [](const ReadinessProblem& problem) {
+        return problem.kind == ProblemKind::kNotCalibrated || problem.kind == ProblemKind::kMoved ||
+               problem.kind == ProblemKind::kNotChecked;
+    });
+}
+
 Readiness ReadinessJudge::judge(const ReadinessFacts& facts) {
     Readiness readiness;
     readiness.boards.resize(static_cast<size_t>(board_count_));
@@ -144,12 +222,15 @@ Readiness ReadinessJudge::judge(const ReadinessFacts& facts) {
     if (facts.link_is_lost || facts.sound_stalls) {
         addProblem(readiness, facts.link_is_lost ? ProblemKind::kLinkLost : ProblemKind::kNoSound, true);
         readiness.verdict = Readiness::Verdict::kNotReady;
+        was_broken_ = true;
         return readiness;
     }
     if (!facts.health)
         return readiness;
     require(facts.health->boards.size() == static_cast<size_t>(board_count_), "the health of another suit");
     remember(*facts.health);
+    if (std::exchange(was_broken_, false))
+        forgive();
     if (secondsSince(0) < limits_.settles_s)
         return readiness;
     judgePairs(*facts.health, readiness);
@@ -157,12 +238,15 @@ Readiness ReadinessJudge::judge(const ReadinessFacts& facts) {
         judgeBoard(facts, board, readiness);
     judgeSources(*facts.health, readiness);
     judgeSupplies(facts, readiness);
+    joinAlike(readiness, &ReadinessProblem::board, board_count_);
+    joinAlike(readiness, &ReadinessProblem::source, source_count_);
+    forgetConsequences(readiness);
+    judgeFit(facts, readiness);
     if (!facts.is_assigned)
         addProblem(readiness, ProblemKind::kNotAssigned, false);
     bool hindered = false;
     for (ReadinessProblem& problem : readiness.problems) {
-        problem.accepted =
-            facts.without_boards.contains(problem.board) || facts.without_sources.contains(problem.source);
+        problem.accepted = isAccepted(problem, facts);
         hindered = hindered || (problem.hinders && !problem.accepted);
     }
     std::ranges::stable_sort(readiness.problems, {}, [](const ReadinessProblem& problem) {

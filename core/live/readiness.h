@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/live/health.h"
+#include "core/suit/calibration_lack.h"
 
 namespace noctule {
 
@@ -20,6 +21,8 @@ enum class ProblemKind {
     kBoardUnreadable,   ///< its wire is alive, its digital stream is not understood
     kBatteryEmpty,      ///< the box stops in about a minute
     kStorageShort,      ///< seconds
+    kNotCalibrated,     ///< see Readiness::lack
+    kMoved,             ///< the last check found that something sits otherwise than calibrated
     kSourceSilent,      ///< no board has heard it for seconds
     kBoardLosesFrames,  ///< frames a second
     kBoardClips,        ///< clipped samples or readings a second
@@ -27,6 +30,7 @@ enum class ProblemKind {
     kBatteryLow,        ///< percent
     kSourceFaint,       ///< good pairs
     kNotAssigned,       ///< nobody has said which board sits where
+    kNotChecked,  ///< calibrated, but not since the suit was put on; hours since the rest pose, -1 unknown
 };
 
 struct ReadinessProblem {
@@ -35,6 +39,8 @@ struct ReadinessProblem {
     int board = -1, source = -1;
     double value = 0;       ///< as the kind says
     bool accepted = false;  ///< the operator goes on without it
+    std::vector<int>
+        alike{};  ///< boards, or sources, that suffer the same at once: one cause; board is -1 then
 
     bool operator==(const ReadinessProblem&) const = default;
 };
@@ -62,11 +68,21 @@ struct ReadinessLimits {
     double settles_s = 1.5;  ///< after a start nothing is judged
 };
 
+/// What is known of the suit's fit since it was put on.
+enum class SuitFit {
+    kUnchecked,
+    kChecked,  ///< or calibrated just now, or known exactly, as of a simulated suit
+    kMoved,    ///< the check found that something has moved
+};
+
 struct ReadinessFacts {
     const HealthReport* health = nullptr;  ///< null: nothing has come yet
     bool link_is_lost = false, sound_stalls = false, is_assigned = true;
     std::vector<bool> board_is_plugged;  ///< as the box says; empty: it does not
     std::optional<double> storage_left_s;
+    CalibrationLack lack{};  ///< of the calibration in force
+    SuitFit fit = SuitFit::kChecked;
+    double rest_pose_age_h = -1;                    ///< negative: not known
     std::set<int> without_boards, without_sources;  ///< accepted by the operator
 };
 
@@ -84,6 +100,10 @@ struct Readiness {
     std::vector<int> source_good_pairs;
     std::vector<bool> pair_is_good;  ///< source * boards + board
     int boards_there = 0, sources_heard = 0, good_pairs = 0;
+    CalibrationLack lack{};
+
+    /// Calibrated, and checked since it was put on: only then may a screen say "Ready" or "Recording well".
+    bool isFit() const;
 };
 
 class ReadinessJudge {
@@ -95,6 +115,8 @@ public:
 
 private:
     void remember(const HealthReport& health);
+    void forgive();
+    void judgeFit(const ReadinessFacts& facts, Readiness& readiness) const;
     void judgePairs(const HealthReport& health, Readiness& readiness) const;
     void judgeBoards(const ReadinessFacts& facts, Readiness& readiness) const;
     void judgeBoard(const ReadinessFacts& facts, int board, Readiness& readiness) const;
@@ -105,6 +127,7 @@ private:
     const int board_count_, source_count_, sample_rate_hz_;
     const ReadinessLimits limits_;
     int64_t now_ = 0;
+    bool was_broken_ = false;            ///< the link, when it was judged last
     std::vector<int64_t> pair_good_at_;  ///< samples; kNever
     std::vector<int64_t> board_heard_at_, board_whole_at_, source_heard_at_, source_clear_at_;
 };

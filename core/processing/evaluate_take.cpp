@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/math/rotation.h"
+#include "core/processing/ingredients.h"
 #include "core/processing/pose_runs.h"
 #include "core/processing/reference_motion.h"
 #include "core/processing/take_quality.h"
@@ -54,7 +55,8 @@ Result<ReportTake> describeTake(const Take& take) {
     if (!rest)
         return rest.error();
     if (*rest)
-        described.rest_s = static_cast<double>((*rest)->last) / described.sample_rate_hz;
+        described.rest_s =
+            take.suitClock().takeTime_s(static_cast<double>((*rest)->last) / described.sample_rate_hz);
     const auto notes = take.notes();
     if (!notes)
         return notes.error();
@@ -204,6 +206,7 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
     if (!parts)
         return parts.error();
     describeProvenance(take, parts->calibration, run, data);
+    data.lack = lackOfTake(take, parts->suit, parts->calibration);
     for (const Source& source : parts->suit.sources)
         data.sources.push_back({source.id, source.segment});
     if (settings.inertial_run) {
@@ -255,6 +258,7 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
     auto opened = Take::open(request.take_path, Access::kRead, {job.cancel});
     if (!opened)
         return opened.error();
+    opened->view(request.suit);
     const Take& take = *opened;
     const auto shown =
         request.run_number ? poseRun(take, *request.run_number) : choosePoseRun(take, request.run);

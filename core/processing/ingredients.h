@@ -9,12 +9,14 @@
 
 #include "core/live/suit_decoder.h"
 #include "core/processing/process_take.h"
+#include "core/suit/calibration_lack.h"
 
 namespace noctule {
 
 struct Ingredients {
     Suit suit;
     Calibration calibration;
+    CalibrationLack lack;  ///< of it
     Actor actor;
     std::optional<int64_t> calibration_id, actor_id;
     DecoderSettings decoder;
@@ -22,13 +24,19 @@ struct Ingredients {
     std::vector<ExternalRootRow> roots;
     std::optional<std::vector<FootContacts>> contacts;  ///< as an operator has set them
     int64_t sample_count = 0;
+    TakeSubject subject{"", {1}, false};
+    SuitClock clock;  ///< poses are written on take time
 };
 
-/// Fails when the take cannot be processed as asked (its suit and sound contradict each other, the
-/// calibration is another suit's, the root is to be given and is not there) and adds whole sentences to
-/// `warnings` where a default stands in for something that is missing.
+/// Of the suit in view. Fails when the take cannot be processed as asked (its suit and sound contradict each
+/// other, the calibration is another suit's, the root is to be given and is not there) and adds whole
+/// sentences to `warnings` where a default stands in for something that is missing.
 Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& request,
                                       std::vector<std::string>& warnings);
+
+/// What the take lacks with that calibration; one that holds readings needs no source offsets, for its ranges
+/// are distances already.
+CalibrationLack lackOfTake(const Take& take, const Suit& suit, const Calibration& calibration);
 
 /// kUnusable, with the take's file in front.
 Error unusableTake(const Take& take, const std::string& what, const std::string& remedy);

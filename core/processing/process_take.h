@@ -12,6 +12,7 @@
 #include "core/job/job.h"
 #include "core/live/motion_tracker.h"
 #include "core/recording/take.h"
+#include "core/suit/calibration_lack.h"
 
 namespace noctule {
 
@@ -20,9 +21,10 @@ struct ProcessRequest {
     std::optional<Calibration> calibration;  ///< else the one in force in the take; becomes the one in force
     std::optional<Actor> actor;              ///< likewise
     TrackerSettings tracker;                 ///< sensors, root, estimator
-    Detector detector = Detector::kInflection;
-    std::string run_name;  ///< empty: defaultRunName()
-    std::string software;  ///< goes into the runs' rows
+    std::optional<Detector> detector{};      ///< none: the estimator's own (EstimatorEntry::detector)
+    std::vector<std::string> subjects;       ///< by name; empty: all
+    std::string run_name;                    ///< empty: defaultRunName()
+    std::string software;                    ///< goes into the runs' rows
     std::string created_utc;
 };
 
@@ -36,7 +38,15 @@ struct ProcessSummary {
     int resets = 0;
     int64_t contacts = 0;               ///< of all feet
     bool contacts_edited = false;       ///< an operator's, instead of those in the readings
+    CalibrationLack lack;               ///< of the calibration it was made with
+    Grade calibrated = Grade::kGood;    ///< what that makes of the run; kNotUsable: the poses mean nothing
     std::vector<std::string> warnings;  ///< whole sentences
+    struct Subject {
+        std::string name;
+        int suit = 1;
+        int64_t poses = 0, ranges = 0, ranges_used = 0;
+    };
+    std::vector<Subject> subjects;  ///< in the order of the take
 };
 
 /// What a run is called when no name is given: "AGD", "G paper", "AGD lag", "AGD smoothed", "AGD batch".

@@ -19,7 +19,10 @@ class ResultRuns : public ResultSink {
 public:
     /// Readings do not depend on calibration or estimator: a run of them by the same software serves all, and
     /// those given here are then only counted.
-    static Result<ResultRuns> begin(const Take& take, const ProcessRequest& request, const Ingredients& in);
+    static Result<ResultRuns> begin(Take& take, const ProcessRequest& request,
+                                    const std::vector<Ingredients>& subjects);
+    /// What is written from now on is this subject's.
+    Status beginSubject(const Ingredients& in);
 
     Status write(const std::vector<InertialReading>& readings) override;
     Status write(const std::vector<RangeMeasurement>& ranges) override;
@@ -28,20 +31,28 @@ public:
     Status write(const std::vector<FootContacts>& contacts);
 
     /// All of it as one transaction, with the calibration and the actor of the request in force.
-    Status store(Take& take, const ProcessRequest& request, Ingredients& in);
+    Status store(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects);
 
     ProcessSummary summary;
 
 private:
-    explicit ResultRuns(ResultSpool spool) : spool_(std::move(spool)) {}
-    Status nameRuns(TakeEdit& edit, const Take& take, const ProcessRequest& request, const Ingredients& in);
+    /// What one subject yields; poses and contacts on the take's time.
+    struct Part {
+        int suit = 1;
+        SuitClock clock;
+        ResultSpool spool;
+        std::vector<FootContacts> contacts;
+    };
+    explicit ResultRuns(const std::string& take_path) : take_path_(take_path) {}
+    Status nameRuns(TakeEdit& edit, Take& take, const ProcessRequest& request,
+                    const std::vector<Ingredients>& subjects);
 
-    ResultSpool spool_;
-    std::vector<FootContacts> contacts_;
+    std::string take_path_;
+    std::vector<Part> parts_;
     bool writes_readings_ = false;
 };
 
-/// Gives everything that the processing yields to the runs.
+/// Gives everything that the processing of one subject, whose suit is in view, yields to the runs.
 using FillRuns = std::function<Status(const Take& take, const Ingredients& in, ResultRuns& runs)>;
 
 /// Everything or nothing: when filling fails or yields no pose, the take stays as it was. Reads in one

@@ -36,7 +36,7 @@ std::string metaText(const std::map<std::string, std::string>& meta, const char*
 
 /// A document, which is as long as it must be.
 bool isDocument(const std::string& key) {
-    return key == "reference_actor";
+    return key == "reference_actor" || key == "subjects";
 }
 
 /// Names a value that metaNumber() would not take.
@@ -86,7 +86,25 @@ Error Take::unusable(const std::string& what, const std::string& remedy) const {
 }
 
 std::string Take::ofSuit(const std::string& table, int suit) const {
+    suit = seen(suit);
     return " WHERE " + schema_->expression(table, "suit") + "=" + std::to_string(suit);
+}
+
+void Take::view(int suit) {
+    view_ = suit;
+    header_ = headerFrom(meta_);
+    const auto found = suits_.find(suit);
+    if (found == suits_.end() || !found->second.suit)
+        return;
+    const Suit& viewed = *found->second.suit;
+    header_.drive_hz = viewed.carrier_hz.value_or(header_.drive_hz);
+    header_.pulse_interval_samples = viewed.pulse_interval_samples.value_or(header_.pulse_interval_samples);
+    header_.pulse_cycles = viewed.pulse_cycles.value_or(header_.pulse_cycles);
+    header_.sample_rate_hz = viewed.sample_rate_hz.value_or(header_.sample_rate_hz);
+    if (suit == 1)
+        return;
+    header_.board_count = static_cast<int>(viewed.boards.size());
+    header_.source_count = static_cast<int>(viewed.sources.size());
 }
 
 Result<Take> Take::open(const std::string& path, Access access, const Waiting& waiting) {
@@ -182,6 +200,7 @@ Status Take::loadSuits() {
     if (!entries)
         return entries.error();
     suits_ = {entries->begin(), entries->end()};
+    view(view_);
     return Done{};
 }
 
@@ -204,6 +223,7 @@ std::vector<int> Take::suitIds() const {
 }
 
 Result<Suit> Take::suit(int suit) const {
+    suit = seen(suit);
     const auto found = suits_.find(suit);
     if (found == suits_.end())
         return unusable("suit " + std::to_string(suit) + " is not described",
@@ -212,11 +232,13 @@ Result<Suit> Take::suit(int suit) const {
 }
 
 SuitClock Take::suitClock(int suit) const {
+    suit = seen(suit);
     const auto found = suits_.find(suit);
     return found == suits_.end() ? SuitClock{} : found->second.clock;
 }
 
 Result<int> Take::boardCount(int suit) const {
+    suit = seen(suit);
     const auto described = this->suit(suit);
     if (suits_.size() > 1) {
         if (!described)
@@ -234,6 +256,7 @@ Result<int> Take::boardCount(int suit) const {
 }
 
 Result<int> Take::sourceCount(int suit) const {
+    suit = seen(suit);
     const auto described = this->suit(suit);
     if (described)
         return static_cast<int>(described->sources.size());
@@ -249,8 +272,9 @@ int64_t Take::lastSample() const {
 }
 
 Result<int64_t> Take::sampleCount(int suit) const {
+    suit = seen(suit);
     const double stated = metaNumber(meta_, "sample_count", 0, 1, static_cast<double>(lastSample()));
-    if (stated > 0)
+    if (stated > 0 && (suit == 1 || level() == TakeLevel::kReadings))  // meta speaks of suit 1
         return std::llround(stated);
     if (!schema_->has("adc_block"))
         return int64_t{0};
@@ -265,6 +289,7 @@ Result<int64_t> Take::sampleCount(int suit) const {
 }
 
 Result<double> Take::duration_s(int suit) const {
+    suit = seen(suit);
     const auto samples = sampleCount(suit);
     const auto rate_hz = sampleRate_hz();
     if (!samples || !rate_hz)

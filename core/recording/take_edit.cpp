@@ -12,7 +12,7 @@ namespace {
 // processed. Used only as far as needed.
 constexpr const char* kLargeCache = "PRAGMA cache_size=-524288";
 
-constexpr const char* kTablesWithRuns[] = {"derived", "inertial", "range", "pose", "contact"};
+constexpr const char* kTablesWithRuns[] = {"derived", "inertial", "range", "pose", "orientation", "contact"};
 
 }  // namespace
 
@@ -28,7 +28,10 @@ Result<TakeEdit> TakeEdit::begin(Take& take) {
     // Another program may have written since the take was opened.
     if (const Status current = take.load(); !current)
         return current.error();
-    return TakeEdit(take, std::move(*transaction));
+    take.view(take.viewed());
+    TakeEdit edit(take, std::move(*transaction));
+    edit.view(take.viewed());
+    return edit;
 }
 
 Result<int64_t> TakeEdit::highestRun(const std::string& table) {
@@ -81,6 +84,7 @@ Status TakeEdit::dropRun(int64_t run) {
 }
 
 Status TakeEdit::removeMarker(const MarkerRow& row, int suit) {
+    suit = seen(suit);
     const Error none{ErrorKind::kUsage, database().name() + ": there is no such marker any more",
                      "Look at the take again"};
     if (!schema().has("marker"))
@@ -99,6 +103,7 @@ Status TakeEdit::removeMarker(const MarkerRow& row, int suit) {
 }
 
 Status TakeEdit::setContacts(const std::optional<std::vector<FootContacts>>& contacts, int suit) {
+    suit = seen(suit);
     const std::string where = " WHERE run=" + std::to_string(kPrimaryRun) + " AND " +
                               schema().expression("contact", "suit") + "=" + std::to_string(suit);
     if (Status removed = removeRows("contact", where); !removed)
@@ -109,11 +114,13 @@ Status TakeEdit::setContacts(const std::optional<std::vector<FootContacts>>& con
 }
 
 Status TakeEdit::removeReference(int suit) {
+    suit = seen(suit);
     return removeRows("reference",
                       " WHERE " + schema().expression("reference", "suit") + "=" + std::to_string(suit));
 }
 
 Status TakeEdit::removeExternalRoot(int suit) {
+    suit = seen(suit);
     return removeRows("external_root",
                       " WHERE " + schema().expression("external_root", "suit") + "=" + std::to_string(suit));
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/job/limits.h"
+#include "core/math/json.h"
 #include "core/recording/pose_blob.h"
 #include "core/recording/pulse_rate.h"
 #include "core/recording/take.h"
@@ -39,6 +40,24 @@ struct TimeSpan {
         return time_ns && *time_ns >= first_ns && *time_ns <= last_ns;
     }
 };
+
+/// A run of several subjects names the calibration and the actor of each in its settings.
+void namePartsOf(int suit, DerivedRun& run) {
+    const json::Json settings = json::parse(run.settings_json);
+    const auto subjects = settings.is_object() ? settings.find("subjects") : settings.end();
+    if (subjects == settings.end() || !subjects->is_array())
+        return;
+    for (const json::Json& subject : *subjects) {
+        if (json::number(subject, "suit") != suit)
+            continue;
+        const auto id = [&](const char* member) {
+            const auto number = json::number(subject, member);
+            return number ? std::optional(static_cast<int64_t>(*number)) : std::nullopt;
+        };
+        run.calibration_id = id("calibration_id");
+        run.actor_id = id("actor_id");
+    }
+}
 
 /// Columns time_ns, px, py, pz, q, sigma.
 RowVerdict readTimedPose(const Statement& row, size_t joint_count, const TimeSpan& span, TimedPose& timed) {
@@ -83,15 +102,18 @@ RowVerdict readExternalRoot(const Statement& row, ExternalRootRow& root) {
 }  // namespace
 
 Result<std::vector<Pulse>> Take::pulses(int suit) const {
+    suit = seen(suit);
     return pulsesWhere("", suit);
 }
 
 Result<std::vector<Pulse>> Take::pulses(int suit, const SampleInterval& within) const {
+    suit = seen(suit);
     return pulsesWhere(
         " AND sample BETWEEN " + std::to_string(within.first) + " AND " + std::to_string(within.last), suit);
 }
 
 Result<std::vector<Pulse>> Take::pulsesWhere(const std::string& filter, int suit) const {
+    suit = seen(suit);
     const auto known = sourceCount(suit);
     const int source_count = known ? *known : static_cast<int>(Suit::kMaxPerSuit);
     return collectRows<Pulse>(
@@ -113,6 +135,7 @@ Result<std::vector<Pulse>> Take::pulsesWhere(const std::string& filter, int suit
 }
 
 Result<std::vector<StatusRow>> Take::statusRows(int suit) const {
+    suit = seen(suit);
     return collectRows<StatusRow>(
         *database_, *log_, rowsOfSuit("status", suit),
         schema_->select(
@@ -134,6 +157,7 @@ Result<std::vector<StatusRow>> Take::statusRows(int suit) const {
 }
 
 Result<std::vector<GapRow>> Take::gaps(int suit) const {
+    suit = seen(suit);
     const auto known = boardCount(suit);
     const int board_count = known ? *known : static_cast<int>(Suit::kMaxPerSuit);
     return collectRows<GapRow>(
@@ -150,6 +174,7 @@ Result<std::vector<GapRow>> Take::gaps(int suit) const {
 }
 
 Result<std::vector<MarkerRow>> Take::markers(int suit) const {
+    suit = seen(suit);
     return collectRows<MarkerRow>(
         *database_, *log_, rowsOfSuit("marker", suit),
         schema_->select("marker", {"id", "sample", "kind", "label"}) + ofSuit("marker", suit) +
@@ -173,6 +198,7 @@ Result<std::vector<NoteRow>> Take::notes() const {
 }
 
 Result<std::optional<SampleInterval>> Take::restInterval(int suit) const {
+    suit = seen(suit);
     const auto all = markers(suit);
     if (!all)
         return all.error();
@@ -190,12 +216,16 @@ Result<std::optional<SampleInterval>> Take::restInterval(int suit) const {
 
 PoseSource Take::timedPoses(Skeleton skeleton, const std::string& table, const std::string& filter,
                             int suit) const {
+    suit = seen(suit);
     const auto joint_count = static_cast<size_t>(skeleton.size());
     TimeSpan span;
     if (const auto end_s = duration_s(suit); table == "pose") {
-        span.first_ns = 0;
-        if (end_s && *end_s > 0)
-            span.last_ns = std::llround(*end_s * 1e9) + limits::kBeyondTake_ns;
+        const SuitClock clock = suitClock(suit);
+        span.first_ns = std::llround(std::clamp(clock.offset_ns, static_cast<double>(span.first_ns), 0.0)) -
+                        limits::kBeyondTake_ns;
+        const double end_ns = end_s ? clock.takeTime_s(*end_s) * 1e9 : 0;
+        if (end_ns > 0 && end_ns < static_cast<double>(span.last_ns))
+            span.last_ns = std::llround(end_ns) + limits::kBeyondTake_ns;
     }
     const std::string sql = schema_->select(table, {"time_ns", "px", "py", "pz", "q", "sigma"}) +
                             ofSuit(table, suit) + filter + " ORDER BY 1";
@@ -212,6 +242,7 @@ PoseSource Take::timedPoses(Skeleton skeleton, const std::string& table, const s
 }
 
 Result<TimedMotion> Take::reference(int suit) const {
+    suit = seen(suit);
     if (!schema_->has("reference"))
         return TimedMotion{};
     const auto actor = referenceActor(suit);
@@ -221,6 +252,7 @@ Result<TimedMotion> Take::reference(int suit) const {
 }
 
 Result<std::vector<ExternalRootRow>> Take::externalRoot(int suit) const {
+    suit = seen(suit);
     return collectRows<ExternalRootRow>(
         *database_, *log_, rowsOfSuit("external_root", suit),
         schema_->select("external_root",
@@ -230,6 +262,7 @@ Result<std::vector<ExternalRootRow>> Take::externalRoot(int suit) const {
 }
 
 Result<bool> Take::hasRows(const std::string& table, int suit) const {
+    suit = seen(suit);
     if (!schema_->has(table))
         return false;
     const auto row = database_->queryInteger("SELECT 1 FROM " + table + ofSuit(table, suit) + " LIMIT 1");
@@ -239,7 +272,7 @@ Result<bool> Take::hasRows(const std::string& table, int suit) const {
 }
 
 Result<std::vector<DerivedRun>> Take::derivedRuns() const {
-    return collectRows<DerivedRun>(
+    auto runs = collectRows<DerivedRun>(
         *database_, *log_, "derived",
         schema_->select("derived", {"run", "kind", "name", "created_utc", "software", "settings",
                                     "calibration_id", "actor_id"}) +
@@ -250,9 +283,14 @@ Result<std::vector<DerivedRun>> Take::derivedRuns() const {
                    row.shortened(5, limits::kNote), row.integer(6), row.integer(7)};
             return run.run < 1 || run.run > kHighestRun ? "run is not 1, 2, ..." : "";
         });
+    if (runs)
+        for (DerivedRun& run : *runs)
+            namePartsOf(view_, run);
+    return runs;
 }
 
 Result<RunOfTake> Take::runOfTake(int64_t run, int suit) const {
+    suit = seen(suit);
     const auto board_count = boardCount(suit);
     if (!board_count)
         return board_count.error();
@@ -267,6 +305,7 @@ Result<RunOfTake> Take::runOfTake(int64_t run, int suit) const {
 }
 
 Result<ReadingCursor> Take::readings(int64_t run, int suit) const {
+    suit = seen(suit);
     const auto where = runOfTake(run, suit);
     if (!where)
         return where.error();
@@ -274,6 +313,7 @@ Result<ReadingCursor> Take::readings(int64_t run, int suit) const {
 }
 
 Result<RangeCursor> Take::ranges(int64_t run, int suit) const {
+    suit = seen(suit);
     const auto where = runOfTake(run, suit);
     if (!where)
         return where.error();
@@ -281,6 +321,7 @@ Result<RangeCursor> Take::ranges(int64_t run, int suit) const {
 }
 
 Result<RangeCursor> Take::rangesOfPulses(int64_t run, int64_t first, int64_t last, int suit) const {
+    suit = seen(suit);
     auto where = runOfTake(run, suit);
     if (!where)
         return where.error();
@@ -289,6 +330,7 @@ Result<RangeCursor> Take::rangesOfPulses(int64_t run, int64_t first, int64_t las
 }
 
 Result<std::vector<FootContacts>> Take::contacts(int64_t run, int suit) const {
+    suit = seen(suit);
     std::vector<FootContacts> feet;
     const auto rows = collectRows<FootContact>(
         *database_, *log_, rowsOfSuit("contact", suit),
@@ -312,6 +354,7 @@ Result<std::vector<FootContacts>> Take::contacts(int64_t run, int suit) const {
 }
 
 Result<std::optional<std::vector<FootContacts>>> Take::editedContacts(int suit) const {
+    suit = seen(suit);
     std::optional<std::vector<FootContacts>> edited;
     const auto whose = meta_.find(contactsKey(suit));
     if (whose == meta_.end() || whose->second != kContactsEdited)
@@ -324,6 +367,7 @@ Result<std::optional<std::vector<FootContacts>>> Take::editedContacts(int suit) 
 }
 
 Result<TimedMotion> Take::poses(int64_t run, int suit) const {
+    suit = seen(suit);
     const auto source = poseSource(run, suit);
     if (!source)
         return source.error();
@@ -331,6 +375,7 @@ Result<TimedMotion> Take::poses(int64_t run, int suit) const {
 }
 
 Result<PoseSource> Take::poseSource(int64_t run, int suit) const {
+    suit = seen(suit);
     const auto runs = derivedRuns();
     if (!runs)
         return runs.error();

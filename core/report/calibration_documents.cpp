@@ -355,20 +355,28 @@ CalibrationDocument documentOf(const StillCheckReport& report) {
             boards.rows.push_back({board.id, inDegrees(board.tilt_change_rad),
                                    inDegrees(board.gyro_change_rad_per_s.norm(), 3),
                                    board.ranges > 0 ? millimetres(board.range_residual_m) : "–"});
-    const bool moved = gradeOf(report.findings) == Grade::kNotUsable;
-    CalibrationDocument found =
-        document("Still check", moved ? "The calibration no longer holds" : "Nothing has moved",
-                 report.findings, {boards});
+    const Grade grade = gradeOf(report.findings);
+    const std::string summary = !report.unchecked.empty()    ? "Cannot be checked: " + report.unchecked
+                                : grade == Grade::kNotUsable ? "The calibration no longer holds"
+                                                             : "Nothing has moved";
+    CalibrationDocument found = document("Still check", summary, report.findings, {boards});
+    if (!report.unchecked.empty()) {
+        found.tables.clear();
+        return found;
+    }
     CalibrationErrors errors{"Tilt of each board against the calibration", "°", kStillGood_deg, {}};
     double worst_deg = 0, worst_mm = 0;
+    int ranges = 0;
     for (const BoardStillCheck& board : report.boards)
         if (board.heard) {
             errors.rows.push_back({board.id, {}, {degrees(board.tilt_change_rad)}});
             worst_deg = std::max(worst_deg, degrees(board.tilt_change_rad));
             worst_mm = std::max(worst_mm, board.range_residual_m * kMillimetres);
+            ranges += board.ranges;
         }
     found.numbers = {number(worst_deg, kStillGood_deg, 1, "°", "the board that has tilted most"),
-                     number(worst_mm, kStillGood_mm, 0, " mm", "the largest change of distances"),
+                     ranges > 0 ? number(worst_mm, kStillGood_mm, 0, " mm", "the largest change of distances")
+                                : CalibrationNumber{"–", "no distances to compare", "", Grade::kGood},
                      numberOfParts(counted(report.boards, &BoardStillCheck::heard), "boards heard")};
     found.errors = std::move(errors);
     return found;

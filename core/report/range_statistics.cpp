@@ -76,4 +76,17 @@ RangeStatistics rangeStatistics(const std::vector<ReportPair>& pairs) {
     return all;
 }
 
+std::optional<double> residualMedian_m(const std::vector<ReportPair>& pairs) {
+    std::vector<float> sizes_m;
+    for (const ReportPair& pair : pairs)
+        for (const PulseAtBoard& pulse : pair.pulses)
+            if (pulse.fate == PulseFate::kUsed && std::isfinite(pulse.residual_m))
+                sizes_m.push_back(std::abs(pulse.residual_m));
+    if (sizes_m.empty())
+        return std::nullopt;
+    const auto middle = sizes_m.begin() + static_cast<std::ptrdiff_t>((sizes_m.size() - 1) / 2);
+    std::ranges::nth_element(sizes_m, middle);
+    return *middle;
+}
+
 }  // namespace noctule

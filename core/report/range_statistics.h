@@ -25,6 +25,9 @@ struct RangeStatistics {
     void merge(const RangeStatistics& other);
 };
 
+/// Of the sizes of the residuals of used ranges: what is usual, whatever a few echoes do to the mean.
+std::optional<double> residualMedian_m(const std::vector<ReportPair>& pairs);
+
 RangeStatistics rangeStatistics(const ReportPair& pair);
 RangeStatistics rangeStatistics(const std::vector<ReportPair>& pairs);
 

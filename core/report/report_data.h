@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/motion/comparison.h"
+#include "core/suit/calibration_lack.h"
 
 namespace noctule {
 
@@ -96,6 +97,7 @@ struct ReportData {
     std::vector<std::pair<int, int>>
         chosen_pairs;  ///< source, board for the curves; empty: chosen by segment
     std::vector<JointSupport> support;
+    CalibrationLack lack;  ///< of what the shown run was made with
     std::vector<std::pair<std::string, NamedValues>>
         provenance;                     ///< headed lists: calibration, versions, ...
     std::vector<std::string> warnings;  ///< whole sentences found while reading or processing

@@ -104,9 +104,18 @@ Verdict judge(const ReportData& data) {
         judgeJoints(*comparison, verdict);
         judgeConsistency(*comparison, verdict);
     }
+    const Grade calibrated = run ? gradeOf(data.lack, run->sensors) : Grade::kGood;
+    if (calibrated != Grade::kGood)
+        verdict.reasons.push_back(lackSentence(data.lack));
     judgeRanges(data, verdict);
     judgeBoards(data, verdict);
     verdict.reasons.insert(verdict.reasons.end(), data.warnings.begin(), data.warnings.end());
+    if (!comparison && calibrated == Grade::kNotUsable) {
+        verdict.grade = calibrated;
+        verdict.headline = gradeName(calibrated) + ": " + lackClause(data.lack);
+        verdict.reasons.erase(verdict.reasons.begin());
+        return verdict;
+    }
     if (!comparison) {
         verdict.grade = Grade::kUnknown;
         verdict.headline = run ? "Not judged. Without a reference the error of this take is not known."

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is known of a take at once: nothing here reads a table whose length grows with the take, except the
 // few rows of markers, gaps and notes.
+#include <algorithm>
 #include <filesystem>
 
+#include "core/processing/ingredients.h"
 #include "core/review/review_file.h"
 #include "core/review/take_review.h"
 
@@ -61,6 +63,7 @@ private:
         if (const auto rows = problems_.keep(take_.calibrations()); rows && !rows->empty())
             if (auto stored = problems_.keep(take_.calibrationInForce()))
                 view_.calibration = std::move(stored->value);
+        view_.lack = lackOfTake(take_, view_.suit, view_.calibration);
         if (const auto rows = problems_.keep(take_.actors()); rows && !rows->empty())
             if (auto stored = problems_.keep(take_.actorInForce()))
                 view_.actor = std::move(stored->value);
@@ -74,10 +77,35 @@ private:
         if (const auto rest = problems_.keep(take_.restInterval()); rest && *rest)
             view_.rest_s = std::pair(seconds((*rest)->first), seconds((*rest)->last));
         for (const GapRow& gap : problems_.keep(take_.gaps()).value_or(std::vector<GapRow>{}))
-            if (!gap.board)
+            if (gap.board)
+                board_gaps_.push_back(gap);
+            else
                 view_.gaps_s.emplace_back(seconds(gap.first_sample),
                                           seconds(gap.first_sample + gap.sample_count));
+        readSilences();
         view_.notes = problems_.keep(take_.notes()).value_or(std::vector<NoteRow>{});
+    }
+
+    /// A silence is written in pieces of about a second; a short pause between two of them is part of it.
+    void readSilences() {
+        constexpr double kPause_s = 0.25;
+        std::ranges::stable_sort(board_gaps_, {}, &GapRow::first_sample);
+        for (const GapRow& gap : board_gaps_) {
+            const double from_s = seconds(gap.first_sample), to_s = from_s + seconds(gap.sample_count);
+            const auto open = std::ranges::find_if(view_.silences, [&](const BoardSilence& silence) {
+                return silence.board == *gap.board && *silence.back_s + kPause_s >= from_s;
+            });
+            if (open == view_.silences.end())
+                view_.silences.push_back({*gap.board, from_s, to_s});
+            else
+                open->back_s = std::max(*open->back_s, to_s);
+        }
+        std::erase_if(view_.silences, [](const BoardSilence& silence) {
+            return *silence.back_s - silence.from_s < kPause_s;
+        });
+        for (BoardSilence& silence : view_.silences)
+            if (*silence.back_s + kPause_s >= view_.duration_s)
+                silence.back_s.reset();
     }
 
     void readRuns() {
@@ -96,6 +124,7 @@ private:
 
     const Take& take_;
     TakeOverview view_;
+    std::vector<GapRow> board_gaps_;
     Problems problems_;
 };
 

@@ -19,6 +19,7 @@
 #include "core/recording/rows.h"
 #include "core/review/series.h"
 #include "core/suit/calibration.h"
+#include "core/suit/calibration_lack.h"
 #include "core/suit/suit.h"
 
 namespace noctule {
@@ -34,6 +35,13 @@ struct ReviewMarker {
     std::string kind, label;
 };
 
+/// A board delivered nothing for a while, though others did.
+struct BoardSilence {
+    int board = 0;
+    double from_s = 0;
+    std::optional<double> back_s;  ///< absent: not before the take ended
+};
+
 struct TakeOverview {
     std::string path;
     TakeHeader header;
@@ -45,11 +53,13 @@ struct TakeOverview {
     int64_t bytes = 0;
     Suit suit;
     Calibration calibration;  ///< in force; nominal when the take holds none
+    CalibrationLack lack;     ///< of it
     std::optional<Actor> actor;
     std::vector<ReviewRun> runs;        ///< pose runs in the order they were made
     std::vector<ReviewMarker> markers;  ///< user and sync; rest is in rest_s
     std::optional<std::pair<double, double>> rest_s;
     std::vector<std::pair<double, double>> gaps_s;  ///< of all boards
+    std::vector<BoardSilence> silences;             ///< of single boards, in order of time
     std::vector<NoteRow> notes;
     bool has_reference = false;
     bool has_external_root = false;

@@ -34,6 +34,7 @@ public:
         }
         judgeError();
         listJoints();
+        judgeCalibration();
         judgeSupport();
         judgeResidual();
         judgeBoards();
@@ -100,6 +101,17 @@ private:
         }
     }
 
+    /// With a reference the error is known, and a missing calibration only explains it.
+    void judgeCalibration() {
+        verdict_.lack = report_.lack;
+        const Grade grade = gradeOf(report_.lack, run_->sensors);
+        is_uncalibrated_ = grade == Grade::kNotUsable;
+        if (grade == Grade::kGood || (comparison_ && charges_.empty()))
+            return;
+        charge(VerdictReason::kNotCalibrated,
+               is_uncalibrated_ && !comparison_ ? TakeGrade::kNotUsable : TakeGrade::kUsable);
+    }
+
     void judgeSupport() {
         if (verdict_.joints.empty())
             return;
@@ -109,7 +121,7 @@ private:
             most_alone = std::max(most_alone, support.alone());
         }
         verdict_.backed_share = sum / static_cast<double>(report_.support.size());
-        if (comparison_)
+        if (comparison_ || is_uncalibrated_)
             return;
         TakeGrade grade = gradeOf(most_alone, limits_.good_alone, limits_.usable_alone);
         if (run_->sensors.find('D') == std::string::npos)
@@ -170,7 +182,8 @@ private:
 
     void judgeResidual() {
         verdict_.residual_rms_m = rangeStatistics(report_.pairs).residualRms_m();
-        if (verdict_.residual_rms_m && !comparison_)
+        verdict_.residual_median_m = residualMedian_m(report_.pairs);
+        if (verdict_.residual_rms_m && !comparison_ && !is_uncalibrated_)
             charge(VerdictReason::kResidual,
                    gradeOf(*verdict_.residual_rms_m, limits_.good_residual_m, limits_.usable_residual_m));
     }
@@ -227,6 +240,7 @@ private:
     const VerdictLimits& limits_;
     const ReportRun* run_;
     const Comparison* comparison_ = nullptr;
+    bool is_uncalibrated_ = false;  ///< so that low support and large residuals follow from it
     TakeVerdict verdict_;
     std::vector<Charge> charges_;
 };

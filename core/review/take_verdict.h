@@ -42,13 +42,14 @@ struct VerdictLimits {
 
 enum class VerdictReason {
     kNone,
-    kMeanError,   ///< against the reference
-    kJointError,  ///< of the worst joint
-    kSupport,     ///< too little of the worst joint's time was backed by ranges
-    kResidual,    ///< ranges do not fit the poses
-    kBoardLost,   ///< a board lost frames
-    kHole,        ///< a hole without signal
-    kNoPoses,     ///< the run shows nothing
+    kMeanError,      ///< against the reference
+    kJointError,     ///< of the worst joint
+    kSupport,        ///< too little of the worst joint's time was backed by ranges
+    kResidual,       ///< ranges do not fit the poses
+    kBoardLost,      ///< a board lost frames
+    kHole,           ///< a hole without signal
+    kNoPoses,        ///< the run shows nothing
+    kNotCalibrated,  ///< what the run was made with lacks values; stands for all that follows from it
 };
 
 /// Of a joint that moves, in the order of the skeleton.
@@ -74,10 +75,12 @@ struct TakeVerdict {
     std::string worst_joint;
     std::optional<double> worst_from_s;      ///< from when on it was less certain, where that can be told
     std::vector<VerdictBoard> lossy_boards;  ///< that lost more than is good, worst first
+    CalibrationLack lack;                    ///< of what the run was made with
 
     std::optional<double> mean_error_deg;         ///< over joints, against the reference
     double backed_share = 0;                      ///< of joints and time: backed by ranges
-    std::optional<double> residual_rms_m;         ///< of used ranges
+    std::optional<double> residual_rms_m;         ///< of used ranges; a few echoes make it large
+    std::optional<double> residual_median_m;      ///< of their sizes
     double hole_s = 0, longest_hole_s = 0;        ///< without signal, of all boards
     std::optional<double> yaw_drift_deg_per_min;  ///< against the reference
     std::vector<VerdictJoint> joints;

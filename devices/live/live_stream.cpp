@@ -147,9 +147,7 @@ void LiveSession::keepResults(Stream& stream, StreamResult& result) {
         return;
     // Only what the file holds to the last sample, and nothing else, may stand in it as its result.
     if (recording.trouble || recording.queue.dropped_samples > 0 || result.frame->queue.dropped_samples > 0) {
-        result.warnings.push_back(
-            "The live results are not those of the take, which lacks some of the sound "
-            "or has more of it; process it.");
+        result.lacks_poses = true;
         return;
     }
     if (result.frame->poses == 0 && stream.request.rest_s > 0 && recording.samples > 0) {
@@ -160,7 +158,7 @@ void LiveSession::keepResults(Stream& stream, StreamResult& result) {
     ProcessRequest request;
     request.take_path = recording.path;
     request.tracker = stream.request.tracker;
-    request.detector = stream.request.detector;
+    request.detector = detectorOf(stream.request);
     request.software = stream.request.software;
     request.created_utc = stream.request.created_utc;
     auto written = writeRuns(request, [&](const Take&, const Ingredients&, ResultRuns& runs) {

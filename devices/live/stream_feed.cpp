@@ -2,6 +2,7 @@
 #include "devices/live/stream_feed.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "core/job/limits.h"
 #include "core/job/outside_text.h"
@@ -20,6 +21,15 @@ bool isSilent(const link::AdcBlock& block, size_t board) {
         if (block.values[i] != 0)
             return false;
     return block.sampleCount() >= kFewestSilentSamples;
+}
+
+/// "0:07.8", as on the studio's screens; before the take "0:00.0".
+std::string takeTime(int64_t sample, int sample_rate_hz) {
+    const int64_t tenths = std::max<int64_t>(0, 10 * sample / std::max(1, sample_rate_hz));
+    char text[32];
+    std::snprintf(text, sizeof text, "%lld:%02lld.%lld", static_cast<long long>(tenths / 600),
+                  static_cast<long long>(tenths / 10 % 60), static_cast<long long>(tenths % 10));
+    return text;
 }
 
 std::optional<double> widened(const std::optional<float>& value) {
@@ -128,9 +138,9 @@ void StreamFeed::give(const link::BoxError& error) {
         ++errors_left_out_;
         return;
     }
-    handNote("Driver box, at sample " + std::to_string(error.sample - clock_.origin) + ": " +
-             nameOf(error.code) +
-             (error.text.empty() ? "" : ": " + visibleText(shortText(error.text, limits::kBoxText))));
+    handNote(
+        takeTime(error.sample - clock_.origin, clock_.sample_rate_hz) + " Driver box: " +
+        (error.text.empty() ? nameOf(error.code) : visibleText(shortText(error.text, limits::kBoxText))));
 }
 
 void StreamFeed::addMarker(const std::string& kind, const std::string& label, std::optional<int64_t> sample) {

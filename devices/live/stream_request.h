@@ -33,7 +33,8 @@ struct StreamRequest {
     bool process = true;
     bool keep_results = false;  ///< the live results become derived runs of the take
     TrackerSettings tracker;
-    Detector detector = Detector::kInflection;
+    /// None: matched where the calibration knows the shape of every source's pulse, else inflection.
+    std::optional<Detector> detector{};
     double rest_s = 0;  ///< the performer begins in the rest pose and holds it so long
     std::string software, created_utc;
 };
@@ -44,6 +45,7 @@ struct StreamResult {
     std::optional<ProcessSummary> results;   ///< in the take
     std::vector<std::string> warnings;       ///< whole sentences
     std::optional<Error> trouble;            ///< of the device; the recorder's own stands in recording
+    bool lacks_poses = false;                ///< the live view skipped part of the sound: process the take
 };
 
 }  // namespace noctule

@@ -221,10 +221,6 @@
         <translation>weniger Gewicht</translation>
     </message>
     <message>
-        <source>gated out</source>
-        <translation>ausgeschlossen</translation>
-    </message>
-    <message>
         <source>behind</source>
         <translation>von hinten</translation>
     </message>
@@ -235,6 +231,10 @@
     <message>
         <source>not tried</source>
         <translation>nicht versucht</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
     </message>
 </context>
 <context>
@@ -310,18 +310,6 @@
     <message>
         <source>accelerometer %2 (m/s2) of %1</source>
         <translation>Beschleunigungssensor %2 (m/s2) von %1</translation>
-    </message>
-    <message>
-        <source>result A</source>
-        <translation>Ergebnis A</translation>
-    </message>
-    <message>
-        <source>result B</source>
-        <translation>Ergebnis B</translation>
-    </message>
-    <message>
-        <source>B %1</source>
-        <translation>B %1</translation>
     </message>
     <message>
         <source>reference</source>
@@ -418,6 +406,10 @@
     <message>
         <source>Measured minus expected (mm), %1</source>
         <translation>Gemessen minus erwartet (mm), %1</translation>
+    </message>
+    <message>
+        <source>result %1</source>
+        <translation>Ergebnis %1</translation>
     </message>
 </context>
 <context>
@@ -1396,10 +1388,6 @@
         <translation>Die Platte mit allen Platinen in ihre Fächer gedrückt, bis zu 32 zugleich</translation>
     </message>
     <message>
-        <source>A table that a spirit level calls level, and a square block to lean the plate on</source>
-        <translation>Ein Tisch, der nach der Wasserwaage waagrecht ist, und ein rechtwinkliger Block zum Anlehnen der Platte</translation>
-    </message>
-    <message>
         <source>Box and wires lie beside the plate with a metre of slack, so that nothing pulls at it when it is turned.</source>
         <translation>Box und Kabel liegen neben der Platte mit einem Meter Spiel, damit beim Drehen nichts an ihr zieht.</translation>
     </message>
@@ -1470,10 +1458,6 @@
     <message>
         <source>Check</source>
         <translation>Kontrolle</translation>
-    </message>
-    <message>
-        <source>Whether the calibration still holds, or which strap has slipped.</source>
-        <translation>Ob die Kalibrierung noch stimmt oder welcher Gurt verrutscht ist.</translation>
     </message>
     <message>
         <source>Stand still for 3 seconds; before each take that matters</source>
@@ -1594,6 +1578,38 @@
     <message>
         <source>How each board sits on the moving body; lengths of bones and places of sources too.</source>
         <translation>Wie jede Platine am bewegten Körper sitzt; dazu Längen der Knochen und Orte der Quellen.</translation>
+    </message>
+    <message>
+        <source>Put boards and sources on the jig</source>
+        <translation>Platinen und Quellen auf das Messgestell setzen</translation>
+    </message>
+    <message>
+        <source>A level table (use a spirit level), and a square block to lean the plate on</source>
+        <translation>Ein waagrechter Tisch (mit der Wasserwaage prüfen) und ein rechtwinkliger Block zum Anlehnen der Platte</translation>
+    </message>
+    <message>
+        <source>Press all boards into the plate</source>
+        <translation>Alle Platinen in die Platte drücken</translation>
+    </message>
+    <message>
+        <source>Put the plate and the box on the turntable</source>
+        <translation>Platte und Box auf den Drehteller legen</translation>
+    </message>
+    <message>
+        <source>Stand in the rest pose</source>
+        <translation>In der Ruhehaltung stehen</translation>
+    </message>
+    <message>
+        <source>Stand ready in the rest pose</source>
+        <translation>In der Ruhehaltung bereitstehen</translation>
+    </message>
+    <message>
+        <source>Says whether the calibration still holds, or which strap has slipped.</source>
+        <translation>Sagt, ob die Kalibrierung noch gilt oder welcher Gurt verrutscht ist.</translation>
+    </message>
+    <message>
+        <source>Stand still for three seconds</source>
+        <translation>Drei Sekunden stillstehen</translation>
     </message>
 </context>
 <context>
@@ -1845,6 +1861,14 @@
             <numerusform>%1 von %2 Rahmen je Sekunde, %n Bitfehler</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Board %1 blinks</source>
+        <translation>Platine %1 blinkt</translation>
+    </message>
+    <message>
+        <source>The board is unplugged.</source>
+        <translation>Die Platine ist ausgesteckt.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::BoardTable</name>
@@ -1892,8 +1916,8 @@
         <translation>Haut biegt sich</translation>
     </message>
     <message>
-        <source>Meshes (*.glb *.gltf *.fbx *.dae *.obj *.ply)</source>
-        <translation>Netze (*.glb *.gltf *.fbx *.dae *.obj *.ply)</translation>
+        <source>Meshes (*.glb *.gltf *.vrm *.fbx *.dae *.obj *.ply)</source>
+        <translation>Netze (*.glb *.gltf *.vrm *.fbx *.dae *.obj *.ply)</translation>
     </message>
     <message>
         <source>none</source>
@@ -2018,10 +2042,6 @@
         <translation>Nicht kalibriert</translation>
     </message>
     <message>
-        <source>Nothing moves live and nothing can be processed before the suit is calibrated. Begin with the source offsets.</source>
-        <translation>Ohne Kalibrierung des Anzugs bewegt sich nichts live, und nichts lässt sich verarbeiten. Mit dem Quellenversatz beginnen.</translation>
-    </message>
-    <message>
         <source>Next: %1</source>
         <translation>Als Nächstes: %1</translation>
     </message>
@@ -2077,6 +2097,74 @@
         <source>Back to Calibrate</source>
         <translation>Zurück zu Kalibrieren</translation>
     </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Use a calibration file of this suit</source>
+        <translation>Eine Kalibrierdatei dieses Anzugs verwenden</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Import a calibration</source>
+        <translation>Kalibrierung importieren</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.json)</source>
+        <translation>Kalibrierungen (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 was not imported</source>
+        <translation>%1 wurde nicht importiert</translation>
+    </message>
+    <message>
+        <source>%1 is in use; undo with Ctrl+Z.</source>
+        <translation>%1 ist in Gebrauch; rückgängig mit Strg+Z.</translation>
+    </message>
+    <message>
+        <source>Export the calibration in use</source>
+        <translation>Verwendete Kalibrierung exportieren</translation>
+    </message>
+    <message>
+        <source>The calibration was not exported</source>
+        <translation>Die Kalibrierung wurde nicht exportiert</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>Newer values of this suit are there</source>
+        <translation>Es gibt neuere Werte dieses Anzugs</translation>
+    </message>
+    <message>
+        <source>Another session calibrated its sensors or sources, %1. The rest pose of this session stays.</source>
+        <translation>Eine andere Sitzung hat seine Sensoren oder Quellen kalibriert, %1. Die Ruhehaltung dieser Sitzung bleibt.</translation>
+    </message>
+    <message>
+        <source>Use them</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>The newer values are not in use</source>
+        <translation>Die neueren Werte sind nicht in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Nothing moves live and nothing can be processed before the suit is calibrated. Begin with the source offsets, or import its calibration at the left.</source>
+        <translation>Live bewegt sich nichts und nichts kann verarbeitet werden, bevor der Anzug kalibriert ist. Mit dem Quellenversatz beginnen oder links seine Kalibrierung importieren.</translation>
+    </message>
+    <message>
+        <source>There is no calibration to export.</source>
+        <translation>Es gibt keine Kalibrierung zu exportieren.</translation>
+    </message>
+    <message>
+        <source>None yet. The suit&apos;s own values from an earlier session are in use; the rest pose belongs to each wearing.</source>
+        <translation>Noch keine. Die Werte des Anzugs aus einer früheren Sitzung sind in Gebrauch; die Ruhehaltung gehört zu jedem Anziehen.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::CalibrationShelf</name>
@@ -2095,6 +2183,39 @@
     <message>
         <source>The calibration %1 was made with other parts than those connected now: %2. Calibrate those before takes with them can be relied on.</source>
         <translation>Die Kalibrierung %1 entstand mit anderen Teilen als den jetzt verbundenen: %2. Erst wenn diese kalibriert sind, ist auf Aufnahmen mit ihnen Verlass.</translation>
+    </message>
+    <message>
+        <source>%1: the calibration of its sensors and sources from an earlier session is in use (made %2).</source>
+        <comment>serial number, date</comment>
+        <translation>%1: die Kalibrierung seiner Sensoren und Quellen aus einer früheren Sitzung ist in Gebrauch (vom %2).</translation>
+    </message>
+    <message>
+        <source>Parts of %1 were exchanged since it was calibrated: %2. Calibrate those before takes with them can be relied on.</source>
+        <translation>Teile von %1 wurden seit der Kalibrierung getauscht: %2. Diese kalibrieren, bevor auf Aufnahmen mit ihnen Verlass ist.</translation>
+    </message>
+    <message>
+        <source>The calibration could not be kept for other sessions. %1.</source>
+        <translation>Die Kalibrierung konnte nicht für andere Sitzungen aufbewahrt werden. %1.</translation>
+    </message>
+    <message>
+        <source>Newer values of the suit</source>
+        <translation>Neuere Werte des Anzugs</translation>
+    </message>
+    <message>
+        <source>%1 knows none of the boards of %2. Choose the calibration of this suit.</source>
+        <translation>%1 kennt keine der Platinen von %2. Die Kalibrierung dieses Anzugs wählen.</translation>
+    </message>
+    <message>
+        <source>There is no session to keep the calibration in, and none could be made. Make one first.</source>
+        <translation>Es gibt keine Sitzung für die Kalibrierung, und keine konnte angelegt werden. Zuerst eine anlegen.</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>There is no calibration to export. Calibrate the suit first.</source>
+        <translation>Es gibt keine Kalibrierung zu exportieren. Zuerst den Anzug kalibrieren.</translation>
     </message>
 </context>
 <context>
@@ -2175,6 +2296,10 @@
     <message>
         <source>Board %1 works; there is nothing to go on without.</source>
         <translation>Platine %1 arbeitet; es gibt nichts, worauf zu verzichten wäre.</translation>
+    </message>
+    <message>
+        <source>Board %1 is unplugged and cannot blink.</source>
+        <translation>Platine %1 ist ausgesteckt und kann nicht blinken.</translation>
     </message>
 </context>
 <context>
@@ -2489,10 +2614,6 @@
         <translation>Format</translation>
     </message>
     <message>
-        <source>Noctule&apos;s own</source>
-        <translation>Von Noctule</translation>
-    </message>
-    <message>
         <source>HumanIK</source>
         <translation>HumanIK</translation>
     </message>
@@ -2572,6 +2693,22 @@
         <source>Chosen seconds</source>
         <translation>Gewählte Sekunden</translation>
     </message>
+    <message>
+        <source>Common (Hips, Spine, LeftArm)</source>
+        <translation>Übliche (Hips, Spine, LeftArm)</translation>
+    </message>
+    <message>
+        <source>All of each take</source>
+        <translation>Alle jedes Takes</translation>
+    </message>
+    <message>
+        <source>Also as</source>
+        <translation>Auch als</translation>
+    </message>
+    <message>
+        <source>Each take is written in this format too.</source>
+        <translation>Jeder Take wird auch in diesem Format geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportPage</name>
@@ -2633,13 +2770,6 @@
         <source>Took %1. %2</source>
         <translation>Dauerte %1. %2</translation>
     </message>
-    <message numerus="yes">
-        <source>Exporting %n takes</source>
-        <translation>
-            <numerusform>%n Aufnahme wird exportiert</numerusform>
-            <numerusform>%n Aufnahmen werden exportiert</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Writing one frame of %1</source>
         <translation>Ein Bild von %1 wird geschrieben</translation>
@@ -2686,6 +2816,13 @@
     <message>
         <source>Nothing is overwritten: a second export gets _2. %1</source>
         <translation>Nichts wird überschrieben: ein zweiter Export bekommt _2. %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Writing %n files</source>
+        <translation>
+            <numerusform>%n Datei wird geschrieben</numerusform>
+            <numerusform>%n Dateien werden geschrieben</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2778,6 +2915,10 @@
         <source>Written files are listed here, each with its check.</source>
         <translation>Geschriebene Dateien stehen hier, jede mit ihrer Prüfung.</translation>
     </message>
+    <message>
+        <source>Written before</source>
+        <translation>Früher geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportRun</name>
@@ -2828,10 +2969,6 @@
         </translation>
     </message>
     <message>
-        <source>Take %1, result %2</source>
-        <translation>Aufnahme %1, Ergebnis %2</translation>
-    </message>
-    <message>
         <source>%1 of %2 frames at %3 per second, %4</source>
         <translation>%1 von %2 Bildern, %3 je Sekunde, %4</translation>
     </message>
@@ -2858,6 +2995,10 @@
     <message>
         <source>%1 × %2 pixels</source>
         <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>Take %1, result: %2</source>
+        <translation>Take %1, Ergebnis: %2</translation>
     </message>
 </context>
 <context>
@@ -3021,6 +3162,125 @@
         <source>Looking at results</source>
         <translation>Ergebnisse werden angesehen</translation>
     </message>
+    <message numerus="yes">
+        <source>%n results</source>
+        <translation>
+            <numerusform>%n Ergebnis</numerusform>
+            <numerusform>%n Ergebnisse</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::FitWords</name>
+    <message>
+        <source>the source offsets</source>
+        <translation>der Quellenversätze</translation>
+    </message>
+    <message numerus="yes">
+        <source>the offsets of %n source(s)</source>
+        <translation>
+            <numerusform>der Versätze von %n Quelle</numerusform>
+            <numerusform>der Versätze von %n Quellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the accelerometers</source>
+        <translation>der Beschleunigungssensoren</translation>
+    </message>
+    <message numerus="yes">
+        <source>the accelerometers of %n board(s)</source>
+        <translation>
+            <numerusform>der Beschleunigungssensoren von %n Platine</numerusform>
+            <numerusform>der Beschleunigungssensoren von %n Platinen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the gyroscopes</source>
+        <translation>der Gyroskope</translation>
+    </message>
+    <message numerus="yes">
+        <source>the gyroscopes of %n board(s)</source>
+        <translation>
+            <numerusform>der Gyroskope von %n Platine</numerusform>
+            <numerusform>der Gyroskope von %n Platinen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the rest pose</source>
+        <translation>der Ruhehaltung</translation>
+    </message>
+    <message numerus="yes">
+        <source>the rest pose of %n board(s)</source>
+        <translation>
+            <numerusform>der Ruhehaltung von %n Platine</numerusform>
+            <numerusform>der Ruhehaltung von %n Platinen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <comment>a list and its last part</comment>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>This take has no calibration. Process it with one.</source>
+        <translation>Diese Aufnahme hat keine Kalibrierung. Mit einer verarbeiten.</translation>
+    </message>
+    <message>
+        <source>This take was made without calibration of %1. Process it with one that has them.</source>
+        <translation>Diese Aufnahme entstand ohne Kalibrierung %1. Mit einer verarbeiten, die sie hat.</translation>
+    </message>
+    <message>
+        <source>Cannot be checked: the rest pose is not calibrated.</source>
+        <translation>Keine Kontrolle möglich: die Ruhehaltung ist nicht kalibriert.</translation>
+    </message>
+    <message>
+        <source>Cannot be checked: gyroscopes are not calibrated.</source>
+        <translation>Keine Kontrolle möglich: Gyroskope sind nicht kalibriert.</translation>
+    </message>
+    <message>
+        <source>Not calibrated: the body cannot move yet.</source>
+        <translation>Nicht kalibriert: der Körper kann sich noch nicht bewegen.</translation>
+    </message>
+    <message>
+        <source>Without calibration of %1: the body cannot move yet.</source>
+        <translation>Ohne Kalibrierung %1: der Körper kann sich noch nicht bewegen.</translation>
+    </message>
+    <message>
+        <source>Without calibration of %1.</source>
+        <translation>Ohne Kalibrierung %1.</translation>
+    </message>
+    <message>
+        <source>The check found that something has moved.</source>
+        <translation>Die Kontrolle fand, dass etwas verrutscht ist.</translation>
+    </message>
+    <message>
+        <source>Not checked since it was put on.</source>
+        <translation>Seit dem Anziehen nicht kontrolliert.</translation>
+    </message>
+    <message>
+        <source>Recording, without calibration</source>
+        <translation>Nimmt auf, ohne Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Recording, without calibration of %1</source>
+        <translation>Nimmt auf, ohne Kalibrierung %1</translation>
+    </message>
+    <message>
+        <source>Recording, though something has moved</source>
+        <translation>Nimmt auf, obwohl etwas verrutscht ist</translation>
+    </message>
+    <message>
+        <source>Recording, not checked</source>
+        <translation>Nimmt auf, nicht kontrolliert</translation>
+    </message>
+    <message>
+        <source>Recording well</source>
+        <translation>Nimmt gut auf</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::FullReport</name>
@@ -3077,16 +3337,28 @@
         <translation>Ein Paar wählen, um Kurve und Strahl zu sehen</translation>
     </message>
     <message>
-        <source>%1 ranges kept, %2 gated out</source>
-        <translation>%1 Entfernungen behalten, %2 ausgeschlossen</translation>
-    </message>
-    <message>
         <source>%1, residual %2</source>
         <translation>%1, Restfehler %2</translation>
     </message>
     <message>
         <source>%1 ranges heard, none used by this result</source>
         <translation>%1 Entfernungen gehört, von diesem Ergebnis keine benutzt</translation>
+    </message>
+    <message>
+        <source>Board %1, %2: heard, but not usable without source offsets</source>
+        <translation>Platine %1, %2: gehört, aber ohne Quellenversätze nicht nutzbar</translation>
+    </message>
+    <message>
+        <source>Source %1 to board %2, %3: heard, but not usable without source offsets</source>
+        <translation>Quelle %1 zu Platine %2, %3: gehört, aber ohne Quellenversätze nicht nutzbar</translation>
+    </message>
+    <message>
+        <source>%1 ranges kept, %2 left out</source>
+        <translation>%1 Entfernungen behalten, %2 ausgelassen</translation>
+    </message>
+    <message>
+        <source>This take has no result yet. Process it to see which board heard which source.</source>
+        <translation>Dieser Take hat noch kein Ergebnis. Verarbeite ihn, um zu sehen, welche Platine welche Quelle gehört hat.</translation>
     </message>
 </context>
 <context>
@@ -3625,6 +3897,19 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Stop and close</source>
         <translation>Beenden und schließen</translation>
     </message>
+    <message>
+        <source>%1 has no poses yet</source>
+        <comment>name of a take</comment>
+        <translation>%1 hat noch keine Posen</translation>
+    </message>
+    <message>
+        <source>The live view skipped part of the sound; the take holds all of it. Process it.</source>
+        <translation>Die Live-Ansicht hat einen Teil des Schalls übersprungen; die Aufnahme enthält ihn ganz. Sie verarbeiten.</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Verarbeiten</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::MapLegend</name>
@@ -3678,6 +3963,26 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Delete the marker %1</source>
         <translation>Die Marke %1 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MarkersPanel</name>
+    <message>
+        <source>Markers</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>%1   %2</source>
+        <comment>time, name</comment>
+        <translation>%1   %2</translation>
+    </message>
+    <message>
+        <source>M sets a marker at the cursor.</source>
+        <translation>M setzt eine Marke am Zeitzeiger.</translation>
     </message>
 </context>
 <context>
@@ -3969,10 +4274,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
 <context>
     <name>noctule::ui::PerformerListPanel</name>
     <message>
-        <source>Wears the suit from now on</source>
-        <translation>Trägt den Anzug von jetzt an</translation>
-    </message>
-    <message>
         <source>Performers</source>
         <translation>Darsteller</translation>
     </message>
@@ -3999,6 +4300,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>A session has at least one performer.</source>
         <translation>Eine Sitzung hat mindestens einen Darsteller.</translation>
+    </message>
+    <message>
+        <source>Put the suit on %1</source>
+        <translation>%1 den Anzug anziehen</translation>
     </message>
 </context>
 <context>
@@ -4415,20 +4720,20 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Mindestens eine Aufnahme ankreuzen.</translation>
     </message>
     <message>
-        <source>Each take is processed as a live recording is, with all sensors and the calibration that it was recorded with.</source>
-        <translation>Jede Aufnahme wird wie eine laufende Aufzeichnung verarbeitet, mit allen Sensoren und der Kalibrierung, mit der sie entstand.</translation>
-    </message>
-    <message>
-        <source>Each take is processed as a live recording is, with all sensors and the calibration “%1”.</source>
-        <translation>Jede Aufnahme wird wie eine laufende Aufzeichnung verarbeitet, mit allen Sensoren und der Kalibrierung „%1“.</translation>
-    </message>
-    <message>
         <source>Takes of %1 get the bone lengths that this calibration found.</source>
         <translation>Aufnahmen von %1 bekommen die Knochenlängen, die diese Kalibrierung fand.</translation>
     </message>
     <message>
         <source>A result is added to each; recordings and earlier results stay.</source>
         <translation>Jede bekommt ein Ergebnis dazu; Aufzeichnungen und frühere Ergebnisse bleiben.</translation>
+    </message>
+    <message>
+        <source>Each take is processed as accurately as possible, with all sensors and the calibration that it was recorded with.</source>
+        <translation>Jede Aufnahme wird so genau wie möglich verarbeitet, mit allen Sensoren und der Kalibrierung, mit der sie aufgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>Each take is processed as accurately as possible, with all sensors and the calibration “%1”.</source>
+        <translation>Jede Aufnahme wird so genau wie möglich verarbeitet, mit allen Sensoren und der Kalibrierung „%1“.</translation>
     </message>
 </context>
 <context>
@@ -4632,6 +4937,31 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Continue anyway</source>
         <translation>Trotzdem weiter</translation>
     </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Connect %1</source>
+        <translation>%1 verbinden</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>known exactly</source>
+        <translation>genau bekannt</translation>
+    </message>
+    <message>
+        <source>Continue to Calibrate</source>
+        <translation>Weiter zu Kalibrieren</translation>
+    </message>
+    <message>
+        <source>of this suit, from an earlier session (%1)</source>
+        <comment>an age</comment>
+        <translation>dieses Anzugs, aus einer früheren Sitzung (%1)</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ReadinessWords</name>
@@ -4734,16 +5064,8 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Die Batterie ist fast leer</translation>
     </message>
     <message>
-        <source>%1 are left; the driver box switches off within a minute. Charge it now.</source>
-        <translation>%1 sind übrig; die Steuerbox schaltet sich in einer Minute ab. Sie jetzt laden.</translation>
-    </message>
-    <message>
         <source>The battery is low</source>
         <translation>Die Batterie ist schwach</translation>
-    </message>
-    <message>
-        <source>%1 are left. Charge it before a long take.</source>
-        <translation>%1 sind übrig. Sie vor einer langen Aufnahme laden.</translation>
     </message>
     <message>
         <source>The disk is almost full</source>
@@ -4752,21 +5074,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>There is room for %1 of recording. Free some space, or choose another folder for the session.</source>
         <translation>Es ist Platz für %1 Aufnahme. Platz schaffen oder einen anderen Ordner für die Sitzung wählen.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n thing(s) to fix</source>
-        <translation>
-            <numerusform>%n Sache zu beheben</numerusform>
-            <numerusform>%n Sachen zu beheben</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n to know</source>
-        <comment>things</comment>
-        <translation>
-            <numerusform>%n zu wissen</numerusform>
-            <numerusform>%n zu wissen</numerusform>
-        </translation>
     </message>
     <message>
         <source>No suit is connected</source>
@@ -4791,10 +5098,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Not ready yet</source>
         <translation>Noch nicht bereit</translation>
-    </message>
-    <message>
-        <source>%1 of %2 boards and %3 of %4 sources are there.</source>
-        <translation>%1 von %2 Platinen und %3 von %4 Quellen sind da.</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -4871,6 +5174,190 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>The driver box does not tell; the boards are shown in the order of their plugs. Find each by moving, or drag it onto its body part.</source>
         <translation>Die Steuerbox sagt es nicht; die Platinen stehen in der Reihenfolge ihrer Stecker. Jede durch Bewegen finden oder auf ihren Körperteil ziehen.</translation>
+    </message>
+    <message>
+        <source>Board %1 blinks</source>
+        <translation>Platine %1 blinkt</translation>
+    </message>
+    <message>
+        <source>%1 is left; the driver box switches off within a minute. Charge it now.</source>
+        <translation>%1 sind übrig; die Steuerbox schaltet sich binnen einer Minute ab. Jetzt laden.</translation>
+    </message>
+    <message>
+        <source>%1 is left, about %2. Charge it before a long take.</source>
+        <translation>%1 sind übrig, etwa %2. Vor einer langen Aufnahme laden.</translation>
+    </message>
+    <message>
+        <source>%1 is left. Charge it before a long take.</source>
+        <translation>%1 sind übrig. Vor einer langen Aufnahme laden.</translation>
+    </message>
+    <message>
+        <source>The suit is not calibrated</source>
+        <translation>Der Anzug ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Without calibration of %1</source>
+        <translation>Ohne Kalibrierung %1</translation>
+    </message>
+    <message>
+        <source>Takes can be recorded and processed once it is calibrated; until then nobody sees whether they are good. Calibrate it, or import its calibration.</source>
+        <translation>Aufnahmen lassen sich machen und verarbeiten, sobald er kalibriert ist; bis dahin sieht niemand, ob sie gut sind. Ihn kalibrieren oder seine Kalibrierung importieren.</translation>
+    </message>
+    <message>
+        <source>The body moves, less exactly than it could. Calibrate what is missing.</source>
+        <translation>Der Körper bewegt sich, weniger genau, als er könnte. Kalibrieren, was fehlt.</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>The rest pose is from %1.</source>
+        <translation>Die Ruhehaltung ist von: %1.</translation>
+    </message>
+    <message>
+        <source>It is not known when the rest pose was made.</source>
+        <translation>Es ist nicht bekannt, wann die Ruhehaltung kalibriert wurde.</translation>
+    </message>
+    <message>
+        <source>Check the suit</source>
+        <translation>Anzug kontrollieren</translation>
+    </message>
+    <message>
+        <source>Something has moved since the calibration</source>
+        <translation>Etwas ist seit der Kalibrierung verrutscht</translation>
+    </message>
+    <message>
+        <source>Put back what the check named and check again, or calibrate the rest pose again.</source>
+        <translation>Zurücksetzen, was die Kontrolle nannte, und wieder kontrollieren oder die Ruhehaltung neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Not checked since it was put on</source>
+        <translation>Seit dem Anziehen nicht kontrolliert</translation>
+    </message>
+    <message>
+        <source>Hold still for three seconds: the check says whether boards sit in their places, slipped or were exchanged. Was the suit taken off since, calibrate the rest pose again.</source>
+        <translation>Drei Sekunden stillhalten: die Kontrolle sagt, ob Platinen auf ihren Plätzen sitzen, verrutscht oder vertauscht sind. Wurde der Anzug seither ausgezogen, die Ruhehaltung neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>No board sends anything</source>
+        <translation>Keine Platine sendet etwas</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boards send nothing</source>
+        <translation>
+            <numerusform>%n Platine sendet nichts</numerusform>
+            <numerusform>%n Platinen senden nichts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>So many at once have one cause: the driver box or the cable that they share. Check its plug, then switch the box off and on again.</source>
+        <translation>So viele zugleich haben eine Ursache: die Steuerbox oder das gemeinsame Kabel. Dessen Stecker prüfen, dann die Box aus- und wieder einschalten.</translation>
+    </message>
+    <message>
+        <source>Go on without them</source>
+        <translation>Ohne sie weitermachen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boards cannot be understood</source>
+        <translation>
+            <numerusform>%n Platine ist nicht zu verstehen</numerusform>
+            <numerusform>%n Platinen sind nicht zu verstehen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They send something, but hardly a whole frame. So many at once have one cause: the link or the driver box. Switch the box off and on again.</source>
+        <translation>Sie senden etwas, aber kaum einen ganzen Rahmen. So viele zugleich haben eine Ursache: die Verbindung oder die Steuerbox. Die Box aus- und wieder einschalten.</translation>
+    </message>
+    <message>
+        <source>The stream loses frames</source>
+        <translation>Der Strom verliert Rahmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boards bring about %1 of %2 frames a second, all alike: the link or this computer is too slow. Use a cable or a nearer access point, and close other programs.</source>
+        <translation>
+            <numerusform>%n Platine bringt etwa %1 von %2 Rahmen je Sekunde: die Verbindung oder dieser Rechner ist zu langsam. Ein Kabel oder einen näheren Zugangspunkt verwenden und andere Programme schließen.</numerusform>
+            <numerusform>%n Platinen bringen etwa %1 von %2 Rahmen je Sekunde, alle gleich: die Verbindung oder dieser Rechner ist zu langsam. Ein Kabel oder einen näheren Zugangspunkt verwenden und andere Programme schließen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boards reach their limits</source>
+        <translation>
+            <numerusform>%n Platine erreicht ihre Grenzen</numerusform>
+            <numerusform>%n Platinen erreichen ihre Grenzen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They were overdriven about %1 times each in the last second. Loud noise near the suit or blows do that; look whether the boards are fastened.</source>
+        <translation>Sie wurden in der letzten Sekunde je etwa %1-mal übersteuert. Lauter Lärm am Anzug oder Stöße bewirken das; nachsehen, ob die Platinen fest sitzen.</translation>
+    </message>
+    <message>
+        <source>No board hears any source</source>
+        <translation>Keine Platine hört eine Quelle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boards hear no source</source>
+        <translation>
+            <numerusform>%n Platine hört keine Quelle</numerusform>
+            <numerusform>%n Platinen hören keine Quelle</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>So many at once have one cause: the sources. Check whether they are plugged in and switched on.</source>
+        <translation>So viele zugleich haben eine Ursache: die Quellen. Prüfen, ob sie eingesteckt und eingeschaltet sind.</translation>
+    </message>
+    <message>
+        <source>No source is heard</source>
+        <translation>Keine Quelle ist zu hören</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sources are not heard</source>
+        <translation>
+            <numerusform>%n Quelle ist nicht zu hören</numerusform>
+            <numerusform>%n Quellen sind nicht zu hören</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>So many at once have one cause: the plug or the cable of the sources at the driver box. Push it in until it clicks.</source>
+        <translation>So viele zugleich haben eine Ursache: Stecker oder Kabel der Quellen an der Steuerbox. Eindrücken, bis es klickt.</translation>
+    </message>
+    <message>
+        <source>One thing to fix.</source>
+        <translation>Eines zu beheben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n things to fix.</source>
+        <translation>
+            <numerusform>%n Sache zu beheben.</numerusform>
+            <numerusform>%n Sachen zu beheben.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>One thing to know.</source>
+        <translation>Eines zu wissen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n things to know.</source>
+        <translation>
+            <numerusform>%n Sache zu wissen.</numerusform>
+            <numerusform>%n Sachen zu wissen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All %1 boards and %2 sources are here.</source>
+        <translation>Alle %1 Platinen und %2 Quellen sind da.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 boards and %3 of %4 sources are here.</source>
+        <translation>%1 von %2 Platinen und %3 von %4 Quellen sind da.</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>its light blinks</source>
+        <translation>ihr Licht blinkt</translation>
     </message>
 </context>
 <context>
@@ -5257,10 +5744,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>zu unbekannter Zeit</translation>
     </message>
     <message>
-        <source>Recording well</source>
-        <translation>Nimmt gut auf</translation>
-    </message>
-    <message>
         <source>Checked</source>
         <translation>Kontrolliert</translation>
     </message>
@@ -5494,12 +5977,6 @@ by ranges</source>
 Entfernungen gestützt</translation>
     </message>
     <message>
-        <source>range residual,
-root mean square</source>
-        <translation>Restfehler der
-Entfernungen (RMS)</translation>
-    </message>
-    <message>
         <source>Open a take first.</source>
         <translation>Zuerst eine Aufnahme öffnen.</translation>
     </message>
@@ -5583,6 +6060,16 @@ keine Lücken</translation>
             <numerusform>%n, von Hand gesetzt</numerusform>
             <numerusform>%n, von Hand gesetzt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>range residual,
+median; good: under %1</source>
+        <translation>Entfernungsrest,
+Median; gut: unter %1</translation>
+    </message>
+    <message>
+        <source>Half of the ranges used miss the pose by less. Root mean square, which a few echoes make large: %1.</source>
+        <translation>Die Hälfte der verwendeten Entfernungen verfehlt die Pose um weniger. Quadratisches Mittel, das wenige Echos groß machen: %1.</translation>
     </message>
 </context>
 <context>
@@ -5715,14 +6202,6 @@ keine Lücken</translation>
         <translation>Vom Filter gefunden, wie beim Aufnehmen.</translation>
     </message>
     <message>
-        <source>Given</source>
-        <translation>Gegeben</translation>
-    </message>
-    <message>
-        <source>Hips from the other system that is attached.</source>
-        <translation>Hüften aus dem anderen System, das angehängt ist.</translation>
-    </message>
-    <message>
         <source>Root</source>
         <translation>Wurzel</translation>
     </message>
@@ -5733,10 +6212,6 @@ keine Lücken</translation>
     <message>
         <source>Noctule</source>
         <translation>Noctule</translation>
-    </message>
-    <message>
-        <source>Rotations without singularities, every range gated.</source>
-        <translation>Drehungen ohne Singularitäten, jede Entfernung geprüft.</translation>
     </message>
     <message>
         <source>Filter of the paper</source>
@@ -5819,10 +6294,6 @@ keine Lücken</translation>
         <translation>Am Anstieg des Pulses</translation>
     </message>
     <message>
-        <source>As in the paper.</source>
-        <translation>Wie in der Arbeit.</translation>
-    </message>
-    <message>
         <source>By the whole pulse</source>
         <translation>Am ganzen Puls</translation>
     </message>
@@ -5875,16 +6346,56 @@ keine Lücken</translation>
         <translation>Füße, die stehen, halten die Wurzel: auf ebenem Boden an Ort und Höhe, auf unebenem am Ort, auf einem Laufband gar nicht.</translation>
     </message>
     <message>
-        <source>Each pose knows all that came before and after.</source>
-        <translation>Jede Pose kennt alles Frühere und Spätere.</translation>
-    </message>
-    <message>
         <source>Most probable motion</source>
         <translation>Wahrscheinlichste Bewegung</translation>
     </message>
     <message>
         <source>All readings weighed again together until nothing changes: the reference. Takes longer.</source>
         <translation>Alle Messwerte werden gemeinsam neu abgewogen, bis sich nichts mehr ändert: die Referenz. Dauert länger.</translation>
+    </message>
+    <message>
+        <source>Process %1</source>
+        <translation>%1 verarbeiten</translation>
+    </message>
+    <message>
+        <source>Makes the motion out of the recording, which stays as it is.</source>
+        <translation>Macht aus der Aufzeichnung die Bewegung; die Aufzeichnung bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Verarbeiten</translation>
+    </message>
+    <message>
+        <source>From another system</source>
+        <translation>Von einem anderen System</translation>
+    </message>
+    <message>
+        <source>Its hips are used.</source>
+        <translation>Dessen Hüfte wird verwendet.</translation>
+    </message>
+    <message>
+        <source>Rotations without singularities; ranges that do not fit are left out.</source>
+        <translation>Drehungen ohne Singularitäten; Entfernungen, die nicht passen, werden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Each pose knows all that came before and after: the usual choice for a recorded take.</source>
+        <translation>Jede Pose kennt alles davor und danach: die übliche Wahl für eine fertige Aufnahme.</translation>
+    </message>
+    <message>
+        <source>As in the paper and in a live recording.</source>
+        <translation>Wie in der Veröffentlichung und in einer Live-Aufnahme.</translation>
+    </message>
+    <message>
+        <source>In use now</source>
+        <translation>Jetzt in Gebrauch</translation>
+    </message>
+    <message>
+        <source>The result will not be usable: there is no calibration of %1. Choose one that has it.</source>
+        <translation>Das Ergebnis wird nicht nutzbar sein: es fehlt die Kalibrierung %1. Eine wählen, die sie hat.</translation>
+    </message>
+    <message>
+        <source>The result will be less exact: there is no calibration of %1.</source>
+        <translation>Das Ergebnis wird weniger genau sein: es fehlt die Kalibrierung %1.</translation>
     </message>
 </context>
 <context>
@@ -5928,6 +6439,18 @@ keine Lücken</translation>
     <message>
         <source>Process takes again</source>
         <translation>Aufnahmen neu verarbeiten</translation>
+    </message>
+    <message>
+        <source>Show the worst only</source>
+        <translation>Nur das Schlimmste zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>findings</comment>
+        <translation>
+            <numerusform>%n weiteres</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6026,6 +6549,17 @@ keine Lücken</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::ReviewCenter</name>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Confidence per pair</source>
+        <translation>Konfidenz je Paar</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ReviewPage</name>
     <message>
         <source>A take will be seen here: its body, the confidence of its ranges and its curves.</source>
@@ -6105,6 +6639,14 @@ keine Lücken</translation>
     <message>
         <source>Process</source>
         <translation>Verarbeiten</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marken</translation>
+    </message>
+    <message>
+        <source>Process all unprocessed takes</source>
+        <translation>Alle unverarbeiteten Takes verarbeiten</translation>
     </message>
 </context>
 <context>
@@ -6213,20 +6755,12 @@ keine Lücken</translation>
         <translation>Sie folgt der Referenz von Anfang bis Ende.</translation>
     </message>
     <message>
-        <source>Every joint was backed by its sensors from start to end.</source>
-        <translation>Jedes Gelenk war von Anfang bis Ende durch seine Sensoren gestützt.</translation>
-    </message>
-    <message>
         <source>The mean joint error is %1</source>
         <translation>Der mittlere Gelenkfehler ist %1</translation>
     </message>
     <message>
         <source>Good takes stay under %1 against their reference. Another choice of sensors or a newer calibration may bring it down: reprocess and compare.</source>
         <translation>Gute Aufnahmen bleiben unter %1 gegen ihre Referenz. Eine andere Wahl der Sensoren oder eine neuere Kalibrierung kann ihn senken: neu verarbeiten und vergleichen.</translation>
-    </message>
-    <message>
-        <source>Ranges miss the pose by %1</source>
-        <translation>Entfernungen verfehlen die Haltung um %1</translation>
     </message>
     <message>
         <source>A board or a source may sit elsewhere than the performer page says, or the source offsets are another box&apos;s. Check both, then reprocess.</source>
@@ -6264,6 +6798,46 @@ keine Lücken</translation>
         <source>Good enough to work with. What to look at first is told below.</source>
         <translation>Gut genug, um damit zu arbeiten. Worauf zuerst zu achten ist, steht unten.</translation>
     </message>
+    <message>
+        <source>Without ranges a joint follows its gyroscope, which drifts by 1 to 3° a minute.</source>
+        <translation>Ohne Entfernungen folgt ein Gelenk seinem Gyroskop, das um 1 bis 3° je Minute driftet.</translation>
+    </message>
+    <message>
+        <source>No joint was backed by ranges</source>
+        <translation>Kein Gelenk war von Entfernungen gestützt</translation>
+    </message>
+    <message>
+        <source>Ranges backed the joints only %1 of the time</source>
+        <translation>Entfernungen stützten die Gelenke nur %1 der Zeit</translation>
+    </message>
+    <message>
+        <source>Look at the pairs below for sources or boards that were not heard.</source>
+        <translation>Unten bei den Paaren nach Quellen oder Platinen sehen, die nicht zu hören waren.</translation>
+    </message>
+    <message>
+        <source>This take has no calibration</source>
+        <translation>Diese Aufnahme hat keine Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Without calibration of %1</source>
+        <translation>Ohne Kalibrierung %1</translation>
+    </message>
+    <message>
+        <source>The recording itself is whole. Calibrate the suit or find the calibration of that day, then process the take with it.</source>
+        <translation>Die Aufzeichnung selbst ist ganz. Den Anzug kalibrieren oder die Kalibrierung jenes Tages suchen und die Aufnahme damit verarbeiten.</translation>
+    </message>
+    <message>
+        <source>Process with a calibration</source>
+        <translation>Mit einer Kalibrierung verarbeiten</translation>
+    </message>
+    <message>
+        <source>Ranges backed the joints %1 of the time, and inertia carried them in between; none stands out.</source>
+        <translation>Entfernungen stützten die Gelenke %1 der Zeit, dazwischen trug sie die Trägheit; keines fällt auf.</translation>
+    </message>
+    <message>
+        <source>Ranges miss the pose by %1 (median %2)</source>
+        <translation>Entfernungen verfehlen die Pose um %1 (Median %2)</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RigDrawing</name>
@@ -6289,14 +6863,6 @@ keine Lücken</translation>
     <message>
         <source>Results</source>
         <translation>Ergebnisse</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
     </message>
     <message>
         <source>%1 mean, shown</source>
@@ -6329,10 +6895,6 @@ keine Lücken</translation>
 </context>
 <context>
     <name>noctule::ui::RunRow</name>
-    <message>
-        <source>Result %1, %2</source>
-        <translation>Ergebnis %1, %2</translation>
-    </message>
     <message>
         <source>Result %1, %2, %3</source>
         <translation>Ergebnis %1, %2, %3</translation>
@@ -6485,14 +7047,6 @@ keine Lücken</translation>
         <translation>Referenz</translation>
     </message>
     <message>
-        <source>Result B</source>
-        <translation>Ergebnis B</translation>
-    </message>
-    <message>
-        <source>Result A</source>
-        <translation>Ergebnis A</translation>
-    </message>
-    <message>
         <source>Body at %1</source>
         <translation>Körper bei %1</translation>
     </message>
@@ -6531,6 +7085,10 @@ keine Lücken</translation>
     <message>
         <source>The live body appears here with the suit&apos;s first pose.</source>
         <translation>Der Körper erscheint hier mit der ersten Haltung des Anzugs.</translation>
+    </message>
+    <message>
+        <source>Result %1</source>
+        <translation>Ergebnis %1</translation>
     </message>
 </context>
 <context>
@@ -6707,17 +7265,6 @@ keine Lücken</translation>
         <translation>Sitzung wiederherstellen</translation>
     </message>
     <message>
-        <source>The recording of %1 was not ended</source>
-        <translation>Die Aufzeichnung von %1 wurde nicht beendet</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n recordings were not ended</source>
-        <translation>
-            <numerusform>Eine Aufzeichnung wurde nicht beendet</numerusform>
-            <numerusform>%n Aufzeichnungen wurden nicht beendet</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>What came in until then is safe on disk: %1. %2</source>
         <comment>names of takes, an offer</comment>
         <translation>Was bis dahin ankam, liegt sicher auf der Platte: %1. %2</translation>
@@ -6729,6 +7276,29 @@ keine Lücken</translation>
     <message>
         <source>Recover all</source>
         <translation>Alle wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Take %1 broke off</source>
+        <translation>Aufnahme %1 brach ab</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n takes broke off</source>
+        <translation>
+            <numerusform>%n Aufnahme brach ab</numerusform>
+            <numerusform>%n Aufnahmen brachen ab</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was moved to the trash</source>
+        <translation>%1 liegt im Papierkorb</translation>
+    </message>
+    <message>
+        <source>The trash is a folder of the session.</source>
+        <translation>Der Papierkorb ist ein Ordner der Sitzung.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
     </message>
 </context>
 <context>
@@ -6920,6 +7490,25 @@ Drehen, beide Richtungen x3</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::ShowFolder</name>
+    <message>
+        <source>No file manager could be started</source>
+        <translation>Kein Dateiverwalter ließ sich starten</translation>
+    </message>
+    <message>
+        <source>The folder is %1. Open it by hand, or install a file manager.</source>
+        <translation>Der Ordner ist %1. Öffne ihn von Hand, oder installiere einen Dateiverwalter.</translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation>%1 ist nicht da</translation>
+    </message>
+    <message>
+        <source>It may have been moved, or its disk is not connected.</source>
+        <translation>Vielleicht wurde es verschoben, oder sein Datenträger ist nicht angeschlossen.</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ShownBody</name>
     <message>
         <source>Reading the file</source>
@@ -7051,14 +7640,6 @@ Drehen, beide Richtungen x3</translation>
         <translation>%1 prüfen</translation>
     </message>
     <message>
-        <source>The take %1 was recovered</source>
-        <translation>Die Aufnahme %1 wurde wiederhergestellt</translation>
-    </message>
-    <message>
-        <source>The take %1 was not ended</source>
-        <translation>Die Aufnahme %1 wurde nicht beendet</translation>
-    </message>
-    <message>
         <source>Recording in “%1” stopped unexpectedly. %2 are safe on disk; the other takes were not touched.</source>
         <translation>Das Aufzeichnen in „%1“ brach unerwartet ab. %2 liegen sicher auf der Platte; die anderen Aufnahmen sind unberührt.</translation>
     </message>
@@ -7098,12 +7679,44 @@ Drehen, beide Richtungen x3</translation>
         <translation>Einen Anzug verbinden</translation>
     </message>
     <message>
-        <source>%1 is connected.</source>
-        <translation>%1 ist verbunden.</translation>
-    </message>
-    <message>
         <source>No driver box is found. Switch one on, or connect it by USB; the virtual suit on Connect stands in for one.</source>
         <translation>Keine Steuerbox ist gefunden. Eine einschalten oder über USB anschließen; der virtuelle Anzug auf Verbinden vertritt sie.</translation>
+    </message>
+    <message>
+        <source>is connected</source>
+        <translation>ist verbunden</translation>
+    </message>
+    <message>
+        <source>is being connected</source>
+        <translation>wird verbunden</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>another studio uses it</source>
+        <translation>ein anderes Studio verwendet ihn</translation>
+    </message>
+    <message>
+        <source>ready to connect</source>
+        <translation>bereit zum Verbinden</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Another studio uses it.</source>
+        <translation>Ein anderes Studio verwendet ihn.</translation>
+    </message>
+    <message>
+        <source>Take %1 was recovered</source>
+        <translation>Aufnahme %1 wurde gerettet</translation>
+    </message>
+    <message>
+        <source>Take %1 broke off</source>
+        <translation>Aufnahme %1 brach ab</translation>
     </message>
 </context>
 <context>
@@ -7451,6 +8064,29 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>not processed yet</source>
         <translation>noch nicht verarbeitet</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TakeNotes</name>
+    <message>
+        <source>%1 (board %2)</source>
+        <comment>body part, number</comment>
+        <translation>%1 (Platine %2)</translation>
+    </message>
+    <message>
+        <source>%1 %2 fell silent; back at %3</source>
+        <comment>time, board, time</comment>
+        <translation>%1 %2 verstummte; wieder da bei %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 fell silent</source>
+        <comment>time, board</comment>
+        <translation>%1 %2 verstummte</translation>
+    </message>
+    <message>
+        <source>%1 driver box: %2</source>
+        <comment>time, what it says</comment>
+        <translation>%1 Steuerbox: %2</translation>
     </message>
 </context>
 <context>
@@ -8165,6 +8801,42 @@ Drehen, beide Richtungen x3</translation>
         <source>d MMMM yyyy</source>
         <comment>day, month and year</comment>
         <translation>d. MMMM yyyy</translation>
+    </message>
+    <message>
+        <source>today, %1</source>
+        <comment>within a sentence</comment>
+        <translation>heute, %1</translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <comment>within a sentence</comment>
+        <translation>gestern</translation>
+    </message>
+    <message>
+        <source>just now</source>
+        <comment>an age</comment>
+        <translation>eben erst</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <comment>an age</comment>
+        <translation>%1 min</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hour(s)</source>
+        <comment>an age</comment>
+        <translation>
+            <numerusform>%n Stunde</numerusform>
+            <numerusform>%n Stunden</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s)</source>
+        <comment>an age</comment>
+        <translation>
+            <numerusform>%n Tag</numerusform>
+            <numerusform>%n Tage</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

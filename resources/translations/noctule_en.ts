@@ -112,17 +112,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Exporting %n takes</source>
-        <translation>
-            <numerusform>Exporting %n take</numerusform>
-            <numerusform>Exporting %n takes</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n files written and checked.</source>
         <translation>
             <numerusform>%n file written and checked.</numerusform>
             <numerusform>%n files written and checked.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Writing %n files</source>
+        <translation>
+            <numerusform>Writing %n file</numerusform>
+            <numerusform>Writing %n files</numerusform>
         </translation>
     </message>
 </context>
@@ -164,6 +164,47 @@
         <translation>
             <numerusform>Board %1 (%2) was silent from %3 to %4. It follows its neighbours in that %n frame.</numerusform>
             <numerusform>Board %1 (%2) was silent from %3 to %4. It follows its neighbours in those %n frames.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ExportTakeList</name>
+    <message numerus="yes">
+        <source>%n results</source>
+        <translation>
+            <numerusform>%n result</numerusform>
+            <numerusform>%n results</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::FitWords</name>
+    <message numerus="yes">
+        <source>the offsets of %n source(s)</source>
+        <translation>
+            <numerusform>the offsets of %n source</numerusform>
+            <numerusform>the offsets of %n sources</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the accelerometers of %n board(s)</source>
+        <translation>
+            <numerusform>the accelerometers of %n board</numerusform>
+            <numerusform>the accelerometers of %n boards</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the gyroscopes of %n board(s)</source>
+        <translation>
+            <numerusform>the gyroscopes of %n board</numerusform>
+            <numerusform>the gyroscopes of %n boards</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>the rest pose of %n board(s)</source>
+        <translation>
+            <numerusform>the rest pose of %n board</numerusform>
+            <numerusform>the rest pose of %n boards</numerusform>
         </translation>
     </message>
 </context>
@@ -246,25 +287,66 @@
 <context>
     <name>noctule::ui::ReadinessWords</name>
     <message numerus="yes">
-        <source>%n thing(s) to fix</source>
-        <translation>
-            <numerusform>%n thing to fix</numerusform>
-            <numerusform>%n things to fix</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n to know</source>
-        <comment>things</comment>
-        <translation>
-            <numerusform>%n to know</numerusform>
-            <numerusform>%n to know</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 streaming, %2, %n block(s) lost</source>
         <translation>
             <numerusform>%1 streaming, %2, %n block lost</numerusform>
             <numerusform>%1 streaming, %2, %n blocks lost</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boards send nothing</source>
+        <translation>
+            <numerusform>%n board sends nothing</numerusform>
+            <numerusform>%n boards send nothing</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boards cannot be understood</source>
+        <translation>
+            <numerusform>%n board cannot be understood</numerusform>
+            <numerusform>%n boards cannot be understood</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boards bring about %1 of %2 frames a second, all alike: the link or this computer is too slow. Use a cable or a nearer access point, and close other programs.</source>
+        <translation>
+            <numerusform>%n board brings about %1 of %2 frames a second: the link or this computer is too slow. Use a cable or a nearer access point, and close other programs.</numerusform>
+            <numerusform>%n boards bring about %1 of %2 frames a second, all alike: the link or this computer is too slow. Use a cable or a nearer access point, and close other programs.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boards reach their limits</source>
+        <translation>
+            <numerusform>%n board reaches its limits</numerusform>
+            <numerusform>%n boards reach their limits</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boards hear no source</source>
+        <translation>
+            <numerusform>%n board hears no source</numerusform>
+            <numerusform>%n boards hear no source</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sources are not heard</source>
+        <translation>
+            <numerusform>%n source is not heard</numerusform>
+            <numerusform>%n sources are not heard</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n things to fix.</source>
+        <translation>
+            <numerusform>%n thing to fix.</numerusform>
+            <numerusform>%n things to fix.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n things to know.</source>
+        <translation>
+            <numerusform>%n thing to know.</numerusform>
+            <numerusform>%n things to know.</numerusform>
         </translation>
     </message>
 </context>
@@ -356,6 +438,17 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::ResultSide</name>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>findings</comment>
+        <translation>
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ReviewWords</name>
     <message numerus="yes">
         <source>%n other boards lost some too. Their neighbours carry them meanwhile; check plugs and cables before the next take.</source>
@@ -392,10 +485,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n recordings were not ended</source>
+        <source>%n takes broke off</source>
         <translation>
-            <numerusform>One recording was not ended</numerusform>
-            <numerusform>%n recordings were not ended</numerusform>
+            <numerusform>%n take broke off</numerusform>
+            <numerusform>%n takes broke off</numerusform>
         </translation>
     </message>
 </context>
@@ -516,6 +609,25 @@
         <translation>
             <numerusform>One thing to look at, on the right.</numerusform>
             <numerusform>%n things to look at, on the right.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::words</name>
+    <message numerus="yes">
+        <source>%n hour(s)</source>
+        <comment>an age</comment>
+        <translation>
+            <numerusform>%n hour</numerusform>
+            <numerusform>%n hours</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s)</source>
+        <comment>an age</comment>
+        <translation>
+            <numerusform>%n day</numerusform>
+            <numerusform>%n days</numerusform>
         </translation>
     </message>
 </context>

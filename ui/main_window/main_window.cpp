@@ -14,7 +14,9 @@
 #include "ui/main_window/side_docks.h"
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
+#include "ui/main_window/undo_keys.h"
 #include "ui/main_window/window_menus.h"
+#include "ui/main_window/window_place.h"
 #include "ui/scene/scene_canvas.h"
 #include "ui/style/theme.h"
 #include "ui/views/page.h"
@@ -52,6 +54,7 @@ MainWindow::MainWindow(Studio& studio, QWidget* parent)
     setAnimated(Theme::get().motion_ms(1) > 0);
     setDockOptions(AllowNestedDocks | (isAnimated() ? AnimatedDocks : DockOptions{}));
     buildParts();
+    new UndoKeys(this);
     connectActions();
     connectSteps();
     connectStudio();
@@ -171,14 +174,18 @@ void MainWindow::restoreGeometryKept() {
     followScale();
     resize(1440, 900);
     restoreGeometry(studio_.settings().value(kGeometry).toByteArray());
-    if (studio_.settings().value(kMaximised, false).toBool())
+    const WindowPlace place = placeWithin(geometry(), freeRoom(*this));
+    if (place.content != geometry())
+        setGeometry(place.content);
+    if (place.maximised || studio_.settings().value(kMaximised, false).toBool())
         setWindowState(windowState() | Qt::WindowMaximized);
 }
 
-/// Larger type needs a larger window, but never more than the smallest screen has.
+/// Larger type needs a larger window, but never more than the screen has.
 void MainWindow::followScale() {
     const Theme& theme = Theme::get();
-    setMinimumSize(std::min(theme.px(960), 1280), std::min(theme.px(640), 760));
+    const QSize room = placeWithin(freeRoom(*this), freeRoom(*this)).content.size();
+    setMinimumSize(QSize(std::min(theme.px(960), 1280), std::min(theme.px(640), 760)).boundedTo(room));
 }
 
 void MainWindow::focusNextPanel(bool forward) {

@@ -54,6 +54,9 @@ public slots:
     /// Once, on the first start of the program.
     void offerTour();
     void focusNextPanel(bool forward = true);
+    /// Log-out, shutdown, a polite kill: nothing is asked, a take that runs is completed, then the window
+    /// closes.
+    void endInGoodOrder();
 
 signals:
     /// Everything must be made anew in the other language.
@@ -83,11 +86,13 @@ private:
     void onFailure(const QString& what, const QString& remedy);
     void onSessionFailure(const QString& message);
     void onWarning(const QString& message);
+    void forgetNotices();
     bool mayClose();
     void connectSuit();
     RecordRun& recordRun();
     void recordOrStop();
     void showRecording();
+    void tellPosesMissing(const QString& take);
     bool mayStopTake();
 
     Studio& studio_;
@@ -104,7 +109,10 @@ private:
     QStackedWidget* stack_;
     StatusLine* status_;
     JobsPanel* jobs_panel_;
+    QString folder_;                  ///< of the session that was open last
+    QStringList of_session_;          ///< topics of notices that are about what is open
     bool closes_after_take_ = false;  ///< everything has been asked
+    bool asks_nothing_ = false;       ///< nobody may be there to answer
     QString recovery_wanted_;         ///< path of a take whose session is being opened
 };
 

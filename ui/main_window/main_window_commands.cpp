@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Commands of menus, keys and pages, and what they do.
-#include <QDesktopServices>
-#include <QUrl>
-
 #include "ui/main_window/about_dialog.h"
 #include "ui/main_window/jobs_panel.h"
 #include "ui/main_window/main_window.h"
@@ -20,6 +17,7 @@
 #include "ui/views/body_dialog.h"
 #include "ui/views/connect_page.h"
 #include "ui/views/session_commands.h"
+#include "ui/views/show_folder.h"
 #include "ui/views/start_page.h"
 #include "ui/wizards/calibrate_page.h"
 
@@ -36,10 +34,8 @@ void MainWindow::connectActions() {
             open(takes.first());
     });
     on(Command::kImportTakes, [this] { SessionCommands::askForImport(this, studio_); });
-    on(Command::kShowFolder, [this] {
-        const auto folder = studio_.session().session().folder.string();
-        QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(folder)));
-    });
+    on(Command::kShowFolder,
+       [this] { showFolder(studio_, QString::fromStdString(studio_.session().session().folder.string())); });
     on(Command::kCloseSession, [this] { studio_.session().close(); });
     on(Command::kExport, [this] { goTo(Step::kExport); });
     on(Command::kQuit, [this] { close(); });

@@ -39,7 +39,20 @@ void MainWindow::connectSuit() {
                 close();
         },
         Qt::QueuedConnection);
+    connect(&suit, &LiveSuit::posesMissing, this, &MainWindow::tellPosesMissing);
     showRecording();
+}
+
+void MainWindow::tellPosesMissing(const QString& take) {
+    const auto process = [this, take] {
+        const Session& session = studio_.session().session();
+        if (const int index = session.findTake(take.toStdString()); index >= 0)
+            studio_.process(
+                Studio::accurateRequest(session.pathOf(session.takes[static_cast<size_t>(index)]).string()));
+    };
+    notices_->add({Tone::kWarn, tr("%1 has no poses yet", "name of a take").arg(take),
+                   tr("The live view skipped part of the sound; the take holds all of it. Process it."),
+                   tr("Process"), process, "no poses"});
 }
 
 RecordRun& MainWindow::recordRun() {
@@ -64,7 +77,7 @@ bool MainWindow::mayStopTake() {
     const LiveSuit& suit = studio_.suit();
     if (!isTakeOpen(suit))
         return true;
-    if (suit.phase() != LiveSuit::Phase::kSaving && !closes_after_take_) {
+    if (suit.phase() != LiveSuit::Phase::kSaving && !closes_after_take_ && !asks_nothing_) {
         QMessageBox box(this);
         box.setWindowTitle(tr("Close Noctule"));
         box.setText(tr("The take is being recorded"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is open: sessions and takes from the command line, the start page and the desktop; what is told when
 // they cannot be read; and what is asked before the window closes.
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
 #include <QDragEnterEvent>
@@ -138,6 +139,9 @@ void MainWindow::recoverWanted(SessionMarker::Finding finding) {
 void MainWindow::onSessionOpened() {
     SessionModel& session = studio_.session();
     const bool open = session.isOpen();
+    if (const QString now = open ? QString::fromStdString(session.session().folder.string()) : QString();
+        now != std::exchange(folder_, now))
+        forgetNotices();
     for (const Command command : {Command::kBody, Command::kShowFolder, Command::kCloseSession})
         (*actions_)[command]->setEnabled(open);
     if (!open) {
@@ -173,7 +177,14 @@ void MainWindow::onTakeOpened() {
          [this, path = take.path()] { SessionCommands::import(this, studio_, {path}); }, kLooseTake});
 }
 
+/// What was said of one session says nothing of the next.
+void MainWindow::forgetNotices() {
+    for (const QString& topic : std::exchange(of_session_, {}))
+        notices_->remove(topic);
+}
+
 void MainWindow::onFailure(const QString& what, const QString& remedy) {
+    of_session_ += what;
     notices_->add({Tone::kError, what, remedy, {}, {}, {}});
 }
 
@@ -183,6 +194,7 @@ void MainWindow::onSessionFailure(const QString& message) {
 }
 
 void MainWindow::onWarning(const QString& message) {
+    of_session_ += firstSentence(message);
     notices_->add({Tone::kWarn, firstSentence(message), otherSentences(message), {}, {}, {}});
 }
 
@@ -225,8 +237,16 @@ bool MainWindow::mayClose() {
     return box.clickedButton() == cancel;
 }
 
+void MainWindow::endInGoodOrder() {
+    asks_nothing_ = true;
+    // A question that stands is answered with its safe answer; each dialog may have one below it.
+    for (QWidget* dialog = QApplication::activeModalWidget(); dialog && dialog->close();)
+        dialog = QApplication::activeModalWidget();
+    close();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!mayStopTake() || (!closes_after_take_ && !mayClose())) {
+    if (!mayStopTake() || (!closes_after_take_ && !asks_nothing_ && !mayClose())) {
         event->ignore();
         return;
     }

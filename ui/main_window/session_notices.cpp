@@ -2,6 +2,7 @@
 #include "ui/main_window/session_notices.h"
 
 #include <QDir>
+#include <QTimer>
 
 #include "ui/views/recovery_words.h"
 
@@ -11,6 +12,8 @@ namespace {
 constexpr const char* kMarkerTopic = "session marker";
 constexpr const char* kInterrupted = "interrupted take";
 constexpr const char* kDamaged = "damaged session";
+constexpr const char* kTrashed = "trashed take";
+constexpr int kTrashedShown_ms = 12000;
 
 }  // namespace
 
@@ -18,9 +21,21 @@ SessionNotices::SessionNotices(Studio& studio, Notices& notices, QObject* parent
     : QObject(parent), studio_(studio), notices_(notices) {
     connect(&studio.session(), &SessionModel::damaged, this, &SessionNotices::tellDamaged);
     connect(&studio.session(), &SessionModel::changed, this, &SessionNotices::tellInterrupted);
+    connect(&studio.session(), &SessionModel::takeTrashed, this, &SessionNotices::tellTrashed);
+    // Any further step makes Undo mean something else.
+    connect(&studio.session().undoStack(), &QUndoStack::indexChanged, this,
+            [this] { notices_.remove(kTrashed); });
+}
+
+void SessionNotices::tellTrashed(const QString& name) {
+    notices_.add({Tone::kNeutral, tr("%1 was moved to the trash").arg(name),
+                  tr("The trash is a folder of the session."), tr("Undo"),
+                  [this] { studio_.session().undoStack().undo(); }, kTrashed});
+    QTimer::singleShot(kTrashedShown_ms, this, [this] { notices_.remove(kTrashed); });
 }
 
 void SessionNotices::forget() {
+    notices_.remove(kTrashed);
     notices_.remove(kMarkerTopic);
     notices_.remove(kInterrupted);
     in_use_ = false;
@@ -87,14 +102,14 @@ Notice SessionNotices::interruptedNotice(const QStringList& names) {
             if (session.isOpen())
                 session.recover(session.session().findTake(name.toStdString()));
     };
-    return {Tone::kWarn,
-            one ? tr("The recording of %1 was not ended").arg(names.first())
-                : tr("%n recordings were not ended", nullptr, names.size()),
-            tr("What came in until then is safe on disk: %1. %2", "names of takes, an offer")
-                .arg(names.join(QStringLiteral(", ")), recoverOffer()),
-            one ? tr("Recover %1").arg(names.first()) : tr("Recover all"),
-            recover,
-            kInterrupted};
+    return {
+        Tone::kWarn,
+        one ? tr("Take %1 broke off").arg(names.first()) : tr("%n takes broke off", nullptr, names.size()),
+        tr("What came in until then is safe on disk: %1. %2", "names of takes, an offer")
+            .arg(names.join(QStringLiteral(", ")), recoverOffer()),
+        one ? tr("Recover %1").arg(names.first()) : tr("Recover all"),
+        recover,
+        kInterrupted};
 }
 
 }  // namespace noctule::ui

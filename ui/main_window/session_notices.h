@@ -22,6 +22,7 @@ public:
     void forget();
 
 private:
+    void tellTrashed(const QString& name);
     void tellDamaged(const QString& folder, const QString& problem);
     void tellInterrupted();
     Notice interruptedNotice(const QStringList& names);

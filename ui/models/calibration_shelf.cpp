@@ -2,12 +2,15 @@
 #include "ui/models/calibration_shelf.h"
 
 #include <QDir>
+#include <QFileInfo>
+#include <QLocale>
 #include <algorithm>
 
 #include "core/job/atomic_file.h"
 #include "core/processing/outside_files.h"
 #include "core/session/body_measures.h"
 #include "core/session/placement.h"
+#include "core/suit/calibration_parts.h"
 
 namespace noctule::ui {
 namespace {
@@ -33,13 +36,17 @@ QDateTime ShelvedCalibration::made() const {
     return QDateTime::fromString(QString::fromStdString(calibration.created_utc), Qt::ISODate);
 }
 
-CalibrationShelf::CalibrationShelf(SessionModel& session, LiveSuit& suit, QObject* parent)
-    : QObject(parent), session_(session), suit_(suit) {
+CalibrationShelf::CalibrationShelf(SessionModel& session, LiveSuit& suit, const QString& suits_folder,
+                                   QObject* parent)
+    : QObject(parent), session_(session), suit_(suit), memory_(suits_folder) {
     connect(&session_, &SessionModel::opened, this, &CalibrationShelf::follow);
     connect(&session_, &SessionModel::changed, this, &CalibrationShelf::follow);
     connect(&suit_, &LiveSuit::phaseChanged, this, [this] {
-        if (suit_.phase() == LiveSuit::Phase::kNone)
+        if (suit_.phase() == LiveSuit::Phase::kNone) {
             handed_.reset();
+            remembered_.reset();
+            newer_.reset();
+        }
         hand();
     });
 }
@@ -95,26 +102,108 @@ QStringList CalibrationShelf::strangers(const Calibration& calibration) const {
     return strangers;
 }
 
-/// A suit that brought its own calibration keeps it until the session has one.
+/// A suit that brought its own calibration keeps it until the session has one; one that brought none gets
+/// what earlier sessions found of its parts.
 void CalibrationShelf::hand() {
-    const bool is_worn = suit_.phase() == LiveSuit::Phase::kLooking;
-    const auto found = std::ranges::find(all_, in_force_, &ShelvedCalibration::file);
-    const QString path = in_force_.isEmpty() ? QString() : QDir(folder_).filePath(in_force_);
-    if (!is_worn || (handed_ && *handed_ == path))
+    if (suit_.phase() != LiveSuit::Phase::kLooking)
         return;
-    if (found == all_.end()) {
+    const auto found = std::ranges::find(all_, in_force_, &ShelvedCalibration::file);
+    if (in_force_.isEmpty() || found == all_.end()) {
+        newer_.reset();
         if (std::exchange(handed_, std::nullopt))
-            suit_.setCalibration(own_);
+            suit_.takeOwnCalibration();
+        if (!suit_.calibration())
+            recall();
         return;
     }
-    if (!handed_)
-        own_ = suit_.calibration();
+    const QString path = QDir(folder_).filePath(in_force_);
+    if (handed_ && *handed_ == path)
+        return;
     handed_ = path;
+    remembered_.reset();
+    newer_ = found->calibration;
+    if (const auto kept = memory_.latest(serial()); !kept || !takeNewerParts(*newer_, *kept))
+        newer_.reset();
     if (const QStringList others = strangers(found->calibration); !others.isEmpty())
         emit warned(tr("The calibration %1 was made with other parts than those connected now: %2. Calibrate "
                        "those before takes with them can be relied on.")
                         .arg(in_force_, others.join(", ")));
     suit_.setCalibration(found->calibration);
+}
+
+QString CalibrationShelf::serial() const {
+    const auto hello = suit_.status()->hello;
+    return hello ? QString::fromStdString(hello->serial) : QString();
+}
+
+void CalibrationShelf::recall() {
+    remembered_ = memory_.latest(serial());
+    if (!remembered_)
+        return;
+    const QDateTime made = ShelvedCalibration{{}, *remembered_}.made();
+    suit_.setCalibration(remembered_);
+    emit told(
+        tr("%1: the calibration of its sensors and sources from an earlier session is in use (made %2).",
+           "serial number, date")
+            .arg(serial(), QLocale().toString(made.toLocalTime().date(), QLocale::ShortFormat)));
+    if (const QStringList others = strangers(*remembered_); !others.isEmpty())
+        emit warned(tr("Parts of %1 were exchanged since it was calibrated: %2. Calibrate those before takes "
+                       "with them can be relied on.")
+                        .arg(serial(), others.join(", ")));
+    emit changed();
+}
+
+void CalibrationShelf::remember(const Calibration& calibration) {
+    if (suit_.phase() == LiveSuit::Phase::kNone)
+        return;
+    if (const Status kept = memory_.keep(serial(), calibration); !kept)
+        emit warned(tr("The calibration could not be kept for other sessions. %1.")
+                        .arg(QString::fromStdString(kept.error().text())));
+}
+
+QString CalibrationShelf::write(const Calibration& calibration, const QString& name) const {
+    QDir().mkpath(folder_);
+    const Status written =
+        writeFileAtomically(pathIn(folder_, name), toJson(calibration).dump(2) + "\n", false);
+    return written ? QString() : QString::fromStdString(written.error().text());
+}
+
+QString CalibrationShelf::useNewer() {
+    if (!newer_ || folder_.isEmpty())
+        return tr("No session is open. Open one first.");
+    const QString name = nextName("sensors") + ".json";
+    const QString trouble = write(*newer_, name);
+    if (trouble.isEmpty())
+        use(name, tr("Newer values of the suit"));
+    return trouble;
+}
+
+QString CalibrationShelf::importFile(const QString& path) {
+    const auto calibration = readCalibrationFile(path.toStdString());
+    if (!calibration)
+        return QString::fromStdString(calibration.error().text()) + '.';
+    const auto& boards = suit_.suit().boards;
+    const bool knows_some = std::ranges::any_of(
+        boards, [&](const Board& board) { return calibration->findBoard(board.id) != nullptr; });
+    if (!boards.empty() && !knows_some)
+        return tr("%1 knows none of the boards of %2. Choose the calibration of this suit.")
+            .arg(QFileInfo(path).fileName(), serial());
+    if (!suit_.makeSureOfSession())
+        return tr("There is no session to keep the calibration in, and none could be made. Make one first.");
+    const QString name = nextName(QFileInfo(path).completeBaseName()) + ".json";
+    if (const QString trouble = write(*calibration, name); !trouble.isEmpty())
+        return trouble + '.';
+    remember(*calibration);
+    use(name, tr("Importing %1").arg(QFileInfo(path).fileName()));
+    return {};
+}
+
+QString CalibrationShelf::exportFile(const QString& path) const {
+    const auto calibration = inForce();
+    if (!calibration)
+        return tr("There is no calibration to export. Calibrate the suit first.");
+    const Status written = writeFileAtomically(path.toStdString(), toJson(*calibration).dump(2) + "\n", true);
+    return written ? QString() : QString::fromStdString(written.error().text()) + '.';
 }
 
 QString CalibrationShelf::nextName(const QString& task) const {
@@ -128,12 +217,10 @@ QString CalibrationShelf::nextName(const QString& task) const {
 QString CalibrationShelf::save(const CalibrationResult& result, const QString& task) {
     if (folder_.isEmpty())
         return tr("No session is open. Open one first.");
-    QDir().mkpath(folder_);
     const QString name = nextName(task);
-    const Status written = writeFileAtomically(pathIn(folder_, name + ".json"),
-                                               toJson(result.calibration).dump(2) + "\n", false);
-    if (!written)
-        return QString::fromStdString(written.error().text());
+    if (const QString trouble = write(result.calibration, name + ".json"); !trouble.isEmpty())
+        return trouble;
+    remember(result.calibration);
     // The calibration counts; its report can be made again.
     if (const Status report =
             writeFileAtomically(pathIn(folder_, name + ".html"), calibrationHtml(result.document), true);
@@ -146,6 +233,7 @@ QString CalibrationShelf::save(const CalibrationResult& result, const QString& t
     if (result.actor)
         keepMeasures(*result.actor, what);
     session_.undoStack().endMacro();
+    emit saved(task, result.grade() == Grade::kGood || result.grade() == Grade::kUsable);
     return {};
 }
 

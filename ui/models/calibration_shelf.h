@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The calibrations of the open session: the files in its calibration/, newest first, and the one that new
 // takes are made with. Using another one is a step that can be undone; nothing is ever overwritten. The one
-// in force goes to the connected suit.
+// in force goes to the connected suit. What was found of a suit's parts is kept beyond the session
+// (suit_memory.h) and used where the session has no calibration.
 #pragma once
 
 #include <QDateTime>
@@ -13,6 +14,7 @@
 #include "core/processing/calibrate_takes.h"
 #include "ui/models/live_suit.h"
 #include "ui/models/session_model.h"
+#include "ui/models/suit_memory.h"
 
 namespace noctule::ui {
 
@@ -26,13 +28,19 @@ struct ShelvedCalibration {
 class CalibrationShelf : public QObject {
     Q_OBJECT
 public:
-    CalibrationShelf(SessionModel& session, LiveSuit& suit, QObject* parent = nullptr);
+    /// `suits_folder`: where calibrations of suits are kept beyond sessions.
+    CalibrationShelf(SessionModel& session, LiveSuit& suit, const QString& suits_folder,
+                     QObject* parent = nullptr);
 
     /// Newest first; of no session none.
     const std::vector<ShelvedCalibration>& all() const { return all_; }
     /// What takes are made with now: of the session, else what is known of the suit itself.
     std::optional<Calibration> inForce() const;
     QString fileInForce() const;
+    /// The connected suit uses what an earlier session found of its parts; absent: it does not.
+    const std::optional<Calibration>& remembered() const { return remembered_; }
+    /// The calibration in force with values of parts that another session found later; absent: none is newer.
+    const std::optional<Calibration>& newer() const { return newer_; }
     /// Whose serial numbers are not those of the connected suit; empty: all fit, or nothing is connected.
     QStringList strangers(const Calibration& calibration) const;
 
@@ -40,11 +48,21 @@ public:
     /// empty.
     QString save(const CalibrationResult& result, const QString& task);
     void use(const QString& file, const QString& what);
+    /// Writes newer() into the session and uses it.
+    QString useNewer();
+    /// Copies a calibration file into the session and uses it. In words why not, else empty.
+    QString importFile(const QString& path);
+    /// Writes the one in force. In words why not, else empty.
+    QString exportFile(const QString& path) const;
     /// What save() would call it: "accelerometers-2026-11-22", or with "-2" behind it.
     QString nextName(const QString& task) const;
 
 signals:
     void changed();
+    /// save() has put a calibration in force.
+    void saved(const QString& task, bool is_good);
+    /// A whole sentence about what goes on.
+    void told(const QString& what);
     /// Nothing failed, but it should be known: whole sentences.
     void warned(const QString& what);
 
@@ -53,14 +71,19 @@ private:
     void follow();
     void read();
     void hand();
+    void remember(const Calibration& calibration);
+    void recall();
+    QString serial() const;
+    QString write(const Calibration& calibration, const QString& name) const;
     QString folder() const;
 
     SessionModel& session_;
     LiveSuit& suit_;
     std::vector<ShelvedCalibration> all_;
     QString folder_, in_force_;
-    std::optional<QString> handed_;   ///< to the suit that is connected
-    std::optional<Calibration> own_;  ///< what the suit knew of itself before that
+    std::optional<QString> handed_;  ///< to the suit that is connected
+    const SuitMemory memory_;
+    std::optional<Calibration> remembered_, newer_;
 };
 
 }  // namespace noctule::ui

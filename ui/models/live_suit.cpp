@@ -32,6 +32,9 @@ LiveSuit::LiveSuit(Jobs& jobs, SessionModel& session, Surroundings surroundings,
         lone_source_.reset();
         look_again_ = true;
     });
+    blink_timer_.setSingleShot(true);
+    blink_timer_.setInterval(kBlink_ms);
+    connect(&blink_timer_, &QTimer::timeout, this, &LiveSuit::endBlinking);
     connect(&session_, &SessionModel::changed, this, &LiveSuit::wear);
 }
 
@@ -60,6 +63,8 @@ void LiveSuit::connectTo(const QString& address, const KnownWearing& known) {
     }
     address_ = address;
     known_ = known;
+    own_ = known.calibration;
+    is_own_ = true;
     live_ = std::make_shared<LiveSession>(std::move(*device));
     live_->connect();
     looks_ = 0;
@@ -83,6 +88,7 @@ void LiveSuit::release() {
     ++connection_;
     timer_.stop();
     lone_timer_.stop();
+    endBlinking();
     jobs_.start<Done>(
         tr("Disconnecting %1").arg(address_),
         [live = std::move(live_)](const JobContext&) mutable -> Result<Done> {
@@ -99,6 +105,7 @@ void LiveSuit::release() {
     status_ = std::make_shared<const SessionStatus>();
     wearing_ = {};
     known_ = {};
+    own_.reset();
     address_.clear();
     setPhase(Phase::kNone);
     emit frameChanged();
@@ -188,13 +195,36 @@ void LiveSuit::wear() {
 
 void LiveSuit::setCalibration(std::optional<Calibration> calibration) {
     known_.calibration = std::move(calibration);
+    is_own_ = false;
     look_again_ = true;
     emit wearingChanged();
 }
 
+void LiveSuit::takeOwnCalibration() {
+    setCalibration(own_);
+    is_own_ = true;
+}
+
 void LiveSuit::blinkBoard(int board) {
-    if (live_ && status()->hello)
-        live_->identify({static_cast<uint16_t>(board), kBlink_ms});
+    if (!live_ || !status()->hello || !isPlugged(board))
+        return;
+    live_->identify({static_cast<uint16_t>(board), kBlink_ms});
+    blinking_ = board;
+    blink_timer_.start();
+    emit blinkingChanged();
+}
+
+bool LiveSuit::isPlugged(int board) const {
+    const auto& flags = status()->board_flags;
+    const auto index = static_cast<size_t>(board);
+    return board >= 0 && index < wearing_.suit.boards.size() &&
+           (index >= flags.size() || flags[index] & link::kBoardConnected);
+}
+
+void LiveSuit::endBlinking() {
+    blink_timer_.stop();
+    if (std::exchange(blinking_, -1) >= 0)
+        emit blinkingChanged();
 }
 
 void LiveSuit::playSource(int source) {

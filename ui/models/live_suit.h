@@ -74,7 +74,14 @@ public:
     const Wearing& wearing() const { return wearing_; }
     /// What poses and distances are made with; absent: none fits, then nothing is processed but health.
     const std::optional<Calibration>& calibration() const { return known_.calibration; }
+    /// Poses mean something. Without distances, or with rates that drift by tens of degrees a second, they
+    /// would only mislead.
+    bool canMoveBody() const;
     void setCalibration(std::optional<Calibration> calibration);
+    /// Back to what came with connectTo(); of the virtual suit that is exact.
+    void takeOwnCalibration();
+    /// The calibration came with connectTo(): nothing of it can have moved.
+    bool isKnownExactly() const { return known_.calibration && is_own_; }
     const KnownWearing& known() const { return known_; }
 
     /// Begins a take in the session's folder; without a session one is made by date. In words why not, else
@@ -91,8 +98,13 @@ public:
     bool makeSureOfSession();
     void addMarker(const QString& label);
     void addNote(const QString& text);
-    /// Lights a board's lamp, or lets a source sound by itself for some seconds.
+    /// Lights a board's lamp, or lets a source sound by itself for some seconds. Nothing happens to a board
+    /// that is unplugged.
     void blinkBoard(int board);
+    /// As the box says; true where it does not tell.
+    bool isPlugged(int board) const;
+    /// Whose lamp is lit by blinkBoard(); -1: none.
+    int blinkingBoard() const { return blinking_; }
     void playSource(int source);
 
 signals:
@@ -103,9 +115,12 @@ signals:
     void frameChanged();
     /// suit(), actor() or calibration() differ.
     void wearingChanged();
+    void blinkingChanged();
     void recordingStarted(const QString& take_name);
     /// Over and saved; the take is in the session's list. `trouble` is empty when the operator stopped it.
     void recordingEnded(const QString& take_name, const QString& trouble);
+    /// The take is whole, but has no poses yet: the live view could not keep up.
+    void posesMissing(const QString& take_name);
     void evidenceRecorded(const QString& path, const QString& trouble);
     void failed(const QString& what, const QString& remedy);
     /// Nothing failed, but it should be known: whole sentences.
@@ -117,6 +132,7 @@ private:
     void lookAtStatus();
     void followLink();
     void setPhase(Phase phase);
+    void endBlinking();
     void wear();
     QString whyNotRecord() const;
     StreamRequest requestOf(const std::optional<TakePlan>& plan) const;
@@ -144,11 +160,14 @@ private:
     bool sources_set_ = false;  ///< the box has not its own choice of sources
     Wearing wearing_;
     KnownWearing known_, next_known_;
+    std::optional<Calibration> own_;  ///< that came with connectTo()
+    bool is_own_ = true;              ///< known_.calibration is it
     std::shared_ptr<const SessionStatus> status_ = std::make_shared<const SessionStatus>();
     std::shared_ptr<const LiveFrame> frame_;
     std::optional<RecorderState> recorded_;  ///< as seen last
     QString take_name_;
-    QTimer timer_, lone_timer_;
+    QTimer timer_, lone_timer_, blink_timer_;
+    int blinking_ = -1;
     int looks_ = 0;
     QElapsedTimer since_trouble_;
 };

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/session/shot_list.h"
+#include "core/suit/calibration_lack.h"
 #include "ui/models/live_steps.h"
 #include "ui/models/live_suit.h"
 
@@ -33,7 +34,7 @@ StreamRequest LiveSuit::requestOf(const std::optional<TakePlan>& plan) const {
     request.created_utc = surroundings_.utc_now();
     if (!plan)
         return request;
-    request.keep_results = known_.calibration.has_value();
+    request.keep_results = canMoveBody();
     RecordingRequest take;
     take.folder = session_.session().takesFolder();
     take.name = plan->base_name.toStdString();
@@ -58,6 +59,10 @@ StreamRequest LiveSuit::requestOf(const EvidencePlan& plan) const {
     take.take_kind = plan.kind;
     request.take = std::move(take);
     return request;
+}
+
+bool LiveSuit::canMoveBody() const {
+    return known_.calibration && !lackOf(wearing_.suit, *known_.calibration).stopsTheBody();
 }
 
 /// One source alone, or all again after that.
@@ -268,6 +273,8 @@ void LiveSuit::ended(const StreamResult& result) {
     }
     for (const std::string& warning : result.warnings)
         emit warned(QStringLiteral("%1: %2").arg(take_name_, wordsOf(warning)));
+    if (result.lacks_poses)
+        emit posesMissing(take_name_);
     const QString name = take_name_;
     if (leave_wanted_)
         release();

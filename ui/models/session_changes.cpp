@@ -211,6 +211,8 @@ void SessionModel::trashTake(int take) {
             return may ? noctule::trashTake(session, name) : may;
         },
         [trashed](Session& session) { return restoreTake(session, trashed); });
+    if (session_->findTake(trashed.name) < 0)
+        emit takeTrashed(QString::fromStdString(trashed.name));
 }
 
 std::shared_ptr<void> SessionModel::keepInPlace(const QString& take_path) {

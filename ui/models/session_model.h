@@ -81,8 +81,9 @@ public:
     std::shared_ptr<void> keepInPlace(const QString& take_path);
 
 signals:
-    void opened();   ///< or closed
-    void changed();  ///< anything of the session
+    void takeTrashed(const QString& name);  ///< by the operator, who can take it back
+    void opened();                          ///< or closed
+    void changed();                         ///< anything of the session
     void currentTakeChanged(int index);
     void takeAdded(const QString& name);  ///< imported
     void failed(const QString& message);

@@ -56,7 +56,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
       contacts_(changes_, take_, time_),
       finder_(settings_),
       suit_(jobs_, session_, {parts_.software, parts_.utc_now, [this] { return sessionsFolder(); }}),
-      calibrations_(session_, suit_),
+      calibrations_(session_, suit_, suitsFolder()),
       check_(jobs_, suit_, [this] { return takesFolder(); }),
       virtual_suit_(jobs_, {words(parts_.virtual_suit_program),
                             QStandardPaths::writableLocation(QStandardPaths::CacheLocation), parts_.software,
@@ -78,7 +78,13 @@ Studio::Studio(StudioParts parts, QObject* parent)
     connect(&suit_, &LiveSuit::warned, this, &Studio::warned);
     connect(&calibrations_, &CalibrationShelf::warned, this, &Studio::warned);
     connect(&suit_, &LiveSuit::phaseChanged, this, &Studio::followSuit);
+    connect(&calibrations_, &CalibrationShelf::told, this, &Studio::said);
     connect(&calibrations_, &CalibrationShelf::changed, this, [this] { setChecked({}); });
+    connect(&calibrations_, &CalibrationShelf::saved, this, [this](const QString& task, bool is_good) {
+        // A rest pose that was found just now is as good as a check of it.
+        if (task == QLatin1String("rest-pose"))
+            setChecked(CheckedSuit{QDateTime::currentDateTime(), is_good});
+    });
     connect(&virtual_suit_, &VirtualSuit::failed, this, &Studio::failed);
     connect(&virtual_suit_, &VirtualSuit::started, this,
             [this] { suit_.connectTo(virtual_suit_.address(), virtual_suit_.known()); });
@@ -109,6 +115,11 @@ void Studio::whenBodyIsThere(QObject* context, std::function<void()> act) {
 QString Studio::sessionsFolder() const {
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     return settings_.value("folders/sessions", QDir(documents).filePath("Noctule")).toString();
+}
+
+QString Studio::suitsFolder() const {
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    return settings_.value("folders/suits", QDir(data).filePath("suits")).toString();
 }
 
 QString Studio::takesFolder() const {
@@ -147,6 +158,7 @@ void Studio::stopVirtualSuit() {
 
 void Studio::setChecked(const std::optional<CheckedSuit>& checked) {
     checked_ = checked;
+    check_.setChecked(checked ? std::optional(checked->is_good) : std::nullopt);
     emit checkedChanged();
 }
 
@@ -188,6 +200,14 @@ Job* Studio::tryVirtualSuit() {
             return tr("%1 is ready").arg(words(made->take));
         });
     return trying_;
+}
+
+ProcessRequest Studio::accurateRequest(const std::string& take_path) {
+    ProcessRequest request;
+    request.take_path = take_path;
+    request.tracker.smoother = Smoother::kFull;
+    request.detector = Detector::kMatched;
+    return request;
 }
 
 Job* Studio::process(ProcessRequest request) {

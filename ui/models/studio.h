@@ -76,6 +76,8 @@ public:
 
     /// Where sessions are made unless the operator says otherwise.
     QString sessionsFolder() const;
+    /// Where calibrations of suits are kept beyond sessions.
+    QString suitsFolder() const;
     /// Of the open session, else the one where sessions are made.
     QString takesFolder() const;
     /// A session with a sample take, processed and open in Review. The one made earlier is used again. A job;
@@ -94,6 +96,9 @@ public:
     };
     const std::optional<CheckedSuit>& checked() const { return checked_; }
     void setChecked(const std::optional<CheckedSuit>& checked);
+    /// The most accurate settings for a take that is recorded: the whole take smoothed, and pulses found by
+    /// their whole shape.
+    static ProcessRequest accurateRequest(const std::string& take_path);
     /// Processes a take of the session as a job; shows the new run when the take is open.
     Job* process(ProcessRequest request);
     /// One after the other, so that all that waits holds no other work up.

@@ -16,6 +16,7 @@ SuitCheck::SuitCheck(Jobs& jobs, LiveSuit& suit, std::function<QString()> folder
     timer_.setInterval(kJudgeEvery_ms);
     connect(&timer_, &QTimer::timeout, this, &SuitCheck::judge);
     connect(&suit_, &LiveSuit::phaseChanged, this, &SuitCheck::follow);
+    connect(&suit_, &LiveSuit::wearingChanged, this, &SuitCheck::judge);
 }
 
 void SuitCheck::follow() {
@@ -60,6 +61,7 @@ void SuitCheck::judge() {
     for (const uint16_t flags : status->board_flags)
         facts.board_is_plugged.push_back(flags & link::kBoardConnected);
     facts.storage_left_s = storageLeft_s();
+    addFit(facts);
     facts.without_boards = without_boards_;
     facts.without_sources = without_sources_;
     if (frame && frame->health.boards.size() == silent_since_.size())
@@ -75,6 +77,34 @@ void SuitCheck::judge() {
     noteTimes();
     forgetAccepted();
     emit changed();
+}
+
+void SuitCheck::addFit(ReadinessFacts& facts) const {
+    const auto& calibration = suit_.calibration();
+    facts.lack = lackOf(suit_.suit(), calibration.value_or(Calibration{}));
+    if (suit_.isKnownExactly())
+        facts.fit = SuitFit::kChecked;
+    else
+        facts.fit = !checked_ ? SuitFit::kUnchecked : *checked_ ? SuitFit::kChecked : SuitFit::kMoved;
+    if (const QDateTime made = restPoseMade(); made.isValid())
+        facts.rest_pose_age_h = static_cast<double>(made.secsTo(QDateTime::currentDateTime())) / 3600;
+}
+
+QDateTime SuitCheck::restPoseMade() const {
+    QDateTime newest;
+    if (const auto& calibration = suit_.calibration())
+        for (const BoardCalibration& board : calibration->boards)
+            if (const auto made = board.made.find("rest-pose"); made != board.made.end()) {
+                const auto when =
+                    QDateTime::fromString(QString::fromStdString(made->second.created_utc), Qt::ISODate);
+                newest = !newest.isValid() || when > newest ? when : newest;
+            }
+    return newest;
+}
+
+void SuitCheck::setChecked(std::optional<bool> is_good) {
+    checked_ = is_good;
+    judge();
 }
 
 void SuitCheck::measureRate() {
@@ -114,6 +144,9 @@ void SuitCheck::forgetAccepted() {
         return;
     std::set<int> boards, sources;
     for (const ReadinessProblem& problem : readiness_.problems) {
+        const bool of_sources =
+            problem.kind == ProblemKind::kSourceSilent || problem.kind == ProblemKind::kSourceFaint;
+        (of_sources ? sources : boards).insert(problem.alike.begin(), problem.alike.end());
         boards.insert(problem.board);
         sources.insert(problem.source);
     }
@@ -128,6 +161,9 @@ QTime SuitCheck::silentSince(int board) const {
 }
 
 void SuitCheck::goOnWithout(const ReadinessProblem& problem) {
+    const bool of_sources =
+        problem.kind == ProblemKind::kSourceSilent || problem.kind == ProblemKind::kSourceFaint;
+    (of_sources ? without_sources_ : without_boards_).insert(problem.alike.begin(), problem.alike.end());
     if (problem.board >= 0)
         without_boards_.insert(problem.board);
     if (problem.source >= 0)

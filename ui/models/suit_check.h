@@ -3,6 +3,7 @@
 // (core/live/readiness.h) together with what the operator has accepted and what the disk holds.
 #pragma once
 
+#include <QDateTime>
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTime>
@@ -36,6 +37,10 @@ public:
     /// Of sound that arrives now, as measured.
     double bytesPerSecond() const { return bytes_per_s_; }
 
+    /// Whether the last check of this wearing was good; absent: none was made.
+    void setChecked(std::optional<bool> is_good);
+    /// When the rest pose in force was made; invalid: there is none, or its time is not known.
+    QDateTime restPoseMade() const;
     /// Until it is heard again.
     void goOnWithout(const ReadinessProblem& problem);
 
@@ -45,6 +50,7 @@ signals:
 private:
     void follow();
     void judge();
+    void addFit(ReadinessFacts& facts) const;
     void noteTimes();
     void measureRate();
     void forgetAccepted();
@@ -60,6 +66,7 @@ private:
     std::vector<QTime> silent_since_;
     std::vector<bool> was_heard_;
     QTime lost_since_;
+    std::optional<bool> checked_;
     BatteryForecast battery_;
     QElapsedTimer clock_;
     qint64 free_bytes_ = -1;

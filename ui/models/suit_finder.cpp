@@ -139,6 +139,13 @@ void SuitFinder::renew() {
     emit changed();
 }
 
+std::optional<KnownSuit> SuitFinder::connectable() const {
+    const auto found = std::ranges::find_if(suits_, [](const KnownSuit& suit) {
+        return suit.present && suit.device.contact == FoundDevice::Contact::kAnswers && !suit.device.busy;
+    });
+    return found == suits_.end() ? std::nullopt : std::optional(*found);
+}
+
 const KnownSuit* SuitFinder::at(const QString& address) const {
     const auto found = std::ranges::find_if(suits_, [&](const KnownSuit& suit) {
         return suit.present && suit.device.address == address.toStdString();

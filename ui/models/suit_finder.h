@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QSettings>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "devices/discovery/discovery.h"
@@ -35,6 +36,8 @@ public:
 
     /// Those that are here, then those that are remembered.
     const std::vector<KnownSuit>& suits() const { return suits_; }
+    /// A box that answers and that no other studio uses, the first of them.
+    std::optional<KnownSuit> connectable() const;
     /// Null when none has this address now.
     const KnownSuit* at(const QString& address) const;
     /// Asks at an address or a serial port who is there; the list tells. In words what is wrong with it, else

@@ -32,11 +32,12 @@ public:
     /// Null until opened().
     std::shared_ptr<const TakeOverview> overview() const { return overview_; }
 
-    /// Result A, the one that is shown, and B, the one that it is compared with (-1: none; kReference: the
-    /// take's own).
+    /// The result that is shown and the one that it is compared with (-1: none; kReference: the take's own).
     static constexpr int kReference = -2;
     int shownRun() const { return shown_; }  ///< index into overview()->runs, -1: none
     int comparedRun() const { return compared_; }
+    /// "2": results are numbered in the order they were made and keep their number for good.
+    static QString numberOf(int index) { return QString::number(index + 1); }
     void setShownRun(int index);
     void setComparedRun(int index);
 

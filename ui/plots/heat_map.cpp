@@ -116,10 +116,20 @@ QString HeatMap::wordsOf(int source, int board, const PairCell& cell) const {
                 .arg(board + 1)
                 .arg(place, numberText(cell.confidence, 2));
         case PairCell::State::kLost:
-            return tr("Board %1, %2, hears no source").arg(board + 1).arg(place);
+            // Without offsets no range was made of what the board heard.
+            return overview_->lack.ofAllOffsets()
+                       ? tr("Board %1, %2: heard, but not usable without source offsets")
+                             .arg(board + 1)
+                             .arg(place)
+                       : tr("Board %1, %2, hears no source").arg(board + 1).arg(place);
         case PairCell::State::kSilent:
             break;
     }
+    if (overview_->lack.ofAllOffsets())
+        return tr("Source %1 to board %2, %3: heard, but not usable without source offsets")
+            .arg(source + 1)
+            .arg(board + 1)
+            .arg(place);
     return tr("Source %1 to board %2, %3: not heard").arg(source + 1).arg(board + 1).arg(place);
 }
 
@@ -164,6 +174,12 @@ void HeatMap::tellPair() {
         detail_text_->clear();
         return;
     }
+    if (studio_.take().shownRun() < 0) {
+        pair_text_->setText(
+            tr("This take has no result yet. Process it to see which board heard which source."));
+        detail_text_->clear();
+        return;
+    }
     if (!summaries_) {
         const bool failed = !studio_.take().problem().isEmpty() && !studio_.take().isLoading();
         pair_text_->setText(failed ? studio_.take().problem() : tr("Reading ranges"));
@@ -188,7 +204,7 @@ void HeatMap::tellPair() {
         return;
     }
     const QString kept =
-        tr("%1 ranges kept, %2 gated out").arg(countText(window.used), countText(window.gated));
+        tr("%1 ranges kept, %2 left out").arg(countText(window.used), countText(window.gated));
     detail_text_->setText(window.residual_rms_m
                               ? tr("%1, residual %2").arg(kept, millimetresText(*window.residual_rms_m))
                               : kept);

@@ -41,7 +41,7 @@ QString fateWords(RangeFate fate) {
         case RangeFate::kWeighted:
             return QCoreApplication::translate("LaneLegend", "less weight");
         case RangeFate::kGated:
-            return QCoreApplication::translate("LaneLegend", "gated out");
+            return QCoreApplication::translate("LaneLegend", "left out");
         case RangeFate::kBehindSource:
             return QCoreApplication::translate("LaneLegend", "behind");
         case RangeFate::kNoConfidence:

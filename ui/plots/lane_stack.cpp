@@ -30,11 +30,13 @@ public:
     }
 
     void follow() {
-        const int old_x = painted_x_;
-        const int reach = Theme::get().px(kDot) + 2;
-        painted_x_ = qRound(xOf(studio_.time().time()));
-        update(old_x - reach, 0, 2 * reach + 1, height());
-        update(painted_x_ - reach, 0, 2 * reach + 1, height());
+        updateAround(cursor_s_);
+        cursor_s_ = studio_.time().time();
+        updateAround(cursor_s_);
+    }
+    void renew() {
+        cursor_s_ = studio_.time().time();
+        update();
     }
 
 protected:
@@ -46,6 +48,11 @@ protected:
     }
 
 private:
+    void updateAround(double t_s) {
+        const int reach = Theme::get().px(kDot) + 2;
+        update(qRound(xOf(t_s)) - reach, 0, 2 * reach + 1, height());
+    }
+
     double xOf(double t_s) const {
         const auto [left, right] = stack_.timeExtent();
         return left + window_.xOf(t_s, right - left);
@@ -68,27 +75,29 @@ private:
         }
     }
 
-    void paintCursor(QPainter& painter) {
-        const double t_s = studio_.time().time();
-        painted_x_ = qRound(xOf(t_s));
+    void paintCursor(QPainter& painter) const {
+        const double t_s = cursor_s_;
+        const int x_px = qRound(xOf(t_s));
         if (!shows(t_s) || !studio_.take().isOpen())
             return;
         const Tokens& tokens = Theme::get().tokens();
-        painter.fillRect(QRect(painted_x_, 0, Theme::get().px(1), height()), tokens.t1);
+        painter.fillRect(QRect(x_px, 0, Theme::get().px(1), height()), tokens.t1);
         painter.setRenderHint(QPainter::Antialiasing);
         const double radius = Theme::get().px(kDot);
         for (const PlotLane* lane : stack_.lanes())
             for (const PlotLane::Dot& dot : lane->dotsAt(t_s)) {
                 painter.setPen(QPen(tokens.panel, 1));
                 painter.setBrush(dot.color);
-                painter.drawEllipse(QPointF(painted_x_ + 0.5, lane->y() + dot.position.y()), radius, radius);
+                painter.drawEllipse(QPointF(x_px + 0.5, lane->y() + dot.position.y()), radius, radius);
             }
     }
 
     LaneStack& stack_;
     Studio& studio_;
     TimeWindow& window_;
-    int painted_x_ = 0;
+    /// Where the cursor is painted. Painting does not change it: a part may be painted, for whatever reason,
+    /// before follow() has seen the new time, and the old cursor would stay elsewhere.
+    double cursor_s_ = 0;
 };
 
 LaneStack::LaneStack(Studio& studio, TimeWindow& window, QWidget* parent)
@@ -106,7 +115,7 @@ LaneStack::LaneStack(Studio& studio, TimeWindow& window, QWidget* parent)
     connect(&window, &TimeWindow::changed, this, [this] { redraw_.ask(); });
     connect(&studio.time(), &TimeCursor::rangeChanged, this, [this] { redraw_.ask(); });
     connect(&studio.time(), &TimeCursor::timeChanged, this, [this] { move_cursor_.ask(); });
-    connect(&studio.take(), &TakeDocument::opened, overlay_, qOverload<>(&QWidget::update));
+    connect(&studio.take(), &TakeDocument::opened, overlay_, [this] { overlay_->renew(); });
     connect(&Theme::get(), &Theme::changed, this, [this] {
         updateGeometry();
         place();
@@ -157,7 +166,7 @@ void LaneStack::place() {
         lane.setGeometry(0, top, width(), bottom - top);
     }
     overlay_->setGeometry(rect());
-    overlay_->update();
+    overlay_->renew();
 }
 
 void LaneStack::resizeEvent(QResizeEvent*) {
@@ -170,7 +179,7 @@ void LaneStack::redraw() {
         lane->draw(window_.from(), window_.to(), emphasis);
         lane->setCursor(studio_.time().time());
     }
-    overlay_->update();
+    overlay_->renew();
 }
 
 void LaneStack::moveCursor() {

@@ -28,13 +28,17 @@ struct Wearer {
     LanePen pen;
 };
 
-/// Result A first; B and the reference where there are some.
+/// The shown result first; the compared one and the reference where there are some.
 std::vector<Wearer> wearersOf(const TakeDocument& take) {
-    std::vector<Wearer> wearers{{Whose::kShown, laneWords(QT_TRANSLATE_NOOP("Lanes", "result A")),
-                                 QStringLiteral("%1"), LanePen::kFirst}};
+    const auto result = [](int run) {
+        return laneWords(QT_TRANSLATE_NOOP("Lanes", "result %1")).arg(TakeDocument::numberOf(run));
+    };
+    std::vector<Wearer> wearers{
+        {Whose::kShown, result(take.shownRun()), QStringLiteral("%1"), LanePen::kFirst}};
     if (take.comparedRun() >= 0)
-        wearers.push_back({Whose::kCompared, laneWords(QT_TRANSLATE_NOOP("Lanes", "result B")),
-                           laneWords(QT_TRANSLATE_NOOP("Lanes", "B %1")), LanePen::kSecond});
+        wearers.push_back({Whose::kCompared, result(take.comparedRun()),
+                           QStringLiteral("%1: %2").arg(TakeDocument::numberOf(take.comparedRun()), "%1"),
+                           LanePen::kSecond});
     if (take.overview()->has_reference)
         wearers.push_back({Whose::kReference, laneWords(QT_TRANSLATE_NOOP("Lanes", "reference")),
                            laneWords(QT_TRANSLATE_NOOP("Lanes", "ref %1")), LanePen::kReference});

@@ -15,8 +15,8 @@ inline constexpr int kSceneLayerCount = 8;
 
 /// Which motion of the take under review a view shows.
 enum class SceneSubject {
-    kShown,     ///< result A, with the other one as its ghost
-    kCompared,  ///< result B or the reference, alone: for a second view beside the first
+    kShown,     ///< the shown result, with the other one as its ghost
+    kCompared,  ///< the compared result or the reference, alone: for a second view beside the first
 };
 
 struct SceneLayers {

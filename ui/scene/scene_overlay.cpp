@@ -19,6 +19,8 @@ double px(double at_100_percent) {
     return Theme::get().px(at_100_percent);
 }
 
+constexpr double kNarrow = 400;  // pixels at 100 percent
+
 QFont captionFont(bool medium = false) {
     return Theme::get().font(TextRole::kCaption, medium);
 }
@@ -102,6 +104,23 @@ QRectF calloutBox(const QRectF& area, const QPointF& at, double clear_px, const 
     return box;
 }
 
+/// In a view that is hardly wider than its body a box would stand on it: the words stand below the feet.
+void paintCaption(QPainter& painter, const QRectF& area, const SceneCallout& callout, size_t legends) {
+    const Theme& theme = Theme::get();
+    const double row = px(18), left = area.left() + px(16), width = area.width() - px(24);
+    double y = area.bottom() - px(18) - px(20) * static_cast<double>(legends) - row;
+    const auto line = [&](const QFont& font, const QColor& color, const QString& words) {
+        painter.setFont(font);
+        painter.setPen(color);
+        painter.drawText(QRectF(left, y, width, row), Qt::AlignLeft | Qt::AlignVCenter,
+                         QFontMetricsF(font).elidedText(words, Qt::ElideRight, width));
+        y -= row;
+    };
+    if (!callout.detail.isEmpty())
+        line(theme.font(TextRole::kCaption), theme.tokens().t2, callout.detail);
+    line(theme.font(TextRole::kSecondary, true), theme.tokens().t1, callout.title);
+}
+
 void paintCallout(QPainter& painter, const QRectF& area, const SceneCallout& callout) {
     const Theme& theme = Theme::get();
     const Tokens& tokens = theme.tokens();
@@ -144,6 +163,10 @@ bool sameContent(const OverlayContent& a, const OverlayContent& b) {
 
 }  // namespace
 
+bool SceneOverlay::isNarrow(const QWidget& view) {
+    return view.width() < px(kNarrow);
+}
+
 SceneOverlay::SceneOverlay(QWidget* parent) : QWidget(parent) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setFocusPolicy(Qt::NoFocus);
@@ -160,14 +183,17 @@ void SceneOverlay::setContent(OverlayContent content) {
 void SceneOverlay::paint(QPainter& painter, const QRectF& area, const OverlayContent& content) {
     painter.setRenderHint(QPainter::Antialiasing);
     const bool has_room = area.height() >= px(180) && area.width() >= px(240);
-    const bool has_axes = content.has_axes && has_room;
+    const bool narrow = area.width() < px(kNarrow);
+    const bool has_axes = content.has_axes && has_room && !narrow;
     if (has_axes)
         paintAxes(painter, area, content.camera_axes);
     if (has_room)
         paintLegends(painter, area, content.legends, has_axes);
     if (content.has_rays && has_room && area.width() >= px(520))
         paintRayLegend(painter, area);
-    if (content.callout)
+    if (content.callout && narrow)
+        paintCaption(painter, area, *content.callout, has_room ? content.legends.size() : 0);
+    else if (content.callout)
         paintCallout(painter, area, *content.callout);
 }
 

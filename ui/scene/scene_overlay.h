@@ -36,6 +36,8 @@ public:
     explicit SceneOverlay(QWidget* parent);
 
     void setContent(OverlayContent content);
+    /// The view is hardly wider than its body.
+    static bool isNarrow(const QWidget& view);
     const OverlayContent& content() const { return content_; }
     /// The same onto any picture of the area's size.
     static void paint(QPainter& painter, const QRectF& area, const OverlayContent& content);

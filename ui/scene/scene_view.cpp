@@ -203,13 +203,18 @@ const Scene& SceneView::compose() {
 
 Eigen::AlignedBox3d SceneView::bodyBox() const {
     constexpr double kMostCovered = 0.3;
-    constexpr double kReach = 0.22;  // of the height with raised arms
+    constexpr double kReach = 0.22;   // of the height with raised arms
+    constexpr double kCaption = 0.2;  // below the feet, for the words of a narrow view
     const double covered = parts_->tools->geometry().bottom() / std::max(1.0, 1.0 * height());
     Eigen::AlignedBox3d box = parts_->composed.places.box();
     if (studio_.look().worn)  // whose head may be far larger than its bones say
         for (const SceneBody& body : parts_->composed.scene.bodies)
             for (const Eigen::Vector3f& p_m : skinned(*body.mesh, body.skin, body.blending).points_m)
                 box.extend(p_m.cast<double>());
+    if (!parts_->figure && !parts_->live)
+        extendByMotion(box);
+    if (SceneOverlay::isNarrow(*this))
+        box.extend(box.min() - Vector3d(0, kCaption * box.sizes().y(), 0));
     return roomy(box, std::clamp(covered, parts_->live ? kReach : 0.0, kMostCovered));
 }
 

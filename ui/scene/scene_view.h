@@ -104,6 +104,8 @@ private:
     void refresh();
     void updateOverlay(quint64 number);
     void changeLayers();
+    /// By all places that the shown take's joints get to.
+    void extendByMotion(Eigen::AlignedBox3d& box) const;
     /// What the camera frames: the body, and room for the tools above it.
     Eigen::AlignedBox3d bodyBox() const;
     void keepFollowing();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a 3D view shows: the take under review, a performer at rest, or a suit that is worn right now.
+#include <algorithm>
 #include <utility>
 
 #include "ui/scene/scene_parts.h"
@@ -104,6 +105,26 @@ void SceneView::setChosenPart(SuitPart part) {
         return;
     parts_->figure->choose(part);
     refresh();
+}
+
+void SceneView::extendByMotion(Eigen::AlignedBox3d& box) const {
+    constexpr size_t kLooks = 200;
+    constexpr double kFarthest_m = 4;  // over a longer way the body would be a dot
+    const auto motion = studio_.take().shownMotion();
+    if (!motion)
+        return;
+    Eigen::AlignedBox3d reached;
+    const size_t step = std::max<size_t>(1, motion->frames.size() / kLooks);
+    for (size_t i = 0; i < motion->frames.size(); i += step)
+        if (motion->frames[i].pose)
+            reached.extend(placeBody(motion->skeleton, *motion->frames[i].pose, {}, nullptr).box());
+    if (reached.isEmpty())
+        return;
+    const Vector3d way_m = reached.sizes(), centre_m = box.center();
+    if (std::max(way_m.x(), way_m.z()) <= kFarthest_m)
+        box.extend(reached);
+    else
+        box.extend(Vector3d(centre_m.x(), reached.max().y(), centre_m.z()));
 }
 
 }  // namespace noctule::ui

@@ -47,12 +47,13 @@ QString withChosen(const QString& words, const std::optional<SceneCallout>& call
 std::vector<SceneLegend> takeLegends(TakeDocument& take, const ComposedScene& composed,
                                      const SceneLayers& layers) {
     const bool is_reference = take.comparedRun() == TakeDocument::kReference;
-    const QString compared = is_reference ? SceneWords::tr("Reference") : SceneWords::tr("Result B");
+    const auto result = [](int run) { return SceneWords::tr("Result %1").arg(TakeDocument::numberOf(run)); };
+    const QString compared = is_reference ? SceneWords::tr("Reference") : result(take.comparedRun());
     if (composed.subject == SceneSubject::kCompared)
         return {{compared, false}};
     if (!composed.has_ghost || !layers.has(SceneLayer::kGhost))
         return {};
-    return {{SceneWords::tr("Result A"), false}, {compared, true}};
+    return {{result(take.shownRun()), false}, {compared, true}};
 }
 
 std::optional<SceneCallout> partCallout(const Suit& suit, const Selection& selection,

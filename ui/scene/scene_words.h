@@ -12,7 +12,7 @@
 
 namespace noctule::ui {
 
-/// "Result A", and of what it is compared with.
+/// "Result 2", and of what it is compared with.
 std::vector<SceneLegend> takeLegends(TakeDocument& take, const ComposedScene& composed,
                                      const SceneLayers& layers);
 /// "Left shin, board 14" and the chosen pair's confidence; nothing when no board or source is chosen.

@@ -93,22 +93,55 @@ QString bytesText(qint64 bytes) {
     return withUnit(value, unit > 0 && std::abs(value) < 9.95 ? 1 : 0, units[unit]);
 }
 
-QString dateText(const QDateTime& when, const QDateTime& now) {
+namespace {
+
+struct AgeText {
+    Q_DECLARE_TR_FUNCTIONS(noctule::ui::words)
+};
+
+QString dateWords(const QDateTime& when, const QDateTime& now, const QString& today_words,
+                  const QString& yesterday) {
     if (!when.isValid())
         return kDash;
     const QDate day = when.toLocalTime().date();
     const QDate today = now.toLocalTime().date();
     const QLocale locale;
     if (day == today)
-        return QCoreApplication::translate("noctule::ui::words", "Today, %1")
-            .arg(when.toLocalTime().time().toString("HH:mm"));
+        return today_words.arg(when.toLocalTime().time().toString("HH:mm"));
     if (day == today.addDays(-1))
-        return QCoreApplication::translate("noctule::ui::words", "Yesterday");
+        return yesterday;
     const bool this_year = day.year() == today.year();
     return locale.toString(
         day, this_year
                  ? QCoreApplication::translate("noctule::ui::words", "d MMMM", "day and month")
                  : QCoreApplication::translate("noctule::ui::words", "d MMMM yyyy", "day, month and year"));
+}
+
+}  // namespace
+
+QString dateText(const QDateTime& when, const QDateTime& now) {
+    return dateWords(when, now, QCoreApplication::translate("noctule::ui::words", "Today, %1"),
+                     QCoreApplication::translate("noctule::ui::words", "Yesterday"));
+}
+
+QString dateInside(const QDateTime& when, const QDateTime& now) {
+    return dateWords(when, now,
+                     QCoreApplication::translate("noctule::ui::words", "today, %1", "within a sentence"),
+                     QCoreApplication::translate("noctule::ui::words", "yesterday", "within a sentence"));
+}
+
+QString ageText(const QDateTime& when, const QDateTime& now) {
+    if (!when.isValid())
+        return kDash;
+    const qint64 minutes = when.secsTo(now) / 60;
+    constexpr qint64 kHour = 60, kDay = 24 * kHour;
+    if (minutes < 2)
+        return AgeText::tr("just now", "an age");
+    if (minutes < 2 * kHour)
+        return AgeText::tr("%1 min", "an age").arg(minutes);
+    if (minutes < 2 * kDay)
+        return AgeText::tr("%n hour(s)", "an age", static_cast<int>(minutes / kHour));
+    return AgeText::tr("%n day(s)", "an age", static_cast<int>(minutes / kDay));
 }
 
 }  // namespace noctule::ui

@@ -29,5 +29,9 @@ QString bytesText(qint64 bytes);
 QString numberText(double value, int decimals);
 /// "Today, 10:12", "Yesterday", "17 November"; with the year when it is not the present one.
 QString dateText(const QDateTime& when, const QDateTime& now = QDateTime::currentDateTime());
+/// The same within a sentence: "since today, 10:12".
+QString dateInside(const QDateTime& when, const QDateTime& now = QDateTime::currentDateTime());
+/// How long ago: "just now", "40 min", "5 hours", "12 days".
+QString ageText(const QDateTime& when, const QDateTime& now = QDateTime::currentDateTime());
 
 }  // namespace noctule::ui

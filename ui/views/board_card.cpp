@@ -69,6 +69,7 @@ BoardCard::BoardCard(LiveSuit& suit, SuitCheck& check, QWidget* parent)
     connect(&suit_, &LiveSuit::frameChanged, this, &BoardCard::showFrame);
     connect(&check_, &SuitCheck::changed, this, &BoardCard::showWords);
     connect(&suit_, &LiveSuit::wearingChanged, this, &BoardCard::showWords);
+    connect(&suit_, &LiveSuit::blinkingChanged, this, &BoardCard::showWords);
     setBoard(-1);
 }
 
@@ -120,7 +121,9 @@ void BoardCard::showWords() {
         tr("Board %1, %2", "number, body part").arg(board_ + 1).arg(boardName(board, NameCase::kInside)));
     serial_->setText(board.serial.empty() ? tr("Its serial number is not known")
                                           : tr("Serial %1").arg(QString::fromStdString(board.serial)));
-    blink_->setText(tr("Blink board %1").arg(board_ + 1));
+    const bool blinks = suit_.blinkingBoard() == board_;
+    blink_->setText(blinks ? tr("Board %1 blinks").arg(board_ + 1) : tr("Blink board %1").arg(board_ + 1));
+    blink_->setDisabledBecause(suit_.isPlugged(board_) ? QString() : tr("The board is unplugged."));
     const auto frame = suit_.frame();
     if (!frame || frame->health.boards.size() != suit.boards.size())
         return frames_->setText(boardDetail(check_, board_));

@@ -89,7 +89,7 @@ void ConnectPage::addActions() {
     connect(look, &QAction::triggered, this, [this] { studio_.finder().lookAgain(); });
     blink_ = new QAction(tr("Blink the chosen board"), this);
     blink_->setShortcut(Qt::Key_B);
-    connect(blink_, &QAction::triggered, this, [this] { studio_.suit().blinkBoard(board_); });
+    connect(blink_, &QAction::triggered, this, &ConnectPage::blink);
     take_off_ = new QAction(tr("Go on without the chosen board"), this);
     take_off_->setShortcut(Qt::Key_Delete);
     connect(take_off_, &QAction::triggered, this, &ConnectPage::takeOff);
@@ -112,6 +112,7 @@ void ConnectPage::connectStudio() {
         if (isVisible())
             showState();
     });
+    connect(&studio_.suit(), &LiveSuit::blinkingChanged, this, &ConnectPage::showState);
     connect(pairs_, &LivePairs::boardChosen, this, &ConnectPage::choose);
     connect(card_, &BoardCard::blinkRequested, this, [this](int board) { studio_.suit().blinkBoard(board); });
     connect(readiness_, &ReadinessPanel::boardChosen, this, &ConnectPage::choose);
@@ -183,9 +184,18 @@ void ConnectPage::choose(int board) {
     pairs_->setBoard(board);
 }
 
+void ConnectPage::blink() {
+    if (board_ < 0)
+        studio_.say(tr("Choose a board first."));
+    else if (!studio_.suit().isPlugged(board_))
+        studio_.say(tr("Board %1 is unplugged and cannot blink.").arg(board_ + 1));
+    else
+        studio_.suit().blinkBoard(board_);
+}
+
 void ConnectPage::takeOff() {
     for (const ReadinessProblem& problem : std::vector(studio_.check().readiness().problems))
-        if (problem.board == board_ && board_ >= 0)
+        if (board_ >= 0 && (problem.board == board_ || std::ranges::count(problem.alike, board_) > 0))
             return studio_.check().goOnWithout(problem);
     studio_.say(board_ < 0 ? tr("Choose a board first.")
                            : tr("Board %1 works; there is nothing to go on without.").arg(board_ + 1));

@@ -54,6 +54,7 @@ private:
     void showState();
     void showLayout();
     void choose(int board);
+    void blink();
     void takeOff();
 
     Studio& studio_;

@@ -8,6 +8,7 @@
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QScopedValueRollback>
+#include <algorithm>
 
 #include "ui/style/words.h"
 #include "ui/views/export_take_list.h"
@@ -36,7 +37,10 @@ QDoubleSpinBox* makeSeconds(const QString& name) {
     return field;
 }
 
-enum class ResultChoice { kLast, kShown, kEach };
+enum class ResultChoice { kLast, kShown, kEach, kAll };
+/// What several programs want of one take at once.
+constexpr ExportFormat kAlso[] = {ExportFormat::kFbx, ExportFormat::kGlb, ExportFormat::kBvh,
+                                  ExportFormat::kCsv};
 
 template <class T>
 void chooseData(QComboBox* box, const T& value) {
@@ -91,9 +95,10 @@ void ExportForm::makeTakes() {
     takes_ = new ExportTakeList(studio_);
     column->addWidget(takes_);
     auto* rows = new FormRows(kLabels);
-    run->addItem(tr("Last of each take"), static_cast<int>(ResultChoice::kLast));
     run->addItem(tr("As shown in Review"), static_cast<int>(ResultChoice::kShown));
+    run->addItem(tr("Last of each take"), static_cast<int>(ResultChoice::kLast));
     run->addItem(tr("Chosen for each take"), static_cast<int>(ResultChoice::kEach));
+    run->addItem(tr("All of each take"), static_cast<int>(ResultChoice::kAll));
     rows->addRow(tr("Result"), run);
     column->addWidget(rows);
 }
@@ -129,6 +134,7 @@ void ExportForm::addMotionRows(FormRows& rows) {
           ExportFormat::kCsv, ExportFormat::kVideo, ExportFormat::kPng})
         format->addItem(formatName(each), static_cast<int>(each));
     rows.addRow(tr("Format"), format);
+    rows.addRow(tr("Also as"), makeAlso());
     rows.addControl(one_file);
     one_file->setToolTip(
         tr("Each take is an animation stack under its name; {take} in the file name becomes the session’s "
@@ -147,7 +153,7 @@ void ExportForm::addFigureRows(FormRows& rows) {
     unit->addItem(tr("Centimetres"), 0.01);
     unit->addItem(tr("Metres"), 1.0);
     not_of_pictures_.push_back(rows.addRow(tr("Unit"), unit));
-    names->addItem(tr("Noctule's own"), static_cast<int>(JointNames::kOwn));
+    names->addItem(tr("Common (Hips, Spine, LeftArm)"), static_cast<int>(JointNames::kOwn));
     names->addItem(tr("HumanIK"), static_cast<int>(JointNames::kHumanIk));
     not_of_pictures_.push_back(rows.addRow(tr("Names"), names));
     not_of_pictures_.insert(not_of_pictures_.end(), {unit, names});
@@ -159,6 +165,21 @@ void ExportForm::addFigureRows(FormRows& rows) {
     lock_feet->setToolTip(
         tr("On a body of other proportions feet would slide; its legs bend a little instead."));
     rows.addControl(angles);
+}
+
+QWidget* ExportForm::makeAlso() {
+    auto* boxes = new QWidget;
+    auto* grid = makeGrid(boxes, {}, 4);
+    int place = 0;
+    for (const ExportFormat each : kAlso) {
+        auto* box = new QCheckBox(formatName(each));
+        box->setToolTip(tr("Each take is written in this format too."));
+        connect(box, &QCheckBox::toggled, this, &ExportForm::read);
+        grid->addWidget(box, place / 2, place % 2);
+        also[each] = box;
+        ++place;
+    }
+    return boxes;
 }
 
 QWidget* ExportForm::makePictures() {
@@ -201,6 +222,8 @@ void ExportForm::setSettings(const ExportSettings& settings) {
     chooseData(body, static_cast<int>(settings.body));
     chooseData(size, QSize(settings.width_px, settings.height_px));
     chooseData(camera, static_cast<int>(settings.camera));
+    for (auto box = also.begin(); box != also.end(); ++box)
+        box.value()->setChecked(settings.also.count(box.key()) > 0);
     angles->setChecked(settings.angles);
     one_file->setChecked(settings.one_file);
     lock_feet->setChecked(settings.lock_feet);
@@ -224,6 +247,10 @@ void ExportForm::read() {
     settings_.width_px = size->currentData().toSize().width();
     settings_.height_px = size->currentData().toSize().height();
     settings_.camera = static_cast<CameraMove>(camera->currentData().toInt());
+    settings_.also.clear();
+    for (auto box = also.begin(); box != also.end(); ++box)
+        if (box.value()->isChecked())
+            settings_.also.insert(box.key());
     settings_.angles = angles->isChecked();
     settings_.one_file = one_file->isChecked();
     settings_.lock_feet = lock_feet->isChecked();
@@ -241,24 +268,32 @@ void ExportForm::refresh() {
         box->setEnabled(is_offered);
         box->setToolTip(is_offered ? QString() : why_not);
     };
-    offer(unit, hasUnit(settings_.format), tr("%1: always in metres.").arg(name));
-    offer(names, hasNames(settings_.format), tr("%1: names of its own.").arg(name));
-    offer(body, showsBody(settings_.format), tr("%1: has no place for a body.").arg(name));
+    const std::vector<ExportFormat> formats = formatsOf(settings_);
+    const auto offers = [&](bool (*has)(ExportFormat)) {
+        return std::any_of(formats.begin(), formats.end(), has);
+    };
+    offer(unit, offers(hasUnit), tr("%1: always in metres.").arg(name));
+    offer(names, offers(hasNames), tr("%1: names of its own.").arg(name));
+    offer(body, offers(showsBody), tr("%1: has no place for a body.").arg(name));
     {
         const QScopedValueRollback<bool> quiet(setting_, true);
-        chooseData(unit, hasUnit(settings_.format) ? settings_.metres_per_unit : 1.0);
+        chooseData(unit, offers(hasUnit) ? settings_.metres_per_unit : 1.0);
     }
+    for (auto box = also.begin(); box != also.end(); ++box)
+        box.value()->setDisabled(box.key() == settings_.format);
     angles->setVisible(settings_.format == ExportFormat::kCsv);
-    lock_feet->setVisible(showsBody(settings_.format) && settings_.body == ExportBody::kSessions);
-    one_file->setVisible(holdsTakes(settings_.format));
+    lock_feet->setVisible(offers(showsBody) && settings_.body == ExportBody::kSessions);
+    one_file->setVisible(offers(holdsTakes));
     pictures_->setVisible(isPicture(settings_.format));
     for (QWidget* part : not_of_pictures_)
         part->setVisible(!isPicture(settings_.format));
-    takes_->setResultsShown(run->currentData().toInt() == static_cast<int>(ResultChoice::kEach));
+    const auto choice = static_cast<ResultChoice>(run->currentData().toInt());
+    takes_->setResultsShown(choice == ResultChoice::kEach || choice == ResultChoice::kAll,
+                            choice == ResultChoice::kEach);
     refreshWhere();
     const auto overview = studio_.take().overview();
     const int shown = studio_.take().shownRun();
-    run->setItemText(1, overview && shown >= 0
+    run->setItemText(0, overview && shown >= 0
                             ? tr("Shown: %1").arg(runTitle(overview->runs[static_cast<size_t>(shown)]))
                             : tr("As shown in Review"));
 }
@@ -272,15 +307,21 @@ void ExportForm::refreshWhere() {
     folder_->setToolTip(QDir::toNativeSeparators(folder));
 }
 
-QString ExportForm::resultOf(const QString& take) const {
+bool ExportForm::sendsAllResults() const {
+    return run->currentData().toInt() == static_cast<int>(ResultChoice::kAll);
+}
+
+QStringList ExportForm::resultsOf(const QString& take) const {
     const auto choice = static_cast<ResultChoice>(run->currentData().toInt());
     if (choice == ResultChoice::kEach)
-        return takes_->chosenResult(take);
+        return {takes_->chosenResult(take)};
+    if (choice == ResultChoice::kAll)
+        return takes_->resultNames(take);
     const TakeDocument& open = studio_.take();
     const bool is_open = open.isOpen() && openTakeName(studio_) == take;
     if (choice != ResultChoice::kShown || !is_open || open.shownRun() < 0)
-        return {};
-    return QString::fromStdString(open.overview()->runs[static_cast<size_t>(open.shownRun())].run.name);
+        return {QString()};
+    return {QString::fromStdString(open.overview()->runs[static_cast<size_t>(open.shownRun())].run.name)};
 }
 
 void ExportForm::chooseFolder() {

@@ -2,6 +2,7 @@
 // What is exported, how and to where.
 #pragma once
 
+#include <QMap>
 #include <QWidget>
 
 #include "ui/models/studio.h"
@@ -29,8 +30,10 @@ public:
     /// Names of the takes that are ticked, in the order of the session.
     QStringList takes() const;
     void setTakes(const QStringList& names);
-    /// Name of the result of a take that goes out; empty: its last.
-    QString resultOf(const QString& take) const;
+    /// Names of the results of a take that go out; an empty name: its last.
+    QStringList resultsOf(const QString& take) const;
+    /// Whether several results of a take go out: their files need different names.
+    bool sendsAllResults() const;
     ExportTakeList& takeList() { return *takes_; }
     /// Which takes go out and which result of each; stands beside the form, where names have room.
     QWidget* takesPart() { return takes_part_; }
@@ -40,6 +43,7 @@ public:
     // For those who fill it in, the operator and tests.
     QComboBox *range, *format, *frames, *root, *unit, *names, *body, *size, *camera, *run;
     QCheckBox *angles, *one_file, *lock_feet;
+    QMap<ExportFormat, QCheckBox*> also;  ///< formats beside the main one
     QLineEdit* name_pattern;
     Button* try_one_frame;
 
@@ -53,6 +57,7 @@ private:
     void addFigureRows(FormRows& rows);
     void makeTakes();
     QWidget* makeWhere();
+    QWidget* makeAlso();
     QWidget* makePictures();
     void read();
     void refresh();

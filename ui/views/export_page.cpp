@@ -3,13 +3,12 @@
 
 #include <QApplication>
 #include <QDate>
-#include <QDesktopServices>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QKeyEvent>
 #include <QStorageInfo>
-#include <QUrl>
+#include <iterator>
 
 #include "core/job/atomic_file.h"
 #include "ui/style/words.h"
@@ -19,6 +18,7 @@
 #include "ui/views/job_progress.h"
 #include "ui/views/open_take.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/show_folder.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/label.h"
@@ -41,7 +41,7 @@ ExportPage::ExportPage(Studio& studio, QWidget* parent)
       progress_(new JobProgress),
       state_(new Label({}, TextRole::kBody, Ink::kLabel)),
       again_(makeButton(ButtonKind::kOutlined, tr("Write again"))),
-      folder_(makeButton(ButtonKind::kPrimary, tr("Open folder"), "folder", QKeySequence(Qt::Key_Return))),
+      folder_(makeButton(ButtonKind::kPrimary, tr("Open folder"), "folder")),
       write_(makeButton(ButtonKind::kPrimary, {}, "export", QKeySequence(Qt::Key_Return))) {
     preset_list_->hide();
     setDockTitles(tr("Made for"), {});
@@ -81,6 +81,11 @@ ExportPage::ExportPage(Studio& studio, QWidget* parent)
     connect(results_panel_, &ExportResultsPanel::saveWanted, this, &ExportPage::saveCheck);
     connect(&studio.take(), &TakeDocument::runsChanged, this, &ExportPage::refresh);
     connect(&studio.shownBody(), &ShownBody::changed, this, &ExportPage::refresh);
+    connect(&studio.session(), &SessionModel::opened, this, [this] {
+        results_.reset();
+        results_panel_->clear();
+        refresh();
+    });
     preset_list_->choose(presets_.lastChosen());
     form_->setSettings(presets_.all()[static_cast<size_t>(presets_.indexOf(presets_.lastChosen()))].settings);
     refresh();
@@ -108,8 +113,6 @@ QWidget* ExportPage::leftDock() {
 void ExportPage::enter() {
     if (form_->takes().isEmpty() && openTakeIndex(studio_) >= 0)
         form_->setTakes({openTakeName(studio_)});
-    results_.reset();
-    results_panel_->clear();
     refresh();
     write_->setFocus();
 }
@@ -130,21 +133,51 @@ Result<std::vector<ExportJob>> ExportPage::plan() const {
     if (settings.range == ExportRange::kOwn && settings.own_to_s <= settings.own_from_s)
         return Error{ErrorKind::kUsage, tr("The range ends before it begins").toStdString(),
                      tr("Choose a last second after the first").toStdString()};
+    std::vector<ExportJob> jobs;
+    for (const ExportFormat format : formatsOf(settings)) {
+        ExportSettings of_format = settings;
+        of_format.format = format;
+        if (form_->sendsAllResults() && !settings.name_pattern.contains("{run}"))
+            of_format.name_pattern += "_{run}";
+        auto more = planOf(of_format, chosen);
+        if (!more)
+            return more.error();
+        std::move(more->begin(), more->end(), std::back_inserter(jobs));
+    }
+    return jobs;
+}
+
+/// In one format. Takes of one file stand together.
+Result<std::vector<ExportJob>> ExportPage::planOf(const ExportSettings& settings,
+                                                  const QStringList& takes) const {
     const Session& session = studio_.session().session();
     const ExportSurroundings surroundings{session, studio_.look(),
                                           QDate::currentDate().toString(Qt::ISODate)};
     std::set<std::string> taken;
     std::vector<ExportJob> jobs;
     for (const SessionTake& take : session.takes) {
-        if (!chosen.contains(QString::fromStdString(take.name)))
+        const QString name = QString::fromStdString(take.name);
+        if (!takes.contains(name))
             continue;
-        auto job = exportJob(surroundings, take, form_->resultOf(QString::fromStdString(take.name)), settings,
-                             taken);
-        if (!job)
-            return job.error();
-        jobs.push_back(std::move(*job));
+        for (const QString& result : form_->resultsOf(name)) {
+            auto job = exportJob(surroundings, take, result, settings, taken);
+            if (!job)
+                return job.error();
+            jobs.push_back(std::move(*job));
+        }
     }
     return jobs;
+}
+
+ExportPage::Asked ExportPage::asked() const {
+    Asked asked{form_->settings(), form_->takes(), {}};
+    for (const QString& take : asked.takes)
+        asked.results += form_->resultsOf(take);
+    return asked;
+}
+
+bool ExportPage::isWritten() const {
+    return results_ && results_->written() > 0 && written_ == asked();
 }
 
 void ExportPage::refresh() {
@@ -172,9 +205,9 @@ void ExportPage::refresh() {
         studio_.session().isOpen() ? exportFolder(studio_.session().session(), form_->settings()) : QString();
     const QStorageInfo disk(QFileInfo::exists(folder) ? folder : QFileInfo(folder).path());
     const QString room = disk.isValid() ? tr("%1 free.").arg(bytesText(disk.bytesAvailable())) : QString();
-    state_->setText(results_ ? tr("Took %1. %2").arg(secondsText(results_->seconds), room)
-                             : tr("Nothing is overwritten: a second export gets _2. %1").arg(room));
-    offer(results_ && results_->written() > 0);
+    state_->setText(isWritten() ? tr("Took %1. %2").arg(secondsText(results_->seconds), room)
+                                : tr("Nothing is overwritten: a second export gets _2. %1").arg(room));
+    offer(isWritten());
 }
 
 void ExportPage::offer(bool folder_first) {
@@ -188,7 +221,7 @@ void ExportPage::write() {
     if (!jobs || progress_->isRunning())
         return;
     start(
-        tr("Exporting %n takes", nullptr, static_cast<int>(jobs->size())),
+        tr("Writing %n files", nullptr, fileCount(*jobs)),
         [jobs = *jobs](const JobContext& job) { return runExport(jobs, job); }, false);
 }
 
@@ -216,6 +249,7 @@ void ExportPage::start(const QString& title, std::function<Result<ExportResults>
             return results && !is_trial ? tr("%n files written and checked.", nullptr, results->written())
                                         : QString();
         });
+    started_ = asked();
     progress_->follow(job);
     if (isAncestorOf(QApplication::focusWidget()))
         setFocus();  // a button that is disabled would give the keyboard to another part of the window
@@ -226,19 +260,18 @@ void ExportPage::present(const Result<ExportResults>& results, bool is_trial) {
     results_.reset();
     if (results) {
         results_panel_->setResults(*results, is_trial);
-        if (!is_trial)
+        if (!is_trial) {
             results_ = *results;
-    } else {
-        results_panel_->clear();  // the line beside the buttons says why
-    }
+            written_ = started_;
+        }
+    }  // else the line beside the buttons says why
     // The job still counts as running here; its end refreshes the buttons.
     emit finished();
 }
 
 void ExportPage::openFolder() {
     if (studio_.session().isOpen())
-        QDesktopServices::openUrl(
-            QUrl::fromLocalFile(exportFolder(studio_.session().session(), form_->settings())));
+        showFolder(studio_, exportFolder(studio_.session().session(), form_->settings()));
 }
 
 void ExportPage::saveCheck() {
@@ -279,8 +312,6 @@ void ExportPage::keyPressEvent(QKeyEvent* event) {
     const bool is_enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (is_enter && write_->isVisible() && write_->isEnabled())
         write();
-    else if (is_enter && folder_->isVisible())
-        openFolder();
     else if (event->key() == Qt::Key_Escape)
         studio_.goTo(Step::kReview);
     else

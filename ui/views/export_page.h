@@ -36,7 +36,7 @@ public:
 public slots:
     void write();
     void tryOneFrame();
-    void openFolder();
+    void openFolder();  ///< by its button alone: no key of the page leaves the studio
 
 signals:
     void finished();  ///< results() is there, or what failed was said
@@ -50,6 +50,16 @@ private:
     void start(const QString& title, std::function<Result<ExportResults>(const JobContext&)> work,
                bool is_trial);
     void present(const Result<ExportResults>& results, bool is_trial);
+    /// What the operator asks for at the moment.
+    struct Asked {
+        ExportSettings settings;
+        QStringList takes, results;
+        bool operator==(const Asked&) const = default;
+    };
+    Asked asked() const;
+    /// The files on disk are those that are asked for.
+    bool isWritten() const;
+    Result<std::vector<ExportJob>> planOf(const ExportSettings& settings, const QStringList& takes) const;
     void offer(bool folder_first);
     void saveCheck();
     void saveOwnPreset();
@@ -64,6 +74,7 @@ private:
     Label* state_;
     Button *again_, *folder_, *write_;
     std::optional<ExportResults> results_;
+    std::optional<Asked> written_, started_;  ///< what results_ and the job that runs were asked for
 };
 
 }  // namespace noctule::ui

@@ -12,6 +12,7 @@
 #include "ui/widgets/icon_label.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/scroll_area.h"
+#include "ui/widgets/section_header.h"
 #include "ui/widgets/verdict_header.h"
 
 namespace noctule::ui {
@@ -34,7 +35,6 @@ void addFacts(FormRows& rows, const ExportCheck& check, bool in_full) {
         rows.addValue(ExportResultsPanel::tr("Facing"), facingInWords(check));
         rows.addValue(ExportResultsPanel::tr("Joints"),
                       ExportResultsPanel::tr("%1 of %2").arg(check.joints).arg(check.expected_joints));
-        rows.addValue(ExportResultsPanel::tr("Result"), QString::fromStdString(check.run));
     }
     rows.addValue(ExportResultsPanel::tr("Largest difference"), differenceInWords(check));
 }
@@ -72,16 +72,31 @@ int ExportResultsPanel::cardCount() const {
 }
 
 void ExportResultsPanel::clear() {
-    while (QLayoutItem* item = cards_column_->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
+    earlier_.clear();
+    latest_.clear();
+    showCards({});
     results_->hide();
     empty_->show();
 }
 
+void ExportResultsPanel::showCards(const ExportResults& latest) {
+    while (QLayoutItem* item = cards_column_->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    for (size_t i = 0; i < latest.outcomes.size(); ++i)
+        cards_column_->addWidget(makeCard(latest.outcomes[i], i == 0));
+    if (!earlier_.empty())
+        cards_column_->addWidget(new SectionHeader(tr("Written before")));
+    for (const ExportOutcome& outcome : earlier_)
+        cards_column_->addWidget(makeCard(outcome, false));
+}
+
 void ExportResultsPanel::setResults(const ExportResults& results, bool is_trial) {
-    clear();
+    earlier_.insert(earlier_.begin(), latest_.begin(), latest_.end());
+    latest_.clear();
+    if (!is_trial)
+        latest_ = results.outcomes;
     empty_->hide();
     results_->show();
     const int written = results.written(), faulty = results.faulty();
@@ -99,8 +114,7 @@ void ExportResultsPanel::setResults(const ExportResults& results, bool is_trial)
         text = tr("Each file was opened again and compared with its take. %n have something you should know.",
                   nullptr, static_cast<int>(remarked));
     verdict_->setVerdict(tone, title, text);
-    for (size_t i = 0; i < results.outcomes.size(); ++i)
-        cards_column_->addWidget(makeCard(results.outcomes[i], i == 0));
+    showCards(results);
     save_->setVisible(!is_trial);
 }
 
@@ -128,6 +142,8 @@ QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full
         tr("%1 frames, %2").arg(countText(static_cast<qint64>(check.frames)), bytesText(check.bytes)),
         TextRole::kSecondary, Ink::kLabel));
     auto* rows = new FormRows(124);
+    if (!outcome.result.isEmpty())
+        rows->addValue(tr("Result"), outcome.result);
     addFacts(*rows, check, in_full);
     auto* indented = addRow(column, 0, {24, 0, 0, 0});
     indented->addWidget(rows);

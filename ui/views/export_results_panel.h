@@ -20,7 +20,8 @@ class ExportResultsPanel : public QWidget {
 public:
     explicit ExportResultsPanel(QWidget* parent = nullptr);
 
-    /// `is_trial`: one frame that was not kept.
+    /// Above what was written before, which stays. `is_trial`: one frame that was not kept; it goes with the
+    /// next.
     void setResults(const ExportResults& results, bool is_trial);
     void clear();
     int cardCount() const;
@@ -30,11 +31,14 @@ signals:
 
 private:
     QWidget* makeCard(const ExportOutcome& outcome, bool in_full) const;
+    void showCards(const ExportResults& latest);
 
     EmptyState* empty_;
     QWidget *results_, *cards_;
     VerdictHeader* verdict_;
     QBoxLayout* cards_column_;
+    std::vector<ExportOutcome> earlier_;  ///< of files that were written, newest first
+    std::vector<ExportOutcome> latest_;   ///< empty after a trial
     Button* save_;
 };
 

@@ -12,8 +12,10 @@
 #include <span>
 
 #include "core/job/staged_progress.h"
+#include "core/review/take_review.h"
 #include "ui/models/part_names.h"
 #include "ui/style/words.h"
+#include "ui/views/review_words.h"
 
 namespace noctule::ui {
 namespace {
@@ -32,6 +34,15 @@ std::vector<ExportRequest> requestsOf(std::span<const ExportJob> takes) {
     return requests;
 }
 
+/// "Gyroscopes only"
+QString resultTitle(const std::string& take_path, const std::string& run, const JobContext& context) {
+    if (const auto overview = overviewTake(take_path, context))
+        for (const ReviewRun& each : overview->runs)
+            if (each.run.name == run)
+                return runTitle(each);
+    return QString::fromStdString(run);
+}
+
 /// One file, then the check of each take in it.
 std::vector<ExportOutcome> writeAndCheck(std::span<const ExportJob> takes, const JobContext& context) {
     const ExportJob& first = takes.front();
@@ -45,10 +56,12 @@ std::vector<ExportOutcome> writeAndCheck(std::span<const ExportJob> takes, const
     std::vector<ExportOutcome> outcomes;
     for (size_t i = 0; i < takes.size() && !context.cancelled(); ++i) {
         ExportOutcome outcome{takes[i].take, first.path(), {}, {}, first.in_one_file};
-        if (checks)
+        if (checks) {
             outcome.check = (*checks)[i];
-        else
+            outcome.result = resultTitle(takes[i].request.take_path, outcome.check.run, silent);
+        } else {
             outcome.error = checks.error();
+        }
         outcomes.push_back(std::move(outcome));
     }
     return outcomes;
@@ -72,6 +85,14 @@ int filesOf(const std::vector<ExportOutcome>& outcomes, Meant is_meant) {
         if (is_meant(outcome))
             paths.insert(outcome.path);
     return static_cast<int>(paths.size());
+}
+
+/// Takes of one file stand together.
+size_t takesInFileAt(const std::vector<ExportJob>& jobs, size_t first) {
+    size_t count = 1;
+    while (first + count < jobs.size() && jobs[first + count].path() == jobs[first].path())
+        ++count;
+    return count;
 }
 
 QString fileName(const std::string& path) {
@@ -100,8 +121,8 @@ Result<ExportResults> runExport(const std::vector<ExportJob>& jobs, const JobCon
     QElapsedTimer clock;
     clock.start();
     ExportResults results;
-    const size_t per_file = jobs.front().in_one_file ? jobs.size() : 1;
-    for (size_t i = 0; i < jobs.size(); i += per_file) {
+    for (size_t i = 0, per_file = 1; i < jobs.size(); i += per_file) {
+        per_file = takesInFileAt(jobs, i);
         if (const Status made = makeFolderOf(jobs[i]); !made)
             return made.error();
         const auto share = [&](size_t takes) {
@@ -199,8 +220,7 @@ QString checkAsText(const ExportResults& results) {
             continue;
         }
         const ExportCheck& check = outcome.check;
-        lines +=
-            "  " + RunWords::tr("Take %1, result %2").arg(outcome.take, QString::fromStdString(check.run));
+        lines += "  " + RunWords::tr("Take %1, result: %2").arg(outcome.take, outcome.result);
         lines += "  " + RunWords::tr("%1 of %2 frames at %3 per second, %4")
                             .arg(countText(static_cast<qint64>(check.frames)),
                                  countText(static_cast<qint64>(check.expected_frames)),

@@ -17,6 +17,7 @@ struct ExportOutcome {
     ExportCheck check;
     std::optional<Error> error;
     bool in_one_file = false;  ///< the take is one of several in the file
+    QString result{};          ///< title of the result that went out, as Review has it
 };
 
 struct ExportResults {

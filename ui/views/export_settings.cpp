@@ -79,6 +79,9 @@ ExportSettings loaded(QSettings& store, const QString& key, const ExportSettings
     ExportSettings s = otherwise;
     s.format = static_cast<ExportFormat>(
         std::clamp(store.value("format", static_cast<int>(s.format)).toInt(), 0, 7));
+    s.also.clear();
+    for (const QVariant& also : store.value("also").toList())
+        s.also.insert(static_cast<ExportFormat>(std::clamp(also.toInt(), 0, 7)));
     s.range =
         static_cast<ExportRange>(std::clamp(store.value("range", static_cast<int>(s.range)).toInt(), 0, 2));
     s.own_from_s = store.value("own_from_s", s.own_from_s).toDouble();
@@ -109,6 +112,10 @@ ExportSettings loaded(QSettings& store, const QString& key, const ExportSettings
 void save(QSettings& store, const QString& key, const ExportSettings& s) {
     store.beginGroup(groupOf(key));
     store.setValue("format", static_cast<int>(s.format));
+    QVariantList also;
+    for (const ExportFormat each : s.also)
+        also.append(static_cast<int>(each));
+    store.setValue("also", also);
     store.setValue("range", static_cast<int>(s.range));
     store.setValue("own_from_s", s.own_from_s);
     store.setValue("own_to_s", s.own_to_s);
@@ -238,6 +245,14 @@ QString settingsInWords(const ExportSettings& settings) {
                   : SettingsWords::tr("%1, centimetres, %2 frames").arg(format, frames);
 }
 
+std::vector<ExportFormat> formatsOf(const ExportSettings& settings) {
+    std::vector<ExportFormat> formats{settings.format};
+    for (const ExportFormat each : settings.also)
+        if (each != settings.format)
+            formats.push_back(each);
+    return formats;
+}
+
 QString exportFolder(const Session& session, const ExportSettings& settings) {
     return settings.folder.isEmpty() ? QString::fromStdString(session.exportsFolder().string())
                                      : settings.folder;
@@ -293,7 +308,7 @@ Result<ExportJob> exportJob(const ExportSurroundings& surroundings, const Sessio
         return look.error();
     job.in_one_file = settings.one_file && holdsTakes(settings.format);
     if (job.in_one_file)
-        request.motion_name = take.name;
+        request.motion_name = run.isEmpty() ? take.name : take.name + " " + run.toStdString();
     const auto name =
         exportFileName(settings.name_pattern.toStdString(),
                        {job.in_one_file ? session.name : take.name, take.performer, run.toStdString(),

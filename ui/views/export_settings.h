@@ -22,6 +22,7 @@ enum class ExportBody { kOurs, kSkeleton, kSessions };
 
 struct ExportSettings {
     ExportFormat format = ExportFormat::kBvh;
+    std::set<ExportFormat> also;  ///< in these formats too, one file more for each
     ExportRange range = ExportRange::kInToOut;
     double own_from_s = 0, own_to_s = 0;
     double frames_per_second = 120;
@@ -76,6 +77,9 @@ bool hasNames(ExportFormat format);    ///< of joints
 bool holdsTakes(ExportFormat format);  ///< several in one file
 /// "BVH, centimetres, 120 frames"
 QString settingsInWords(const ExportSettings& settings);
+
+/// The main format first, each once.
+std::vector<ExportFormat> formatsOf(const ExportSettings& settings);
 
 /// One take of an export.
 struct ExportJob {

@@ -103,8 +103,9 @@ void ExportTakeList::addResults(QTreeWidgetItem* item) {
     if (found == results_.end() || found->second.runs.empty())
         return;
     const std::vector<ReviewRun>& runs = found->second.runs;
-    if (runs.size() == 1) {
-        item->setText(1, runTitle(runs.front()));
+    if (runs.size() == 1 || !choosable_) {
+        item->setText(1, runs.size() == 1 ? runTitle(runs.front())
+                                          : tr("%n results", nullptr, static_cast<int>(runs.size())));
         return;
     }
     auto* box = new QComboBox;
@@ -120,10 +121,19 @@ void ExportTakeList::addResults(QTreeWidgetItem* item) {
     setItemWidget(item, 1, box);
 }
 
-void ExportTakeList::setResultsShown(bool shown) {
-    if (shown == results_shown_)
+QStringList ExportTakeList::resultNames(const QString& take) const {
+    QStringList names;
+    if (const auto found = results_.find(take); found != results_.end())
+        for (const ReviewRun& run : found->second.runs)
+            names.append(QString::fromStdString(run.run.name));
+    return names.isEmpty() ? QStringList{QString()} : names;
+}
+
+void ExportTakeList::setResultsShown(bool shown, bool choosable) {
+    if (shown == results_shown_ && choosable == choosable_)
         return;
     results_shown_ = shown;
+    choosable_ = choosable;
     setColumnHidden(1, !shown);
     readTakes();
     readResults();

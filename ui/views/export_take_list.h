@@ -22,8 +22,11 @@ public:
     /// Names of the takes that are ticked, in the order of the session.
     QStringList ticked() const;
     void tick(const QStringList& names);
-    /// Whether every take shows its results; a job reads those of takes that were written since.
-    void setResultsShown(bool shown);
+    /// Whether every take shows its results, to choose one of them when `choosable`; a job reads those of
+    /// takes that were written since.
+    void setResultsShown(bool shown, bool choosable);
+    /// Of all results of a take; one empty name, its last, until they are known.
+    QStringList resultNames(const QString& take) const;
     /// Name of the result chosen for a take; empty: its last.
     QString chosenResult(const QString& take) const { return chosen_.value(take); }
     /// The choice of a take, for the operator and tests; null until its results are known, or when there is
@@ -48,7 +51,7 @@ private:
     void followRename(const QString& old_path, const QString& new_path);
 
     Studio& studio_;
-    bool results_shown_ = false;
+    bool results_shown_ = false, choosable_ = false;
     int ticket_ = 0;                 ///< what an earlier reading found is dropped
     ResultsOfTakes results_;         ///< by take
     QMap<QString, QString> chosen_;  ///< by take

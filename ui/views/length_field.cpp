@@ -77,6 +77,7 @@ void LengthField::accept() {
         setLength(length_m_, proportional_m_);
         return;
     }
+    edit_->setText(text);  // the field forgets the typing: from here on the session takes it back
     emit lengthEdited(std::clamp(typed_cm / 100, shortest_m_, longest_m_));
 }
 

@@ -8,6 +8,7 @@
 
 #include "ui/views/open_take.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/take_notes.h"
 #include "ui/widgets/label.h"
 
 namespace noctule::ui {
@@ -57,10 +58,7 @@ void NotesPanel::readTake() {
     take_name_ =
         take_ >= 0 ? studio_.session().session().takes[static_cast<size_t>(take_)].name : std::string();
     const auto overview = studio_.take().overview();
-    QStringList lines;
-    if (overview)
-        for (const NoteRow& note : overview->notes)
-            lines += QString::fromStdString(note.text);
+    const QStringList lines = overview ? takeNoteLines(*overview) : QStringList();
     of_take_->setText(lines.join('\n'));
     of_take_->setVisible(!lines.isEmpty());
     editor_->setEnabled(take_ >= 0);

@@ -23,7 +23,7 @@ PerformerListPanel::PerformerListPanel(PerformerEditor& editor, QWidget* parent)
     : QWidget(parent),
       editor_(editor),
       list_(new QListWidget),
-      wear_(makeButton(ButtonKind::kText, tr("Wears the suit from now on"))),
+      wear_(makeButton(ButtonKind::kText, {})),
       wears_(makeWearsNow()) {
     auto* column = makeColumn(this);
     column->addWidget(list_);
@@ -106,6 +106,8 @@ void PerformerListPanel::refresh() {
     remove_->setDisabledBecause(list_->count() > 1 ? QString() : tr("A session has at least one performer."));
     const bool wears_now = open && editor_.performer().name == current;
     wear_->setVisible(open && !wears_now);
+    if (open)
+        wear_->setText(tr("Put the suit on %1").arg(QString::fromStdString(editor_.performer().name)));
     wears_->setVisible(wears_now);
 }
 

@@ -18,10 +18,10 @@ QString aboutProcessing(Studio& studio, bool with_actor) {
     const QString calibration = studio.calibrations().fileInForce().section('.', 0, 0);
     QStringList words{calibration.isEmpty()
                           ? ProcessTakesDialog::tr(
-                                "Each take is processed as a live recording is, with all sensors and the "
+                                "Each take is processed as accurately as possible, with all sensors and the "
                                 "calibration that it was recorded with.")
                           : ProcessTakesDialog::tr(
-                                "Each take is processed as a live recording is, with all sensors and the "
+                                "Each take is processed as accurately as possible, with all sensors and the "
                                 "calibration “%1”.")
                                 .arg(calibration)};
     if (with_actor)
@@ -89,8 +89,7 @@ void ProcessTakesDialog::process() {
     for (const SessionTake& take : studio_.session().session().takes) {
         if (!names.contains(QString::fromStdString(take.name)))
             continue;
-        ProcessRequest request;
-        request.take_path = studio_.session().session().pathOf(take).string();
+        ProcessRequest request = Studio::accurateRequest(studio_.session().session().pathOf(take).string());
         request.calibration = studio_.calibrations().inForce();
         if (isOfPerformer(take))
             request.actor = actor_;

@@ -21,7 +21,8 @@ namespace {
 constexpr size_t kMostCards = 3;
 
 bool isSameProblem(const ReadinessProblem& a, const ReadinessProblem& b) {
-    return a.kind == b.kind && a.board == b.board && a.source == b.source && a.accepted == b.accepted;
+    return a.kind == b.kind && a.board == b.board && a.source == b.source && a.accepted == b.accepted &&
+           a.alike.size() == b.alike.size();
 }
 
 Tone worst(const Readiness& readiness, bool of_boards) {
@@ -48,6 +49,7 @@ ReadinessPanel::ReadinessPanel(Studio& studio, QWidget* parent)
       pairs_(numbers_->addRow("pairs", tr("Good pairs"))),
       battery_(numbers_->addRow("battery", tr("Battery"))),
       storage_(numbers_->addRow("disk", tr("Storage"))),
+      calibration_(numbers_->addRow("ruler", tr("Calibration"))),
       way_on_(makeButton(ButtonKind::kPrimary, tr("Continue"))) {
     auto* content = new QWidget;
     auto* scrolled = makeColumn(content, {12, 16, 12, 12}, 12);
@@ -70,15 +72,18 @@ ReadinessPanel::ReadinessPanel(Studio& studio, QWidget* parent)
     more_->hide();
     connect(&studio_.check(), &SuitCheck::changed, this, &ReadinessPanel::show);
     connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &ReadinessPanel::show);
+    connect(&studio_.suit(), &LiveSuit::blinkingChanged, this, &ReadinessPanel::showBlinking);
+    connect(&studio_.finder(), &SuitFinder::changed, this, &ReadinessPanel::showWaysWithoutSuit);
+    connect(&studio_.calibrations(), &CalibrationShelf::changed, this, &ReadinessPanel::showNumbers);
     connect(more_, &QPushButton::clicked, this, [this] {
         shows_all_ = !shows_all_;
         show();
     });
-    connect(way_on_, &QPushButton::clicked, this, [this] { studio_.goTo(Step::kRecord); });
+    connect(way_on_, &QPushButton::clicked, this, [this] { studio_.goTo(way_on_to_); });
     show();
 }
 
-/// What can be done while nothing is connected.
+/// What can be done while nothing is connected. The filled button connects a box that was found.
 QWidget* ReadinessPanel::makeWaysWithoutSuit() {
     auto* ways = new QWidget;
     auto* column = makeColumn(ways, {}, 8);
@@ -86,13 +91,28 @@ QWidget* ReadinessPanel::makeWaysWithoutSuit() {
         Button* button = makeButton(kind, text, icon);
         connect(button, &QPushButton::clicked, this, act);
         column->addWidget(button);
+        return button;
     };
-    if (studio_.virtualSuit().isAvailable())
-        add(ButtonKind::kPrimary, tr("Start the virtual suit"), "play",
-            [this] { studio_.startVirtualSuit(); });
+    connect_ = add(ButtonKind::kPrimary, {}, "link", [this] { studio_.suit().connectTo(found_address_); });
+    start_virtual_ = add(ButtonKind::kPrimary, tr("Start the virtual suit"), "play",
+                         [this] { studio_.startVirtualSuit(); });
+    start_virtual_beside_ = add(ButtonKind::kOutlined, tr("Start the virtual suit"), "play",
+                                [this] { studio_.startVirtualSuit(); });
     add(ButtonKind::kOutlined, tr("Performer and suit"), "mesh", [this] { studio_.goTo(Step::kPerformer); });
     add(ButtonKind::kOutlined, tr("Put the suit on"), "note", [this] { emit putSuitOnRequested(); });
+    showWaysWithoutSuit();
     return ways;
+}
+
+void ReadinessPanel::showWaysWithoutSuit() {
+    const auto found = studio_.finder().connectable();
+    found_address_ = found ? QString::fromStdString(found->device.address) : QString();
+    connect_->setVisible(found.has_value());
+    if (found)
+        connect_->setText(tr("Connect %1").arg(found->name));
+    const bool is_available = studio_.virtualSuit().isAvailable();
+    start_virtual_->setVisible(is_available && !found);
+    start_virtual_beside_->setVisible(is_available && found);
 }
 
 void ReadinessPanel::setGuest(QWidget* guest) {
@@ -104,6 +124,7 @@ void ReadinessPanel::show() {
     const VerdictWords words = verdictOf(studio_.check());
     verdict_->setVerdict(words.tone, words.verdict, words.text);
     verdict_text_ = words.verdict;
+    verdict_sentences_ = words.text;
     showProblems();
     showNumbers();
     showWayOn();
@@ -116,6 +137,7 @@ void ReadinessPanel::showProblems() {
         for (ProblemCard* card : cards_)
             card->deleteLater();
         cards_.clear();
+        blink_buttons_.clear();
         for (const ReadinessProblem& problem : problems)
             if (!problem.accepted)
                 addCard(problem);
@@ -138,22 +160,45 @@ void ReadinessPanel::showProblems() {
 void ReadinessPanel::addCard(const ReadinessProblem& problem) {
     const HindranceWords words = wordsOf(problem, studio_.check());
     auto* card = new ProblemCard(problem.hinders ? Tone::kError : Tone::kWarn, words.title, words.text);
-    if (!words.action.isEmpty())
-        connect(card->addAction(words.action, words.action_icon), &QPushButton::clicked, this,
-                [this, problem] {
-                    if (problem.board >= 0) {
-                        studio_.suit().blinkBoard(problem.board);
-                        emit boardChosen(problem.board);
-                    } else {
-                        studio_.suit().playSource(problem.source);
-                    }
-                });
+    if (!words.action.isEmpty()) {
+        Button* button = card->addAction(words.action, words.action_icon);
+        if (words.repair == Repair::kBlinkBoard)
+            blink_buttons_.push_back({button, problem});
+        connect(button, &QPushButton::clicked, this,
+                [this, problem, repair = words.repair] { this->repair(repair, problem); });
+    }
     if (!words.accept.isEmpty())
         connect(
             card->addAction(words.accept), &QPushButton::clicked, this,
             [this, problem] { studio_.check().goOnWithout(problem); }, Qt::QueuedConnection);
     problem_column_->addWidget(card);
     cards_.push_back(card);
+}
+
+void ReadinessPanel::repair(Repair repair, const ReadinessProblem& problem) {
+    switch (repair) {
+        case Repair::kBlinkBoard:
+            studio_.suit().blinkBoard(problem.board);
+            emit boardChosen(problem.board);
+            break;
+        case Repair::kPlaySource:
+            studio_.suit().playSource(problem.source);
+            break;
+        case Repair::kCalibrate:
+            studio_.goTo(Step::kCalibrate);
+            break;
+        case Repair::kCheck:
+            studio_.checkSuit();
+            break;
+        case Repair::kNone:
+            break;
+    }
+}
+
+/// The lamp is lit for some seconds; the button that lit it says so meanwhile.
+void ReadinessPanel::showBlinking() {
+    for (const auto& [button, problem] : blink_buttons_)
+        button->setText(wordsOf(problem, studio_.check()).action);
 }
 
 void ReadinessPanel::showNumbers() {
@@ -184,18 +229,44 @@ void ReadinessPanel::showNumbers() {
     numbers_->setValue(battery_, battery);
     const auto storage_s = check.storageLeft_s();
     numbers_->setValue(storage_, storage_s ? durationWords(*storage_s) : QString());
+    showCalibration();
 }
 
+void ReadinessPanel::showCalibration() {
+    const LiveSuit& suit = studio_.suit();
+    if (suit.phase() == LiveSuit::Phase::kNone || !suit.status()->hello)
+        return numbers_->setValue(calibration_, {});
+    const auto& calibration = suit.calibration();
+    if (!calibration) {
+        numbers_->setHint(calibration_, {});
+        return numbers_->setValue(calibration_, tr("none"), Tone::kWarn);
+    }
+    const QDateTime made =
+        QDateTime::fromString(QString::fromStdString(calibration->created_utc), Qt::ISODate);
+    numbers_->setValue(calibration_,
+                       suit.isKnownExactly() ? tr("known exactly") : dateText(made.toLocalTime()),
+                       studio_.check().readiness().lack.isNone() ? Tone::kNeutral : Tone::kWarn);
+    numbers_->setHint(calibration_,
+                      studio_.calibrations().remembered()
+                          ? tr("of this suit, from an earlier session (%1)", "an age").arg(ageText(made))
+                          : QString());
+}
+
+/// Without a calibration the way on is to make one; recording stays possible on its own page.
 void ReadinessPanel::showWayOn() {
     const Readiness& readiness = studio_.check().readiness();
     const LiveSuit::Phase phase = studio_.suit().phase();
     const bool there = phase != LiveSuit::Phase::kNone && phase != LiveSuit::Phase::kRefused;
     way_on_->setVisible(there);
     ways_->setVisible(phase == LiveSuit::Phase::kNone);
+    const bool calibrates = readiness.verdict == Readiness::Verdict::kReady && readiness.lack.stopsTheBody();
+    way_on_to_ = calibrates ? Step::kCalibrate : Step::kRecord;
+    if (calibrates)
+        return way_on_->setText(tr("Continue to Calibrate"));
     std::vector<int> without;
     for (const ReadinessProblem& problem : readiness.problems)
         if (problem.kind == ProblemKind::kBoardSilent || problem.kind == ProblemKind::kBoardUnreadable)
-            without.push_back(problem.board + 1);
+            without.insert(without.end(), std::max<size_t>(1, problem.alike.size()), problem.board + 1);
     way_on_->setText(without.size() == 1 ? tr("Continue without board %1").arg(without[0])
                      : without.size() > 1
                          ? tr("Continue without %n boards", nullptr, static_cast<int>(without.size()))

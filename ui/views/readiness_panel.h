@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "ui/models/studio.h"
+#include "ui/views/readiness_words.h"
 
 class QVBoxLayout;
 
@@ -22,6 +23,9 @@ public:
 
     const std::vector<ProblemCard*>& cards() const { return cards_; }
     Button* wayOn() { return way_on_; }
+    /// Connects the box that was found; hidden when there is none.
+    Button* connectButton() { return connect_; }
+    QString verdictText() const { return verdict_sentences_; }
     NumberRows& numbers() { return *numbers_; }
     QString verdict() const { return verdict_text_; }
     /// Stands below the problems where the page has no room for it; null: none.
@@ -35,23 +39,31 @@ private:
     void show();
     void showProblems();
     void addCard(const ReadinessProblem& problem);
+    void repair(Repair repair, const ReadinessProblem& problem);
+    void showBlinking();
+    void showCalibration();
+    void showWaysWithoutSuit();
     void showNumbers();
     void showWayOn();
     QWidget* makeWaysWithoutSuit();
 
     Studio& studio_;
     VerdictHeader* verdict_;
-    QString verdict_text_;
+    QString verdict_text_, verdict_sentences_;
     QWidget* problems_;
     QVBoxLayout *problem_column_, *guest_column_;
     std::vector<ReadinessProblem> shown_;
     std::vector<ProblemCard*> cards_;
+    std::vector<std::pair<Button*, ReadinessProblem>> blink_buttons_;
+    Button *connect_ = nullptr, *start_virtual_ = nullptr, *start_virtual_beside_ = nullptr;
+    QString found_address_;
     QWidget* ways_;
     Button* more_;
     bool shows_all_ = false;
     NumberRows* numbers_;
-    int boards_, sources_, pairs_, battery_, storage_;
+    int boards_, sources_, pairs_, battery_, storage_, calibration_;
     Button* way_on_;
+    Step way_on_to_ = Step::kRecord;
 };
 
 }  // namespace noctule::ui

@@ -6,6 +6,7 @@
 #include "core/inertial/reading.h"
 #include "ui/models/part_names.h"
 #include "ui/style/words.h"
+#include "ui/views/fit_words.h"
 
 namespace noctule::ui {
 namespace {
@@ -22,18 +23,12 @@ HindranceWords aboutLink(const ReadinessProblem& problem, const SuitCheck& check
     if (problem.kind == ProblemKind::kNoSound)
         return {ReadinessText::tr("No sound arrives"),
                 ReadinessText::tr("The driver box is there and sends nothing. Wait a moment; if it stays so, "
-                                  "switch it off and on again."),
-                {},
-                {},
-                {}};
+                                  "switch it off and on again.")};
     return {
         ReadinessText::tr("The link is broken"),
         ReadinessText::tr("The driver box has not answered since %1. The studio tries again by itself; check "
                           "the cable or the network.")
-            .arg(clockText(check.lostSince())),
-        {},
-        {},
-        {}};
+            .arg(clockText(check.lostSince()))};
 }
 
 QString silentText(const Board& board, int number, const QTime& since) {
@@ -54,8 +49,13 @@ HindranceWords aboutBoard(const ReadinessProblem& problem, const SuitCheck& chec
     const int number = problem.board + 1;
     const QString name = boardName(board);
     HindranceWords words;
-    words.action = ReadinessText::tr("Blink board %1").arg(number);
-    words.action_icon = "blink";
+    if (check.suit().isPlugged(problem.board)) {
+        const bool blinks = check.suit().blinkingBoard() == problem.board;
+        words.action = blinks ? ReadinessText::tr("Board %1 blinks").arg(number)
+                              : ReadinessText::tr("Blink board %1").arg(number);
+        words.action_icon = "blink";
+        words.repair = Repair::kBlinkBoard;
+    }
     words.accept = ReadinessText::tr("Go on without it");
     switch (problem.kind) {
         case ProblemKind::kBoardSilent:
@@ -119,57 +119,176 @@ HindranceWords aboutSource(const ReadinessProblem& problem, const SuitCheck& che
                      .arg(suit.boards.size());
     words.action = ReadinessText::tr("Play source %1").arg(number);
     words.action_icon = "sound";
+    words.repair = Repair::kPlaySource;
     words.accept = ReadinessText::tr("Ignore");
     return words;
 }
 
-HindranceWords aboutSupplies(const ReadinessProblem& problem) {
+HindranceWords aboutSupplies(const ReadinessProblem& problem, const SuitCheck& check) {
+    const QString charge = percentText(problem.value / 100);
+    const auto left_s = check.batteryLeft_s();
     switch (problem.kind) {
         case ProblemKind::kBatteryEmpty:
             return {
                 ReadinessText::tr("The battery is almost empty"),
-                ReadinessText::tr("%1 are left; the driver box switches off within a minute. Charge it now.")
-                    .arg(percentText(problem.value / 100)),
-                {},
-                {},
-                {}};
+                ReadinessText::tr("%1 is left; the driver box switches off within a minute. Charge it now.")
+                    .arg(charge)};
         case ProblemKind::kBatteryLow:
             return {ReadinessText::tr("The battery is low"),
-                    ReadinessText::tr("%1 are left. Charge it before a long take.")
-                        .arg(percentText(problem.value / 100)),
-                    {},
-                    {},
-                    {}};
+                    left_s ? ReadinessText::tr("%1 is left, about %2. Charge it before a long take.")
+                                 .arg(charge, durationWords(*left_s))
+                           : ReadinessText::tr("%1 is left. Charge it before a long take.").arg(charge)};
         case ProblemKind::kStorageShort:
             return {ReadinessText::tr("The disk is almost full"),
                     ReadinessText::tr(
                         "There is room for %1 of recording. Free some space, or choose another folder "
                         "for the session.")
-                        .arg(durationWords(problem.value)),
-                    {},
-                    {},
-                    {}};
+                        .arg(durationWords(problem.value))};
         default:
             return {
                 ReadinessText::tr("It is not known which board sits where"),
                 ReadinessText::tr("The driver box does not tell; the boards are shown in the order of their "
-                                  "plugs. Find each by moving, or drag it onto its body part."),
-                {},
-                {},
-                {}};
+                                  "plugs. Find each by moving, or drag it onto its body part.")};
     }
 }
 
+HindranceWords aboutFit(const ReadinessProblem& problem, const SuitCheck& check) {
+    const CalibrationLack& lack = check.readiness().lack;
+    if (problem.kind == ProblemKind::kNotCalibrated)
+        return {
+            lack.isTotal() ? ReadinessText::tr("The suit is not calibrated")
+                           : ReadinessText::tr("Without calibration of %1").arg(lackWords(lack)),
+            lack.stopsTheBody()
+                ? ReadinessText::tr("Takes can be recorded and processed once it is calibrated; until then "
+                                    "nobody sees whether they are good. Calibrate it, or import its "
+                                    "calibration.")
+                : ReadinessText::tr("The body moves, less exactly than it could. Calibrate what is missing."),
+            ReadinessText::tr("Calibrate"),
+            "ruler",
+            {},
+            Repair::kCalibrate};
+    const QDateTime rest_pose = check.restPoseMade();
+    const QString age = rest_pose.isValid()
+                            ? ReadinessText::tr("The rest pose is from %1.").arg(dateInside(rest_pose))
+                            : ReadinessText::tr("It is not known when the rest pose was made.");
+    const QString check_words = ReadinessText::tr("Check the suit");
+    if (problem.kind == ProblemKind::kMoved)
+        return {ReadinessText::tr("Something has moved since the calibration"),
+                age + ' ' +
+                    ReadinessText::tr("Put back what the check named and check again, or calibrate the rest "
+                                      "pose again."),
+                check_words,
+                "rest_pose",
+                {},
+                Repair::kCheck};
+    return {
+        ReadinessText::tr("Not checked since it was put on"),
+        age + ' ' +
+            ReadinessText::tr("Hold still for three seconds: the check says whether boards sit in their "
+                              "places, slipped or were exchanged. Was the suit taken off since, calibrate "
+                              "the rest pose again."),
+        check_words,
+        "rest_pose",
+        {},
+        Repair::kCheck};
+}
+
+/// Of several boards or sources at once: the cause is common to them.
+HindranceWords aboutMany(const ReadinessProblem& problem, const SuitCheck& check) {
+    const int count = static_cast<int>(problem.alike.size());
+    const Suit& suit = check.suit().suit();
+    const bool of_sources =
+        problem.kind == ProblemKind::kSourceSilent || problem.kind == ProblemKind::kSourceFaint;
+    const bool all = problem.alike.size() == (of_sources ? suit.sources.size() : suit.boards.size());
+    switch (problem.kind) {
+        case ProblemKind::kBoardSilent:
+            return {all ? ReadinessText::tr("No board sends anything")
+                        : ReadinessText::tr("%n boards send nothing", nullptr, count),
+                    ReadinessText::tr("So many at once have one cause: the driver box or the cable that they "
+                                      "share. Check its plug, then switch the box off and on again."),
+                    {},
+                    {},
+                    ReadinessText::tr("Go on without them")};
+        case ProblemKind::kBoardUnreadable:
+            return {
+                ReadinessText::tr("%n boards cannot be understood", nullptr, count),
+                ReadinessText::tr("They send something, but hardly a whole frame. So many at once have one "
+                                  "cause: the link or the driver box. Switch the box off and on again."),
+                {},
+                {},
+                ReadinessText::tr("Go on without them")};
+        case ProblemKind::kBoardLosesFrames:
+            return {
+                ReadinessText::tr("The stream loses frames"),
+                ReadinessText::tr("%n boards bring about %1 of %2 frames a second, all alike: the link or "
+                                  "this computer is too slow. Use a cable or a nearer access point, and "
+                                  "close other programs.",
+                                  nullptr, count)
+                    .arg(numberText(problem.value, 0))
+                    .arg(kInertialFramesPerSecond),
+                {},
+                {},
+                ReadinessText::tr("Ignore")};
+        case ProblemKind::kBoardClips:
+            return {
+                ReadinessText::tr("%n boards reach their limits", nullptr, count),
+                ReadinessText::tr("They were overdriven about %1 times each in the last second. Loud noise "
+                                  "near the suit or blows do that; look whether the boards are fastened.")
+                    .arg(numberText(problem.value, 0)),
+                {},
+                {},
+                ReadinessText::tr("Ignore")};
+        case ProblemKind::kBoardDeaf:
+            return {all ? ReadinessText::tr("No board hears any source")
+                        : ReadinessText::tr("%n boards hear no source", nullptr, count),
+                    ReadinessText::tr("So many at once have one cause: the sources. Check whether they are "
+                                      "plugged in and switched on."),
+                    {},
+                    {},
+                    ReadinessText::tr("Ignore")};
+        default:
+            return {
+                all ? ReadinessText::tr("No source is heard")
+                    : ReadinessText::tr("%n sources are not heard", nullptr, count),
+                ReadinessText::tr("So many at once have one cause: the plug or the cable of the sources at "
+                                  "the driver box. Push it in until it clicks."),
+                {},
+                {},
+                ReadinessText::tr("Ignore")};
+    }
+}
+
+bool isOfFit(ProblemKind kind) {
+    return kind == ProblemKind::kNotCalibrated || kind == ProblemKind::kMoved ||
+           kind == ProblemKind::kNotChecked;
+}
+
+/// What stands beside the verdict; the fit has a sentence of its own.
 QString countWords(const Readiness& readiness) {
     int to_fix = 0, to_know = 0;
     for (const ReadinessProblem& problem : readiness.problems)
-        (problem.hinders && !problem.accepted ? to_fix : to_know) += !problem.accepted;
+        if (!problem.accepted && !isOfFit(problem.kind))
+            ++(problem.hinders ? to_fix : to_know);
     QStringList words;
     if (to_fix > 0)
-        words << ReadinessText::tr("%n thing(s) to fix", nullptr, to_fix);
+        words << (to_fix == 1 ? ReadinessText::tr("One thing to fix.")
+                              : ReadinessText::tr("%n things to fix.", nullptr, to_fix));
     if (to_know > 0)
-        words << ReadinessText::tr("%n to know", "things", to_know);
-    return words.isEmpty() ? QString() : words.join(QStringLiteral(", ")) + '.';
+        words << (to_know == 1 ? ReadinessText::tr("One thing to know.")
+                               : ReadinessText::tr("%n things to know.", nullptr, to_know));
+    return words.join(' ');
+}
+
+QString whatIsHere(const Readiness& readiness) {
+    const auto boards = readiness.boards.size(), sources = readiness.source_good_pairs.size();
+    const bool all = readiness.boards_there == static_cast<int>(boards) &&
+                     readiness.sources_heard == static_cast<int>(sources);
+    return all ? ReadinessText::tr("All %1 boards and %2 sources are here.").arg(boards).arg(sources)
+               : ReadinessText::tr("%1 of %2 boards and %3 of %4 sources are here.")
+                     .arg(readiness.boards_there)
+                     .arg(boards)
+                     .arg(readiness.sources_heard)
+                     .arg(sources);
 }
 
 }  // namespace
@@ -177,9 +296,13 @@ QString countWords(const Readiness& readiness) {
 HindranceWords wordsOf(const ReadinessProblem& problem, const SuitCheck& check) {
     if (problem.kind == ProblemKind::kLinkLost || problem.kind == ProblemKind::kNoSound)
         return aboutLink(problem, check);
+    if (!problem.alike.empty())
+        return aboutMany(problem, check);
+    if (isOfFit(problem.kind))
+        return aboutFit(problem, check);
     if (problem.board >= 0)
         return aboutBoard(problem, check);
-    return problem.source >= 0 ? aboutSource(problem, check) : aboutSupplies(problem);
+    return problem.source >= 0 ? aboutSource(problem, check) : aboutSupplies(problem, check);
 }
 
 VerdictWords verdictOf(const SuitCheck& check) {
@@ -199,13 +322,13 @@ VerdictWords verdictOf(const SuitCheck& check) {
     const QString counts = countWords(readiness);
     if (readiness.verdict == Readiness::Verdict::kNotReady)
         return {Tone::kError, ReadinessText::tr("Not ready yet"), counts};
-    const QString all = ReadinessText::tr("%1 of %2 boards and %3 of %4 sources are there.")
-                            .arg(readiness.boards_there)
-                            .arg(readiness.boards.size())
-                            .arg(readiness.sources_heard)
-                            .arg(readiness.source_good_pairs.size());
-    return {counts.isEmpty() ? Tone::kOk : Tone::kWarn, ReadinessText::tr("Ready"),
-            counts.isEmpty() ? all : all + ' ' + counts};
+    QStringList sentences{whatIsHere(readiness), counts};
+    if (!readiness.isFit())
+        sentences.prepend(fitSentence(readiness));
+    sentences.removeAll(QString());
+    return {readiness.isFit() && counts.isEmpty() ? Tone::kOk : Tone::kWarn,
+            readiness.isFit() ? ReadinessText::tr("Ready") : ReadinessText::tr("Connected"),
+            sentences.join(' ')};
 }
 
 Tone toneOf(BoardReadiness::State state) {
@@ -227,6 +350,8 @@ QString boardDetail(const SuitCheck& check, int board) {
     const auto index = static_cast<size_t>(board);
     if (board < 0 || index >= boards.size() || boards[index].state == BoardReadiness::State::kUnknown)
         return ReadinessText::tr("board %1").arg(board + 1);
+    if (check.suit().blinkingBoard() == board)
+        return ReadinessText::tr("its light blinks");
     if (boards[index].state == BoardReadiness::State::kSilent) {
         const QTime since = check.silentSince(board);
         return since.isValid() ? ReadinessText::tr("no signal since %1").arg(clockText(since))

@@ -9,10 +9,14 @@
 
 namespace noctule::ui {
 
+/// What the button of a card does.
+enum class Repair { kNone, kBlinkBoard, kPlaySource, kCalibrate, kCheck };
+
 struct HindranceWords {
     QString title, text;
-    QString action, action_icon;  ///< empty: there is none
-    QString accept;               ///< "Go on without it"; empty: nothing to accept
+    QString action{}, action_icon{};  ///< empty: there is none
+    QString accept{};                 ///< "Go on without it"; empty: nothing to accept
+    Repair repair = Repair::kNone;
 };
 HindranceWords wordsOf(const ReadinessProblem& problem, const SuitCheck& check);
 

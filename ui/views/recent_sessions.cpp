@@ -21,9 +21,12 @@ void addTake(RecentSession& recent, const Session& session, const SessionTake& t
     recent.take_names.append(QString::fromStdString(take.name));
     recent.damaged += take.state == TakeState::kDamaged;
     recent.unprocessed += take.state != TakeState::kDamaged && !take.processed;
-    if (take.processed)
+    // A take that broke off is no picture of its session while there is another.
+    const bool broke_off = take.state == TakeState::kRecording || take.state == TakeState::kRecovered;
+    if (take.processed && (!broke_off || recent.newest_take.isEmpty()))
         recent.newest_take = path;
-    if (take.state == TakeState::kRecording || take.state == TakeState::kRecovered)
+    // Once it was recovered and processed it is a take as others are.
+    if (broke_off && !(take.state == TakeState::kRecovered && take.processed))
         recent.interrupted.push_back(
             {QString::fromStdString(take.name), path, take.duration_s, take.state == TakeState::kRecovered});
 }

@@ -59,7 +59,8 @@ void RecordCenter::showEvent(QShowEvent*) {
 void RecordCenter::wear() {
     const LiveSuit& suit = studio_.suit();
     const auto hello = suit.status()->hello;
-    LiveWearer wearer{suit.actor(), suit.suit(), suit.calibration()};
+    LiveWearer wearer{suit.actor(), suit.suit(),
+                      suit.canMoveBody() ? suit.calibration() : std::optional<Calibration>()};
     if (hello)
         wearer.sample_rate_hz = hello->sample_rate_hz;
     scene_->setLive(std::move(wearer));

@@ -72,7 +72,7 @@ std::vector<RecordProblems::Problem> RecordProblems::ofSuit() const {
                         words.text,
                         judged.board,
                         judged,
-                        words.accept};
+                        words};
         if (runs && judged.kind == ProblemKind::kLinkLost)
             problem.text +=
                 ' ' + tr("The take is safe up to here and goes on when the box is back; the gap will "
@@ -89,6 +89,9 @@ void RecordProblems::refresh() {
         return a.tone == Tone::kError && b.tone != Tone::kError;
     });
     count_ = static_cast<int>(problems.size());
+    beside_fit_ = static_cast<int>(std::ranges::count_if(problems, [](const Problem& problem) {
+        return problem.words.repair != Repair::kCalibrate && problem.words.repair != Repair::kCheck;
+    }));
     worst_ = problems.empty() ? Tone::kNeutral : problems.front().tone;
     showCards(problems);
 }
@@ -96,7 +99,8 @@ void RecordProblems::refresh() {
 /// Cards stay while their titles do; what they say may go on changing.
 void RecordProblems::showCards(const std::vector<Problem>& problems) {
     const size_t count = std::min(problems.size(), kMostTakeCards);
-    bool same = count == cards_.size();
+    const bool runs = studio_.suit().phase() == LiveSuit::Phase::kRecording;
+    bool same = count == cards_.size() && std::exchange(made_while_recording_, runs) == runs;
     for (size_t i = 0; same && i < count; ++i)
         same = cards_[i]->title() == problems[i].title;
     if (!same) {
@@ -120,9 +124,16 @@ ProblemCard* RecordProblems::makeCard(const Problem& problem) {
     if (problem.board >= 0)
         connect(card->addAction(tr("Show on body")), &QPushButton::clicked, this,
                 [this, board = problem.board] { studio_.selection().setPair(-1, board); });
-    if (problem.judged && !problem.accept.isEmpty())
+    if (problem.words.repair == Repair::kCalibrate)
+        connect(card->addAction(problem.words.action, problem.words.action_icon), &QPushButton::clicked, this,
+                [this] { studio_.goTo(Step::kCalibrate); });
+    const bool runs = studio_.suit().phase() == LiveSuit::Phase::kRecording;
+    if (problem.words.repair == Repair::kCheck && !runs)
+        connect(card->addAction(problem.words.action, problem.words.action_icon), &QPushButton::clicked,
+                &studio_, &Studio::checkSuit);
+    if (problem.judged && !problem.words.accept.isEmpty())
         connect(
-            card->addAction(problem.accept), &QPushButton::clicked, this,
+            card->addAction(problem.words.accept), &QPushButton::clicked, this,
             [this, judged = *problem.judged] { studio_.check().goOnWithout(judged); }, Qt::QueuedConnection);
     column_->insertWidget(column_->indexOf(more_), card);
     return card;

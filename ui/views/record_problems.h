@@ -9,6 +9,7 @@
 
 #include "ui/models/studio.h"
 #include "ui/style/ink.h"
+#include "ui/views/readiness_words.h"
 
 class QVBoxLayout;
 
@@ -24,6 +25,8 @@ public:
 
     void refresh();
     int count() const { return count_; }
+    /// Without what is said of the calibration and its check.
+    int countBesideFit() const { return beside_fit_; }
     /// Of what there is.
     Tone worst() const { return worst_; }
     const std::vector<ProblemCard*>& cards() const { return cards_; }
@@ -35,7 +38,7 @@ private:
         QString title, text;
         int board = -1;                          ///< that "Show on body" chooses
         std::optional<ReadinessProblem> judged;  ///< that can be accepted
-        QString accept;
+        HindranceWords words;
     };
     std::vector<Problem> ofTake() const;
     std::vector<Problem> ofSuit() const;
@@ -46,7 +49,8 @@ private:
     QVBoxLayout* column_;
     Label* more_;
     std::vector<ProblemCard*> cards_;
-    int count_ = 0;
+    int count_ = 0, beside_fit_ = 0;
+    bool made_while_recording_ = false;  ///< the cards
     Tone worst_ = Tone::kNeutral;
 };
 

@@ -2,9 +2,11 @@
 #include "ui/views/record_readiness.h"
 
 #include <QVBoxLayout>
+#include <set>
 
 #include "core/acoustics/speed_of_sound.h"
 #include "ui/style/words.h"
+#include "ui/views/fit_words.h"
 #include "ui/views/number_rows.h"
 #include "ui/views/readiness_words.h"
 #include "ui/views/record_problems.h"
@@ -141,7 +143,7 @@ void RecordReadiness::showHealth() {
             tr("the body hides the others; a quarter is usual"), good > 0 ? Tone::kOk : Tone::kWarn,
             shareOf(good, boards * sources));
     const auto frame = studio_.suit().frame();
-    const bool moves = frame && frame->poses > 0 && studio_.suit().calibration();
+    const bool moves = frame && frame->poses > 0 && studio_.suit().canMoveBody();
     const double behind_s = frame ? frame->latency_median_s + screen_delay_s_ : 0;
     setFact(Fact::kView, moves ? tr("%1\u00A0ms behind").arg(numberText(behind_s * 1e3, 0)) : QString());
 }
@@ -214,7 +216,7 @@ QString RecordReadiness::checkedWords() const {
     const auto& checked = studio_.checked();
     if (!checked)
         return tr("not yet", "a suit was checked");
-    const QString when = dateText(checked->when);
+    const QString when = dateInside(checked->when);
     return checked->is_good ? tr("good, %1", "a check, its time").arg(when)
                             : tr("something moved, %1", "a check, its time").arg(when);
 }
@@ -222,7 +224,9 @@ QString RecordReadiness::checkedWords() const {
 void RecordReadiness::showCalibration() {
     const LiveSuit& suit = studio_.suit();
     checked_->setText(suit.calibration() ? checkedWords() : kNotKnown);
+    const QString cannot = whyNotCheck(lackOf(suit.suit(), suit.calibration().value_or(Calibration{})));
     check_->setDisabledBecause(!suit.calibration() ? tr("There is no calibration to check.")
+                               : !cannot.isEmpty() ? cannot
                                : suit.phase() == LiveSuit::Phase::kRecording
                                    ? tr("A take is being recorded; check before the next one.")
                                    : QString());
@@ -241,7 +245,10 @@ void RecordReadiness::showCalibration() {
         return !source.offsets_s.empty();
     });
     offsets_->setText(partText(known, std::ssize(suit.suit().sources)));
-    boards_->setText(partText(std::ssize(calibration->boards), std::ssize(suit.suit().boards)));
+    const CalibrationLack lack = lackOf(suit.suit(), *calibration);
+    std::set<int> lacking(lack.gyroscopes.begin(), lack.gyroscopes.end());
+    lacking.insert(lack.accelerometers.begin(), lack.accelerometers.end());
+    boards_->setText(partText(lack.board_count - std::ssize(lacking), lack.board_count));
 }
 
 void RecordReadiness::showVerdict() {
@@ -251,9 +258,12 @@ void RecordReadiness::showVerdict() {
         words.text = tr("Connect one to see whether it is ready.");
     of_suit_->setVisible(connected);
     if (studio_.suit().phase() == LiveSuit::Phase::kRecording) {
-        words = problems_->count() == 0
-                    ? VerdictWords{Tone::kOk, tr("Recording well"), {}}
-                    : VerdictWords{problems_->worst(), tr("Recording, with problems"), {}};
+        const Readiness& readiness = studio_.check().readiness();
+        const int others = problems_->countBesideFit();
+        const bool only_problems = readiness.isFit() && others > 0;
+        words = VerdictWords{problems_->count() == 0 ? Tone::kOk : problems_->worst(),
+                             only_problems ? tr("Recording, with problems") : recordingWords(readiness),
+                             {}};
     }
     verdict_text_ = words.verdict;
     verdict_->setVerdict(words.tone, words.verdict, words.text);

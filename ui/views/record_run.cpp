@@ -6,6 +6,7 @@
 
 #include "core/session/shot_list.h"
 #include "core/session/take_folder.h"
+#include "ui/style/words.h"
 #include "ui/views/readiness_words.h"
 
 namespace noctule::ui {
@@ -325,8 +326,9 @@ void RecordRun::addMarker() {
 void RecordRun::addNote(const QString& text) {
     if (state_ != State::kRecording || running_.isEmpty() || text.trimmed().isEmpty())
         return;
-    studio_.suit().addNote(text.trimmed());
-    marks_.push_back({TakeMark::Kind::kNote, studio_.suit().recordedSeconds(), text.trimmed()});
+    const double t_s = studio_.suit().recordedSeconds();
+    studio_.suit().addNote(QStringLiteral("%1 %2").arg(timeText(t_s), text.trimmed()));
+    marks_.push_back({TakeMark::Kind::kNote, t_s, text.trimmed()});
     emit marksChanged();
 }
 

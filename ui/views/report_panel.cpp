@@ -20,6 +20,8 @@ namespace noctule::ui {
 
 namespace {
 constexpr size_t kMostProblems = 3;
+/// Simulated takes of the nominal scenario have 2 to 5 mm, where the detector's noise is 3.
+constexpr double kGoodMedian_m = 0.01;
 const QString kNoFigure = QChar(0x2013);
 }  // namespace
 
@@ -82,7 +84,10 @@ QWidget* ReportPanel::makeNumbers() {
     auto* numbers = new QWidget;
     auto* grid = makeGrid(numbers, {12, 0, 12, 16}, 8);
     const QString captions[] = {
-        {}, tr("of time backed\nby ranges"), tr("range residual,\nroot mean square"), {}};
+        {},
+        tr("of time backed\nby ranges"),
+        tr("range residual,\nmedian; good: under %1").arg(millimetresText(kGoodMedian_m, 0)),
+        {}};
     for (int i = 0; i < 4; ++i) {
         cards_[static_cast<size_t>(i)] = new ValueCard(kNoFigure, captions[i]);
         grid->addWidget(cards_[static_cast<size_t>(i)], i / 2, i % 2);
@@ -124,7 +129,13 @@ void ReportPanel::showVerdict(const TakeVerdict& verdict) {
     cards_[0]->setCaption(verdict.mean_error_deg ? tr("mean joint error\nagainst the reference")
                                                  : tr("mean joint error,\nno reference"));
     cards_[1]->setValue(percentText(verdict.backed_share));
-    cards_[2]->setValue(verdict.residual_rms_m ? millimetresText(*verdict.residual_rms_m) : kNoFigure);
+    cards_[2]->setValue(verdict.residual_median_m ? millimetresText(*verdict.residual_median_m) : kNoFigure);
+    cards_[2]->setToolTip(
+        verdict.residual_rms_m
+            ? tr("Half of the ranges used miss the pose by less. Root mean square, which a few "
+                 "echoes make large: %1.")
+                  .arg(millimetresText(*verdict.residual_rms_m))
+            : QString());
     cards_[3]->setValue(secondsText(verdict.hole_s, 2));
     cards_[3]->setCaption(verdict.hole_s > 0
                               ? tr("without signal,\nlongest %1").arg(secondsText(verdict.longest_hole_s, 2))
@@ -174,6 +185,8 @@ void ReportPanel::showFeet() {
 }
 
 void ReportPanel::goTo(const ProblemWords& problem) {
+    if (problem.processes)
+        emit processingWanted();
     if (!problem.joint.isEmpty())
         studio_.selection().setJoint(problem.joint);
     if (problem.board >= 0)

@@ -10,9 +10,11 @@
 #include <QLineEdit>
 #include <array>
 
+#include "core/estimation/paper_parameters.h"
 #include "core/processing/outside_files.h"
 #include "ui/style/words.h"
 #include "ui/views/choice_row.h"
+#include "ui/views/fit_words.h"
 #include "ui/views/open_take.h"
 #include "ui/views/review_words.h"
 #include "ui/views/scaled_layout.h"
@@ -51,9 +53,11 @@ QString calibrationInWords(const Calibration& calibration) {
 }  // namespace
 
 ReprocessDialog::ReprocessDialog(Studio& studio, const TakeOverview& overview, QWidget* parent)
-    : DialogFrame(tr("Reprocess %1").arg(openTakeName(studio)),
-                  tr("Adds a result to the take. The recording and earlier results stay as they are."),
-                  tr("Reprocess"), parent),
+    : DialogFrame((overview.runs.empty() ? tr("Process %1") : tr("Reprocess %1")).arg(openTakeName(studio)),
+                  overview.runs.empty()
+                      ? tr("Makes the motion out of the recording, which stays as it is.")
+                      : tr("Adds a result to the take. The recording and earlier results stay as they are."),
+                  overview.runs.empty() ? tr("Process") : tr("Reprocess"), parent),
       studio_(studio),
       overview_(overview) {
     auto* sides = new QWidget;
@@ -99,7 +103,7 @@ void ReprocessDialog::addSensors(QBoxLayout& into) {
 void ReprocessDialog::addRoot(QBoxLayout& into) {
     using enum ChoiceRow::Kind;
     root_free = new ChoiceRow(kRadio, tr("Free"), tr("Found by the filter, as in a live recording."));
-    root_given = new ChoiceRow(kRadio, tr("Given"), tr("Hips from the other system that is attached."));
+    root_given = new ChoiceRow(kRadio, tr("From another system"), tr("Its hips are used."));
     auto* under = new FormRows;
     ground = new QComboBox;
     ground->addItems(
@@ -114,7 +118,8 @@ void ReprocessDialog::addRoot(QBoxLayout& into) {
 
 void ReprocessDialog::addFilter(QBoxLayout& into) {
     using enum ChoiceRow::Kind;
-    ours = new ChoiceRow(kRadio, tr("Noctule"), tr("Rotations without singularities, every range gated."));
+    ours = new ChoiceRow(kRadio, tr("Noctule"),
+                         tr("Rotations without singularities; ranges that do not fit are left out."));
     paper = new ChoiceRow(kRadio, tr("Filter of the paper"),
                           tr("Vlasic 2007 to the letter, as a baseline for comparison."));
     auto* column = addGroup(into, tr("Filter"), {ours, paper});
@@ -125,7 +130,7 @@ void ReprocessDialog::addFilter(QBoxLayout& into) {
     process_sigma_->setDecimals(3);
     process_sigma_->setRange(0.001, 1000);
     process_sigma_->setSingleStep(0.01);
-    process_sigma_->setValue(TrackerSettings{}.paper_process_sigma_rad_per_s2);
+    process_sigma_->setValue(PaperParameters{}.process_sigma_rad_per_s2);
     process_sigma_->setSuffix(tr(" rad/s²"));
     process_sigma_->setAccessibleName(label->text());
     row->addWidget(label);
@@ -140,34 +145,51 @@ void ReprocessDialog::addSmoothing(QBoxLayout& into) {
     not_smoothed = new ChoiceRow(kRadio, tr("None"), tr("As in a live recording."));
     smoothed_half_second =
         new ChoiceRow(kRadio, tr("Half a second"), tr("Each pose knows the 0.3 to 0.5 s that follow."));
-    smoothed_whole =
-        new ChoiceRow(kRadio, tr("Whole take"), tr("Each pose knows all that came before and after."));
+    smoothed_whole = new ChoiceRow(
+        kRadio, tr("Whole take"),
+        tr("Each pose knows all that came before and after: the usual choice for a recorded take."));
     most_probable = new ChoiceRow(
         kRadio, tr("Most probable motion"),
         tr("All readings weighed again together until nothing changes: the reference. Takes longer."));
     const std::vector<ChoiceRow*> rows{not_smoothed, smoothed_half_second, smoothed_whole, most_probable};
     addGroup(into, tr("Smoothing"), {rows.begin(), rows.end()});
     keepOneChosen(this, rows);
+    smoothed_whole->setChecked(true);
 }
 
 void ReprocessDialog::addDetector(QBoxLayout& into) {
     using enum ChoiceRow::Kind;
-    inflection = new ChoiceRow(kRadio, tr("By the rise of the pulse"), tr("As in the paper."));
+    inflection =
+        new ChoiceRow(kRadio, tr("By the rise of the pulse"), tr("As in the paper and in a live recording."));
     matched = new ChoiceRow(kRadio, tr("By the whole pulse"),
                             tr("Fits each source’s own pulse: finer where nothing stands in between."));
     addGroup(into, tr("Distances are measured"), {inflection, matched});
     keepOneChosen(this, {inflection, matched});
-    if (overview_.level != TakeLevel::kSignal)
+    if (overview_.level == TakeLevel::kSignal)
+        matched->setChecked(true);
+    else
         matched->setDisabledBecause(tr("Needs the recorded sound, which this take does not hold."));
+    connect(paper->button(), &QAbstractButton::toggled, this, [this](bool chosen) {
+        const bool by_rise = chosen || overview_.level != TakeLevel::kSignal;
+        (by_rise ? inflection : matched)->setChecked(true);
+    });
 }
 
 void ReprocessDialog::addCalibration(QBoxLayout& into) {
     using enum ChoiceRow::Kind;
     calibration_in_force =
         new ChoiceRow(kRadio, tr("In force in the take"), calibrationInWords(overview_.calibration));
+    calibration_in_use = new ChoiceRow(kRadio, tr("In use now"), tr("Becomes the one in force."));
     calibration_from_file = new ChoiceRow(kRadio, tr("From a file"), tr("Becomes the one in force."));
-    addGroup(into, tr("Calibration"), {calibration_in_force, calibration_from_file});
-    keepOneChosen(this, {calibration_in_force, calibration_from_file});
+    const std::vector<ChoiceRow*> rows{calibration_in_force, calibration_in_use, calibration_from_file};
+    addGroup(into, tr("Calibration"), {rows.begin(), rows.end()});
+    keepOneChosen(this, rows);
+    const auto in_use = studio_.calibrations().inForce();
+    calibration_in_use->setVisible(in_use.has_value());
+    if (in_use && lackOf(overview_.suit, *in_use).isNone() && !overview_.lack.isNone())
+        calibration_in_use->setChecked(true);
+    for (ChoiceRow* row : rows)
+        connect(row->button(), &QAbstractButton::toggled, this, &ReprocessDialog::refresh);
     connect(calibration_from_file->button(), &QAbstractButton::clicked, this, [this] {
         const QString path =
             QFileDialog::getOpenFileName(this, tr("Choose a calibration"), {}, tr("Calibrations (*.json)"));
@@ -188,13 +210,14 @@ void ReprocessDialog::addName(QBoxLayout& into) {
 
 void ReprocessDialog::setCalibrationFile(const QString& path) {
     const auto calibration = readCalibrationFile(path.toStdString());
-    setProblem(calibration ? QString() : QString::fromStdString(calibration.error().text()));
+    file_problem_ = calibration ? QString() : QString::fromStdString(calibration.error().text());
     if (!calibration) {
         calibration_in_force->setChecked(true);
-        return;
+        return refresh();
     }
     calibration_ = *calibration;
     calibration_from_file->setChecked(true);
+    refresh();
     calibration_from_file->button()->setText(QFileInfo(path).fileName());
 }
 
@@ -207,8 +230,10 @@ void ReprocessDialog::startFrom(const RunSettings& settings) {
         root_given->setChecked(true);
     if (const auto known = groundFromName(settings.ground))
         ground->setCurrentIndex(static_cast<int>(*known));
-    if (settings.estimator == "paper")
+    if (settings.estimator == "paper") {
         paper->setChecked(true);
+        inflection->setChecked(true);
+    }
     if (settings.process_sigma_rad_per_s2)
         process_sigma_->setValue(*settings.process_sigma_rad_per_s2);
     if (settings.smoother == smootherName(Smoother::kLag))
@@ -219,11 +244,41 @@ void ReprocessDialog::startFrom(const RunSettings& settings) {
         most_probable->setChecked(true);
     if (settings.detector == detectorName(Detector::kMatched) && overview_.level == TakeLevel::kSignal)
         matched->setChecked(true);
+    if (settings.detector == detectorName(Detector::kInflection))
+        inflection->setChecked(true);
+}
+
+CalibrationLack ReprocessDialog::lackOfChosen() const {
+    CalibrationLack lack = overview_.lack;
+    if (calibration_from_file->isChecked() && calibration_)
+        lack = lackOf(overview_.suit, *calibration_);
+    else if (const auto in_use = studio_.calibrations().inForce(); calibration_in_use->isChecked() && in_use)
+        lack = lackOf(overview_.suit, *in_use);
+    if (overview_.level == TakeLevel::kReadings)
+        lack.sources.clear();
+    return lack;
+}
+
+/// Said before, not by a result that cannot be used.
+void ReprocessDialog::showLack() {
+    if (!file_problem_.isEmpty())
+        return setProblem(file_problem_);
+    const std::string sensors = std::string(accelerometers->isChecked() ? "A" : "") +
+                                (gyroscopes->isChecked() ? "G" : "") + (distances->isChecked() ? "D" : "");
+    const CalibrationLack lack = lackOfChosen();
+    const Grade grade = gradeOf(lack, sensors);
+    setProblem(
+        grade == Grade::kGood ? QString()
+        : grade == Grade::kNotUsable
+            ? tr("The result will not be usable: there is no calibration of %1. Choose one that has it.")
+                  .arg(lackWords(lack))
+            : tr("The result will be less exact: there is no calibration of %1.").arg(lackWords(lack)));
 }
 
 void ReprocessDialog::refresh() {
     const bool any = accelerometers->isChecked() || gyroscopes->isChecked() || distances->isChecked();
     actionButton()->setDisabledBecause(any ? QString() : tr("Choose at least one kind of sensor."));
+    showLack();
     process_row_->setVisible(paper->isChecked());
     const QString only_ours = paper->isChecked() ? tr("The filter of the paper has no smoother.") : QString();
     if (paper->isChecked())
@@ -245,8 +300,9 @@ ProcessRequest ReprocessDialog::request() const {
     request.tracker.sensors = {accelerometers->isChecked(), gyroscopes->isChecked(), distances->isChecked()};
     request.tracker.root_given = root_given->isChecked();
     request.tracker.ground = static_cast<Ground>(ground->currentIndex());
-    request.tracker.estimator = paper->isChecked() ? EstimatorKind::kPaper : EstimatorKind::kManifold;
-    request.tracker.paper_process_sigma_rad_per_s2 = process_sigma_->value();
+    request.tracker.estimator = paper->isChecked() ? kPaperEstimator : kManifoldEstimator;
+    if (paper->isChecked())
+        request.tracker.parameters[kPaperProcessSigma] = process_sigma_->value();
     request.tracker.smoother = most_probable->isChecked()          ? Smoother::kBatch
                                : smoothed_whole->isChecked()       ? Smoother::kFull
                                : smoothed_half_second->isChecked() ? Smoother::kLag
@@ -254,6 +310,8 @@ ProcessRequest ReprocessDialog::request() const {
     request.detector = matched->isChecked() ? Detector::kMatched : Detector::kInflection;
     if (calibration_from_file->isChecked())
         request.calibration = calibration_;
+    else if (calibration_in_use->isChecked())
+        request.calibration = studio_.calibrations().inForce();
     request.run_name = name->text().trimmed().toStdString();
     request.software = studio_.parts().software;
     request.created_utc = studio_.parts().utc_now ? studio_.parts().utc_now() : std::string();

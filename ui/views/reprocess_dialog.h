@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a take is to be processed once more: which sensors, which filter, where the root comes from and which
-// calibration. Nothing is replaced, every processing adds a result.
+// How a take is to be processed: which sensors, which filter, where the root comes from and which
+// calibration. At first the most accurate settings; sensors, root and filter as the last result was made.
+// Nothing is replaced, every processing adds a result.
 #pragma once
 
 #include "core/processing/process_take.h"
@@ -18,7 +19,7 @@ class ChoiceRow;
 class ReprocessDialog : public DialogFrame {
     Q_OBJECT
 public:
-    /// `overview`: of the take; the settings of its last result stand in the dialog at first.
+    /// `overview`: of the take.
     ReprocessDialog(Studio& studio, const TakeOverview& overview, QWidget* parent = nullptr);
 
     ProcessRequest request() const;
@@ -30,7 +31,7 @@ public:
     ChoiceRow *ours, *paper;
     ChoiceRow *not_smoothed, *smoothed_half_second, *smoothed_whole, *most_probable;
     ChoiceRow *matched, *inflection;
-    ChoiceRow *calibration_in_force, *calibration_from_file;
+    ChoiceRow *calibration_in_force, *calibration_in_use, *calibration_from_file;
     QLineEdit* name;
 
     void setCalibrationFile(const QString& path);
@@ -46,12 +47,15 @@ private:
     void chooseCalibration();
     void startFrom(const RunSettings& settings);
     void refresh();
+    void showLack();
+    CalibrationLack lackOfChosen() const;
 
     Studio& studio_;
     const TakeOverview overview_;
     QWidget* process_row_;
     QDoubleSpinBox* process_sigma_;
     std::optional<Calibration> calibration_;
+    QString file_problem_;
 };
 
 }  // namespace noctule::ui

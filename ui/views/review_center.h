@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Centre of Review: the body (or two side by side) and the confidence of its pairs above, plots, timeline and
-// transport below.
+// transport below. On small screens and with large type parts give way in this order: the left dock closes
+// (SideDocks), body and pairs share one place behind two tabs, then the centre scrolls; nothing becomes
+// smaller than it can be read.
 #pragma once
 
 #include <QWidget>
@@ -11,6 +13,7 @@ class QSplitter;
 
 namespace noctule::ui {
 
+class Button;
 class HeatMap;
 class PlotPanel;
 class SceneArea;
@@ -28,8 +31,16 @@ public:
     PlotPanel& plots() { return *plots_; }
     Timeline& timeline() { return *timeline_; }
     TransportBar& transport() { return *transport_; }
+    /// Body and pairs share one place; tabs choose.
+    bool isFolded() const { return !tabs_->isHidden(); }
+    void showPairs(bool pairs);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    QWidget* makeTabs();
+    void fold();
     void restoreSplitters();
     void keepSplitters() const;
 
@@ -40,6 +51,9 @@ private:
     Timeline* timeline_;
     TransportBar* transport_;
     QSplitter *above_, *whole_;
+    Button *body_tab_ = nullptr, *pairs_tab_ = nullptr;
+    bool shows_pairs_ = false;
+    QWidget* tabs_;
 };
 
 }  // namespace noctule::ui

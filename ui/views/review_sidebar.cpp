@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/review_sidebar.h"
 
-#include <QDesktopServices>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QMenu>
-#include <QUrl>
 
 #include "ui/views/job_progress.h"
 #include "ui/views/made_with_panel.h"
+#include "ui/views/markers_panel.h"
 #include "ui/views/notes_panel.h"
 #include "ui/views/open_take.h"
+#include "ui/views/process_takes_dialog.h"
 #include "ui/views/reference_panel.h"
 #include "ui/views/run_list.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/show_folder.h"
 #include "ui/views/take_list.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
@@ -78,12 +79,23 @@ QWidget* ReviewSidebar::makeTakeParts(FullReport& report) {
     addSection(*column, results_, {runs_, below});
     reference_ = new ReferencePanel(studio_);
     addSection(*column, new SectionHeader(tr("Reference")), {reference_});
+    addSection(*column, new SectionHeader(tr("Markers")), {new MarkersPanel(studio_)});
     notes_ = new NotesPanel(studio_);
     addSection(*column, new SectionHeader(tr("Notes")), {notes_});
     addSection(*column, new SectionHeader(tr("Made with")), {new MadeWithPanel(studio_)});
     column->addStretch();
     connect(reprocess_, &QPushButton::clicked, this, &ReviewSidebar::processingWanted);
     return parts;
+}
+
+QStringList ReviewSidebar::unprocessedTakes() const {
+    QStringList names;
+    if (studio_.session().isOpen())
+        for (const SessionTake& take : studio_.session().session().takes)
+            if (!take.processed &&
+                (take.state == TakeState::kComplete || take.state == TakeState::kRecovered))
+                names += QString::fromStdString(take.name);
+    return names;
 }
 
 void ReviewSidebar::fillMenu(QMenu& menu) {
@@ -105,10 +117,16 @@ void ReviewSidebar::fillMenu(QMenu& menu) {
             studio_.session().importTakes(paths);
     });
     QAction* folder = menu.addAction(tr("Show in folder"), this, [this] {
-        QDesktopServices::openUrl(
-            QUrl::fromLocalFile(QString::fromStdString(studio_.session().session().folder.string())));
+        showFolder(studio_, QString::fromStdString(studio_.session().session().folder.string()));
     });
     menu.addSeparator();
+    const QStringList unprocessed = unprocessedTakes();
+    QAction* process = menu.addAction(tr("Process all unprocessed takes"), this, [this, unprocessed] {
+        ProcessTakesDialog dialog(studio_, std::nullopt, window());
+        dialog.tick(unprocessed);
+        dialog.exec();
+    });
+    process->setEnabled(!unprocessed.isEmpty());
     menu.addAction(tr("Performers"), this, [this] { studio_.goTo(Step::kPerformer); })->setEnabled(is_open);
     for (QAction* action : {rename, import, folder})
         action->setEnabled(is_open);

@@ -28,6 +28,8 @@ public:
     ReviewSidebar(Studio& studio, FullReport& report, QWidget* parent = nullptr);
 
     TakeList& takes() { return *takes_; }
+    /// Names of those that wait for their first result.
+    QStringList unprocessedTakes() const;
     RunList& runs() { return *runs_; }
     ReferencePanel& reference() { return *reference_; }
     NotesPanel& notes() { return *notes_; }

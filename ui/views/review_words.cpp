@@ -9,6 +9,7 @@
 #include "core/math/conventions.h"
 #include "ui/models/part_names.h"
 #include "ui/style/words.h"
+#include "ui/views/fit_words.h"
 
 namespace noctule::ui {
 namespace {
@@ -63,7 +64,26 @@ ProblemWords jointProblem(const TakeVerdict& verdict) {
     return words;
 }
 
+/// No joint stands out from the others.
+ProblemWords supportOfAll(const TakeVerdict& verdict) {
+    const QString drift =
+        Words::tr("Without ranges a joint follows its gyroscope, which drifts by 1 to 3° a minute.");
+    ProblemWords words;
+    if (verdict.backed_share <= 0) {
+        words.title = Words::tr("No joint was backed by ranges");
+        words.text = drift;
+    } else {
+        words.title =
+            Words::tr("Ranges backed the joints only %1 of the time").arg(percentText(verdict.backed_share));
+        words.text =
+            drift + ' ' + Words::tr("Look at the pairs below for sources or boards that were not heard.");
+    }
+    return words;
+}
+
 ProblemWords supportProblem(const TakeVerdict& verdict) {
+    if (verdict.worst_joint.empty())
+        return supportOfAll(verdict);
     const VerdictJoint* joint = jointOf(verdict, verdict.worst_joint);
     ProblemWords words;
     words.joint = QString::fromStdString(verdict.worst_joint);
@@ -100,6 +120,19 @@ ProblemWords boardProblem(const TakeVerdict& verdict, const TakeOverview& overvi
                             : Words::tr(
                                   "Its neighbours carry it meanwhile. Check its plug and cable before the "
                                   "next take.");
+    return words;
+}
+
+ProblemWords lackProblem(const TakeVerdict& verdict) {
+    ProblemWords words;
+    words.title = verdict.lack.isTotal()
+                      ? Words::tr("This take has no calibration")
+                      : Words::tr("Without calibration of %1").arg(lackWords(verdict.lack));
+    words.text = Words::tr(
+        "The recording itself is whole. Calibrate the suit or find the calibration of that day, then process "
+        "the take with it.");
+    words.action = Words::tr("Process with a calibration");
+    words.processes = true;
     return words;
 }
 
@@ -149,11 +182,16 @@ QString gradeInWords(TakeGrade grade) {
 
 QString gradeExplained(const TakeVerdict& verdict) {
     if (verdict.grade == TakeGrade::kNotUsable)
-        return Words::tr("Better not used as it is. Why, and what may help, is told below.");
+        return verdict.lack.stopsTheBody()
+                   ? takeLackSentence(verdict.lack)
+                   : Words::tr("Better not used as it is. Why, and what may help, is told below.");
     if (verdict.grade == TakeGrade::kUsable)
         return Words::tr("Good enough to work with. What to look at first is told below.");
-    return verdict.mean_error_deg ? Words::tr("It follows the reference from start to end.")
-                                  : Words::tr("Every joint was backed by its sensors from start to end.");
+    if (verdict.mean_error_deg)
+        return Words::tr("It follows the reference from start to end.");
+    return Words::
+        tr("Ranges backed the joints %1 of the time, and inertia carried them in between; none stands out.")
+            .arg(percentText(verdict.backed_share));
 }
 
 std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const TakeOverview& overview) {
@@ -178,9 +216,13 @@ std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const Take
             case VerdictReason::kSupport:
                 words = supportProblem(verdict);
                 break;
+            case VerdictReason::kNotCalibrated:
+                words = lackProblem(verdict);
+                break;
             case VerdictReason::kResidual:
-                words.title = Words::tr("Ranges miss the pose by %1")
-                                  .arg(millimetresText(verdict.residual_rms_m.value_or(0)));
+                words.title = Words::tr("Ranges miss the pose by %1 (median %2)")
+                                  .arg(millimetresText(verdict.residual_rms_m.value_or(0)),
+                                       millimetresText(verdict.residual_median_m.value_or(0)));
                 words.text = Words::tr(
                     "A board or a source may sit elsewhere than the performer page says, or the "
                     "source offsets are another box's. Check both, then reprocess.");

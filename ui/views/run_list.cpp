@@ -41,10 +41,7 @@ void RunList::refresh() {
         return;  // the rows are of the take before; rebuild() follows
     for (int run = 0; run < count(); ++run) {
         row(run)->setChecked(run == take.shownRun() || run == take.comparedRun());
-        row(run)->setState(run == take.shownRun()      ? tr("A")
-                           : run == take.comparedRun() ? tr("B")
-                                                       : QString(),
-                           detail(run));
+        row(run)->setState(TakeDocument::numberOf(run), detail(run));
     }
 }
 

@@ -22,11 +22,10 @@ RunRow::RunRow(const QString& name, QWidget* parent) : QAbstractButton(parent) {
     connect(&Theme::get(), &Theme::changed, this, [this] { updateGeometry(), update(); });
 }
 
-void RunRow::setState(const QString& letter, const QString& detail) {
-    letter_ = letter;
+void RunRow::setState(const QString& number, const QString& detail) {
+    number_ = number;
     detail_ = detail;
-    setAccessibleName(letter.isEmpty() ? tr("Result %1, %2").arg(text(), detail)
-                                       : tr("Result %1, %2, %3").arg(letter, text(), detail));
+    setAccessibleName(tr("Result %1, %2, %3").arg(number, text(), detail));
     setToolTip(text());
     update();
 }
@@ -60,13 +59,13 @@ void RunRow::paintEvent(QPaintEvent*) {
     const QFont name = theme.font(TextRole::kBody, isChecked()), small = theme.font(TextRole::kSecondary);
     const QFontMetrics name_metrics(name), small_metrics(small);
     const int top = (height() - name_metrics.height() - small_metrics.height()) / 2;
-    const int letter_width = letter_.isEmpty() ? 0 : name_metrics.horizontalAdvance(letter_) + theme.px(6);
+    const int number_width = name_metrics.horizontalAdvance(number_) + theme.px(6);
     painter.setFont(name);
-    painter.setPen(tokens.acc);
-    painter.drawText(left, top + name_metrics.ascent(), letter_);
+    painter.setPen(isChecked() ? tokens.acc : tokens.t3);
+    painter.drawText(left, top + name_metrics.ascent(), number_);
     painter.setPen(tokens.t1);
-    painter.drawText(left + letter_width, top + name_metrics.ascent(),
-                     name_metrics.elidedText(text(), Qt::ElideRight, width - letter_width));
+    painter.drawText(left + number_width, top + name_metrics.ascent(),
+                     name_metrics.elidedText(text(), Qt::ElideRight, width - number_width));
     painter.setFont(small);
     painter.setPen(tokens.t3);
     painter.drawText(left, top + name_metrics.height() + small_metrics.ascent(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One result in the list: a check box with its letter and name, below it the error and what it is used for.
+// One result in the list: a check box with its number and name, below it the error and what it is used for.
 #pragma once
 
 #include <QAbstractButton>
@@ -11,9 +11,9 @@ class RunRow : public QAbstractButton {
 public:
     explicit RunRow(const QString& name, QWidget* parent = nullptr);
 
-    /// "A" for the result that is shown, "B" for the one that is compared, else empty.
-    void setState(const QString& letter, const QString& detail);
-    const QString& letter() const { return letter_; }
+    /// Its number ("2"), which it keeps for good, and what it is used for.
+    void setState(const QString& number, const QString& detail);
+    const QString& number() const { return number_; }
     const QString& detail() const { return detail_; }
 
     QSize sizeHint() const override;
@@ -24,7 +24,7 @@ protected:
     void nextCheckState() override {}  ///< the list decides
 
 private:
-    QString letter_, detail_;
+    QString number_, detail_;
 };
 
 }  // namespace noctule::ui

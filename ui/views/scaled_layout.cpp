@@ -61,6 +61,10 @@ void keepMinimumWidth(QWidget& widget, int width) {
     keep(widget, [&widget, width](const Theme& theme) { widget.setMinimumWidth(theme.px(width)); });
 }
 
+void keepMinimumHeight(QWidget& widget, int height) {
+    keep(widget, [&widget, height](const Theme& theme) { widget.setMinimumHeight(theme.px(height)); });
+}
+
 void keepMaximumWidth(QWidget& widget, int width) {
     keep(widget, [&widget, width](const Theme& theme) { widget.setMaximumWidth(theme.px(width)); });
 }

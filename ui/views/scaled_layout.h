@@ -18,6 +18,7 @@ QHBoxLayout* addRow(QBoxLayout* into, int spacing = 8, const QMargins& margins =
 /// Fixed sizes; 0: free in that direction.
 void keepSize(QWidget& widget, int width, int height);
 void keepMinimumWidth(QWidget& widget, int width);
+void keepMinimumHeight(QWidget& widget, int height);
 void keepMaximumWidth(QWidget& widget, int width);
 
 }  // namespace noctule::ui

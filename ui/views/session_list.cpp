@@ -2,11 +2,10 @@
 #include "ui/views/session_list.h"
 
 #include <QContextMenuEvent>
-#include <QDesktopServices>
 #include <QDir>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QUrl>
+#include <algorithm>
 
 #include "ui/style/focus_ring.h"
 #include "ui/style/theme.h"
@@ -76,9 +75,10 @@ SessionStateWords stateWords(const RecentSession& session) {
     if (session.damaged > 0) {
         words.state = RecentSessionModel::tr("%n damaged", "takes", session.damaged);
         words.tone = Tone::kError;
-    } else if (!session.interrupted.empty()) {
-        words.state =
-            RecentSessionModel::tr("%n interrupted", "takes", static_cast<int>(session.interrupted.size()));
+    } else if (const auto broken = std::count_if(session.interrupted.begin(), session.interrupted.end(),
+                                                 [](const InterruptedTake& take) { return !take.recovered; });
+               broken > 0) {
+        words.state = RecentSessionModel::tr("%n interrupted", "takes", static_cast<int>(broken));
         words.tone = Tone::kWarn;
     } else if (session.unprocessed > 0) {
         words.state = RecentSessionModel::tr("%n not processed", "takes", session.unprocessed);
@@ -160,8 +160,7 @@ void SessionList::contextMenuEvent(QContextMenuEvent* event) {
         return;
     QMenu menu(this);
     menu.addAction(tr("Open"), this, [this, folder] { emit openRequested(folder); });
-    menu.addAction(tr("Show folder"), this,
-                   [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+    menu.addAction(tr("Show folder"), this, [this, folder] { emit folderWanted(folder); });
     menu.addSeparator();
     menu.addAction(tr("Take off this list"), this, [this, folder] { recent_.remove(folder); })
         ->setShortcut(QKeySequence(Qt::Key_Delete));

@@ -66,6 +66,7 @@ public:
     QSize minimumSizeHint() const override;
 
 signals:
+    void folderWanted(const QString& folder);  ///< to be shown in the file manager
     void openRequested(const QString& folder);
 
 protected:

@@ -13,8 +13,10 @@
 #include "ui/views/recovery_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/session_list.h"
+#include "ui/views/show_folder.h"
 #include "ui/views/take_picture.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/problem_card.h"
 #include "ui/widgets/scroll_area.h"
@@ -104,31 +106,76 @@ QWidget* StartPage::makeSuitsFound() {
     column->addWidget(new Label(tr("Suits found"), TextRole::kSecondary, Ink::kHint));
     suits_found_ = (new Label({}, TextRole::kBody, Ink::kLabel))->wrapped();
     column->addWidget(suits_found_);
+    auto* cards = new QWidget;
+    suit_cards_ = makeColumn(cards, {}, 8);
+    column->addWidget(cards);
     auto* row = addRow(column, 0, {-8, 0, 0, 0});
-    Button* more = makeButton(ButtonKind::kText, tr("Connect a suit"));
-    row->addWidget(more);
+    connect_other_ = makeButton(ButtonKind::kText, tr("Connect a suit"));
+    row->addWidget(connect_other_);
     row->addStretch();
     connect(&studio_.finder(), &SuitFinder::changed, this, &StartPage::showSuitsFound);
     connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &StartPage::showSuitsFound);
     showSuitsFound();
-    connect(more, &QPushButton::clicked, this, [this] { studio_.goTo(Step::kConnect); });
+    connect(connect_other_, &QPushButton::clicked, this, [this] { studio_.goTo(Step::kConnect); });
     return suits;
 }
 
+/// "Blue suit" and what can be done with it.
+Button* StartPage::addSuitCard(const QString& name, const QString& detail, const QString& action) {
+    auto* card = new Card;
+    auto* row = makeRow(card, {12, 8, 12, 8}, 8);
+    auto* words = new QWidget;
+    auto* column = makeColumn(words, {}, 2);
+    column->addWidget(new Label(name, TextRole::kBody, Ink::kValue, true));
+    column->addWidget((new Label(detail, TextRole::kSecondary, Ink::kLabel))->wrapped());
+    row->addWidget(words, 1);
+    Button* button = makeButton(ButtonKind::kOutlined, action);
+    button->setAccessibleName(action + ' ' + name);
+    row->addWidget(button, 0, Qt::AlignVCenter);
+    suit_cards_->addWidget(card);
+    suit_buttons_.append(button);
+    return button;
+}
+
 void StartPage::showSuitsFound() {
-    QStringList names;
-    for (const KnownSuit& suit : studio_.finder().suits())
-        if (suit.present && suit.device.contact == FoundDevice::Contact::kAnswers)
-            names << suit.name;
+    while (QLayoutItem* item = suit_cards_->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater();
+        delete item;
+    }
+    suit_buttons_.clear();
     const auto hello = studio_.suit().status()->hello;
-    if (studio_.suit().phase() != LiveSuit::Phase::kNone && hello)
-        suits_found_->setText(tr("%1 is connected.").arg(QString::fromStdString(hello->serial)));
-    else if (names.isEmpty())
-        suits_found_->setText(
-            tr("No driver box is found. Switch one on, or connect it by USB; the virtual suit on "
-               "Connect stands in for one."));
-    else
-        suits_found_->setText(names.join(QStringLiteral(", ")));
+    const bool connected = studio_.suit().phase() != LiveSuit::Phase::kNone;
+    if (connected) {
+        const QString name = hello ? QString::fromStdString(hello->serial) : studio_.suit().address();
+        connect(addSuitCard(name, hello ? tr("is connected") : tr("is being connected"), tr("Show it")),
+                &QPushButton::clicked, this, [this] { studio_.goTo(Step::kConnect); });
+    } else {
+        addFoundSuits();
+    }
+    suits_found_->setVisible(suit_buttons_.isEmpty());
+    suits_found_->setText(
+        tr("No driver box is found. Switch one on, or connect it by USB; the virtual suit on "
+           "Connect stands in for one."));
+    connect_other_->setVisible(!connected && suit_buttons_.isEmpty());
+}
+
+void StartPage::addFoundSuits() {
+    constexpr int kMost = 3;
+    for (const KnownSuit& suit : studio_.finder().suits()) {
+        if (!suit.present || suit.device.contact != FoundDevice::Contact::kAnswers ||
+            suit_buttons_.size() == kMost)
+            continue;
+        Button* button =
+            addSuitCard(suit.name, suit.device.busy ? tr("another studio uses it") : tr("ready to connect"),
+                        tr("Connect"));
+        button->setDisabledBecause(suit.device.busy ? tr("Another studio uses it.") : QString());
+        connect(button, &QPushButton::clicked, this,
+                [this, address = QString::fromStdString(suit.device.address)] {
+                    studio_.goTo(Step::kConnect);
+                    studio_.suit().connectTo(address);
+                });
+    }
 }
 
 QWidget* StartPage::makeLink(const QString& icon, const QString& text, const QString& hint,
@@ -179,6 +226,8 @@ QWidget* StartPage::makeRecent() {
     column->addStretch();
     connect(search_, &SearchField::searched, this, &StartPage::search);
     connect(list_, &SessionList::openRequested, this, &StartPage::openRequested);
+    connect(list_, &SessionList::folderWanted, this,
+            [this](const QString& folder) { showFolder(studio_, folder); });
     return recent;
 }
 
@@ -190,6 +239,8 @@ void StartPage::search(const QString& text) {
 
 void StartPage::tryVirtualSuit() {
     progress_->follow(studio_.tryVirtualSuit());
+    if (try_->hasFocus())
+        setFocus();  // a disabled button would hand the keyboard to the next one
     try_->setEnabled(false);
 }
 
@@ -252,12 +303,12 @@ ProblemCard* StartPage::interruptedCard(const RecentSession& session) {
            "not touched.")
             .arg(session.name, secondsText(take.duration_s));
     if (take.recovered) {
-        auto* card = new ProblemCard(Tone::kWarn, tr("The take %1 was recovered").arg(take.name), safe);
+        auto* card = new ProblemCard(Tone::kOk, tr("Take %1 was recovered").arg(take.name), safe);
         connect(card->addAction(tr("Review %1").arg(take.name)), &QPushButton::clicked, this,
                 [this, path] { emit openRequested(path); });
         return card;
     }
-    auto* card = new ProblemCard(Tone::kWarn, tr("The take %1 was not ended").arg(take.name),
+    auto* card = new ProblemCard(Tone::kWarn, tr("Take %1 broke off").arg(take.name),
                                  safe + QLatin1Char(' ') + recoverOffer());
     connect(card->addAction(tr("Recover %1").arg(take.name)), &QPushButton::clicked, this,
             [this, path] { emit recoverRequested(path); });

@@ -11,6 +11,7 @@ class QVBoxLayout;
 namespace noctule::ui {
 
 class BigButton;
+class Button;
 class JobProgress;
 class Label;
 class ProblemCard;
@@ -29,6 +30,10 @@ public:
 
     BigButton* newSessionButton() const { return new_; }
     BigButton* tryButton() const { return try_; }
+    /// Of the cards of suits: "Connect", or "Show it" when one is connected.
+    const QList<Button*>& suitButtons() const { return suit_buttons_; }
+    /// "Connect a suit"; hidden where a card has the button.
+    Button* connectButton() const { return connect_other_; }
     SessionList& sessionList() { return *list_; }
     QList<ProblemCard*> problemCards() const;
 
@@ -52,6 +57,8 @@ private:
                       void (StartPage::*signal)());
     void tryVirtualSuit();
     void showSuitsFound();
+    Button* addSuitCard(const QString& name, const QString& detail, const QString& action);
+    void addFoundSuits();
     void showInterrupted();
     void addCard(const RecentSession& session);
     ProblemCard* interruptedCard(const RecentSession& session);
@@ -65,6 +72,9 @@ private:
     RecentSessions& recent_;
     QWidget* sheet_;
     Label* suits_found_ = nullptr;
+    QVBoxLayout* suit_cards_ = nullptr;
+    Button* connect_other_ = nullptr;
+    QList<Button*> suit_buttons_;
     BigButton *new_, *open_, *try_;
     JobProgress* progress_;
     Label* nothing_found_;

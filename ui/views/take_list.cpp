@@ -2,16 +2,17 @@
 #include "ui/views/take_list.h"
 
 #include <QContextMenuEvent>
-#include <QDesktopServices>
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
 #include <QPainter>
 #include <QUrl>
+#include <utility>
 
 #include "ui/style/theme.h"
 #include "ui/views/session_marker.h"
+#include "ui/views/show_folder.h"
 #include "ui/views/take_delegate.h"
 
 namespace noctule::ui {
@@ -41,6 +42,10 @@ TakeList::TakeList(Studio& studio, QWidget* parent)
     viewport()->setAcceptDrops(true);
     setAccessibleName(tr("Takes"));
     connect(this, &QListView::activated, this, [this](const QModelIndex& index) { openTake(index.row()); });
+    connect(this, &QListView::clicked, this, [this](const QModelIndex& index) {
+        if (!std::exchange(rates_, false))
+            openTake(index.row());
+    });
     connect(&studio.take(), &TakeDocument::opened, this, &TakeList::chooseOpen);
     connect(&studio.session(), &SessionModel::opened, viewport(), QOverload<>::of(&QWidget::update));
     connect(takes_, &QAbstractItemModel::modelReset, this, &TakeList::chooseOpen);
@@ -101,10 +106,13 @@ void TakeList::keyPressEvent(QKeyEvent* event) {
 
 void TakeList::mousePressEvent(QMouseEvent* event) {
     const QModelIndex index = indexAt(event->pos());
+    rates_ = false;
     QListView::mousePressEvent(event);
     if (!index.isValid() || event->button() != Qt::LeftButton)
         return;
-    if (const auto rating = TakeDelegate::ratingAt(visualRect(index), event->pos()))
+    const auto rating = TakeDelegate::ratingAt(visualRect(index), event->pos());
+    rates_ = rating.has_value();
+    if (rating)
         studio_.session().rate(index.row(), *rating == takes_->take(index.row()).rating ? 0 : *rating);
 }
 
@@ -152,7 +160,7 @@ bool TakeList::canRecover(int row) const {
 
 void TakeList::showInFolder(int row) {
     const QFileInfo take(studio_.session().takePath(row));
-    QDesktopServices::openUrl(QUrl::fromLocalFile(take.path()));
+    showFolder(studio_, take.path());
 }
 
 void TakeList::dragEnterEvent(QDragEnterEvent* event) {

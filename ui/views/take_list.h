@@ -41,6 +41,7 @@ private:
 
     Studio& studio_;
     TakeListModel* takes_;
+    bool rates_ = false;  ///< the button went down on the stars of a row
 };
 
 }  // namespace noctule::ui

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/wizards/calibrate_page.h"
 
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include "ui/style/words.h"
+#include "ui/views/fit_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/label.h"
+#include "ui/widgets/problem_card.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/widgets/section_header.h"
 #include "ui/widgets/verdict_header.h"
@@ -116,12 +120,79 @@ QWidget* CalibratePage::makeOverviewSide() {
 QWidget* CalibratePage::makeHistory() {
     auto* content = new QWidget;
     auto* column = makeColumn(content, {12, 16, 12, 12}, 8);
+    auto* newer = new QWidget;
+    newer_ = makeColumn(newer);
+    column->addWidget(newer);
     column->addWidget(new SectionHeader(tr("Of this session, newest first")));
     auto* history = new QWidget;
     history_ = makeColumn(history, {}, 8);
     column->addWidget(history);
+    column->addWidget(makeFiles());
     column->addStretch();
     return new ScrollArea(content);
+}
+
+QWidget* CalibratePage::makeFiles() {
+    auto* files = new QWidget;
+    auto* row = makeRow(files, {}, 8);
+    import_ = makeButton(ButtonKind::kOutlined, tr("Import"), "open");
+    import_->setToolTip(tr("Use a calibration file of this suit"));
+    export_ = makeButton(ButtonKind::kOutlined, tr("Export"), "export");
+    row->addWidget(import_);
+    row->addWidget(export_);
+    row->addStretch();
+    connect(import_, &QPushButton::clicked, this, &CalibratePage::chooseImport);
+    connect(export_, &QPushButton::clicked, this, &CalibratePage::chooseExport);
+    return files;
+}
+
+void CalibratePage::chooseImport() {
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Import a calibration"), {}, tr("Calibrations (*.json)"));
+    if (path.isEmpty())
+        return;
+    if (const QString why = importFile(path); !why.isEmpty())
+        emit studio_.failed(tr("%1 was not imported").arg(QFileInfo(path).fileName()), why);
+}
+
+QString CalibratePage::importFile(const QString& path) {
+    const QString why = studio_.calibrations().importFile(path);
+    if (why.isEmpty())
+        studio_.say(tr("%1 is in use; undo with Ctrl+Z.").arg(QFileInfo(path).fileName()));
+    return why;
+}
+
+void CalibratePage::chooseExport() {
+    const QString name = studio_.calibrations().fileInForce();
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Export the calibration in use"), name.isEmpty() ? QStringLiteral("calibration.json") : name,
+        tr("Calibrations (*.json)"));
+    if (path.isEmpty())
+        return;
+    if (const QString why = studio_.calibrations().exportFile(path); !why.isEmpty())
+        emit studio_.failed(tr("The calibration was not exported"), why);
+    else
+        studio_.say(tr("%1 is written.").arg(QFileInfo(path).fileName()));
+}
+
+void CalibratePage::showNewer() {
+    const auto& newer = studio_.calibrations().newer();
+    delete std::exchange(newer_card_, nullptr);
+    if (!newer)
+        return;
+    const QDateTime made = QDateTime::fromString(QString::fromStdString(newer->created_utc), Qt::ISODate);
+    newer_card_ = new ProblemCard(
+        Tone::kWarn, tr("Newer values of this suit are there"),
+        tr("Another session calibrated its sensors or sources, %1. The rest pose of this session stays.")
+            .arg(dateInside(made)));
+    connect(
+        newer_card_->addAction(tr("Use them")), &QPushButton::clicked, this,
+        [this] {
+            if (const QString why = studio_.calibrations().useNewer(); !why.isEmpty())
+                emit studio_.failed(tr("The newer values are not in use"), why);
+        },
+        Qt::QueuedConnection);
+    newer_->addWidget(newer_card_);
 }
 
 void CalibratePage::goOn() {
@@ -185,8 +256,10 @@ void CalibratePage::refresh() {
         if (task == WizardTask::kCheck) {
             card->setState(Tone::kNeutral, in_force ? tr("Against the calibration in force")
                                                     : tr("There is nothing to check yet"));
-            card->button()->setDisabledBecause(in_force ? QString()
-                                                        : tr("There is no calibration to check."));
+            const QString cannot = whyNotCheck(lackOf(suit, in_force.value_or(Calibration{})));
+            if (in_force && !cannot.isEmpty())
+                card->setState(Tone::kWarn, cannot);
+            card->button()->setDisabledBecause(in_force ? cannot : tr("There is no calibration to check."));
         } else {
             const TaskState state = stateOf(task, in_force, suit, now);
             card->setState(state.tone(), state.words());
@@ -197,7 +270,7 @@ void CalibratePage::refresh() {
         verdict_->setVerdict(
             Tone::kWarn, tr("Not calibrated"),
             tr("Nothing moves live and nothing can be processed before the suit is calibrated. "
-               "Begin with the source offsets."));
+               "Begin with the source offsets, or import its calibration at the left."));
     else if (next_)
         verdict_->setVerdict(Tone::kWarn, tr("Next: %1").arg(wordsOf(*next_).title),
                              tr("The other values stay in use; their cards say how good they are."));
@@ -207,6 +280,8 @@ void CalibratePage::refresh() {
             tr("All parts of the suit have values that are recent enough. Check them with three "
                "seconds of standing still."));
     way_on_->setText(next_ ? tr("Begin: %1").arg(wordsOf(*next_).title) : tr("Continue to Record"));
+    export_->setDisabledBecause(in_force ? QString() : tr("There is no calibration to export."));
+    showNewer();
     showHistory();
 }
 
@@ -248,7 +323,13 @@ void CalibratePage::showHistory() {
     }
     if (shelf.all().empty())
         history_->addWidget(
-            (new Label(tr("None has been saved yet."), TextRole::kSecondary, Ink::kHint))->wrapped());
+            (new Label(
+                 shelf.remembered()
+                     ? tr("None yet. The suit's own values from an earlier session are in use; the rest "
+                          "pose belongs to each wearing.")
+                     : tr("None has been saved yet."),
+                 TextRole::kSecondary, Ink::kHint))
+                ->wrapped());
 }
 
 void CalibratePage::keyPressEvent(QKeyEvent* event) {

@@ -16,6 +16,7 @@ class QVBoxLayout;
 namespace noctule::ui {
 
 class Button;
+class ProblemCard;
 class TaskCard;
 class VerdictHeader;
 class WizardPage;
@@ -41,6 +42,12 @@ public:
     bool showsWizard() const;
     Button* startButton(WizardTask task);
     Button* wayOn() { return way_on_; }
+    Button* importButton() { return import_; }
+    Button* exportButton() { return export_; }
+    /// Newer values of the suit that another session found; null: there are none.
+    ProblemCard* newerCard() { return newer_card_; }
+    /// In words why not, else empty.
+    QString importFile(const QString& path);
     /// Of the calibrations in the list, newest first; null for the one in force.
     const std::vector<Button*>& useButtons() const { return use_; }
 
@@ -57,6 +64,10 @@ private:
     void followSession();
     void refresh();
     void showHistory();
+    void showNewer();
+    QWidget* makeFiles();
+    void chooseImport();
+    void chooseExport();
 
     Studio& studio_;
     QStackedWidget *centre_, *left_, *right_;
@@ -68,7 +79,9 @@ private:
     Button* way_on_ = nullptr;
     std::optional<WizardTask> next_;
     bool back_to_record_ = false;
-    QVBoxLayout* history_ = nullptr;
+    QVBoxLayout *history_ = nullptr, *newer_ = nullptr;
+    ProblemCard* newer_card_ = nullptr;
+    Button *import_ = nullptr, *export_ = nullptr;
     std::vector<Button*> use_;
 };
 

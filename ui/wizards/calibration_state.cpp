@@ -63,7 +63,7 @@ QString TaskState::words() const {
     const QString grade = worst == "good"     ? StateText::tr("good")
                           : worst == "usable" ? StateText::tr("usable")
                                               : StateText::tr("not usable");
-    const QString when = dateText(oldest.toLocalTime());
+    const QString when = dateInside(oldest.toLocalTime());
     return is_old ? StateText::tr("%1 of %2 parts, %3, since %4: due again")
                         .arg(made)
                         .arg(parts)

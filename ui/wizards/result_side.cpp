@@ -12,6 +12,11 @@
 #include "ui/wizards/wizard_run.h"
 
 namespace noctule::ui {
+namespace {
+
+constexpr int kMostFindings = 3;
+
+}  // namespace
 
 ResultSide::ResultSide(Studio& studio, QWidget* parent)
     : QWidget(parent),
@@ -56,11 +61,28 @@ void ResultSide::showFindings() {
         delete item->widget();
         delete item;
     }
-    for (const Finding& finding : run_->result()->document.findings)
-        findings_->addWidget(new ProblemCard(
+    int shown = 0;
+    for (const Finding& finding : run_->result()->document.findings) {
+        auto* card = new ProblemCard(
             finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn,
             QString::fromStdString(finding.what),
-            QString::fromStdString(finding.remedy.empty() ? std::string() : finding.remedy + ".")));
+            QString::fromStdString(finding.remedy.empty() ? std::string() : finding.remedy + "."));
+        card->setVisible(shows_all_ || shown++ < kMostFindings);
+        findings_->addWidget(card);
+    }
+    const int hidden = static_cast<int>(run_->result()->document.findings.size()) - kMostFindings;
+    if (hidden > 0) {
+        auto* more = makeButton(ButtonKind::kText,
+                                shows_all_ ? tr("Show the worst only") : tr("%n more", "findings", hidden));
+        connect(
+            more, &QPushButton::clicked, this,
+            [this] {
+                shows_all_ = !shows_all_;
+                refresh();
+            },
+            Qt::QueuedConnection);
+        findings_->addWidget(more, 0, Qt::AlignLeft);
+    }
     if (run_->result()->document.findings.empty())
         findings_->addWidget(
             (new Label(tr("No board and no source stands out."), TextRole::kBody, Ink::kLabel))->wrapped());

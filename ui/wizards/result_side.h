@@ -39,6 +39,7 @@ private:
     QVBoxLayout* findings_;
     Label* words_;
     Button *save_, *process_, *repeat_, *leave_;
+    bool shows_all_ = false;
 };
 
 }  // namespace noctule::ui

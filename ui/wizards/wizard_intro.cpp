@@ -74,7 +74,7 @@ void WizardIntro::setRun(WizardRun* run) {
     if (!run)
         return;
     const WizardWords words = wordsOf(run->task());
-    what_->setText(words.what);
+    what_->setText(words.headline);
     needs_->setText(words.needs.join("\n\n"));
     set_up_->setText(words.set_up);
     RigPicture picture;

@@ -97,11 +97,15 @@ void WizardResult::setDocument(const CalibrationDocument& document,
 void WizardResult::fill(const CalibrationDocument& document) {
     const Grade grade = gradeOf(document.findings);
     verdict_ = grade == Grade::kGood ? tr("Good") : grade == Grade::kUsable ? tr("Usable") : tr("Not usable");
-    header_->setVerdict(toneOfGrade(grade),
-                        QStringLiteral("%1. %2.").arg(verdict_, wordsIn(document.summary)),
-                        document.findings.empty() ? tr("Nothing need be repeated.")
-                                                  : tr("%n thing(s) to look at, on the right.", nullptr,
-                                                       static_cast<int>(document.findings.size())));
+    const bool is_judged = grade != Grade::kUnknown;
+    if (!is_judged)
+        verdict_ = wordsIn(document.summary) + '.';
+    header_->setVerdict(
+        is_judged ? toneOfGrade(grade) : Tone::kWarn,
+        is_judged ? QStringLiteral("%1. %2.").arg(verdict_, wordsIn(document.summary)) : verdict_,
+        document.findings.empty() ? tr("Nothing need be repeated.")
+                                  : tr("%n thing(s) to look at, on the right.", nullptr,
+                                       static_cast<int>(document.findings.size())));
     if (!document.numbers.empty()) {
         auto* numbers = new QWidget;
         auto* row = makeRow(numbers, {}, 8);

@@ -322,7 +322,8 @@ void WizardRun::solved(Result<CalibrationResult> result) {
     if (result) {
         result_ = std::move(*result);
         keepValuesOfSkipped(*result_);
-        if (task_ == WizardTask::kCheck && from_evidence_ && guide_)
+        const bool is_judged = result_->grade() != Grade::kUnknown;
+        if (task_ == WizardTask::kCheck && from_evidence_ && guide_ && is_judged)
             studio_.setChecked(
                 Studio::CheckedSuit{QDateTime::currentDateTime(), result_->grade() == Grade::kGood});
         return setPhase(Phase::kResult);

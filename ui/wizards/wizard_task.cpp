@@ -48,7 +48,8 @@ WizardWords sources() {
          TaskText::tr("A quiet room and a thermometer in the driver box")},
         TaskText::tr("Boards and sources face each other and nothing stands between them. Box and wires stay "
                      "where they are; only the stands move from one placement to the next."),
-        TaskText::tr("Placements may come in any order. The page hears by itself which one stands there.")};
+        TaskText::tr("Placements may come in any order. The page hears by itself which one stands there."),
+        TaskText::tr("Put boards and sources on the jig")};
 }
 
 WizardWords accelerometers() {
@@ -58,11 +59,12 @@ WizardWords accelerometers() {
         TaskText::tr("Scale, zero and axes of each accelerometer."),
         TaskText::tr("Boards on the level plate, six sides, about 4 minutes; every three months"),
         {TaskText::tr("The plate with all boards pressed into their slots, up to 32 at once"),
-         TaskText::tr("A table that a spirit level calls level, and a square block to lean the plate on")},
+         TaskText::tr("A level table (use a spirit level), and a square block to lean the plate on")},
         TaskText::tr(
             "Box and wires lie beside the plate with a metre of slack, so that nothing pulls at it when it "
             "is turned."),
-        TaskText::tr("Sides may come in any order. The page sees by itself which one is down.")};
+        TaskText::tr("Sides may come in any order. The page sees by itself which one is down."),
+        TaskText::tr("Press all boards into the plate")};
 }
 
 WizardWords gyroscopes() {
@@ -77,7 +79,8 @@ WizardWords gyroscopes() {
             TaskText::tr(
                 "The box rides on the table beside the plate, its wires taped down. With a cable to the "
                 "computer instead, ten turns wind it up as far as is safe: stop after each side and unwind."),
-            TaskText::tr("Sides may come in any order. The page sees by itself which one turns.")};
+            TaskText::tr("Sides may come in any order. The page sees by itself which one turns."),
+            TaskText::tr("Put the plate and the box on the turntable")};
 }
 
 WizardWords restPose() {
@@ -89,7 +92,8 @@ WizardWords restPose() {
              TaskText::tr("Two metres of free floor")},
             TaskText::tr(
                 "Feet hip-wide and parallel, arms hanging, palms towards the body, eyes straight ahead."),
-            TaskText::tr("It begins by itself when the performer stands still.")};
+            TaskText::tr("It begins by itself when the performer stands still."),
+            TaskText::tr("Stand in the rest pose")};
 }
 
 WizardWords movement() {
@@ -102,7 +106,8 @@ WizardWords movement() {
          TaskText::tr("Two metres of free floor in all directions")},
         TaskText::tr("Each exercise begins in the rest pose: arms hanging, palms towards the body, eyes "
                      "straight ahead. Then move smoothly, as far as is comfortable, for 8 seconds."),
-        TaskText::tr("One exercise after the other. The page sees when you stand and when you move.")};
+        TaskText::tr("One exercise after the other. The page sees when you stand and when you move."),
+        TaskText::tr("Stand ready in the rest pose")};
 }
 
 /// In the order of Exercise.
@@ -127,12 +132,13 @@ constexpr ExerciseText kExercises[kExerciseCount] = {
 WizardWords check() {
     return {TaskText::tr("Check"),
             "check",
-            TaskText::tr("Whether the calibration still holds, or which strap has slipped."),
+            TaskText::tr("Says whether the calibration still holds, or which strap has slipped."),
             TaskText::tr("Stand still for 3 seconds; before each take that matters"),
             {TaskText::tr("The performer with the suit on, and a calibration in force")},
             TaskText::tr(
                 "Feet hip-wide and parallel, arms hanging, palms towards the body, eyes straight ahead."),
-            TaskText::tr("It begins by itself when the performer stands still.")};
+            TaskText::tr("It begins by itself when the performer stands still."),
+            TaskText::tr("Stand still for three seconds")};
 }
 
 }  // namespace

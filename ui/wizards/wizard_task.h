@@ -23,6 +23,7 @@ struct WizardWords {
     QStringList needs;     ///< what must be at hand, one line each
     QString set_up;        ///< how things stand before it begins, with what protects cables
     QString in_any_order;  ///< a sentence for the rail
+    QString headline;      ///< what to do first
 };
 WizardWords wordsOf(WizardTask task);
 

@@ -137,6 +137,56 @@ TEST(StillCheck, SeesAGyroscopesZeroMove) {
     EXPECT_NEAR(report.boards[3].gyro_change_rad_per_s.norm(), radians(2.44), radians(0.4));
 }
 
+TEST(StillCheck, WhatWasNeverCalibratedCannotBeChecked) {
+    const CalibratedPerson person(9);
+    auto take = person.stand(1);
+    ASSERT_TRUE(take) << take.error().text();
+    Calibration& calibration = take->observations.calibration;
+    const Calibration nominal = nominalCalibration(take->observations.suit);
+    for (size_t b = 0; b < calibration.boards.size(); ++b) {
+        calibration.boards[b].gyro = nominal.boards[b].gyro;
+        calibration.boards[b].made["accelerometers"] = {"2026-01-01T00:00:00Z", "good"};
+    }
+    const StillCheckReport report = checkStill(take->observations);
+    ASSERT_EQ(report.findings.size(), 1U) << wordsOf(report);
+    EXPECT_EQ(report.unchecked, "gyroscopes are not calibrated");
+    EXPECT_EQ(report.grade(), Grade::kUnknown);
+}
+
+TEST(StillCheck, ExchangedBoardsAreNamedAsSuch) {
+    const CalibratedPerson person(11);
+    auto take = person.stand(1);
+    ASSERT_TRUE(take) << take.error().text();
+    const int forearm = take->observations.suit.findBoard("l_forearm");
+    const int shin = take->observations.suit.findBoard("r_shin");
+    ASSERT_GE(forearm, 0);
+    ASSERT_GE(shin, 0);
+    std::swap(take->observations.boards[static_cast<size_t>(forearm)],
+              take->observations.boards[static_cast<size_t>(shin)]);
+    for (FlightTime& flight : take->observations.flights)
+        if (flight.board == forearm || flight.board == shin)
+            flight.board = flight.board == forearm ? shin : forearm;
+    const StillCheckReport report = checkStill(take->observations);
+    ASSERT_FALSE(report.findings.empty());
+    EXPECT_EQ(report.findings[0].what, "Boards 7 (left forearm) and " + std::to_string(shin + 1) +
+                                           " (right shin) seem to be exchanged")
+        << wordsOf(report);
+    EXPECT_EQ(report.findings.size(), 1U) << wordsOf(report);
+}
+
+TEST(StillCheck, WhatBefellAllBoardsIsOneFinding) {
+    const CalibratedPerson person(10);
+    auto take = person.stand(1);
+    ASSERT_TRUE(take) << take.error().text();
+    for (auto& board : take->observations.boards)
+        for (CountReading& reading : board)
+            reading.gyro_counts.y() += 5;
+    const StillCheckReport report = checkStill(take->observations);
+    ASSERT_EQ(report.findings.size(), 1U) << wordsOf(report);
+    EXPECT_TRUE(report.findings[0].what.starts_with("The gyroscopes of 18 boards have drifted"))
+        << report.findings[0].what;
+}
+
 TEST(StillCheck, BadInputIsAReport) {
     EXPECT_EQ(checkStill({}).grade(), Grade::kNotUsable);
     auto take = test::standing(3);

@@ -160,6 +160,65 @@ TEST_F(ReadinessTest, SuppliesAndPlacesAreJudged) {
     EXPECT_EQ(only(judge(health)).kind, ProblemKind::kNotAssigned);
 }
 
+TEST_F(ReadinessTest, WithoutACalibrationItIsRecordableButNotFit) {
+    EXPECT_TRUE(judge(wellAt(3)).isFit());
+    facts_.lack.gyroscopes = {0, 1, 2, 3};
+    facts_.lack.board_count = kJudgedBoards;
+    facts_.fit = SuitFit::kUnchecked;
+    Readiness readiness = judge(wellAt(3));
+    EXPECT_EQ(readiness.verdict, Readiness::Verdict::kReady);
+    EXPECT_FALSE(readiness.isFit());
+    EXPECT_EQ(only(readiness).kind, ProblemKind::kNotCalibrated) << "one cause, one card";
+    EXPECT_TRUE(readiness.lack.ofMostGyroscopes());
+    facts_.lack = {};
+    facts_.rest_pose_age_h = 70;
+    readiness = judge(wellAt(3));
+    EXPECT_EQ(only(readiness), (ReadinessProblem{ProblemKind::kNotChecked, false, -1, -1, 70, false}));
+    facts_.fit = SuitFit::kMoved;
+    EXPECT_EQ(only(judge(wellAt(3))).kind, ProblemKind::kMoved);
+    facts_.fit = SuitFit::kChecked;
+    EXPECT_TRUE(judge(wellAt(3)).isFit());
+}
+
+TEST_F(ReadinessTest, WhatBefallsMostBoardsAlikeIsOneProblem) {
+    judge(wellAt(3));
+    HealthReport health = wellAt(6);
+    for (BoardHealth& board : health.boards)
+        board.frames_per_s = 90;
+    health.boards[2].frames_per_s = 70;
+    Readiness readiness = judge(health);
+    const ReadinessProblem problem = only(readiness);
+    EXPECT_EQ(problem.kind, ProblemKind::kBoardLosesFrames);
+    EXPECT_EQ(problem.board, -1);
+    EXPECT_EQ(problem.alike, (std::vector{0, 1, 2, 3}));
+    EXPECT_EQ(problem.value, 85);
+    EXPECT_FALSE(problem.accepted);
+    facts_.without_boards = {0, 1, 2};
+    EXPECT_FALSE(only(judge(health)).accepted);
+    facts_.without_boards = {0, 1, 2, 3};
+    EXPECT_TRUE(only(judge(health)).accepted);
+    for (PairHealth& unheard : health.pairs)
+        unheard = {};
+    health.sample = 9 * kJudgedRate_hz;
+    EXPECT_EQ(judge(health).problems.size(), 1U) << "sources that are not heard follow from it";
+    health.pairs = wellAt(3).pairs;
+    health.boards[0].frames_per_s = health.boards[1].frames_per_s = 140;
+    EXPECT_EQ(judge(health).problems.size(), 2U) << "half of them each have their own card";
+}
+
+TEST_F(ReadinessTest, ALinkThatReturnsIsNoFaultOfItsBoards) {
+    judge(wellAt(3));
+    facts_.link_is_lost = true;
+    judge(wellAt(3));
+    facts_.link_is_lost = false;
+    HealthReport back = wellAt(20);  // the box counted on
+    for (BoardHealth& board : back.boards)
+        board.frames_per_s = 40;  // of the last second little has come yet
+    EXPECT_TRUE(judge(back).problems.empty());
+    back.sample = static_cast<int64_t>(22.5 * kJudgedRate_hz);
+    EXPECT_EQ(only(judge(back)).kind, ProblemKind::kBoardLosesFrames) << "it stays so";
+}
+
 TEST_F(ReadinessTest, TheWorstStandsFirst) {
     judge(wellAt(0.5));
     HealthReport health = wellAt(3);

@@ -8,6 +8,7 @@
 
 #include "core/formats/bvh.h"
 #include "core/motion/comparison.h"
+#include "core/processing/inspect_take.h"
 #include "core/processing/pose_runs.h"
 #include "tests/core/recording/collect.h"
 #include "tests/support/simulated_take.h"
@@ -113,8 +114,8 @@ TEST(ProcessTinyTake, SaysWhenTheCalibrationIsOfAnotherBoard) {
 TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {
     const Folder folder;
     const std::string path = tinyTake(folder);
-    for (const EstimatorKind estimator : {EstimatorKind::kManifold, EstimatorKind::kPaper}) {
-        SCOPED_TRACE(estimatorName(estimator));
+    for (const std::string estimator : {kManifoldEstimator, kPaperEstimator}) {
+        SCOPED_TRACE(estimator);
         ProcessRequest request = requestFor(path);
         request.tracker.estimator = estimator;
         const auto summary = processTake(request, {});
@@ -133,7 +134,7 @@ TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {
             EXPECT_TRUE(poses.frames[i].pose && isUsable(*poses.frames[i].pose));
         }
         // Measured means: manifold 0.15, 0.6 and 1.0 degrees, paper 0.1, 2.3 and 1.9.
-        const bool paper = estimator == EstimatorKind::kPaper;
+        const bool paper = estimator == kPaperEstimator;
         const TimedMotion reference = take.reference().value();
         EXPECT_LT(segmentError(poses, reference, "Hips").mean_deg, 0.5);
         EXPECT_LT(segmentError(poses, reference, "Chest").mean_deg, paper ? 4 : 1.5);
@@ -278,6 +279,22 @@ TEST(ProcessTinyTake, CancelledWhileSmoothingItLeavesTheFileAsItWas) {
         EXPECT_TRUE(test::readBytes(path) == before);
         EXPECT_EQ(folder.names().size(), 1u);
     }
+}
+
+TEST(ProcessTinyTake, WithoutACalibrationItSaysThatTheResultIsNotUsable) {
+    const Folder folder;
+    const std::string path = tinyTake(folder);
+    test::runSql(path, "DELETE FROM calibration");
+    const auto summary = processTake(requestFor(path), {});
+    ASSERT_TRUE(summary) << summary.error().text();
+    EXPECT_EQ(summary->calibrated, Grade::kNotUsable);
+    EXPECT_TRUE(summary->lack.isTotal());
+    EXPECT_EQ(std::ranges::count(summary->warnings, "This take has no calibration. Process it with one."), 1);
+    const auto inspection = inspectTake(path, {});
+    ASSERT_TRUE(inspection);
+    EXPECT_EQ(std::ranges::count(inspection->problems,
+                                 "Not usable: this take has no calibration. Process it with one."),
+              1);
 }
 
 TEST(ProcessTinyTake, RefusesACalibrationOfAnotherSuit) {

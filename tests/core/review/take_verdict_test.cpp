@@ -171,6 +171,35 @@ TEST_F(TakeVerdictTest, LargeResidualsAreAReason) {
     EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kResidual});
 }
 
+TEST_F(TakeVerdictTest, AnUncalibratedTakeHasOneReasonAndNoOther) {
+    report_.lack = lackOf(overview_.suit, Calibration{});
+    for (JointSupport& support : report_.support)
+        support.ranges = 0, support.inertia = 0.5;
+    for (ReportPair& pair : report_.pairs)
+        for (PulseAtBoard& pulse : pair.pulses)
+            pulse.residual_m = 0.2F;
+    const TakeVerdict verdict = this->verdict();
+    EXPECT_EQ(verdict.grade, TakeGrade::kNotUsable);
+    EXPECT_EQ(verdict.reasons, std::vector{VerdictReason::kNotCalibrated});
+    EXPECT_TRUE(verdict.lack.isTotal());
+    compare(1);
+    EXPECT_EQ(this->verdict().grade, TakeGrade::kGood) << "against a reference the error is known";
+}
+
+TEST_F(TakeVerdictTest, AMissingRestPoseMakesItUsable) {
+    report_.lack.board_count = 18;
+    report_.lack.rest_pose = {3, 4};
+    EXPECT_EQ(verdict().grade, TakeGrade::kUsable);
+    EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kNotCalibrated});
+}
+
+TEST_F(TakeVerdictTest, TheMedianOfResidualsIsWhatIsUsual) {
+    for (ReportPair& pair : report_.pairs)
+        pair.pulses[0].residual_m = 1.5F;  // an echo
+    EXPECT_NEAR(*verdict().residual_median_m, 0.003, 1e-6);
+    EXPECT_GT(*verdict().residual_rms_m, 0.05);
+}
+
 TEST_F(TakeVerdictTest, WithoutARunThereIsNothingToUse) {
     report_.runs.clear();
     EXPECT_EQ(verdict().grade, TakeGrade::kNotUsable);

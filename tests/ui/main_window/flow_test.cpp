@@ -33,8 +33,9 @@ protected:
     static std::string exportedByProgram(const std::string& take, const ProcessRequest& process,
                                          const ExportRequest& studio, const std::string& bvh) {
         using noctule::test::batch;
-        const noctule::test::Ran processed = batch(
-            {"process", take, "--sensors", "G", "--root", process.tracker.root_given ? "given" : "free"});
+        const noctule::test::Ran processed =
+            batch({"process", take, "--sensors", "G", "--root", process.tracker.root_given ? "given" : "free",
+                   "--smooth", smootherName(process.tracker.smoother)});
         EXPECT_EQ(processed.exit_code, 0) << processed.err;
         std::vector<std::string> words{"export", take, "--bvh", bvh};
         words.insert(words.end(), {"--fps", std::to_string(studio.frames_per_second)});

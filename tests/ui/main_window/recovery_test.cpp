@@ -101,7 +101,7 @@ TEST_F(Recovery, ABrokenOffRecordingIsOfferedWithTheSession) {
     Takes::makeBrokenOff(take("fall_001"), 2);
     ASSERT_TRUE(openAndWait());
     EXPECT_EQ(state("fall_001"), TakeState::kRecording);
-    ASSERT_EQ(window_->notices().titles(), QStringList{"The recording of fall_001 was not ended"});
+    ASSERT_EQ(window_->notices().titles(), QStringList{"Take fall_001 broke off"});
     click(window_->notices(), "Recover fall_001");
     ASSERT_TRUE(isRecovered("fall_001"));
     EXPECT_EQ(window_->notices().count(), 0);
@@ -115,7 +115,7 @@ TEST_F(Recovery, SeveralAreRecoveredAtOnceAndAClosedNoticeStaysClosed) {
     Takes::makeBrokenOff(take("fall_001"), 1);
     Takes::makeBrokenOff(take("fall_002"), 1);
     ASSERT_TRUE(openAndWait());
-    ASSERT_EQ(window_->notices().titles(), QStringList{"2 recordings were not ended"});
+    ASSERT_EQ(window_->notices().titles(), QStringList{"2 takes broke off"});
     click(window_->notices(), "Recover all");
     EXPECT_EQ(window_->notices().count(), 0);
     studio_->session().rate(0, 3);
@@ -126,14 +126,14 @@ TEST_F(Recovery, SeveralAreRecoveredAtOnceAndAClosedNoticeStaysClosed) {
 
 TEST_F(Recovery, TheStartPageRecoversATake) {
     Takes::makeBrokenOff(take("fall_001"), 2);
-    ASSERT_EQ(cardsAfterALook(), QStringList{"The take fall_001 was not ended"});
+    ASSERT_EQ(cardsAfterALook(), QStringList{"Take fall_001 broke off"});
     click(startPage(), "Recover fall_001");
     ASSERT_TRUE(isRecovered("fall_001"));
     EXPECT_EQ(window_->step(), Step::kReview);
     EXPECT_EQ(window_->notices().titles().join('\n').toStdString(), "")
         << "nothing is offered that is being done, and nothing reads the file that is replaced";
     studio_->session().close();
-    EXPECT_EQ(cardsAfterALook(), QStringList{"The take fall_001 was recovered"});
+    EXPECT_EQ(cardsAfterALook(), QStringList{"Take fall_001 was recovered"});
 }
 
 TEST_F(Recovery, WhatAnotherProgramRecordsIsNotOffered) {
@@ -147,7 +147,7 @@ TEST_F(Recovery, WhatAnotherProgramRecordsIsNotOffered) {
 
 TEST_F(Recovery, WhatAnotherProgramRecordsIsNotRecovered) {
     Takes::makeBrokenOff(take("fall_001"), 1);
-    ASSERT_EQ(cardsAfterALook(), QStringList{"The take fall_001 was not ended"});
+    ASSERT_EQ(cardsAfterALook(), QStringList{"Take fall_001 broke off"});
     QProcess other;
     other.start("sleep", {"60"});
     ASSERT_TRUE(other.waitForStarted());
@@ -170,7 +170,7 @@ TEST_F(Recovery, TheTakeListRecoversATake) {
 
 TEST_F(Recovery, ADamagedSessionIsNotRecoveredWhenItIsOpenedLater) {
     Takes::makeBrokenOff(take("fall_001"), 1);
-    ASSERT_EQ(cardsAfterALook(), QStringList{"The take fall_001 was not ended"});
+    ASSERT_EQ(cardsAfterALook(), QStringList{"Take fall_001 broke off"});
     writeInto("session.json", "{");
     click(startPage(), "Recover fall_001");
     ASSERT_TRUE(waitFor([this] { return window_->notices().count() == 1 && studio_->jobs().idle(); }));

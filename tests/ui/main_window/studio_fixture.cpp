@@ -33,6 +33,7 @@ void StudioWindow::SetUp() {
     QSettings().clear();
     QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation)).removeRecursively();
     QSettings().setValue("folders/sessions", home());
+    QSettings().setValue("folders/suits", folder_.filePath("suits"));
     applyLanguage(QSettings());
     start();
 }

@@ -46,7 +46,7 @@ TEST_F(HeatMapTest, AClickChoosesThePairEverywhere) {
     EXPECT_EQ(studio_->selection().source(), 0);
     EXPECT_EQ(studio_->selection().board(), 0);
     EXPECT_EQ(map_->readout(),
-              "Source 1 to board 1, right forearm: 0.20\n96 ranges kept, 48 gated out, residual 2.0\u00A0mm");
+              "Source 1 to board 1, right forearm: 0.20\n96 ranges kept, 48 left out, residual 2.0\u00A0mm");
 }
 
 TEST_F(HeatMapTest, FollowsTheSelectionOfOthers) {

@@ -71,6 +71,10 @@ TEST_F(WordsTest, bytes) {
 TEST_F(WordsTest, dates) {
     const QDateTime now(QDate(2026, 11, 18), QTime(12, 0));
     expectText(dateText(QDateTime(QDate(2026, 11, 18), QTime(9, 5)), now), "Today, 09:05");
+    expectText(dateInside(QDateTime(QDate(2026, 11, 18), QTime(9, 5)), now), "today, 09:05");
+    expectText(ageText(now.addSecs(-60), now), "just now");
+    expectText(ageText(now.addSecs(-40 * 60), now), "40 min");
+    expectText(ageText(now.addDays(-12), now), "12 day(s)");
     expectText(dateText(QDateTime(QDate(2026, 11, 17), QTime(23, 59)), now), "Yesterday");
     expectText(dateText(QDateTime(QDate(2026, 11, 16), QTime(1, 0)), now), "16 November");
     expectText(dateText(QDateTime(QDate(2025, 12, 31), QTime(1, 0)), now), "31 December 2025");

@@ -6,6 +6,8 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QPointer>
+#include <QSet>
+#include <set>
 
 #include "core/job/atomic_file.h"
 #include "tests/ui/views/reviewed_session.h"
@@ -131,6 +133,79 @@ TEST_F(ExportPageTest, AllTakesGoIntoOneFile) {
     page_->choosePreset("web");
     EXPECT_TRUE(page_->form().one_file->isHidden());
     EXPECT_EQ(fileCount(*page_->plan()), 2) << "glTF takes none";
+}
+
+TEST_F(ExportPageTest, AnyChangeBringsWriteBackAndReturnOpensNoFolder) {
+    write();
+    EXPECT_FALSE(page_->writeButton()->isVisible()) << "the files are there";
+    const QString said = "No file manager could be started";
+    QStringList told;
+    QObject::connect(studio_.get(), &Studio::failed, [&](const QString& what) { told += what; });
+    const QByteArray path = qgetenv("PATH");
+    qputenv("PATH", outsideFile("nothing").toLocal8Bit());
+    QTest::keyClick(page_.get(), Qt::Key_Return);
+    QTest::qWait(100);
+    EXPECT_TRUE(told.isEmpty()) << "Return opened the folder";
+    page_->openFolder();
+    EXPECT_TRUE(waitFor([&] { return told == QStringList{said}; }));
+    qputenv("PATH", path);
+
+    page_->form().frames->setCurrentIndex(page_->form().frames->findData(60.0));
+    EXPECT_TRUE(page_->writeButton()->isVisible());
+    EXPECT_TRUE(page_->writeButton()->text().contains('1'));
+    page_->form().frames->setCurrentIndex(page_->form().frames->findData(120.0));
+    EXPECT_FALSE(page_->writeButton()->isVisible()) << "as it was written";
+    page_->choosePreset("web");
+    EXPECT_TRUE(page_->writeButton()->isVisible());
+    QTest::keyClick(page_.get(), Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] {
+        return QFile::exists(QString::fromStdString(exported("swing_001_60.glb"))) && jobsAreDone();
+    }));
+    EXPECT_EQ(page_->resultsPanel().cardCount(), 3) << "the new file, a heading, and the file before";
+    page_->enter();
+    EXPECT_EQ(page_->resultsPanel().cardCount(), 3) << "they stay when the page is left";
+}
+
+TEST_F(ExportPageTest, SeveralFormatsAndResultsGoOutAtOnce) {
+    ProcessRequest gyroscopes_only;
+    gyroscopes_only.take_path = takePath("swing_001").toStdString();
+    gyroscopes_only.tracker.sensors = {false, true, false};
+    studio_->process(gyroscopes_only);
+    ASSERT_TRUE(waitFor([this] { return studio_->take().overview()->runs.size() == 2 && jobsAreDone(); }));
+    studio_->session().setTakeRange(0, 1, 2);
+    page_->choosePreset("blender");
+    page_->form().also[ExportFormat::kBvh]->setChecked(true);
+    page_->form().also[ExportFormat::kGlb]->setChecked(true);
+    page_->form().run->setCurrentIndex(3);  // all of each take
+    ASSERT_TRUE(waitFor([this] { return page_->plan() && fileCount(*page_->plan()) == 6; }));
+    EXPECT_TRUE(page_->writeButton()->text().contains('6'));
+    write();
+    const ExportResults& results = *page_->results();
+    ASSERT_EQ(results.outcomes.size(), 6U);
+    EXPECT_EQ(results.faulty(), 0);
+    std::set<std::string> kinds;
+    QSet<QString> titles;
+    for (const ExportOutcome& outcome : results.outcomes) {
+        kinds.insert(outcome.path.substr(outcome.path.size() - 4));
+        titles.insert(outcome.result);
+    }
+    EXPECT_EQ(kinds, (std::set<std::string>{".bvh", ".fbx", ".glb"}));
+    EXPECT_EQ(titles.size(), 2);
+    EXPECT_TRUE(titles.contains("Gyroscopes only"));
+}
+
+TEST_F(ExportPageTest, WhatReviewShowsGoesOut) {
+    const std::string first = studio_->take().overview()->runs[0].run.name;
+    ProcessRequest gyroscopes_only;
+    gyroscopes_only.take_path = takePath("swing_001").toStdString();
+    gyroscopes_only.tracker.sensors = {false, true, false};
+    studio_->process(gyroscopes_only);
+    ASSERT_TRUE(waitFor([this] { return studio_->take().overview()->runs.size() == 2 && jobsAreDone(); }));
+    studio_->take().setShownRun(0);
+    EXPECT_EQ(page_->plan()->front().request.run, first) << "not the trial after it";
+    studio_->take().setShownRun(1);
+    write();
+    EXPECT_EQ(page_->results()->outcomes[0].result, "Gyroscopes only");
 }
 
 TEST_F(ExportPageTest, NothingIsOverwritten) {

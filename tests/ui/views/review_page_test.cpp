@@ -8,6 +8,7 @@
 #include <QPlainTextEdit>
 
 #include "tests/ui/views/reviewed_session.h"
+#include "ui/models/part_names.h"
 #include "ui/views/choice_row.h"
 #include "ui/views/joint_table.h"
 #include "ui/views/notes_panel.h"
@@ -16,10 +17,12 @@
 #include "ui/views/reprocess_dialog.h"
 #include "ui/views/review_center.h"
 #include "ui/views/review_sidebar.h"
+#include "ui/views/review_words.h"
 #include "ui/views/run_list.h"
 #include "ui/views/run_row.h"
 #include "ui/views/scene_area.h"
 #include "ui/views/take_list.h"
+#include "ui/views/take_notes.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {
@@ -64,7 +67,7 @@ protected:
 TEST_F(ReviewPageTest, JudgesTheTake) {
     ASSERT_EQ(page_->sidebar().runs().count(), 1);
     EXPECT_TRUE(page_->sidebar().runs().row(0)->isChecked());
-    EXPECT_EQ(page_->sidebar().runs().row(0)->letter(), "A");
+    EXPECT_EQ(page_->sidebar().runs().row(0)->number(), "1");
     EXPECT_TRUE(page_->sidebar().runs().row(0)->detail().contains("shown"));
     const auto verdict = studio_->take().verdict();
     ASSERT_TRUE(verdict->mean_error_deg);
@@ -84,8 +87,9 @@ TEST_F(ReviewPageTest, ReprocessedResultIsShownAndComparedWithTheEarlierOne) {
     EXPECT_EQ(take.shownRun(), 1);
     EXPECT_EQ(take.overview()->runs[1].settings.sensors, "G");
     EXPECT_EQ(take.comparedRun(), 0);
-    EXPECT_EQ(page_->sidebar().runs().row(1)->text(), "Gyroscopes only");
-    EXPECT_EQ(page_->sidebar().runs().row(0)->letter(), "B");
+    EXPECT_EQ(page_->sidebar().runs().row(1)->text(), "Gyroscopes only, smoothed");
+    EXPECT_EQ(page_->sidebar().runs().row(0)->number(), "1") << "it keeps its number";
+    EXPECT_EQ(page_->sidebar().runs().row(1)->number(), "2");
     ASSERT_TRUE(waitFor([this] { return page_->sidebar().runs().row(0)->detail().contains("mean"); }))
         << "all results are compared in the background";
 
@@ -116,14 +120,14 @@ TEST_F(ReviewPageTest, AProcessingNeedsSensors) {
     dialog.distances->setChecked(true);
     dialog.paper->setChecked(true);
     EXPECT_EQ(dialog.name->placeholderText(), "D paper");
-    EXPECT_EQ(dialog.request().tracker.estimator, EstimatorKind::kPaper);
+    EXPECT_EQ(dialog.request().tracker.estimator, kPaperEstimator);
 }
 
 TEST_F(ReviewPageTest, SmoothingIsAskedForAndThePapersFilterHasNone) {
     ReprocessDialog dialog(*studio_, *studio_->take().overview());
-    EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kNone);
-    dialog.smoothed_whole->setChecked(true);
-    EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kFull);
+    EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kFull) << "the most accurate is the usual one";
+    dialog.not_smoothed->setChecked(true);
+    EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kNone) << "as live stays a choice";
     dialog.most_probable->setChecked(true);
     EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kBatch);
     dialog.smoothed_half_second->setChecked(true);
@@ -132,9 +136,93 @@ TEST_F(ReviewPageTest, SmoothingIsAskedForAndThePapersFilterHasNone) {
     EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kNone);
     EXPECT_FALSE(dialog.smoothed_whole->button()->isEnabled());
     EXPECT_FALSE(dialog.most_probable->button()->isEnabled());
-    EXPECT_EQ(dialog.request().detector, Detector::kInflection);
+    EXPECT_EQ(dialog.request().detector, Detector::kInflection) << "the paper's";
     const bool has_sound = studio_->take().overview()->level == TakeLevel::kSignal;
+    dialog.ours->setChecked(true);
+    EXPECT_EQ(dialog.request().detector, has_sound ? Detector::kMatched : Detector::kInflection);
     EXPECT_EQ(dialog.matched->button()->isEnabled(), has_sound);
+}
+
+TEST_F(ReviewPageTest, TheFirstProcessingIsCalledSoAndIsTheMostAccurate) {
+    TakeOverview fresh = *studio_->take().overview();
+    fresh.runs.clear();
+    fresh.level = TakeLevel::kSignal;
+    fresh.lack = {};
+    ReprocessDialog dialog(*studio_, fresh);
+    EXPECT_EQ(dialog.windowTitle(), "Process swing_001");
+    EXPECT_EQ(dialog.actionButton()->text(), "Process");
+    EXPECT_EQ(dialog.request().detector, Detector::kMatched);
+    EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kFull);
+    EXPECT_EQ(ReprocessDialog(*studio_, *studio_->take().overview()).actionButton()->text(), "Reprocess");
+}
+
+TEST_F(ReviewPageTest, AMissingCalibrationIsSaidBeforeProcessing) {
+    TakeOverview overview = *studio_->take().overview();
+    overview.level = TakeLevel::kSignal;
+    overview.lack = lackOf(overview.suit, Calibration{});
+    ReprocessDialog dialog(*studio_, overview);
+    const auto told = [&dialog] {
+        for (const QLabel* label : dialog.findChildren<QLabel*>())
+            if (label->text().startsWith("The result will"))
+                return label->text();
+        return QString();
+    };
+    EXPECT_EQ(told(),
+              "The result will not be usable: there is no calibration of the source offsets, the "
+              "accelerometers, the gyroscopes and the rest pose. Choose one that has it.");
+    QFile file(outsideFile("c.json"));
+    ASSERT_TRUE(file.open(QFile::WriteOnly));
+    file.write(QByteArray::fromStdString(toJson(studio_->take().overview()->calibration).dump()));
+    file.close();
+    dialog.setCalibrationFile(file.fileName());
+    EXPECT_EQ(told(), "");
+}
+
+TEST_F(ReviewPageTest, AnUncalibratedTakeIsDiagnosedAndNoTitleLacksItsName) {
+    const TakeOverview& overview = *studio_->take().overview();
+    TakeVerdict verdict;
+    verdict.grade = TakeGrade::kNotUsable;
+    verdict.lack = lackOf(overview.suit, Calibration{});
+    verdict.reasons = {VerdictReason::kNotCalibrated};
+    EXPECT_EQ(gradeInWords(verdict.grade) + ": " + gradeExplained(verdict),
+              "Not usable: This take has no calibration. Process it with one.");
+    const auto problems = problemsInWords(verdict, overview);
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems[0].title, "This take has no calibration");
+    EXPECT_TRUE(problems[0].processes);
+    verdict = {};
+    verdict.grade = TakeGrade::kUsable;
+    verdict.reasons = {VerdictReason::kSupport};
+    EXPECT_EQ(problemsInWords(verdict, overview)[0].title, "No joint was backed by ranges");
+    verdict.backed_share = 0.31;
+    EXPECT_EQ(problemsInWords(verdict, overview)[0].title,
+              "Ranges backed the joints only 31\u00A0% of the time");
+    verdict.worst_joint = "LeftLeg";
+    EXPECT_EQ(problemsInWords(verdict, overview)[0].title, "Left knee is less certain");
+}
+
+TEST_F(ReviewPageTest, TheVerdictAgreesWithItsFigure) {
+    TakeVerdict verdict;
+    verdict.backed_share = 0.56;
+    EXPECT_TRUE(gradeExplained(verdict).contains("56\u00A0% of the time"))
+        << gradeExplained(verdict).toStdString();
+    EXPECT_FALSE(gradeExplained(verdict).contains("from start to end"));
+}
+
+TEST_F(ReviewPageTest, NotesAreInTheOperatorsWords) {
+    TakeOverview overview = *studio_->take().overview();
+    overview.sample_rate_hz = 150'000;
+    const int hand = 1;
+    const QString place =
+        boardName(overview.suit.boards[1], NameCase::kInside) + QStringLiteral(" (board 2)");
+    overview.silences = {{hand, 7.8, 13.0}, {hand, 20.0, {}}};
+    overview.notes = {{"", "0:03.2 left heel slips"},
+                      {"", "Driver box, at sample 1168800: board lost: board r_hand does not answer"},
+                      {"", "Driver box, at sample 2250000: battery low: 11 V"},
+                      {"", "second try"}};
+    EXPECT_EQ(takeNoteLines(overview),
+              (QStringList{"0:03.2 left heel slips", "0:07.8 " + place + " fell silent; back at 0:13.0",
+                           "0:15.0 driver box: 11 V", "0:20.0 " + place + " fell silent", "second try"}));
 }
 
 TEST_F(ReviewPageTest, ChoosingAJointChoosesItEverywhere) {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The two lives of a calibration: values of sensors and sources belong to the parts, by their serial numbers,
+// and last for months; the rest pose belongs to one wearing.
+#pragma once
+
+#include "core/suit/calibration.h"
+
+namespace noctule {
+
+/// Offsets of sources and values of sensors; mountings on the body and soft tissue are left out.
+Calibration withoutWearing(const Calibration& calibration);
+
+/// Takes those values of sensors and sources that `other` found later, for parts with the same id and no
+/// other serial number. False: none is newer, and `base` stays as it was.
+bool takeNewerParts(Calibration& base, const Calibration& other);
+
+}  // namespace noctule

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nothing is cut on any page, dock or dialog: three sizes, 100 and 150 percent, both themes, English and
+// German.
+#include "tests/ui/support/clipping.h"
+
+#include <QDockWidget>
+
+#include "tests/ui/main_window/studio_fixture.h"
+#include "ui/main_window/about_dialog.h"
+#include "ui/main_window/language.h"
+#include "ui/main_window/news_dialog.h"
+#include "ui/main_window/preferences_dialog.h"
+#include "ui/main_window/put_on_dialog.h"
+#include "ui/main_window/shortcuts_dialog.h"
+#include "ui/main_window/side_docks.h"
+#include "ui/main_window/window_place.h"
+#include "ui/style/theme.h"
+#include "ui/views/attach_dialog.h"
+#include "ui/views/body_dialog.h"
+#include "ui/views/new_session_dialog.h"
+#include "ui/views/process_takes_dialog.h"
+#include "ui/views/reprocess_dialog.h"
+#include "ui/views/review_page.h"
+#include "ui/views/shot_list_dialog.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr Step kEveryStep[] = {Step::kStart,  Step::kConnect, Step::kCalibrate, Step::kRecord,
+                               Step::kReview, Step::kExport,  Step::kPerformer};
+
+class ClippingTest : public test::StudioWindow, public testing::WithParamInterface<const char*> {
+protected:
+    void SetUp() override {
+        StudioWindow::SetUp();
+        chooseLanguage(studio_->settings(), GetParam());
+        applyLanguage(studio_->settings());
+        restart();
+    }
+    void TearDown() override {
+        Theme::get().setScale(1);
+        Theme::get().setScheme(Scheme::kDark);
+        StudioWindow::TearDown();
+    }
+
+    template <class Look>
+    void inEveryLook(Look look) {
+        for (const double scale : {1.0, 1.5})
+            for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
+                Theme::get().setScale(scale);
+                Theme::get().setScheme(scheme);
+                look(QStringLiteral("%1, %2 %, %3")
+                         .arg(GetParam())
+                         .arg(100 * scale)
+                         .arg(scheme == Scheme::kDark ? "dark" : "light"));
+            }
+    }
+
+    static void expectWhole(const QWidget& widget, const QString& where) {
+        for (const QString& cut : test::Clipping::in(widget))
+            ADD_FAILURE() << where.toStdString() << ": " << cut.toStdString();
+    }
+
+    void pagesAreWhole(const QString& look) {
+        for (const QSize size : {QSize(1280, 800), QSize(1440, 900), QSize(1920, 1080)}) {
+            window_->resize(size);
+            for (const Step step : kEveryStep) {
+                window_->goTo(step);
+                window_->sideDocks().reset();
+                QTest::qWait(60);
+                expectWhole(*window_, QStringLiteral("%1, %2x%3, page %4")
+                                          .arg(look)
+                                          .arg(size.width())
+                                          .arg(size.height())
+                                          .arg(window_->page(step).title()));
+                EXPECT_EQ(window_->size(), size) << look.toStdString();
+            }
+        }
+    }
+
+    template <class Dialog, class... Arguments>
+    void dialogIsWhole(const char* name, Arguments&&... arguments) {
+        inEveryLook([&](const QString& look) {
+            Dialog dialog(arguments..., window_.get());
+            dialog.setMaximumSize(1280, 760);
+            dialog.show();
+            EXPECT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+            QTest::qWait(30);
+            expectWhole(dialog, QStringLiteral("%1, %2").arg(name, look));
+        });
+    }
+};
+
+TEST_P(ClippingTest, PagesWithoutASession) {
+    inEveryLook([this](const QString& look) { pagesAreWhole(look); });
+}
+
+TEST_P(ClippingTest, PagesWithATake) {
+    openSampleTake();
+    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    inEveryLook([this](const QString& look) { pagesAreWhole(look); });
+}
+
+TEST_P(ClippingTest, TheFullReport) {
+    openSampleTake();
+    dynamic_cast<ReviewPage&>(window_->page(Step::kReview)).openFullReport();
+    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    inEveryLook([this](const QString& look) {
+        window_->resize(1280, 800);
+        QTest::qWait(100);
+        expectWhole(*window_, look + ", report");
+    });
+}
+
+TEST_P(ClippingTest, Dialogs) {
+    dialogIsWhole<NewSessionDialog>("new session", *studio_);
+    dialogIsWhole<PreferencesDialog>("preferences", *studio_);
+    dialogIsWhole<PutOnDialog>("put on", *studio_);
+    dialogIsWhole<AboutDialog>("about", "noctule 0.1.0");
+    dialogIsWhole<NewsDialog>("news");
+    dialogIsWhole<ShotListDialog>("shot list", "Walk, straight line x2\nTurn, both ways x3", true);
+    dialogIsWhole<ShortcutsDialog>("shortcuts", QList<ShortcutGroup>{{"Anywhere", window_->actions().all()}});
+}
+
+TEST_P(ClippingTest, DialogsAboutTakes) {
+    openSampleTake();
+    dialogIsWhole<ReprocessDialog>("process", *studio_, *studio_->take().overview());
+    dialogIsWhole<AttachDialog>("attach", *studio_->take().overview(), "optical/walk_001.bvh");
+    dialogIsWhole<ProcessTakesDialog>("process takes", *studio_, std::nullopt);
+    dialogIsWhole<BodyDialog>("body", *studio_);
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, ClippingTest, testing::Values("en", "de"));
+
+TEST(WindowPlaceTest, AWindowIsNeverLargerThanTheDesktop) {
+    const QRect screen(0, 0, 1280, 800), with_panel(0, 27, 1280, 773);
+    const WindowPlace first = placeWithin({0, 0, 1440, 900}, screen);
+    EXPECT_TRUE(first.maximised);
+    EXPECT_TRUE(screen.contains(first.content));
+    EXPECT_LT(first.content.height(), 800) << "room for the title bar";
+    EXPECT_TRUE(with_panel.contains(placeWithin({0, 0, 1440, 900}, with_panel).content));
+}
+
+TEST(WindowPlaceTest, AWindowFromALargerDesktopComesBackInside) {
+    const QRect screen(0, 0, 1920, 1080);
+    const WindowPlace place = placeWithin({2600, 1300, 1440, 900}, screen);
+    EXPECT_FALSE(place.maximised) << "it only stood elsewhere";
+    EXPECT_EQ(place.content.size(), QSize(1440, 900));
+    EXPECT_TRUE(screen.contains(place.content));
+    EXPECT_EQ(placeWithin({100, 100, 1440, 900}, screen).content, QRect(100, 100, 1440, 900))
+        << "what fits stays";
+}
+
+}  // namespace
+}  // namespace noctule::ui

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every action of every page is done once in both themes, whatever it opens is looked at and closed. An
+// exception ends the program; a missing icon fails the test (tests/ui/support/main.cpp).
+#include <QDialog>
+#include <QMenu>
+#include <set>
+
+#include "tests/ui/main_window/studio_fixture.h"
+#include "ui/style/theme.h"
+#include "ui/views/page.h"
+
+namespace noctule::ui {
+namespace {
+
+class EveryActionTest : public test::StudioWindow {
+protected:
+    void SetUp() override {
+        qApp->setAttribute(Qt::AA_DontUseNativeDialogs);
+        StudioWindow::SetUp();
+        closer_.setInterval(50);
+        QObject::connect(&closer_, &QTimer::timeout, [this] { closeWhatIsOpen(); });
+        closer_.start();
+    }
+
+    /// As an operator who looks and thinks better of it.
+    void closeWhatIsOpen() {
+        if (QWidget* popup = QApplication::activePopupWidget()) {
+            EXPECT_FALSE(popup->grab().isNull());
+            popup->close();
+        } else if (QWidget* modal = QApplication::activeModalWidget()) {
+            EXPECT_FALSE(modal->grab().isNull());
+            EXPECT_FALSE(modal->windowTitle().isEmpty()) << modal->metaObject()->className();
+            titles_.insert(modal->windowTitle().toStdString());
+            if (auto* dialog = qobject_cast<QDialog*>(modal))
+                dialog->reject();
+            else
+                modal->close();
+        }
+    }
+
+    /// But not what ends the program.
+    QList<QAction*> actionsOfPage(Step step) {
+        QList<QAction*> actions = window_->actions().all();
+        actions.removeAll(window_->actions()[Command::kQuit]);
+        return actions + window_->page(step).menuActions();
+    }
+
+    void doAll(Step step) {
+        window_->goTo(step);
+        for (const QPointer<QAction> action : actionsOfPage(step)) {
+            if (!action || action->isSeparator() || !action->isEnabled())
+                continue;
+            SCOPED_TRACE(action->text().toStdString());
+            EXPECT_FALSE(action->text().isEmpty());
+            action->trigger();
+            QCoreApplication::processEvents();
+            ++done_;
+            if (window_->step() != step)
+                window_->goTo(step);
+        }
+        ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle() && !QApplication::activeModalWidget(); }));
+    }
+
+    void doAllOnEveryPage() {
+        for (const Scheme scheme : {Scheme::kDark, Scheme::kLight})
+            for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord,
+                                    Step::kReview, Step::kExport, Step::kPerformer}) {
+                Theme::get().setScheme(scheme);
+                SCOPED_TRACE(static_cast<int>(step));
+                doAll(step);
+            }
+        Theme::get().setScheme(Scheme::kDark);
+    }
+
+    QTimer closer_;
+    std::set<std::string> titles_;
+    int done_ = 0;
+};
+
+TEST_F(EveryActionTest, WithoutASession) {
+    doAllOnEveryPage();
+    EXPECT_GE(done_, 7 * 2 * 10);
+    EXPECT_GE(titles_.size(), 6U)
+        << "new and open session, open take, import, preferences, put on, shortcuts, about";
+}
+
+TEST_F(EveryActionTest, WithATake) {
+    openSampleTake();
+    doAllOnEveryPage();
+    EXPECT_GE(done_, 7 * 2 * 15);
+}
+
+}  // namespace
+}  // namespace noctule::ui

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was calibrated of each suit, by the serial number of its driver box, in the user's data folder: it
+// outlives sessions. Values of sensors and sources only; the rest pose belongs to a wearing. Every
+// calibration stays as a file of its own, the latest counts.
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "core/job/result.h"
+#include "core/suit/calibration.h"
+
+namespace noctule::ui {
+
+class SuitMemory {
+public:
+    explicit SuitMemory(QString folder) : folder_(std::move(folder)) {}
+
+    /// Calibrations without any calibrated sensor or source are not kept.
+    Status keep(const QString& serial, const Calibration& calibration) const;
+    /// The latest that can be read; absent: there is none.
+    std::optional<Calibration> latest(const QString& serial) const;
+
+private:
+    QString folderOf(const QString& serial) const;
+
+    const QString folder_;
+};
+
+}  // namespace noctule::ui

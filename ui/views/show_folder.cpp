@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Through xdg-open itself: QDesktopServices starts it and does not learn what became of it.
+#include "ui/views/show_folder.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QPointer>
+#include <QProcess>
+
+#include "ui/models/studio.h"
+
+namespace noctule::ui {
+namespace {
+
+/// A file manager that ends later than this was there.
+constexpr int kStarted_ms = 5000;
+
+struct FolderWords {
+    Q_DECLARE_TR_FUNCTIONS(noctule::ui::ShowFolder)
+};
+
+void tellNoManager(Studio& studio, const QString& folder) {
+    emit studio.failed(FolderWords::tr("No file manager could be started"),
+                       FolderWords::tr("The folder is %1. Open it by hand, or install a file manager.")
+                           .arg(QDir::toNativeSeparators(folder)));
+}
+
+}  // namespace
+
+void showFolder(Studio& studio, const QString& folder) {
+    if (!QDir(folder).exists()) {
+        emit studio.failed(FolderWords::tr("%1 is not there").arg(QDir::toNativeSeparators(folder)),
+                           FolderWords::tr("It may have been moved, or its disk is not connected."));
+        return;
+    }
+    auto* opener = new QProcess;
+    QElapsedTimer clock;
+    clock.start();
+    const QPointer<Studio> told(&studio);
+    QObject::connect(opener, &QProcess::errorOccurred, opener, [=](QProcess::ProcessError error) {
+        if (error == QProcess::FailedToStart && told)
+            tellNoManager(*told, folder);
+        opener->deleteLater();
+    });
+    QObject::connect(opener, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), opener,
+                     [=](int code) {
+                         if (code != 0 && clock.elapsed() < kStarted_ms && told)
+                             tellNoManager(*told, folder);
+                         opener->deleteLater();
+                     });
+    opener->start(QStringLiteral("xdg-open"), {folder});
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Opens a folder in the desktop's file manager. Where there is none, or it does not start, the studio says so
+// and names the folder.
+#pragma once
+
+#include <QString>
+
+namespace noctule::ui {
+
+class Studio;
+
+void showFolder(Studio& studio, const QString& folder);
+
+}  // namespace noctule::ui
