@@ -5,7 +5,9 @@
 #include <set>
 
 #include "app/batch/option.h"
+#include "app/batch/signals.h"
 #include "core/formats/bvh.h"
+#include "core/formats/text_file.h"
 #include "core/job/atomic_file.h"
 #include "core/math/json.h"
 
@@ -22,7 +24,7 @@ Result<T> readDocument(const std::string& path,
 }  // namespace
 
 Result<nlohmann::json> readJson(const std::string& path) {
-    const auto text = readWholeFile(path);
+    const auto text = readTextFile(path, &signalFlag());
     if (!text)
         return text.error();
     nlohmann::json json = noctule::json::parse(*text);
@@ -41,7 +43,7 @@ Result<MotionClip> readMotion(const std::string& path, const std::string& bvh_un
     const auto unit = bvhUnitFromText(bvh_unit);
     if (!unit)
         return unit.error();
-    const auto document = readBvh(path);
+    const auto document = readBvh(path, &signalFlag());
     if (!document)
         return document.error();
     for (const BvhWarning& warning : document->warnings)

@@ -5,7 +5,10 @@
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
+#include <array>
 #include <assimp/Exporter.hpp>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -40,6 +43,36 @@ std::unique_ptr<aiBone> boneOf(const SkinnedMesh& mesh, size_t index) {
     return bone;
 }
 
+/// Whether vertices at one place hang on different bones, as those of clothes that lie on the skin.
+bool hasLayers(const SkinnedMesh& mesh) {
+    constexpr double kCell = 1e-4;
+    for (const double shift : {0.0, 0.5}) {
+        std::map<std::array<int64_t, 3>, const SkinnedVertex*> first_in_cell;
+        for (const SkinnedVertex& vertex : mesh.vertices) {
+            std::array<int64_t, 3> cell{};
+            for (size_t axis = 0; axis < 3; ++axis)
+                cell[axis] =
+                    std::llround(static_cast<double>(vertex.p_m[static_cast<int>(axis)]) / kCell + shift);
+            const SkinnedVertex& first = *first_in_cell.try_emplace(cell, &vertex).first->second;
+            if (first.bones != vertex.bones || first.weights != vertex.weights)
+                return true;
+        }
+    }
+    return false;
+}
+
+/// Tilted by 0.01 degrees, in a direction that the bones give: the exporter makes one of vertices that are
+/// alike in all but their bones, and clothes would hang on the body's.
+Eigen::Vector3f ownNormal(const SkinnedVertex& vertex) {
+    constexpr float kTilt = 2e-4F;
+    uint32_t hash = 2166136261U;
+    for (size_t i = 0; i < vertex.bones.size(); ++i)
+        hash = ((hash ^ vertex.bones[i]) * 16777619U ^ static_cast<uint32_t>(vertex.weights[i] * 255)) *
+               16777619U;
+    const auto part = [&](unsigned shift) { return static_cast<float>(hash >> shift & 1023U) / 511.5F - 1; };
+    return (vertex.normal + kTilt * Eigen::Vector3f(part(0), part(11), part(22))).normalized();
+}
+
 std::unique_ptr<aiMesh> meshOf(const SkinnedMesh& mesh, bool is_textured, unsigned material) {
     auto result = std::make_unique<aiMesh>();
     result->mName = "Body";
@@ -48,9 +81,10 @@ std::unique_ptr<aiMesh> meshOf(const SkinnedMesh& mesh, bool is_textured, unsign
     result->mNumVertices = static_cast<unsigned>(mesh.vertices.size());
     result->mVertices = new aiVector3D[mesh.vertices.size()];
     result->mNormals = new aiVector3D[mesh.vertices.size()];
+    const bool layered = hasLayers(mesh);
     for (size_t v = 0; v < mesh.vertices.size(); ++v) {
         result->mVertices[v] = toAssimp(mesh.vertices[v].p_m);
-        result->mNormals[v] = toAssimp(mesh.vertices[v].normal);
+        result->mNormals[v] = toAssimp(layered ? ownNormal(mesh.vertices[v]) : mesh.vertices[v].normal);
     }
     if (is_textured) {
         result->mNumUVComponents[0] = 2;

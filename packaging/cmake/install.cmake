@@ -11,6 +11,7 @@ install(FILES ${NOCTULE_HELP_DIR}/noctule.bash DESTINATION ${share}/bash-complet
     RENAME noctule-virtual-suit)
 install(FILES ${NOCTULE_HELP_DIR}/_noctule DESTINATION ${share}/zsh/vendor-completions)
 install(DIRECTORY resources/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(DIRECTORY resources/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY resources/suits DESTINATION ${share}/noctule)
 install(FILES resources/motions/sample.bvh DESTINATION ${share}/noctule/motions)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,5 +1,6 @@
 # The version as users see it: `git describe` where there is git, else the project's number. It is asked for at each
 # build, and written only when it has changed.
+cmake_minimum_required(VERSION 3.25)
 include_guard()
 
 # As a script, cmake -D SOURCE=. -D NUMBER=0.1.0 -D OUT=version.cpp -P version.cmake: writes the source file.
@@ -32,11 +33,11 @@ endfunction()
 
 if(CMAKE_SCRIPT_MODE_FILE)
     noctule_describe(version)
-    file(CONFIGURE OUTPUT ${OUT} @ONLY CONTENT "// SPDX-License-Identifier: Apache-2.0
+    file(CONFIGURE OUTPUT ${OUT} CONTENT "// SPDX-License-Identifier: Apache-2.0
 #include \"app/batch/version.h\"
 
 const char* noctule::batch::softwareVersion() {
-    return \"@version@\";
+    return \"${version}\";
 }
 ")
 else()

@@ -42,6 +42,14 @@ protected:
     void paintEvent(QPaintEvent*) override { QPainter(this).fillRect(rect(), Theme::get().tokens().bg); }
 };
 
+/// As small as the page that is shown may be; others would hold the window wide that have been left.
+class PageStack : public QStackedWidget {
+public:
+    QSize minimumSizeHint() const override {
+        return currentWidget() ? currentWidget()->minimumSizeHint() : QStackedWidget::minimumSizeHint();
+    }
+};
+
 }  // namespace
 
 MainWindow::MainWindow(Studio& studio, QWidget* parent)
@@ -91,7 +99,7 @@ void MainWindow::buildParts() {
     column->setSpacing(0);
     notices_ = new Notices;
     session_notices_ = new SessionNotices(studio_, *notices_, this);
-    stack_ = new QStackedWidget;
+    stack_ = new PageStack;
     column->addWidget(notices_);
     column->addWidget(stack_, 1);
     setCentralWidget(centre);
@@ -136,6 +144,7 @@ void MainWindow::goTo(Step step) {
     docks_->show(step, next);
     step_ = step;
     stack_->setCurrentWidget(&next);
+    stack_->updateGeometry();
     top_bar_->showStep(step);
     const auto& commands = commandOfStep();
     for (const auto& [other, command] : commands)

@@ -34,8 +34,8 @@ public:
     explicit DockStack(int least_width) : least_width_(least_width) {}
 
     QSize minimumSizeHint() const override {
-        const int content = currentWidget() ? currentWidget()->minimumSizeHint().width() : 0;
-        return {std::max(Theme::get().px(least_width_), content), QStackedWidget::minimumSizeHint().height()};
+        const QSize content = currentWidget() ? currentWidget()->minimumSizeHint() : QSize(0, 0);
+        return {std::max(Theme::get().px(least_width_), content.width()), content.height()};
     }
 
 private:

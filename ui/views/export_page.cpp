@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "core/job/atomic_file.h"
+#include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/export_form.h"
 #include "ui/views/export_preset_list.h"
@@ -27,7 +28,7 @@
 namespace noctule::ui {
 
 namespace {
-constexpr int kForm = 372, kTakes = 640;
+constexpr int kForm = 372, kBothSides = 780, kTakes = 640;
 constexpr int kMostNames = 3;
 }  // namespace
 
@@ -48,11 +49,13 @@ ExportPage::ExportPage(Studio& studio, QWidget* parent)
     setFocusPolicy(Qt::ClickFocus);
     auto* column = makeColumn(this);
     auto* sides = new QWidget;
-    auto* row = makeRow(sides);
+    sides_ = makeRow(sides);
+    QHBoxLayout* row = sides_;
     auto* scroll = new ScrollArea(form_);
-    keepSize(*scroll, kForm, 0);
+    keepMinimumWidth(*scroll, kForm);
+    scroll->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
     row->addWidget(scroll);
-    row->addWidget(new Divider(Qt::Vertical));
+    row->addWidget(between_ = new Divider(Qt::Vertical));
     auto* right = new QWidget;
     row->addWidget(right, 1);
     auto* right_column = makeColumn(right);
@@ -306,6 +309,14 @@ void ExportPage::removeOwnPreset(const QString& key) {
     presets_.removeOwn(key);
     preset_list_->refresh();
     preset_list_->choose(presets_.all().front().key);
+}
+
+/// Without room for both sides the takes and the written files stand below the form.
+void ExportPage::resizeEvent(QResizeEvent* event) {
+    const bool beside = width() >= Theme::get().px(kBothSides);
+    sides_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    between_->setVisible(beside);
+    Page::resizeEvent(event);
 }
 
 void ExportPage::keyPressEvent(QKeyEvent* event) {

@@ -7,6 +7,8 @@
 #include "ui/views/export_settings.h"
 #include "ui/views/page.h"
 
+class QHBoxLayout;
+
 namespace noctule::ui {
 
 class Button;
@@ -16,6 +18,7 @@ class ExportResultsPanel;
 class JobProgress;
 class Label;
 
+/// On small screens and with large type the takes and the written files stand below the form, which scrolls.
 class ExportPage : public Page {
     Q_OBJECT
 public:
@@ -43,6 +46,7 @@ signals:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QWidget* makeFoot();
@@ -72,6 +76,8 @@ private:
     ExportResultsPanel* results_panel_;
     JobProgress* progress_;
     Label* state_;
+    QHBoxLayout* sides_ = nullptr;
+    QWidget* between_ = nullptr;
     Button *again_, *folder_, *write_;
     std::optional<ExportResults> results_;
     std::optional<Asked> written_, started_;  ///< what results_ and the job that runs were asked for

@@ -103,7 +103,7 @@ TEST(HostileTake, PulsesCannotFloodAndTextsAreCut) {
     EXPECT_NEAR(static_cast<double>(pulses->size()), 4 * ms, 4);
     EXPECT_FALSE(skippedOf(*take, "pulse").empty());
     size_t longest = 0;
-    for (const MarkerRow& marker : *take->markers())
+    for (const auto markers = take->markers(); const MarkerRow& marker : *markers)
         longest = std::max(longest, marker.label.size());
     EXPECT_EQ(longest, limits::kName);
 }
@@ -207,11 +207,11 @@ TEST(FuzzRows, DamagedValues) {
         sqlite3_close(handle);
         const auto take = Take::open(path);
         ASSERT_TRUE(take) << sql << ": " << take.error().text();
-        for (const Pulse& pulse : take->pulses().value())
+        for (const auto sent = take->pulses(); const Pulse& pulse : *sent)
             ASSERT_TRUE(pulse.sample >= 0 && pulse.sample <= take->lastSample()) << sql;
-        for (const ExternalRootRow& root : take->externalRoot().value())
+        for (const auto roots = take->externalRoot(); const ExternalRootRow& root : *roots)
             ASSERT_LE(root.p_world_root.cwiseAbs().maxCoeff(), limits::kFarthest_m) << sql;
-        for (const StatusRow& status : take->statusRows().value())
+        for (const auto states = take->statusRows(); const StatusRow& status : *states)
             ASSERT_LE(std::abs(status.temperature_c.value_or(0)), limits::kHottest_c) << sql;
         (void)take->markers();
         (void)take->gaps();

@@ -16,10 +16,18 @@ class EveryActionTest : public test::StudioWindow {
 protected:
     void SetUp() override {
         qApp->setAttribute(Qt::AA_DontUseNativeDialogs);
+        path_ = qgetenv("PATH");
+        qputenv("PATH", folder_.path().toLocal8Bit());  // no file manager starts
         StudioWindow::SetUp();
         closer_.setInterval(50);
         QObject::connect(&closer_, &QTimer::timeout, [this] { closeWhatIsOpen(); });
         closer_.start();
+    }
+
+    void TearDown() override {
+        closer_.stop();
+        qputenv("PATH", path_);
+        StudioWindow::TearDown();
     }
 
     /// As an operator who looks and thinks better of it.
@@ -72,6 +80,7 @@ protected:
         Theme::get().setScheme(Scheme::kDark);
     }
 
+    QByteArray path_;
     QTimer closer_;
     std::set<std::string> titles_;
     int done_ = 0;

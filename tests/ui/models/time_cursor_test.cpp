@@ -102,7 +102,7 @@ TEST_F(TimeCursorTest, StopsAtOutAndStartsAgainAtIn) {
     cursor_.setTime(5);
     cursor_.play();
     EXPECT_EQ(cursor_.time(), 1);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !cursor_.isPlaying(); }));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !cursor_.isPlaying(); }, 240'000));
     EXPECT_EQ(cursor_.time(), 1.1);
     EXPECT_EQ(playing.count(), 2);
     cursor_.toggle();
@@ -126,7 +126,7 @@ TEST_F(TimeCursorTest, LoopsWithinInAndOutAlsoBackwards) {
             last_s = t_s;
         });
         cursor_.play();
-        EXPECT_TRUE(QTest::qWaitFor([&] { return wraps >= 2; }));
+        EXPECT_TRUE(QTest::qWaitFor([&] { return wraps >= 2; }, 240'000));
         cursor_.pause();
         QObject::disconnect(watch);
     }

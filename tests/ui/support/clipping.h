@@ -86,8 +86,15 @@ private:
     }
 
     void lookAtSize(const QWidget& widget) {
-        if (qobject_cast<const QLabel*>(&widget) || qobject_cast<const QMainWindow*>(&widget))
+        // A container that is too small shows in what it holds; a row of wrapped words says too large a least
+        // height.
+        if (qobject_cast<const QLabel*>(&widget) || widget.layout() || widget.inherits("QSplitter"))
             return;
+        if (qobject_cast<const QAbstractSpinBox*>(&widget) || qobject_cast<const QComboBox*>(&widget)) {
+            if (widget.height() < widget.fontMetrics().height() + 6)
+                tell(widget, {}, widget.fontMetrics().height() + 6, widget.height());
+            return;
+        }
         const QSize least = widget.minimumSizeHint().boundedTo(widget.maximumSize());
         if (least.width() > widget.width() + 1 || least.height() > widget.height() + 1)
             sentences_ += QStringLiteral("%1 is %2x%3 and needs %4x%5")
@@ -144,7 +151,10 @@ private:
             // A free child may lie on the one that fills the parent: a tool on a view.
             const bool is_on = is_placed != other_is_placed || widget.geometry() == parent->rect() ||
                                other->geometry() == parent->rect();
-            if (!both.isEmpty() && !is_on)
+            // Buttons on the drawing of a body keep a free middle.
+            const bool is_drawn = widget.inherits("noctule::ui::MapMarker") &&
+                                  3 * both.width() * both.height() < widget.width() * widget.height();
+            if (!both.isEmpty() && !is_on && !is_drawn)
                 sentences_ += QStringLiteral("%1 lies on %2 by %3x%4")
                                   .arg(nameOf(widget), nameOf(*other))
                                   .arg(both.width())
