@@ -12,6 +12,7 @@ namespace noctule::limits {
 
 // Documents (JSON)
 inline constexpr int kJsonDepth = 32;           ///< nested lists and objects; a suit needs 5, settings 3
+inline constexpr int kBoxJsonDepth = 16;        ///< of a message of a box; what is deeper is left out
 inline constexpr size_t kJsonBytes = 16 << 20;  ///< an actor of 256 joints takes 0.2 MB
 inline constexpr size_t kJoints = 256;  ///< ours has 21, fingers add 30; the filter grows with the square
 inline constexpr size_t kFreedomsOfJoint = 3;  ///< more do not add any rotation

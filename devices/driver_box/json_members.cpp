@@ -17,7 +17,8 @@ using Json = nlohmann::json;
 }  // namespace
 
 Json parseObject(ByteView payload) {
-    Json json = json::parse({reinterpret_cast<const char*>(payload.data()), payload.size()});
+    const auto shallow = [](int depth, Json::parse_event_t, Json&) { return depth <= limits::kBoxJsonDepth; };
+    Json json = Json::parse(payload.begin(), payload.end(), shallow, false);
     if (!json.is_object())
         json = Json::value_t::discarded;
     return json;

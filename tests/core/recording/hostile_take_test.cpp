@@ -93,10 +93,10 @@ TEST(HostileTake, PulsesCannotFloodAndTextsAreCut) {
     const Folder folder;
     const auto take = Take::open(hostileTake(
         folder,
-        "DELETE FROM pulse; INSERT INTO pulse(suit,sample,source) WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL "
-        "SELECT i+1 FROM n LIMIT 1500) SELECT 1,i,0 FROM n;"
-        "INSERT INTO marker(suit,sample,kind,label) "
-        "VALUES(1,1,'user',replace(hex(zeroblob(100000)),'0','m'))"));
+        "DELETE FROM pulse; INSERT INTO pulse(sample,source) WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL "
+        "SELECT i+1 FROM n LIMIT 1500) SELECT i,0 FROM n;"
+        "INSERT INTO marker(sample,kind,label) "
+        "VALUES(1,'user',replace(hex(zeroblob(100000)),'0','m'))"));
     ASSERT_TRUE(take) << take.error().text();
     const double ms = 1500.0 / (static_cast<double>(take->sampleRate_hz().value()) / 1000);
     const auto pulses = take->pulses();
