@@ -294,8 +294,8 @@ TEST(BrokenRecording, ADiskThatIsFullAllTheSameKeepsWhatWasCommitted) {
     const auto left = Take::open(state.path);  // may fail where no byte is free, not even for reading
     if (left && left->meta().at("state") == "complete")
         safe = state.path;
-    else
-        ASSERT_TRUE(recoverTake(state.path, safe, {}));
+    else if (const Status recovered = recoverTake(state.path, safe, {}); !recovered)
+        FAIL() << recovered.error().text();
     const auto take = Take::open(safe);
     ASSERT_TRUE(take) << take.error().text();
     const auto found = test::readMadeSound(*take, kSuitBoards);

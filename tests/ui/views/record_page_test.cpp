@@ -149,7 +149,8 @@ TEST_F(RecordPageTest, AnotherProgramBeginsAndEndsATakeOrIsToldWhyNot) {
     EXPECT_EQ(failed.count(), 2);
     run().stopFromElsewhere();
     ASSERT_TRUE(waitFor([&] { return !session().takes.empty(); }));
-    EXPECT_EQ(Take::open(pathOf("dance_001"))->notes()->at(0).text, "second try");
+    const auto notes = Take::open(pathOf("dance_001"))->notes();
+    EXPECT_TRUE(QString::fromStdString(notes->at(0).text).endsWith(" second try")) << notes->at(0).text;
 }
 
 TEST_F(RecordPageTest, ThePreRollIsRememberedAndSeen) {
@@ -172,7 +173,13 @@ TEST_F(RecordPageTest, RecordingWellNeedsACalibration) {
         << readiness.verdict().toStdString();
     run().stop();
     ASSERT_TRUE(waitFor([&] { return session().takes.size() == 1; }));
-    studio_->suit().disconnectSuit();
+}
+
+TEST_F(RecordPageTest, RecordingWithoutACalibrationSaysSo) {
+    TestBox box(kLooping);
+    openSession();
+    RecordReadiness& readiness = page_->readiness();
+    run().setOpensReview(false);
     studio_->suit().connectTo(QString::fromStdString(box.address()));
     ASSERT_TRUE(waitFor([&] { return studio_->suit().phase() == LiveSuit::Phase::kLooking; }));
     ASSERT_TRUE(waitFor([&] { return readiness.verdict() == "Connected"; }))
@@ -183,8 +190,8 @@ TEST_F(RecordPageTest, RecordingWellNeedsACalibration) {
     ASSERT_FALSE(readiness.problems().cards().empty());
     EXPECT_EQ(readiness.problems().cards()[0]->title(), "The suit is not calibrated");
     run().stop();
-    ASSERT_TRUE(waitFor([&] { return session().takes.size() == 2; }));
-    EXPECT_TRUE(Take::open(pathOf("take_002"))->derivedRuns()->empty()) << "no poses that mean nothing";
+    ASSERT_TRUE(waitFor([&] { return session().takes.size() == 1; }));
+    EXPECT_TRUE(Take::open(pathOf("take_001"))->derivedRuns()->empty()) << "no poses that mean nothing";
 }
 
 TEST_F(RecordPageTest, ATakeBeginsWithThePreRoll) {
