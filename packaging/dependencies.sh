@@ -12,6 +12,7 @@ packages=(
     nlohmann-json3-dev   # nlohmann_json
     libsqlite3-dev       # SQLite3
     libzstd-dev          # libzstd
+    zlib1g-dev           # ZLIB
     qtbase5-dev          # Qt5
     libqt5svg5-dev       # Qt5: Svg
     libqt5serialport5-dev # Qt5: SerialPort

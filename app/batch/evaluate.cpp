@@ -4,6 +4,7 @@
 #include "core/body/text.h"
 #include "core/job/atomic_file.h"
 #include "core/processing/evaluate_take.h"
+#include "core/processing/orient_take.h"
 #include "core/report/evaluation_json.h"
 #include "core/report/html_report.h"
 #include "core/report/verdict.h"
@@ -55,12 +56,39 @@ std::string evaluationText(const ReportData& data, const ReportRun& run) {
     return text;
 }
 
+Outcome orientationOutcome(const std::string& take, const OrientationEvaluation& evaluation) {
+    const OrientationScore& score = evaluation.score;
+    const auto angle = [](const char* name, double deg) {
+        return std::string(name) + fixed(deg) + " deg rms\n";
+    };
+    return {{{"take", take},
+             {"run", evaluation.run_name},
+             {"board", evaluation.board},
+             {"total_deg", score.total_deg},
+             {"heading_deg", score.heading_deg},
+             {"inclination_deg", score.inclination_deg},
+             {"heading_offset_deg", score.heading_offset_deg},
+             {"readings", score.samples}},
+            takeName(take) + ", run " + evaluation.run_name + ", sensor " + evaluation.board + "\n" +
+                angle("total                 ", score.total_deg) +
+                angle("heading               ", score.heading_deg) +
+                angle("inclination           ", score.inclination_deg) + "north differed by     " +
+                fixed(score.heading_offset_deg) + " deg, taken off\ncompared              " +
+                std::to_string(score.samples) + " readings in movement\n",
+            std::nullopt};
+}
+
 Result<Outcome> runEvaluate(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     const bool overwrite = arguments.given("overwrite");
     const std::string report_path = arguments.text("report");
     if (Status free = checkOutputs({report_path}, overwrite); !free)
         return free.error();
+    const auto oriented = evaluateOrientation(arguments.operands()[0], arguments.text("run"));
+    if (!oriented)
+        return oriented.error();
+    if (*oriented)
+        return orientationOutcome(arguments.operands()[0], **oriented);
     EvaluateRequest request;
     request.take_path = arguments.operands()[0];
     request.run = arguments.text("run");

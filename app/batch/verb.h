@@ -52,6 +52,8 @@ Verb attachVerb();
 Verb devicesVerb();
 Verb recordVerb();
 Verb recoverVerb();
+Verb importVerb();
+Verb orientVerb();
 // app/batch/calibrate.cpp
 Verb calibrateSourcesVerb();
 Verb calibrateAccelerometersVerb();

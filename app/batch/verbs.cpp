@@ -18,6 +18,8 @@ const std::vector<Verb>& verbs() {
                                           devicesVerb(),
                                           recordVerb(),
                                           recoverVerb(),
+                                          importVerb(),
+                                          orientVerb(),
                                           calibrateSourcesVerb(),
                                           calibrateAccelerometersVerb(),
                                           calibrateGyroscopesVerb(),

@@ -80,6 +80,14 @@ struct ExternalRootRow {
     double sigma_q_rad = 0;
 };
 
+/// The attitude of one sensor as an orientation run found it.
+struct OrientationRow {
+    int board = 0;
+    int64_t time_ns = 0;
+    Quaterniond q_world_board = Quaterniond::Identity();
+    double heading_sigma_rad = 0;
+};
+
 /// Both ends belong to it.
 struct SampleInterval {
     int64_t first = 0;

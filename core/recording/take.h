@@ -89,6 +89,9 @@ public:
     Result<RangeCursor> ranges(int64_t run, int suit = 1) const;
     /// Only those of the pulses with ids `first` to `last`.
     Result<RangeCursor> rangesOfPulses(int64_t run, int64_t first, int64_t last, int suit = 1) const;
+    /// Attitudes of one sensor in the order of time, of a run of kind `orientation`.
+    Result<std::vector<OrientationRow>> orientations(int64_t run, int board, int suit = 1) const;
+
     /// When each foot stood as a pose run found it, kPrimaryRun: as an operator has set it. Feet without any
     /// are left out.
     Result<std::vector<FootContacts>> contacts(int64_t run, int suit = 1) const;

@@ -12,7 +12,7 @@ namespace {
 // processed. Used only as far as needed.
 constexpr const char* kLargeCache = "PRAGMA cache_size=-524288";
 
-constexpr const char* kTablesWithRuns[] = {"derived", "inertial", "range", "pose", "contact"};
+constexpr const char* kTablesWithRuns[] = {"derived", "inertial", "range", "pose", "orientation", "contact"};
 
 }  // namespace
 

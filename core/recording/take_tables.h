@@ -42,6 +42,8 @@ public:
     Status addInertial(int64_t run, const InertialReading& reading, int suit = 1);
     Status addRange(int64_t run, const RangeMeasurement& range, const std::string& detector, int suit = 1);
     Status addContacts(int64_t run, const std::vector<FootContacts>& feet, int suit = 1);
+    /// Of a run of kind `orientation`.
+    Status addOrientation(int64_t run, const OrientationRow& row, int suit = 1);
     Status addPose(int64_t run, const TimedPose& timed, int suit = 1);
 
 protected:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
-#include <random>
 #include <system_error>
 
 #include "core/session/take_folder.h"
+#include "devices/device/random_uuid.h"
 #include "devices/live/take_sink.h"
 
 namespace noctule {
@@ -53,16 +53,6 @@ private:
     int board_count_;
     bool compress_;
 };
-
-/// Random, version 4 of RFC 9562.
-std::string randomUuid() {
-    std::random_device device;
-    const auto bits = [&device](uint32_t mask) { return device() & mask; };
-    char text[40];
-    std::snprintf(text, sizeof text, "%08x-%04x-4%03x-%04x-%04x%08x", bits(~0U), bits(0xffff), bits(0xfff),
-                  0x8000 | bits(0x3fff), bits(0xffff), bits(~0U));
-    return text;
-}
 
 Status describe(TakeWriter& writer, const TakePlan& plan) {
     if (const auto suit = writer.addSuit(plan.suit); !suit)

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/import/import_take.h"
+
+#include <cmath>
+
+#include "core/recording/take_writer.h"
+
+namespace noctule {
+
+namespace {
+
+constexpr int64_t kClock_hz = 1'000'000;
+
+Suit suitOf(const ImportedRecording& recording) {
+    Suit suit;
+    suit.name = recording.name;
+    for (const ImportedSensor& sensor : recording.sensors) {
+        Board board;
+        board.id = sensor.id;
+        board.has_magnetometer = !sensor.samples.mag.empty();
+        suit.boards.push_back(board);
+    }
+    return suit;
+}
+
+Calibration inSi(const ImportedRecording& recording, const std::string& created_utc) {
+    Calibration calibration;
+    calibration.created_utc = created_utc;
+    for (const ImportedSensor& sensor : recording.sensors) {
+        BoardCalibration board;
+        board.id = sensor.id;
+        board.gyro.zero_counts = board.accel.zero_counts = Vector3d::Zero();
+        calibration.boards.push_back(board);
+    }
+    return calibration;
+}
+
+Actor sensorActor() {
+    Joint root;
+    root.name = kSensorJoint;
+    root.type = JointType::kFree;
+    Actor actor;
+    actor.name = "one sensor";
+    actor.skeleton = Skeleton::make({root}).value();
+    actor.rest_q_parent_joint = {Quaterniond::Identity()};
+    return actor;
+}
+
+template <size_t N>
+bool put(const Vector3d& reading, size_t at, std::array<std::optional<double>, N>& counts) {
+    for (size_t axis = 0; axis < 3; ++axis)
+        if (std::isfinite(reading[Eigen::Index(axis)]))
+            counts[at + axis] = reading[Eigen::Index(axis)];
+    return reading.allFinite();
+}
+
+class TakeOfImport {
+public:
+    TakeOfImport(const ImportedRecording& recording, TakeWriter& take, const JobContext& job)
+        : recording_(recording), take_(take), job_(job) {}
+
+    Status readings(ImportSummary& summary) {
+        for (size_t s = 0; s < recording_.sensors.size(); ++s) {
+            const ImuSamples& samples = recording_.sensors[s].samples;
+            for (size_t i = 0; i < samples.size(); ++i) {
+                InertialReading reading;
+                reading.board = static_cast<int>(s);
+                reading.frame = static_cast<int64_t>(i);
+                reading.sample = double(i) / samples.rate_hz * double(kClock_hz);
+                reading.corrected_bits = 0;
+                const bool whole = put(samples.gyro_rad_per_s[i], 0, reading.counts) &
+                                   put(samples.accel_m_per_s2[i], 3, reading.counts);
+                if (i < samples.mag.size())
+                    put(samples.mag[i], 0, reading.magnetometer_counts);
+                summary.missing += !whole;
+                if (Status added = take_.addInertial(kPrimaryRun, reading); !added)
+                    return added;
+                if (i % 4096 == 0 && job_.cancelled())
+                    return JobContext::cancelledError();
+            }
+            summary.readings += samples.size();
+            job_.progress(double(s + 1) / double(recording_.sensors.size()), "Readings");
+        }
+        return Done{};
+    }
+
+    Status reference(double rate_hz) {
+        for (size_t i = 0; i < recording_.q_world_sensor.size(); ++i) {
+            TimedPose timed;
+            timed.time_ns = std::llround(double(i) / rate_hz * 1e9);
+            const Quaterniond& q = recording_.q_world_sensor[i];
+            if (q.coeffs().allFinite() && recording_.p_world_sensor_m[i].allFinite())
+                timed.pose = Pose{recording_.p_world_sensor_m[i], {q.normalized()}};
+            if (Status added = take_.addReference(timed); !added)
+                return added;
+        }
+        return movement(rate_hz);
+    }
+
+private:
+    Status movement(double rate_hz) {
+        const auto mark = [&](size_t row, const char* label) {
+            return take_.addMarker(
+                {std::llround(double(row) / rate_hz * double(kClock_hz)), kMovementMarker, label});
+        };
+        const std::vector<char>& moves = recording_.moves;
+        for (size_t i = 0; i < moves.size(); ++i) {
+            if (moves[i] && (i == 0 || !moves[i - 1]))
+                if (Status begun = mark(i, "begin"); !begun)
+                    return begun;
+            if (moves[i] && (i + 1 == moves.size() || !moves[i + 1]))
+                if (Status ended = mark(i, "end"); !ended)
+                    return ended;
+        }
+        return Done{};
+    }
+
+    const ImportedRecording& recording_;
+    TakeWriter& take_;
+    const JobContext& job_;
+};
+
+Status writeAll(const ImportedRecording& recording, TakeWriter& take, const ImportRequest& request,
+                const JobContext& job, ImportSummary& summary) {
+    if (auto added = take.addSuit(suitOf(recording)); !added)
+        return added.error();
+    if (auto added = take.addCalibration(inSi(recording, request.created_utc)); !added)
+        return added.error();
+    if (Status set = take.setMeta("level", "readings"); !set)
+        return set;
+    TakeOfImport writer(recording, take, job);
+    if (Status written = writer.readings(summary); !written)
+        return written;
+    if (recording.q_world_sensor.empty())
+        return Done{};
+    summary.has_reference = true;
+    if (Status set = take.setMeta("reference_kind", "optical"); !set)
+        return set;
+    if (Status set = take.setMeta("reference_actor", toJson(sensorActor()).dump()); !set)
+        return set;
+    return writer.reference(summary.rate_hz);
+}
+
+}  // namespace
+
+Result<ImportSummary> writeImportedTake(const ImportedRecording& recording, const ImportRequest& request,
+                                        const JobContext& job) {
+    if (recording.sensors.size() > Suit::kMaxPerSuit)
+        return Error{ErrorKind::kUnusable,
+                     recording.name + ": has " + std::to_string(recording.sensors.size()) + " sensors",
+                     "A take holds 32 in one suit; import fewer at a time"};
+    ImportSummary summary;
+    summary.sensors = recording.sensors.size();
+    summary.rate_hz = recording.sensors.front().samples.rate_hz;
+    for (const ImportedSensor& sensor : recording.sensors) {
+        summary.duration_s =
+            std::max(summary.duration_s, double(sensor.samples.size()) / sensor.samples.rate_hz);
+        summary.has_magnetometer |= !sensor.samples.mag.empty();
+    }
+    TakeHeader header;
+    header.uuid = request.uuid;
+    header.name = request.take_name;
+    header.created_utc = request.created_utc;
+    header.software = request.software;
+    header.sample_rate_hz = kClock_hz;
+    header.board_count = static_cast<int>(recording.sensors.size());
+    TakeWriter::Options options;
+    options.overwrite = request.overwrite;
+    auto take = TakeWriter::create(request.out_path, header, options);
+    if (!take)
+        return take.error();
+    if (Status written = writeAll(recording, *take, request, job, summary); !written)
+        return written.error();
+    if (Status counted = take->setMeta("sample_count",
+                                       std::to_string(std::llround(summary.duration_s * double(kClock_hz))));
+        !counted)
+        return counted.error();
+    if (Status finished = take->finish(); !finished)
+        return finished.error();
+    return summary;
+}
+
+}  // namespace noctule
