@@ -272,7 +272,7 @@ std::vector<Option> partOptions() {
 std::vector<Option> lookOptions() {
     return {
         text("mesh", "mannequin|none|M",
-             "the body: the default one; the skeleton alone; that of a .glb, .gltf, .fbx, "
+             "the body: the default one; the skeleton alone; that of a .glb, .gltf, .vrm, .fbx, "
              ".dae, .obj or .ply file, on its own bones or on some made for it")
             .orElse("mannequin"),
         text("bones", "MAP.json", "which bone of M is which joint, where they are not found by themselves"),

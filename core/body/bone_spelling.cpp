@@ -284,10 +284,44 @@ bool isHelperWord(const std::string& word) {
     return words.contains(word);
 }
 
+bool isSideWord(const std::string& word) {
+    return word == "l" || word == "r" || word == "left" || word == "right";
+}
+
 bool isKnownPrefixWord(const std::string& word) {
     static const std::set<std::string> words = {"def", "org", "bip01", "bip001",
                                                 "bip", "j",   "c",     "valvebiped"};
     return words.contains(word);
+}
+
+/// As the words stand, and without up to three before them.
+BoneSpelling withoutPrefix(std::vector<std::string> words) {
+    constexpr size_t kMostPrefixWords = 3;
+    std::string prefix;
+    for (size_t dropped = 0; !words.empty() && dropped <= kMostPrefixWords; ++dropped) {
+        for (BoneSpelling spelling : {SpelledName(words).made(), copyOf(words)})
+            if (spelling.isKnown()) {
+                spelling.prefix = prefix;
+                return spelling;
+            }
+        const std::string word = inSmallLetters(words.front());
+        if (isHelperWord(word) || isSideWord(word) || words.size() < 2)
+            break;  // with a side before it "L_Sleeve_Hand" is no hand
+        prefix += (prefix.empty() ? "" : " ") + word;
+        words.erase(words.begin());
+    }
+    return {};
+}
+
+/// Without a word behind it that a whole body carries: "Hips_jnt", "LeftArm_cloth".
+BoneSpelling withoutLastWord(std::vector<std::string> words) {
+    const std::string last = words.empty() ? std::string() : inSmallLetters(words.back());
+    if (words.size() < 2 || isNumber(last) || isHelperWord(last) || isSideWord(last))
+        return {};
+    words.pop_back();
+    BoneSpelling spelling = withoutPrefix(words);
+    spelling.prefix += "..." + last;
+    return spelling;
 }
 
 }  // namespace
@@ -306,27 +340,11 @@ bool isKnownPrefix(const std::string& prefix) {
 }
 
 BoneSpelling spellingOf(const std::string& name) {
-    constexpr size_t kMostPrefixWords = 3;
     if (name.starts_with("__"))  // MakeHuman's helper joints repeat the name of the real one
         return {};
-    std::vector<std::string> words = wordsOf(name);
-    std::string prefix;
-    for (size_t dropped = 0; !words.empty() && dropped <= kMostPrefixWords; ++dropped) {
-        for (BoneSpelling spelling : {SpelledName(words).made(), copyOf(words)})
-            if (spelling.isKnown()) {
-                spelling.prefix = prefix;
-                return spelling;
-            }
-        const std::string word = inSmallLetters(words.front());
-        if (isHelperWord(word) || words.size() < 2)
-            break;
-        // A side before a prefix would be lost with it: "L_Sleeve_Hand" is no hand.
-        if (word == "l" || word == "r" || word == "left" || word == "right")
-            break;
-        prefix += (prefix.empty() ? "" : " ") + word;
-        words.erase(words.begin());
-    }
-    return {};
+    const std::vector<std::string> words = wordsOf(name);
+    BoneSpelling spelling = withoutPrefix(words);
+    return spelling.isKnown() ? spelling : withoutLastWord(words);
 }
 
 }  // namespace noctule

@@ -39,7 +39,8 @@ struct RoleReading {
 
 /// A name taken apart. Namespaces are dropped ("mixamorig:", "Actor 01:").
 struct BoneSpelling {
-    std::string prefix;  ///< words before the name proper, "character1"; empty without
+    std::string
+        prefix;  ///< words before the name proper, "character1", or behind it, "...jnt"; empty without
     BodySide side = BodySide::kMiddle;
     std::string base;                   ///< small letters without separators and side: "upperarm"
     std::vector<RoleReading> readings;  ///< empty: the name is not in the table

@@ -189,8 +189,11 @@ Status writeFbx(const std::string& path, const FigureSource& figures, const FbxO
     auto bytes = formatFbx(figures, options, path, job);
     if (!bytes)
         return bytes.error();
+    const WrittenBytes written(*bytes);
     return writeFileAtomically(path, *bytes, overwrite, [&](const std::string& aside) {
         *bytes = {};  // they stand on the disk, and reading them back takes memory of its own
+        if (Status kept = written.check(aside, path); !kept)
+            return kept;
         return checkScene(aside, path, SceneFormat::kFbx, figures, job);
     });
 }

@@ -77,13 +77,28 @@ public:
 
     Pose rest() const { return poseOf(rest_); }
 
-    Pose pose(const Pose& source, const FootCorrections& feet) const {
+    /// Other bodies in the file keep their place in the world, so their joints move under the hips.
+    bool movesPlaces() const {
+        return std::any_of(chosen_.nodes.begin(), chosen_.nodes.end(),
+                           [&](int node) { return retargeter_.stands(node); });
+    }
+
+    std::vector<Eigen::Isometry3d> frames(const Pose& source, const FootCorrections& feet) const {
         const std::vector<Eigen::Isometry3d> motions = retargeter_.motions(source, feet);
         const Eigen::Isometry3d lying(Matrix3d(retargeter_.upright().transpose()));
         std::vector<Eigen::Isometry3d> frames;
         for (size_t j = 0; j < rest_.size(); ++j)
             frames.push_back(motions[static_cast<size_t>(chosen_.nodes[j])] * lying * rest_[j]);
-        return poseOf(frames);
+        return frames;
+    }
+
+    void addFrame(const std::vector<Eigen::Isometry3d>& frames, MotionClip& clip) const {
+        clip.frames.push_back(poseOf(frames));
+        if (!movesPlaces())
+            return;
+        std::vector<Vector3d>& places_m = clip.p_parent_joint_m.emplace_back();
+        for (size_t j = 0; j < frames.size(); ++j)
+            places_m.emplace_back(local(frames, j).translation());
     }
 
     /// In the rest pose, one bone per joint.
@@ -177,7 +192,8 @@ Result<Figure> riggedFigure(const MotionClip& clip, const std::vector<std::vecto
     figure.clip.name = clip.name;
     figure.clip.frame_time_s = clip.frame_time_s;
     for (size_t f = 0; f < clip.frames.size(); ++f)
-        figure.clip.frames.push_back(rigged.pose(clip.frames[f], feet.empty() ? FootCorrections() : feet[f]));
+        rigged.addFrame(rigged.frames(clip.frames[f], feet.empty() ? FootCorrections() : feet[f]),
+                        figure.clip);
     figure.body = rigged.skin(*skeleton);
     figure.rest = rigged.rest();
     figure.clip.skeleton = std::move(*skeleton);

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <locale>
+#include <sstream>
 
+#include "core/job/atomic_file.h"
 #include "core/mesh/skinning.h"
 
 namespace noctule {
@@ -116,11 +120,47 @@ Result<SceneDifference> compareMotion(const SceneFile& scene, const std::string&
 }
 
 Error notTheSame(const std::string& where, const std::string& why) {
-    return {ErrorKind::kDisk, where + ": what was written does not read back the same" + why,
-            "Check the disk and try again"};
+    return {
+        ErrorKind::kInternal,
+        where + ": this kind of file would not hold the motion as it is (" + why + "); nothing was written",
+        "Write another kind of file (GLB or FBX), and report this with the body and the take"};
+}
+
+/// "a joint is 3.2 mm off, 0.1 mm at most can be allowed"
+std::string offBy(const char* what, double off_m, double limit_m) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << what << " is " << std::setprecision(2) << off_m * 1e3 << " mm off, " << limit_m * 1e3
+         << " mm at most can be allowed";
+    return text.str();
 }
 
 }  // namespace
+
+double sceneLimit_m(const Figure& figure) {
+    constexpr double kOfSize = 2.5e-5, kOfDistance = 1e-6;
+    Eigen::AlignedBox3d body;
+    for (const Vector3d& p_m : globalPose(figure.clip.skeleton, figure.rest).p_world_joint)
+        body.extend(p_m);
+    if (figure.body)
+        for (const SkinnedVertex& vertex : figure.body->vertices)
+            body.extend(vertex.p_m.cast<double>());
+    double farthest_m = 0;
+    for (const Pose& pose : figure.clip.frames)
+        farthest_m = std::max(farthest_m, pose.p_world_root.norm());
+    return kOfSize * body.diagonal().norm() + kOfDistance * farthest_m;
+}
+
+WrittenBytes::WrittenBytes(std::string_view bytes)
+    : size_(bytes.size()), hash_(std::hash<std::string_view>()(bytes)) {}
+
+Status WrittenBytes::check(const std::string& path, const std::string& where) const {
+    const auto bytes = readWholeFile(path);
+    if (bytes && bytes->size() == size_ && std::hash<std::string_view>()(*bytes) == hash_)
+        return Done{};
+    return Error{ErrorKind::kDisk, where + ": the disk does not give back the bytes that were written to it",
+                 "Check the disk and try again"};
+}
 
 Result<SceneDifference> compareScene(const std::string& path, const std::string& where, SceneFormat format,
                                      const Figure& figure) {
@@ -132,15 +172,18 @@ Status checkScene(const std::string& path, const std::string& where, SceneFormat
                   const FigureSource& figures, const JobContext& job) {
     const auto scene = SceneFile::open(path, where, format);
     if (!scene)
-        return notTheSame(where, " (" + scene.error().message + ")");
+        return notTheSame(where, scene.error().message);
     return figures([&](const Figure& figure) -> Status {
         const auto difference = compareMotion(*scene, where, figure, job);
         if (!difference)
             return difference.error().kind == ErrorKind::kCancelled
                        ? difference.error()
-                       : notTheSame(where, " (" + difference.error().message + ")");
-        if (!(difference->joint_m <= kSceneLimit_m && difference->vertex_m <= kSceneLimit_m))
-            return notTheSame(where, "");
+                       : notTheSame(where, difference.error().message);
+        const double limit_m = sceneLimit_m(figure);
+        for (const auto& [what, off_m] :
+             {std::pair("a joint", difference->joint_m), {"the skin", difference->vertex_m}})
+            if (!(off_m <= limit_m))
+                return notTheSame(where, offBy(what, off_m, limit_m));
         return Done{};
     });
 }

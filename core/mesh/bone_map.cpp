@@ -43,6 +43,8 @@ std::vector<std::string> missingMainJoints(const BoneMap& map) {
 }
 
 BoneMap findBoneMap(const RiggedMesh& mesh) {
+    if (const BoneMap told{mesh.humanoid}; missingMainJoints(told).empty() && checkBoneMap(told, mesh, ""))
+        return told;
     BoneMap named = mapByNames(mesh);
     if (missingMainJoints(named).empty() && checkBoneMap(named, mesh, ""))
         return named;

@@ -26,7 +26,8 @@ std::vector<std::string> missingMainJoints(const BoneMap& map);
 BoneMap mapByNames(const RiggedMesh& mesh);
 /// By where the nodes of a body that stands upright branch and end, whatever they are called.
 BoneMap mapByShape(const RiggedMesh& mesh);
-/// By names where they give all main joints, else by whichever gives more.
+/// As the file says (RiggedMesh::humanoid), else by names where they give all main joints, else by whichever
+/// gives more.
 BoneMap findBoneMap(const RiggedMesh& mesh);
 
 /// kUnusable, by name: an unknown joint or node, a main joint without a node, a node that plays two joints or

@@ -8,13 +8,13 @@
 #include <assimp/Importer.hpp>
 #include <filesystem>
 
-#include "core/mesh/scene_import.h"
+#include "core/mesh/gltf_scene.h"
 #include "core/mesh/surface_graph.h"
 
 namespace noctule {
 namespace {
 
-constexpr const char* kSuffixes[] = {".glb", ".gltf", ".fbx", ".dae", ".obj", ".ply"};
+constexpr const char* kSuffixes[] = {".glb", ".gltf", ".vrm", ".fbx", ".dae", ".obj", ".ply"};
 
 std::string suffixOf(const std::string& path) {
     std::string suffix = std::filesystem::path(path).extension().string();
@@ -27,7 +27,7 @@ Status checkFile(const std::string& path) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored))
         return Error{ErrorKind::kUnreadable, path + ": there is no such file",
-                     "Choose a .glb, .gltf, .fbx, .dae, .obj or .ply file"};
+                     "Choose a .glb, .gltf, .vrm, .fbx, .dae, .obj or .ply file"};
     if (!isMeshFileName(path))
         return Error{ErrorKind::kUnreadable, path + ": meshes of this kind cannot be read",
                      "Export the body as .glb, .fbx, .dae, .obj or .ply"};
@@ -84,9 +84,7 @@ void mendNormals(SkinnedMesh& skin) {
             skin.vertices[v].normal = normal.normalized().cast<float>();
 }
 
-Result<RiggedMesh> fromScene(const aiScene& scene, const std::string& path,
-                             const MeshImportSettings& settings) {
-    SceneImport import{scene, path, worldChangeOf(scene, suffixOf(path), settings), {}, {}, {}, {}, {}, {}};
+Result<RiggedMesh> fromScene(SceneImport import, const MeshImportSettings& settings) {
     importNodes(import);
     importLooks(import, settings.decode);
     if (const Status skin = importSkin(import); !skin)
@@ -94,11 +92,33 @@ Result<RiggedMesh> fromScene(const aiScene& scene, const std::string& path,
     findRestPose(import.mesh);
     if (const Status clips = importClips(import); !clips)
         return clips.error();
-    if (const Status checked = checkRiggedMesh(import.mesh, path); !checked)
+    if (const Status checked = checkRiggedMesh(import.mesh, import.path); !checked)
         return checked.error();
     mendNormals(import.mesh.skin);
     weld(import.mesh.skin);
     return std::move(import.mesh);
+}
+
+SceneImport importOf(const aiScene& scene, const std::string& path, const MeshImportSettings& settings) {
+    return {scene, path, worldChangeOf(scene, suffixOf(path), settings), {}, {}, {}, {}, {}, {}, {}};
+}
+
+bool isGltf(const std::string& path) {
+    const std::string suffix = suffixOf(path);
+    return suffix == ".glb" || suffix == ".gltf" || suffix == ".vrm";
+}
+
+Result<RiggedMesh> importGltf(const std::string& path, const MeshImportSettings& settings) {
+    const auto document = GltfDocument::open(path);
+    if (!document)
+        return document.error();
+    auto gltf = gltfScene(*document, path);
+    if (!gltf)
+        return gltf.error();
+    SceneImport import = importOf(*gltf->scene, path, settings);
+    import.T_file_object = std::move(gltf->T_file_object);
+    import.mesh.humanoid = std::move(gltf->humanoid);
+    return fromScene(std::move(import), settings);
 }
 
 }  // namespace
@@ -117,6 +137,8 @@ bool isMeshFileName(const std::string& path) {
 Result<RiggedMesh> importMesh(const std::string& path, const MeshImportSettings& settings) {
     if (const Status checked = checkFile(path); !checked)
         return checked.error();
+    if (isGltf(path))
+        return importGltf(path, settings);
     Assimp::Importer importer;
     // Maya's pivots folded into the nodes, so that bones keep their own names and stand in one piece.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
@@ -125,7 +147,7 @@ Result<RiggedMesh> importMesh(const std::string& path, const MeshImportSettings&
         return Error{ErrorKind::kUnreadable,
                      path + ": this is no mesh that can be read (" + importer.GetErrorString() + ")",
                      "Export the body again, best as binary glTF (.glb)"};
-    return fromScene(*scene, path, settings);
+    return fromScene(importOf(*scene, path, settings), settings);
 }
 
 }  // namespace noctule

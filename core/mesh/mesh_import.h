@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes of other programs through assimp: glTF, GLB, FBX and Collada with their rigs and animations, OBJ and
-// PLY without. The library trusts what it reads, so files from outside go through importMeshApart()
+// Meshes of other programs: glTF, GLB and VRM (gltf_document.h), through assimp FBX and Collada with their rigs
+// and animations, OBJ and PLY without. The library trusts what it reads, so files from outside go through importMeshApart()
 // (mesh_reader.h), which does this in a process of its own.
 #pragma once
 

@@ -10,6 +10,7 @@
 #include "core/math/rotation.h"
 #include "core/mesh/foot_skin.h"
 #include "core/mesh/hand_rest.h"
+#include "core/mesh/other_skeletons.h"
 #include "core/mesh/rig_tree.h"
 
 namespace noctule {
@@ -192,11 +193,13 @@ private:
     GlobalPose zero_;
 };
 
-/// The height of what the figure stands on: its lowest vertex at rest, else its lowest node, seen upright.
-double groundOf(const RiggedMesh& mesh, const Matrix3d& R_ours_theirs) {
+/// The height of what the figure stands on: its own lowest vertex at rest, else its lowest node, seen
+/// upright.
+double groundOf(const RiggedMesh& mesh, const Matrix3d& R_ours_theirs, const std::vector<bool>& stands) {
     double low = 1e9;
     for (const SkinnedVertex& vertex : mesh.skin.vertices)
-        low = std::min(low, (R_ours_theirs * vertex.p_m.cast<double>()).y());
+        if (!mesh.isRigged() || !stands[static_cast<size_t>(mesh.node_of_bone[vertex.bones[0]])])
+            low = std::min(low, (R_ours_theirs * vertex.p_m.cast<double>()).y());
     if (mesh.skin.vertices.empty())
         for (const RigNode& node : mesh.nodes)
             low = std::min(low, (R_ours_theirs * node.T_world_rest.translation()).y());
@@ -241,7 +244,8 @@ Result<Retargeter> Retargeter::make(const RiggedMesh& target, const BoneMap& map
         made.turned_[node] = {findByAnyName(source, joint), R};
     }
     made.upright_ = rest.facing();
-    const double ground = groundOf(target, made.upright_);
+    made.stands_ = nodesOfOtherBodies(target, map);
+    const double ground = made.ground_ = groundOf(target, made.upright_, made.stands_);
     for (size_t side = 0; side < 2; ++side) {
         const std::string name = side == 0 ? "Left" : "Right";
         const auto soles = rest.soles(name, made.upright_, ground);
@@ -299,9 +303,11 @@ std::vector<Eigen::Isometry3d> Retargeter::turned(const GlobalPose& source, cons
                 source.q_world_joint[static_cast<size_t>(turned_[n].joint)] * turned_[n].align;
         motions[n].translation() = p - motions[n].linear() * p_rest;
     }
+    Eigen::Isometry3d standing(upright_);
+    standing.pretranslate(Vector3d(0, -ground_, 0));
     for (size_t n = 0; n < motions.size(); ++n)
         if (!below[n])
-            motions[n] = motions[hips];
+            motions[n] = stands_[n] ? standing : motions[hips];
     return motions;
 }
 
@@ -331,8 +337,9 @@ std::vector<Eigen::Isometry3d> Retargeter::onGround(const GlobalPose& source) co
             theirs = std::min(theirs, places.sole[i].y());
         }
     }
-    for (Eigen::Isometry3d& motion : motions)
-        motion.translation().y() += scale_ * ours - theirs;
+    for (size_t n = 0; n < motions.size(); ++n)
+        if (!stands_[n])
+            motions[n].translation().y() += scale_ * ours - theirs;
     return motions;
 }
 

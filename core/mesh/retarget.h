@@ -44,7 +44,8 @@ public:
     /// World transforms of the target's nodes; its soles' ground is y = 0.
     RigPose pose(const Pose& source, const FootCorrections& feet = {}) const;
     /// The same as what moves every node there from its rest pose: pose = motion * rest. Rigid, whatever the
-    /// nodes' own transforms hold. What does not hang on the hips goes along with them.
+    /// nodes' own transforms hold. What does not hang on the hips goes along with them; another body in the
+    /// file (nodesOfOtherBodies()) stands.
     std::vector<Eigen::Isometry3d> motions(const Pose& source, const FootCorrections& feet = {}) const;
     /// Left and right; feet as in motions().
     std::array<LegPlaces, 2> legs(const Pose& source, const FootCorrections& feet = {}) const;
@@ -53,6 +54,8 @@ public:
     double scale() const { return scale_; }
     /// From the target's world at rest to ours: upright and facing +Z. Identity where it stands so already.
     const Matrix3d& upright() const { return upright_; }
+    /// Whether a node of the target belongs to another body.
+    bool stands(int node) const { return stands_[static_cast<size_t>(node)]; }
 
 private:
     /// A node that one of our joints turns.
@@ -85,6 +88,8 @@ private:
     std::vector<Turned> turned_;  ///< per node; joint -1: keeps its place under its parent
     std::array<Leg, 2> legs_;
     std::array<std::vector<LegPart>, 2> leg_parts_;  ///< per leg and node
+    std::vector<bool> stands_;                       ///< per node
+    double ground_ = 0;                              ///< height of what the target stands on, upright
     int hips_ = 0;
     double scale_ = 1;
     Matrix3d upright_ = Matrix3d::Identity();

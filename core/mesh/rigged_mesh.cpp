@@ -95,7 +95,9 @@ RiggedMesh withParts(const RiggedMesh& mesh, const std::vector<bool>& keep) {
         parts.push_back({part.name, first, part.triangles});
         first += part.triangles;
     }
-    return {mesh.nodes, onlyTriangles(mesh.skin, triangles), mesh.node_of_bone, std::move(parts), mesh.clips};
+    return {mesh.nodes,        onlyTriangles(mesh.skin, triangles),
+            mesh.node_of_bone, std::move(parts),
+            mesh.clips,        mesh.humanoid};
 }
 
 }  // namespace noctule

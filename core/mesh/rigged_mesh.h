@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,8 @@ struct RiggedMesh {
     std::vector<int> node_of_bone;
     std::vector<MeshPart> parts;  ///< in order, all triangles
     std::vector<RigClip> clips;
+    /// Canonical joint -> name of its node, where the file itself says so (VRM); else empty.
+    std::map<std::string, std::string> humanoid{};
 
     bool isRigged() const { return !skin.bones.empty(); }
     /// Index of the first node of that name, or -1.

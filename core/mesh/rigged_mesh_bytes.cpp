@@ -7,7 +7,7 @@ namespace noctule {
 namespace {
 
 constexpr std::string_view kMeshMagic = "NCRM", kErrorMagic = "NCRE";
-constexpr uint32_t kBytesVersion = 3;
+constexpr uint32_t kBytesVersion = 4;
 
 template <class Archive, class... Values>
 void each(Archive& archive, Values&... values) {
@@ -108,7 +108,7 @@ void fields(Archive& archive, RigClip& clip) {
 template <class Archive>
 void fields(Archive& archive, RiggedMesh& mesh, SurfaceBytes& surface) {
     each(archive, mesh.nodes, mesh.skin.vertices, mesh.skin.triangles, mesh.skin.bones, surface,
-         mesh.node_of_bone, mesh.parts, mesh.clips);
+         mesh.node_of_bone, mesh.parts, mesh.clips, mesh.humanoid);
 }
 
 template <class T, class Archive>
@@ -140,6 +140,13 @@ public:
         (*this)(static_cast<uint64_t>(values.size()));
         for (T& value : values)
             (*this)(value);
+    }
+    void operator()(const std::map<std::string, std::string>& texts) {
+        (*this)(static_cast<uint64_t>(texts.size()));
+        for (const auto& [key, text] : texts) {
+            (*this)(key);
+            (*this)(text);
+        }
     }
     template <HasFields<Writer> T>
     void operator()(T& value) {
@@ -182,6 +189,15 @@ public:
         const size_t size = count();
         for (size_t i = 0; i < size && ok_; ++i)
             (*this)(values.emplace_back());
+    }
+    void operator()(std::map<std::string, std::string>& texts) {
+        const size_t size = count();
+        for (size_t i = 0; i < size && ok_; ++i) {
+            std::string key, text;
+            (*this)(key);
+            (*this)(text);
+            texts[std::move(key)] = std::move(text);
+        }
     }
     template <HasFields<Reader> T>
     void operator()(T& value) {

@@ -35,6 +35,9 @@ struct SceneImport {
     std::map<std::string, int> node_of_name;
     std::vector<std::optional<SurfaceLook>> looks;  ///< each once, in the order of the objects that have them
     std::vector<size_t> look_of_object;             ///< as scene.mMeshes
+    /// Skinned objects of glTF, whose nodes do not place them: world of the file from the object, by index in
+    /// scene.mMeshes. Others stand at their nodes.
+    std::map<unsigned, Eigen::Affine3d> T_file_object;
 };
 
 /// Transforms in metres: translations are scaled, so that no node carries the unit.

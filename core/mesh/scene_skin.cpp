@@ -27,15 +27,27 @@ void giveWeights(SkinnedVertex& vertex, std::vector<Influence>& influences) {
     }
 }
 
+/// One object of the file where one node shows it.
+struct ShownObject {
+    int node;
+    unsigned object;
+};
+
+Eigen::Affine3d placeOf(const SceneImport& import, const ShownObject& shown) {
+    const auto placed = import.T_file_object.find(shown.object);
+    return placed != import.T_file_object.end() ? placed->second
+                                                : import.T_file_node[static_cast<size_t>(shown.node)];
+}
+
 /// Adds one object of the file, with its bones.
 class ObjectImport {
 public:
-    ObjectImport(SceneImport& import, const aiMesh& object, int node, const std::optional<SurfaceLook>& look)
+    ObjectImport(SceneImport& import, const ShownObject& shown, const std::optional<SurfaceLook>& look)
         : import_(import),
-          object_(object),
-          node_(node),
+          object_(*import.scene.mMeshes[shown.object]),
+          node_(shown.node),
           is_textured_(look && look->texture),
-          T_world_object_(import.change.transform() * import.T_file_node[static_cast<size_t>(node)]) {}
+          T_world_object_(import.change.transform() * placeOf(import, shown)) {}
 
     Status add(bool rigged) {
         if (std::abs(T_world_object_.linear().determinant()) < 1e-18)
@@ -167,12 +179,6 @@ private:
     std::optional<uint16_t> own_bone_;
 };
 
-/// One object of the file where one node shows it.
-struct ShownObject {
-    int node;
-    unsigned object;
-};
-
 /// Those of the first look first.
 Result<std::vector<ShownObject>> objectsByLook(const SceneImport& import) {
     std::vector<ShownObject> objects;
@@ -209,15 +215,15 @@ Status importSkin(SceneImport& import) {
         rigged = rigged || import.scene.mMeshes[m]->HasBones();
     std::optional<size_t> last_look;
     SkinnedMesh& skin = import.mesh.skin;
-    for (const auto& [node, m] : *objects) {
-        const aiMesh& object = *import.scene.mMeshes[m];
-        if (skin.vertices.size() + object.mNumVertices > MeshLimits::kVertices)
+    for (const ShownObject& shown : *objects) {
+        const unsigned m = shown.object;
+        if (skin.vertices.size() + import.scene.mMeshes[m]->mNumVertices > MeshLimits::kVertices)
             return Error{
                 ErrorKind::kUnusable,
                 import.path + ": it has more than " + std::to_string(MeshLimits::kVertices) + " vertices",
                 "Simplify the mesh in the program that made it"};
         const size_t look = import.look_of_object[m], first = skin.triangles.size();
-        if (const Status added = ObjectImport(import, object, node, import.looks[look]).add(rigged); !added)
+        if (const Status added = ObjectImport(import, shown, import.looks[look]).add(rigged); !added)
             return added;
         addToSurface(skin, first, import.looks[look], last_look == look);
         if (skin.triangles.size() > first)

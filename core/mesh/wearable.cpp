@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "core/mesh/mesh_reader.h"
+#include "core/mesh/other_skeletons.h"
+#include "core/mesh/rig_tree.h"
 #include "core/mesh/surface_graph.h"
 
 namespace noctule {
@@ -20,6 +22,22 @@ Error noSkeleton(const std::string& where, const std::vector<std::string>& missi
         "Name its bones as HumanIK, Mixamo, VRM or Rigify do, or say which bone is which in a map of bones"};
 }
 
+/// A body on whose limbs no skin hangs would be carried about like a statue: control bones were taken for
+/// those that move the skin, or weights are missing.
+Status checkLimbsMoveSkin(const WearableBody& body, const std::string& where) {
+    const std::vector<bool> moves = movesSkin(body.mesh);
+    for (const std::string side : {"Left", "Right"})
+        for (const char* limb : {"UpLeg", "Leg", "Arm", "ForeArm"}) {
+            const std::string& node = body.bones.node_of_joint.at(side + limb);
+            if (!moves[static_cast<size_t>(body.mesh.find(node))])
+                return Error{ErrorKind::kUnusable,
+                             where + ": no part of its surface hangs on the bone " + node + " (" + side +
+                                 limb + ") or below it",
+                             "Give the skin weights, or say in a map of bones which bones move it"};
+        }
+    return Done{};
+}
+
 Result<WearableBody> withBones(RiggedMesh mesh, const std::string& where,
                                const std::optional<BoneMap>& chosen) {
     WearableBody body{where, std::move(mesh), {}};
@@ -28,6 +46,9 @@ Result<WearableBody> withBones(RiggedMesh mesh, const std::string& where,
         return noSkeleton(where, missing);
     if (const Status checked = checkBoneMap(body.bones, body.mesh, where); !checked)
         return checked.error();
+    body.mesh = dressed(std::move(body.mesh), body.bones);
+    if (const Status moving = checkLimbsMoveSkin(body, where); !moving)
+        return moving.error();
     return body;
 }
 

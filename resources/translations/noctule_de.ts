@@ -1892,8 +1892,8 @@
         <translation>Haut biegt sich</translation>
     </message>
     <message>
-        <source>Meshes (*.glb *.gltf *.fbx *.dae *.obj *.ply)</source>
-        <translation>Netze (*.glb *.gltf *.fbx *.dae *.obj *.ply)</translation>
+        <source>Meshes (*.glb *.gltf *.vrm *.fbx *.dae *.obj *.ply)</source>
+        <translation>Netze (*.glb *.gltf *.vrm *.fbx *.dae *.obj *.ply)</translation>
     </message>
     <message>
         <source>none</source>

@@ -83,7 +83,7 @@ void BodyDialog::chooseFile() {
     QSettings& settings = studio_.settings();
     const QString path =
         QFileDialog::getOpenFileName(this, tr("Choose a mesh"), settings.value(kFolderKey).toString(),
-                                     tr("Meshes (*.glb *.gltf *.fbx *.dae *.obj *.ply)"));
+                                     tr("Meshes (*.glb *.gltf *.vrm *.fbx *.dae *.obj *.ply)"));
     if (path.isEmpty())
         return;
     settings.setValue(kFolderKey, QFileInfo(path).path());

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs inside Blender: imports an exported file and writes it again, as an animator hands it on.
+
+  blender -b --factory-startup --python again_in_blender.py -- FILE.glb|fbx AGAIN.glb|fbx FPS
+"""
+import sys
+
+import numpy
+
+numpy.bool = bool  # Debian's Blender 3.4 is older than its numpy
+
+import bpy  # noqa: E402
+
+
+def main():
+    file, again, fps = sys.argv[sys.argv.index("--") + 1:]
+    for thing in list(bpy.data.objects):
+        bpy.data.objects.remove(thing)
+    scene = bpy.context.scene
+    scene.render.fps = round(float(fps))
+    if file.endswith(".fbx"):
+        bpy.ops.import_scene.fbx(filepath=file)
+    else:
+        bpy.ops.import_scene.gltf(filepath=file)
+    begins, ends = zip(*(action.frame_range for action in bpy.data.actions))
+    scene.frame_start, scene.frame_end = round(min(begins)), round(max(ends))
+    if again.endswith(".fbx"):
+        bpy.ops.export_scene.fbx(filepath=again, add_leaf_bones=False, bake_anim_simplify_factor=0)
+    else:
+        bpy.ops.export_scene.gltf(filepath=again, export_format="GLB", export_frame_range=True)
+
+
+main()
