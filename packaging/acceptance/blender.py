@@ -12,6 +12,8 @@ import studio
 PACKAGES = ("blender", "python3-numpy")  # its import of glTF wants the latter
 STEP = 10  # frames
 LARGEST_MM = 0.1  # Blender holds a bone's place as float32, BVH angles have seven decimals
+LARGEST_DEG = 0.1
+AGAIN = pathlib.Path(__file__).with_name("again_in_blender.py")
 INSIDE = pathlib.Path(__file__).with_name("inside_blender.py")
 MOTIONS = {"Boxing_Toes": 60, "01_01": 90, "01_03": 45}  # and frames per second; Blender rounds broken ones
 SCALES = {"blender": 1.0, "motionbuilder": 0.01}  # presets, and the scale that Blender must be told for BVH
@@ -115,6 +117,27 @@ def worn_rows(take, folder):
     return rows, missed
 
 
+def again_rows(take, folder):
+    """Exports that Blender opened and wrote again, as our importer reads both."""
+    rows, missed = [], []
+    for extension in ("glb", "fbx"):
+        file = folder / f"{take.stem}_first.{extension}"
+        studio.batch("export", take, f"--{extension}", file, "--preset", "blender", "--overwrite", "--fps", WORN_FPS)
+        for other in ("glb", "fbx"):
+            again = folder / f"{take.stem}_{extension}_again.{other}"
+            subprocess.run(["blender", "-b", "--factory-startup", "--python-exit-code", "1", "--python", AGAIN, "--",
+                            file, again, str(WORN_FPS)], check=True, capture_output=True,
+                           env={**os.environ, "PATH": "/usr/bin:/bin"})
+            seen = json.loads(subprocess.run([studio.BUILD / "same_scene", file, again, str(WORN_FPS), str(10 * STEP)],
+                                             check=True, capture_output=True, text=True).stdout)
+            if max(seen["skin_mm"], seen["joint_mm"]) > LARGEST_MM or seen["turn_deg"] > LARGEST_DEG:
+                missed.append(f"{again.name}: {seen}")
+            rows.append([take.stem, extension.upper(), f"written again as {other.upper()}", f"{WORN_FPS:g}",
+                         seen["frames"], seen["bones"], studio.number(seen["joint_mm"], 4),
+                         studio.number(seen["skin_mm"], 4)])
+    return rows, missed
+
+
 def stack_rows(motion, folder):
     """Two takes of one performer in one FBX: each is an action of its own, and the take's."""
     takes = [folder / f"{motion}.noctule", make_take(motion, folder, f"{motion}_short", "--duration", 8)]
@@ -146,7 +169,8 @@ def figure(_):
         rows += of_motion
         missed += wrong
     last = list(MOTIONS)[-1]
-    for more, wrong in (worn_rows(folder / f"{last}.noctule", folder), stack_rows(last, folder)):
+    for more, wrong in (worn_rows(folder / f"{last}.noctule", folder), again_rows(folder / f"{last}.noctule", folder),
+                        stack_rows(last, folder)):
         rows += more
         missed += wrong
     text = studio.markdown_table(["motion", "file", "preset or body", "frames per second", "frames", "bones",
