@@ -55,8 +55,7 @@ TEST(Wearable, LandmarksSetByHandAreTaken) {
 TEST(Wearable, BonesSetByHandAreTakenAndChecked) {
     const RiggedMesh named = test::namedRig([](const std::string& joint) { return joint; });
     RiggedMesh rig = named;
-    rig.skin.bones.push_back({"Hips", Eigen::Matrix4f::Identity()});
-    rig.node_of_bone.push_back(1);
+    test::giveSkin(rig);
     WearingChoices choices;
     choices.bones = findBoneMap(named);
     choices.bones->node_of_joint.erase("Neck");
