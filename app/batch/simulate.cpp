@@ -64,7 +64,8 @@ Result<Outcome> runSimulate(const VerbContext& context) {
                      "`noctule --batch simulate --help` shows an example"};
     if (!digitizer_out.empty() && arguments.text("rig") != nameOf(RigKind::kJig))
         return Error{ErrorKind::kUsage, "--digitizer-out is for the jig", "Give --rig jig, or leave it out"};
-    auto request = stageRequest(arguments, context.console);
+    nlohmann::json understood;
+    auto request = stageRequest(arguments, context.console, &understood);
     if (!request)
         return request.error();
     request->duration_s = arguments.number("duration").value_or(0);
@@ -99,7 +100,10 @@ Result<Outcome> runSimulate(const VerbContext& context) {
                 overwrite);
             !written)
             return written.error();
-    return outcome(context, *stage, *summary);
+    Outcome made = outcome(context, *stage, *summary);
+    if (!understood.is_null())
+        made.json["motion"] = std::move(understood);
+    return made;
 }
 
 }  // namespace

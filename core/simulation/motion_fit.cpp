@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/figure/measures.h"
 #include "core/math/rotation.h"
 #include "core/simulation/low_pass.h"
 #include "core/simulation/motion_cleaning.h"
@@ -134,15 +135,15 @@ void limitAngleSpeed(const Coordinates& coordinates, double step_s, std::vector<
 
 }  // namespace
 
-Result<Actor> actorFromClip(const MotionClip& clip) {
-    Result<JointMapping> mapping = mapJoints(clip.skeleton, clip.name);
+Result<Actor> actorFromClip(const MotionClip& clip, const std::optional<figure::JointMapping>& joints) {
+    Result<figure::JointMapping> mapping = joints ? *joints : figure::mapJoints(clip);
     if (!mapping)
         return mapping.error();
-    const BodyMeasures measures = measure(clip, *mapping);
+    const BodyMeasures measures = figure::measure(clip, figure::SeenMotion(clip), *mapping);
     if (!(measures.height_m > 0.3 && measures.height_m < 4) || !(measures.trunk_m > 0))
         return Error{ErrorKind::kUnusable,
                      clip.name + ": its figure would be " + std::to_string(measures.height_m) + " m tall",
-                     "Give the file's unit of length"};
+                     "Give the person's height with --height M, or the file's unit with --bvh-unit"};
     Actor actor = defaultActor(measures);
     actor.name = clip.name;
     return actor;
@@ -175,7 +176,8 @@ Result<FittedMotion> fitMotion(const MotionClip& clip, const FitRequest& request
     Result<CleanedMotion> cleaned = cleanMotion(clip);
     if (!cleaned)
         return cleaned.error();
-    Result<JointMapping> mapping = mapJoints(clip.skeleton, clip.name);
+    Result<figure::JointMapping> mapping =
+        request.joints ? *request.joints : figure::mapJoints(cleaned->clip);
     if (!mapping)
         return mapping.error();
 
