@@ -32,9 +32,11 @@ Result<std::optional<double>> shiftSeconds(const std::string& text) {
 Status readSource(const VerbContext& context, AttachRequest& request) {
     request.source_name = context.arguments.text("reference");
     if (isCsv(request.source_name)) {
-        auto table = readPositionsCsv(request.source_name);
+        auto table = readPositionsCsv(request.source_name, &context.cancel);
         if (!table)
             return table.error();
+        for (const std::string& warning : table->warnings)
+            context.console.warn(warning);
         request.positions = std::move(*table);
         return Done{};
     }
@@ -43,6 +45,26 @@ Status readSource(const VerbContext& context, AttachRequest& request) {
         return clip.error();
     request.motion = std::move(*clip);
     return Done{};
+}
+
+std::string attachedText(const AttachSummary& summary, const std::string& as) {
+    char text[240];
+    std::snprintf(text, sizeof text, ": %lld rows attached as %s, starting %.1f ms into the take",
+                  static_cast<long long>(summary.rows), as.c_str(), 1000 * summary.shift_s);
+    std::string line = text;
+    if (summary.shift_sigma_s) {
+        std::snprintf(text, sizeof text, " (+-%.1f ms, correlation %.2f)", 1000 * *summary.shift_sigma_s,
+                      summary.correlation.value_or(0));
+        line += text;
+    }
+    line += ".\n";
+    std::string renamed;
+    for (const auto& [joint, theirs] : summary.matched)
+        if (joint != theirs)
+            renamed += (renamed.empty() ? "" : ", ") + joint + " = " + theirs;
+    if (!renamed.empty())
+        line += "joints matched        " + renamed + "\n";
+    return line;
 }
 
 Result<Outcome> runAttach(const VerbContext& context) {
@@ -60,20 +82,25 @@ Result<Outcome> runAttach(const VerbContext& context) {
     const auto summary = attachReference(request, context.job());
     if (!summary)
         return summary.error();
+    for (const std::string& warning : summary->warnings)
+        context.console.warn(warning);
+    nlohmann::json matched = nlohmann::json::object();
+    for (const auto& [joint, theirs] : summary->matched)
+        matched[joint] = theirs;
     Outcome outcome;
     outcome.json = {{"take", request.take_path},
                     {"as", arguments.text("as")},
                     {"rows", summary->rows},
+                    {"rows_outside", summary->rows_outside},
                     {"shift_ms", summary->shift_s * 1000},
+                    {"shift_sigma_ms", summary->shift_sigma_s ? nlohmann::json(*summary->shift_sigma_s * 1000)
+                                                              : nlohmann::json(nullptr)},
+                    {"matched", std::move(matched)},
                     {"correlation",
                      summary->correlation ? nlohmann::json(*summary->correlation) : nlohmann::json(nullptr)},
                     {"aligned_with", summary->aligned_with.empty() ? nlohmann::json(nullptr)
                                                                    : nlohmann::json(summary->aligned_with)}};
-    char text[160];
-    std::snprintf(text, sizeof text, ": %lld rows attached as %s, starting %.1f ms into the take.\n",
-                  static_cast<long long>(summary->rows), arguments.text("as").c_str(),
-                  1000 * summary->shift_s);
-    outcome.text = request.take_path + text;
+    outcome.text = request.take_path + attachedText(*summary, arguments.text("as"));
     return outcome;
 }
 
@@ -87,7 +114,8 @@ Verb attachVerb() {
     verb.min_operands = verb.max_operands = 1;
     verb.example = "noctule --batch attach hops_001.noctule --reference optical.bvh --align auto";
     verb.options = {
-        text("reference", "M.bvh|P.csv", "the recording; CSV: time_s and JOINT.x, JOINT.y, JOINT.z in metres")
+        text("reference", "M.bvh|P.csv",
+             "the recording; CSV: time_s or time_ms, and JOINT.x, .y, .z in metres")
             .needed(),
         text("align", "auto|MILLISECONDS",
              "when the recording starts on the take's clock; auto: found from the last run's motion")
@@ -98,7 +126,8 @@ Verb attachVerb() {
         bvhUnitOption()};
     verb.remarks = {
         "Positions (CSV) do not say how limbs are twisted: they serve as external-root, from the "
-        "joints that sit on the hips, with --align MILLISECONDS."};
+        "joints that sit on the hips, with --align MILLISECONDS.",
+        "With auto, a motion that repeats itself is refused, since several shifts fit."};
     verb.run = runAttach;
     return verb;
 }

@@ -2,7 +2,9 @@
 // The verbs that begin with `calibrate`, and `check`: what they share, and the options of each.
 #include "app/batch/files.h"
 #include "app/batch/photographs.h"
+#include "app/batch/signals.h"
 #include "app/batch/verb.h"
+#include "core/formats/text_file.h"
 #include "core/job/atomic_file.h"
 #include "core/processing/calibrate_takes.h"
 #include "devices/device/clock.h"
@@ -154,7 +156,7 @@ Verb calibrationVerb(const std::string& kind, const std::string& summary, const 
 
 Result<KnownDistances> readTable(const Arguments& arguments, const char* option) {
     const std::string path = arguments.text(option);
-    const auto text = readWholeFile(path);
+    const auto text = readTextFile(path, &signalFlag());
     if (!text)
         return text.error();
     return std::string(option) == "digitizer" ? readDigitizerCsv(*text, path)

@@ -44,11 +44,35 @@ std::string comparisonText(const Comparison& c) {
            " poses\n";
 }
 
+const char* wordOf(FrameFrom from) {
+    return from == FrameFrom::kSame ? "same" : from == FrameFrom::kZeroPose ? "rest pose" : "motion";
+}
+
+nlohmann::json matchedJson(const Comparison& comparison) {
+    nlohmann::json joints = nlohmann::json::array();
+    for (const MatchedJoint& joint : comparison.matched)
+        joints.push_back({{"joint", joint.name},
+                          {"reference_joint", joint.reference_name},
+                          {"moves", joint.moves},
+                          {"axes_from", wordOf(joint.segment.from)},
+                          {"taken_off_deg", degrees(joint.segment.taken_off_rad)}});
+    return joints;
+}
+
+/// Joints that the reference calls otherwise.
+std::string matchedText(const Comparison& comparison) {
+    std::string text;
+    for (const MatchedJoint& joint : comparison.matched)
+        if (joint.name != joint.reference_name)
+            text += (text.empty() ? "" : ", ") + joint.name + " = " + joint.reference_name;
+    return text.empty() ? "" : "joints matched        " + text + "\n";
+}
+
 std::string evaluationText(const ReportData& data, const ReportRun& run) {
     std::string text = data.take.name + ", run " + run.name + ": sensors " + run.sensors + ", estimator " +
                        run.estimator + ", root " + (run.root_given ? "given" : "free") + "\n";
     if (run.comparison)
-        text += comparisonText(*run.comparison);
+        text += comparisonText(*run.comparison) + matchedText(*run.comparison);
     const Verdict verdict = judge(data);
     text += verdict.headline + "\n";
     for (const std::string& reason : verdict.reasons)
@@ -107,6 +131,8 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
         context.console.warn(warning);
     const ReportRun& shown = *data->shownRun();
     Outcome outcome{evaluationJson(*data, shown), evaluationText(*data, shown), std::nullopt};
+    if (shown.comparison)
+        outcome.json["joints_matched"] = matchedJson(*shown.comparison);
     if (!report_path.empty()) {
         if (context.cancel.cancelled())
             return JobContext::cancelledError();

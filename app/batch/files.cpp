@@ -5,14 +5,16 @@
 #include <set>
 
 #include "app/batch/option.h"
+#include "app/batch/signals.h"
 #include "core/formats/bvh.h"
+#include "core/formats/text_file.h"
 #include "core/job/atomic_file.h"
 
 namespace noctule::batch {
 namespace {
 
 Result<nlohmann::json> readJson(const std::string& path) {
-    const auto text = readWholeFile(path);
+    const auto text = readTextFile(path, &signalFlag());
     if (!text)
         return text.error();
     nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);
@@ -40,7 +42,7 @@ Result<MotionClip> readMotion(const std::string& path, const std::string& bvh_un
     const auto unit = bvhUnitFromText(bvh_unit);
     if (!unit)
         return unit.error();
-    const auto document = readBvh(path);
+    const auto document = readBvh(path, &signalFlag());
     if (!document)
         return document.error();
     for (const BvhWarning& warning : document->warnings)

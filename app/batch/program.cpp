@@ -2,6 +2,7 @@
 #include "app/batch/program.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 
 #include "app/batch/help.h"
@@ -92,12 +93,49 @@ Status checkArguments(const Verb& verb, const Arguments& arguments) {
     return Done{};
 }
 
+/// The length of the UTF-8 character that begins there; 0 when none does.
+size_t characterLength(std::string_view text) {
+    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
+    const size_t length = byte(0) < 0x80                      ? 1
+                          : byte(0) >= 0xC2 && byte(0) < 0xE0 ? 2
+                          : byte(0) >= 0xE0 && byte(0) < 0xF0 ? 3
+                          : byte(0) >= 0xF0 && byte(0) < 0xF5 ? 4
+                                                              : 0;
+    if (length > text.size())
+        return 0;
+    for (size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xC0) != 0x80)
+            return 0;
+    return length;
+}
+
+/// Takes, JSON and the screen hold names as UTF-8; another name could not be written down.
+Status checkUtf8(const std::string& word) {
+    std::string shown;
+    bool right = true;
+    for (std::string_view rest = word; !rest.empty();) {
+        const size_t length = characterLength(rest);
+        char code[8];
+        std::snprintf(code, sizeof code, "\\x%02x", static_cast<unsigned char>(rest[0]));
+        shown += length > 0 ? std::string(rest.substr(0, length)) : code;
+        right = right && length > 0;
+        rest.remove_prefix(std::max<size_t>(length, 1));
+    }
+    if (right)
+        return Done{};
+    return Error{ErrorKind::kUsage, "'" + shown + "' is not UTF-8",
+                 "Rename the file or folder, or give a symbolic link with a plain name"};
+}
+
 bool contains(const std::vector<std::string>& words, const std::string& word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 Result<Outcome> runVerb(const Verb& verb, const std::vector<std::string>& words, Console& console,
                         const CancelFlag& cancel) {
+    for (const std::string& word : words)
+        if (Status right = checkUtf8(word); !right)
+            return right.error();
     std::vector<Option> options = verb.options;
     options.insert(options.end(), commonOptions().begin(), commonOptions().end());
     const auto arguments = Arguments::parse(words, options);

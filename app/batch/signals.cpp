@@ -14,6 +14,10 @@ void onSignal(int) {
 
 }  // namespace
 
+const CancelFlag& signalFlag() {
+    return cancel_flag;
+}
+
 const CancelFlag& cancelOnSignals() {
     struct sigaction action {};
     action.sa_handler = onSignal;

@@ -9,5 +9,7 @@ namespace noctule::batch {
 
 /// The flag of this process; to be called once, before threads are started.
 const CancelFlag& cancelOnSignals();
+/// The same flag, for what waits outside of a job: an input that is a pipe.
+const CancelFlag& signalFlag();
 
 }  // namespace noctule::batch

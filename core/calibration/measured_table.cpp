@@ -7,27 +7,15 @@
 
 #include "core/formats/csv_cells.h"
 #include "core/formats/number_text.h"
+#include "core/formats/text_file.h"
 
 namespace noctule {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string inLowerCase(std::string text) {
     for (char& c : text)
         c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
     return text;
-}
-
-/// The next line without its end, which is CRLF, LF or CR; `text` goes on behind it.
-std::string_view cutLine(std::string_view& text) {
-    const size_t end = text.find_first_of("\r\n");
-    const std::string_view line = text.substr(0, end);
-    if (end == std::string_view::npos)
-        text = {};
-    else
-        text.remove_prefix(end + (text.substr(end, 2) == "\r\n" ? 2 : 1));
-    return line;
 }
 
 bool isBlankRow(const std::vector<std::string>& cells) {
@@ -37,11 +25,11 @@ bool isBlankRow(const std::vector<std::string>& cells) {
 }  // namespace
 
 Result<MeasuredTable> MeasuredTable::parse(std::string_view text, const std::string& where) {
+    const std::optional<std::string> decoded = fromUtf16(text);
+    text = decoded ? std::string_view(*decoded) : withoutByteOrderMark(text);
     MeasuredTable table(where);
     if (text.find('\0') != std::string_view::npos)
         return Error{ErrorKind::kUnreadable, where + " is no plain text", "Save the table as CSV in UTF-8"};
-    if (text.starts_with(kByteOrderMark))
-        text.remove_prefix(kByteOrderMark.size());
     for (size_t number = 1; !text.empty(); ++number)
         if (const Status added = table.addLine(cutLine(text), number); !added)
             return added.error();
@@ -61,11 +49,7 @@ Status MeasuredTable::addLine(std::string_view line, size_t number) {
 
 Status MeasuredTable::readHeader(std::string_view line, size_t number) {
     header_line_ = number;
-    for (const char separator : {';', '\t', ','})
-        if (line.find(separator) != std::string_view::npos) {
-            separator_ = separator;
-            break;
-        }
+    separator_ = csvSeparator(line);
     const CsvCells parts = csvCells(line, separator_);
     if (parts.quote_stays_open)
         return headerError("a quotation mark stays open", "Close it in the same line");
@@ -113,10 +97,7 @@ Result<double> MeasuredTable::number(size_t row, size_t column) const {
     const Result<std::string> cell = word(row, column);
     if (!cell)
         return cell.error();
-    std::string text = *cell;
-    const size_t comma = text.find(',');
-    if (separator_ != ',' && comma != std::string::npos && text.find('.') == std::string::npos)
-        text[comma] = '.';
+    const std::string text = withDecimalPoint(*cell);
     const char* begin = text.data() + (text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
     const char* end = text.data() + text.size();
     double value = 0;

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/job/result.h"
+#include "core/job/job.h"
 #include "core/math/euler.h"
 #include "core/motion/clip.h"
 
@@ -56,8 +56,8 @@ struct BvhDocument {
 
 /// Reads a file. A damaged one is kUnreadable with line and remedy, except that a wrong frame count and a
 /// last row cut short leave the complete rows and a warning. Memory is bounded by the file's size, whatever
-/// it declares.
-Result<BvhDocument> readBvh(const std::string& path);
+/// it declares. UTF-8 or UTF-16; `cancel` ends the wait for a pipe.
+Result<BvhDocument> readBvh(const std::string& path, const CancelFlag* cancel = nullptr);
 /// The same from memory; `where` names the text in errors.
 Result<BvhDocument> parseBvh(std::string_view text, const std::string& where);
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/formats/number_text.h"
-#include "core/job/atomic_file.h"
+#include "core/formats/text_file.h"
 
 namespace noctule {
 
@@ -30,15 +30,13 @@ Status BvhReader::expect(std::string_view expected) {
 }
 
 Result<BvhDocument> parseBvh(std::string_view text, const std::string& where) {
-    if (text.starts_with("\xEF\xBB\xBF"))
-        text.remove_prefix(3);
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        return Error{ErrorKind::kUnreadable, where + ", line 1: the text is UTF-16", "Save it as UTF-8"};
-    return BvhReader(text, where).read();
+    if (const std::optional<std::string> decoded = fromUtf16(text))
+        return BvhReader(*decoded, where).read();
+    return BvhReader(withoutByteOrderMark(text), where).read();
 }
 
-Result<BvhDocument> readBvh(const std::string& path) {
-    const Result<std::string> text = readWholeFile(path);
+Result<BvhDocument> readBvh(const std::string& path, const CancelFlag* cancel) {
+    const Result<std::string> text = readTextFile(path, cancel);
     if (!text)
         return text.error();
     Result<BvhDocument> document = parseBvh(*text, path);

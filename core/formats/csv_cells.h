@@ -16,4 +16,13 @@ struct CsvCells {
 
 CsvCells csvCells(std::string_view line, char separator);
 
+/// The one of comma, semicolon and tab that stands most often in a header outside of quotes.
+char csvSeparator(std::string_view header);
+
+/// "0,25" as "0.25": with one comma and no point. Others stay as they are.
+std::string withDecimalPoint(std::string_view cell);
+
+/// The next line without its end, which is CRLF, LF or CR; `text` goes on behind it.
+std::string_view cutLine(std::string_view& text);
+
 }  // namespace noctule

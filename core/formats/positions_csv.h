@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/job/result.h"
+#include "core/job/job.h"
 #include "core/motion/clip.h"
 
 namespace noctule {
@@ -21,14 +21,17 @@ Status writePositionsCsv(const std::string& path, const MotionClip& clip, bool a
 struct PositionTable {
     std::vector<double> time_s;  ///< strictly rising
     std::vector<std::string> joints;
-    std::vector<Vector3d> p_world_m;  ///< row after row, one per joint
+    std::vector<Vector3d> p_world_m;    ///< row after row, one per joint
+    std::vector<std::string> warnings;  ///< whole sentences: the clock jumps
 
     const Vector3d& at(size_t row, size_t joint) const { return p_world_m[row * joints.size() + joint]; }
 };
 
-/// Columns in any order, comma, semicolon or tab between them; columns that are neither time_s nor JOINT.x,
-/// .y or .z are ignored. kUnreadable with line and column.
-Result<PositionTable> readPositionsCsv(const std::string& path);
+/// Columns in any order, comma, semicolon or tab between them; columns that are neither time nor JOINT.x, .y
+/// or .z are ignored. Time: time_s, time_ms, time_us or time_ns, in any case and with the unit in brackets
+/// too. Decimals with a point, or with a comma in cells that are not cut at it. UTF-8 or UTF-16. kUnreadable
+/// with line and column.
+Result<PositionTable> readPositionsCsv(const std::string& path, const CancelFlag* cancel = nullptr);
 Result<PositionTable> parsePositionsCsv(std::string_view text, const std::string& where);
 
 /// Other columns of such a table by their names (the angles, say): row after row, in the order of `names`.

@@ -2,10 +2,12 @@
 #include "core/job/atomic_file.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cctype>
@@ -153,6 +155,82 @@ Status giveName(const std::string& aside_path, const std::string& path, bool ove
     return Done{};
 }
 
+Error unreadable(const std::string& path, int code) {
+    return {ErrorKind::kUnreadable, path + ": cannot be read: " + std::generic_category().message(code),
+            code == ENOENT ? "Check the path" : "Check that it is a file that you may read"};
+}
+
+/// Opens without waiting, so that a pipe that nobody writes to can be given up.
+class WholeFile {
+public:
+    WholeFile(const std::string& path, const ReadOptions& options)
+        : path_(path),
+          options_(options),
+          descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+
+    Result<std::string> read() {
+        struct stat found {};
+        if (descriptor_.get() < 0 || ::fstat(descriptor_.get(), &found) != 0)
+            return unreadable(path_, errno);
+        if (S_ISDIR(found.st_mode))
+            return unreadable(path_, EISDIR);
+        most_ = S_ISREG(found.st_mode) ? options_.most_bytes : options_.most_stream_bytes;
+        if (S_ISREG(found.st_mode) && static_cast<size_t>(found.st_size) > most_)
+            return tooLarge();
+        std::string content(static_cast<size_t>(found.st_size) + 1,
+                            '\0');  // one more, to see the end at once
+        size_t length = 0;
+        while (true) {
+            if (length > most_)
+                return tooLarge();
+            if (length == content.size())
+                content.resize(content.size() + std::max<size_t>(4096, content.size() / 2));
+            if (Status ready = awaitData(); !ready)
+                return ready.error();
+            const size_t wanted = std::min(content.size() - length, kPiece);
+            const ssize_t got = ::read(descriptor_.get(), content.data() + length, wanted);
+            if (got < 0 && (errno == EINTR || errno == EAGAIN))
+                continue;
+            if (got < 0)
+                return unreadable(path_, errno);
+            if (got == 0)
+                break;
+            length += static_cast<size_t>(got);
+        }
+        content.resize(length);
+        return content;
+    }
+
+private:
+    static constexpr size_t kPiece = 16 << 20;  ///< between two looks at the cancel flag
+    static constexpr int kWait_ms = 100;
+
+    /// Until there is something to read or the writer has closed.
+    Status awaitData() const {
+        while (true) {
+            if (options_.cancel && options_.cancel->cancelled())
+                return JobContext::cancelledError();
+            pollfd waiting{descriptor_.get(), POLLIN, 0};
+            const int ready = ::poll(&waiting, 1, kWait_ms);
+            if (ready > 0)
+                return Done{};
+            if (ready < 0 && errno != EINTR)
+                return unreadable(path_, errno);
+        }
+    }
+
+    Error tooLarge() const {
+        return {ErrorKind::kUnreadable,
+                path_ + ": holds more than " + std::to_string(most_ >> 20) + " MB, the most that is read",
+                "Check that it is the right file, or cut it into parts"};
+    }
+
+    const std::string& path_;
+    const ReadOptions& options_;
+    Descriptor descriptor_;
+    size_t most_ = 0;
+};
+
 }  // namespace
 
 Status checkOutputPath(const std::string& path, bool overwrite) {
@@ -226,36 +304,8 @@ Status writeFileAtomically(const std::string& path, std::string_view content, bo
     return named;
 }
 
-Result<std::string> readWholeFile(const std::string& path) {
-    const auto unreadable = [&](int code) {
-        return Error{ErrorKind::kUnreadable,
-                     path + ": cannot be read: " + std::generic_category().message(code),
-                     code == ENOENT ? "Check the path" : "Check that it is a file that you may read"};
-    };
-    const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (descriptor.get() < 0)
-        return unreadable(errno);
-    struct stat found {};
-    if (::fstat(descriptor.get(), &found) != 0)
-        return unreadable(errno);
-    if (S_ISDIR(found.st_mode))
-        return unreadable(EISDIR);
-    std::string content(static_cast<size_t>(found.st_size) + 1, '\0');  // one more, to see the end at once
-    size_t length = 0;
-    while (true) {
-        if (length == content.size())
-            content.resize(content.size() + 4096);  // pipes and growing files state no size
-        const ssize_t got = ::read(descriptor.get(), content.data() + length, content.size() - length);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0)
-            return unreadable(errno);
-        if (got == 0)
-            break;
-        length += static_cast<size_t>(got);
-    }
-    content.resize(length);
-    return content;
+Result<std::string> readWholeFile(const std::string& path, const ReadOptions& options) {
+    return WholeFile(path, options).read();
 }
 
 }  // namespace noctule

@@ -4,10 +4,13 @@
 // the old file or for the complete new one.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 
+#include "core/job/job.h"
 #include "core/job/result.h"
 
 namespace noctule {
@@ -36,7 +39,15 @@ void removeAbandoned(const std::string& path);
 /// such as a database. The file aside stays when this fails.
 Status publishFile(const std::string& aside_path, const std::string& path, bool overwrite);
 
-/// The whole content of a file; kUnreadable when it cannot be opened or read.
-Result<std::string> readWholeFile(const std::string& path);
+struct ReadOptions {
+    size_t most_bytes = std::numeric_limits<size_t>::max();  ///< of a regular file
+    size_t most_stream_bytes =
+        std::numeric_limits<size_t>::max();  ///< of a pipe or device, which need not end
+    const CancelFlag* cancel = nullptr;      ///< looked at ten times a second
+};
+
+/// The whole content of a file; kUnreadable when it cannot be opened or read or exceeds a limit. A pipe
+/// without a writer is waited for.
+Result<std::string> readWholeFile(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace noctule

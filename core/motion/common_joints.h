@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The joints that two skeletons share, for comparing them. Joints are the same when their names are, or when
-// one's name is an alias of the other's. A shared joint moves when it has freedom in both; its rotation is
-// taken against the nearest ancestor that moves in both, so that a joint that only one of them can move (a
-// neck, a twist bone) is composed into the joint below it instead of being charged to nobody.
+// The joints that two skeletons share, for comparing them. Joints are the same when their names are, when
+// the table of bone names (body/bone_names.h) says so, or when one's name is an alias of the other's. A
+// shared joint moves when it has freedom in both; its rotation is taken against the nearest ancestor that
+// moves in both, so that a joint that only one of them can move (a neck, a twist bone) is composed into the
+// joint below it instead of being charged to nobody.
 #pragma once
 
 #include <string>

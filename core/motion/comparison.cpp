@@ -36,8 +36,7 @@ Vector3d jointSigma(const TimedPose& frame, int joint) {
 /// One motion at one instant, seen through the list of common joints.
 class View {
 public:
-    View(const Skeleton& skeleton, const Pose& pose, int CommonJoint::*side)
-        : global_(globalPose(skeleton, pose)), side_(side) {}
+    View(GlobalPose global, int CommonJoint::*side) : global_(std::move(global)), side_(side) {}
 
     const Quaterniond& q_world(const CommonJoint& joint) const { return global_.q_world_joint[at(joint)]; }
     const Vector3d& p_world(const CommonJoint& joint) const { return global_.p_world_joint[at(joint)]; }
@@ -86,9 +85,21 @@ public:
                            [](const CommonJoint& j) { return j.moves && j.ancestor >= 0; });
     }
 
+    const std::vector<CommonJoint>& common() const { return common_; }
+
+    /// One per common joint; before the first frame.
+    void useSegments(const std::vector<SegmentMatch>& segments) {
+        segments_ = segments;
+        for (size_t i = 0; i < common_.size(); ++i) {
+            const CommonJoint& joint = common_[i];
+            result_.matched.push_back(
+                {joint.name, reference_.joint(joint.second).name, joint.moves, segments_[i]});
+        }
+    }
+
     void add(const TimedPose& frame, const Pose& reference_pose) {
-        const View estimate(estimate_, *frame.pose, &CommonJoint::first);
-        const View reference(reference_, reference_pose, &CommonJoint::second);
+        const View estimate(globalPose(estimate_, *frame.pose), &CommonJoint::first);
+        const View reference(inOurFrames(reference_pose), &CommonJoint::second);
         if (result_.frames++ == 0)
             first_ns_ = frame.time_ns;
         const double since_first_s = static_cast<double>(frame.time_ns - first_ns_) * 1e-9;
@@ -127,6 +138,16 @@ public:
     Comparison& result() { return result_; }
 
 private:
+    GlobalPose inOurFrames(const Pose& reference_pose) const {
+        GlobalPose global = globalPose(reference_, reference_pose);
+        for (size_t i = 0; i < common_.size(); ++i)
+            if (segments_[i].from != FrameFrom::kSame) {
+                Quaterniond& q_world_joint = global.q_world_joint[static_cast<size_t>(common_[i].second)];
+                q_world_joint = q_world_joint * segments_[i].q_second_first;
+            }
+        return global;
+    }
+
     void addJoint(size_t i, const TimedPose& frame, const View& estimate, const View& reference,
                   double since_first_s, Mean& mean_rad) {
         const CommonJoint& joint = common_[i];
@@ -167,7 +188,8 @@ private:
     const Skeleton& estimate_;
     const Skeleton& reference_;
     std::vector<CommonJoint> common_;
-    std::vector<JointRecord> records_;  // per common joint
+    std::vector<SegmentMatch> segments_;  // per common joint
+    std::vector<JointRecord> records_;    // per common joint
     RootDrift drift_;
     Comparison result_;
     int64_t first_ns_ = 0;
@@ -199,6 +221,50 @@ bool isSeen(const TimedPose& frame) {
     return frame.pose && isUsable(*frame.pose);
 }
 
+/// Both motions at up to 1000 instants, evenly spread whatever the length of the estimate.
+Result<PosePairs> collectPairs(const PoseSource& estimate, const TimedMotion& reference,
+                               const ComparisonOptions& options, int64_t shift_ns) {
+    constexpr size_t kMost = 1000;
+    PosePairs pairs;
+    PoseSampler sampler(reference, bridgeableGap_ns(reference));
+    int64_t spacing_ns = 20'000'000, next_ns = std::numeric_limits<int64_t>::min();
+    const Status walked = estimate.forEach([&](TimedPose&& frame) {
+        if (frame.time_ns < std::max(options.from_ns, next_ns) || frame.time_ns > options.to_ns ||
+            !isSeen(frame) || frame.pose->q_parent_joint.size() != estimate.skeleton.joints().size())
+            return true;
+        const auto reference_pose = sampler.at(frame.time_ns - shift_ns);
+        if (!reference_pose)
+            return true;
+        pairs.emplace_back(globalPose(estimate.skeleton, *frame.pose),
+                           globalPose(reference.skeleton, *reference_pose));
+        if (pairs.size() == kMost) {
+            for (size_t i = 0; i < kMost / 2; ++i)
+                pairs[i] = std::move(pairs[2 * i]);
+            pairs.resize(kMost / 2);
+            spacing_ns *= 2;
+        }
+        next_ns = frame.time_ns + spacing_ns;
+        return true;
+    });
+    if (!walked)
+        return walked.error();
+    return pairs;
+}
+
+Result<std::vector<SegmentMatch>> matchSegments(const PoseSource& estimate, const TimedMotion& reference,
+                                                const std::vector<CommonJoint>& common,
+                                                const ComparisonOptions& options, int64_t shift_ns) {
+    if (!options.match_segments)
+        return std::vector<SegmentMatch>(common.size());
+    auto known = matchZeroPoses(estimate.skeleton, reference.skeleton, common);
+    if (known && isSameFigure(*known))
+        return std::move(*known);
+    const auto pairs = collectPairs(estimate, reference, options, shift_ns);
+    if (!pairs)
+        return pairs.error();
+    return matchMotions(estimate.skeleton, reference.skeleton, common, *pairs, std::move(known));
+}
+
 }  // namespace
 
 const JointComparison* Comparison::find(const std::string& name) const {
@@ -219,6 +285,10 @@ Result<Comparison> compareMotions(const PoseSource& estimate, const TimedMotion&
     if (Status settled = settleOffset(estimate, reference, options, result); !settled)
         return settled.error();
     const int64_t shift_ns = result.offset.add_to_reference_ns;
+    const auto segments = matchSegments(estimate, reference, comparer.common(), options, shift_ns);
+    if (!segments)
+        return segments.error();
+    comparer.useSegments(*segments);
     const auto inWindow = [&](int64_t time_ns) {
         return time_ns >= options.from_ns && time_ns <= options.to_ns;
     };

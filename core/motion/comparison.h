@@ -4,6 +4,7 @@
 // Joints   the geodesic angle between the two local rotations of every joint that moves in both skeletons,
 // the
 //          root left out; common_joints.h says what is compared when the skeletons differ.
+// Frames   two skeletons' axes and rest poses may differ: segment_match.h says what is taken off.
 // Instants those of the estimate; the reference is interpolated to them and never across a longer hole.
 // Root     the unknown start of yaw and position is taken off at the first compared frame; what remains is
 //          drift. Yaw is about the vertical, tilt the angle between the two verticals.
@@ -16,6 +17,7 @@
 #include <array>
 #include <limits>
 
+#include "core/motion/segment_match.h"
 #include "core/motion/time_offset.h"
 
 namespace noctule {
@@ -25,6 +27,8 @@ struct ComparisonOptions {
     int64_t to_ns = std::numeric_limits<int64_t>::max();
     bool align_time = false;                     ///< find the clocks' shift, applied when it is trusted
     std::optional<int64_t> reference_offset_ns;  ///< a known shift instead
+    /// Frames of the reference's segments are found (segment_match.h). Off: axes and zero pose as ours.
+    bool match_segments = true;
     std::vector<std::string> curve_joints = {"Head", "RightArm", "LeftUpLeg"};  ///< of figure 6
 };
 
@@ -57,7 +61,15 @@ struct RootComparison {
     std::vector<double> yaw_curve_deg, tilt_curve_deg, position_curve_m;  ///< yaw signed
 };
 
+/// Which joint of the reference was compared with which of ours.
+struct MatchedJoint {
+    std::string name, reference_name;
+    bool moves = false;  ///< in both
+    SegmentMatch segment;
+};
+
 struct Comparison {
+    std::vector<MatchedJoint> matched;  ///< the root first, in the estimate's order
     std::vector<JointComparison> joints;
     double mean_deg = 0;  ///< mean of the joints' means
     std::optional<double>

@@ -3,87 +3,132 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdio>
 
-#include "core/math/rotation.h"
-#include "core/motion/common_joints.h"
+#include "core/motion/curve_correlation.h"
 
 namespace noctule {
 namespace {
 
 constexpr int64_t kStep_ns = 10'000'000;
-constexpr int kLeastOverlap = 200;  // steps
+constexpr int kCoarse = 5;  ///< steps of the search
+constexpr double kLeastOverlap_s = 2;
+constexpr double kApart_s = 0.15;      ///< nearer shifts are the same peak
+constexpr double kClearlyWorse = 0.1;  ///< correlation by which a rival loses without further proof
+constexpr double kLeastGap = 0.003;    ///< correlation by which it must lose in any case
+constexpr double kProof = 4;           ///< standard errors by which its residuals must be larger
+constexpr size_t kJudgedPeaks = 40, kNamedRivals = 5;
+constexpr double kLeastShare = 0.3;  ///< of the best shift's overlap, that a rival must have
 
-/// Summed angular speed of some joints, rad per step, on a grid that starts at the motion's first frame.
-std::vector<double> angularSpeed(const TimedMotion& motion, const std::vector<int>& joints) {
-    std::vector<double> speed;
-    if (motion.frames.empty())
-        return speed;
-    PoseSampler sampler(motion, std::numeric_limits<int64_t>::max());
-    const int64_t last_ns = motion.frames.back().time_ns;
-    std::optional<Pose> before;
-    for (int64_t t_ns = motion.frames.front().time_ns; t_ns <= last_ns; t_ns += kStep_ns) {
-        std::optional<Pose> now = sampler.at(t_ns);
-        double sum = 0;
-        if (before && now)
-            for (const int j : joints)
-                sum += angleBetween(before->q_parent_joint[static_cast<size_t>(j)],
-                                    now->q_parent_joint[static_cast<size_t>(j)]);
-        speed.push_back(sum);
-        before = std::move(now);
-    }
-    return speed;
-}
+struct Peak {
+    int lag = 0;
+    double fine = 0;  ///< with the parabola's part
+    double correlation = -1;
+    double evidence = 0;  ///< Fisher's z times the root of the overlap's length
+};
 
-/// Pearson correlation of a[i] with b[i - lag] over their overlap; -1 when it is too short or constant.
-double correlationAt(const std::vector<double>& a, const std::vector<double>& b, int lag) {
-    const int begin = std::max(0, lag);
-    const int end = std::min(static_cast<int>(a.size()), static_cast<int>(b.size()) + lag);
-    if (end - begin < kLeastOverlap)
-        return -1;
-    double sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
-    for (int i = begin; i < end; ++i) {
-        const double x = a[static_cast<size_t>(i)], y = b[static_cast<size_t>(i - lag)];
-        sa += x, sb += y, saa += x * x, sbb += y * y, sab += x * y;
-    }
-    const double n = end - begin;
-    const double va = saa - sa * sa / n, vb = sbb - sb * sb / n;
-    return va > 1e-12 && vb > 1e-12 ? (sab - sa * sb / n) / std::sqrt(va * vb) : -1;
-}
-
-/// Where the parabola through three neighbours peaks, in steps from the middle one.
 double parabolaPeak(double left, double middle, double right) {
     const double curvature = left - 2 * middle + right;
     return curvature < 0 ? std::clamp(0.5 * (left - right) / curvature, -0.5, 0.5) : 0;
+}
+
+double evidenceOf(double correlation, double overlap_steps) {
+    return std::atanh(std::clamp(correlation, -0.999, 0.999)) * std::sqrt(overlap_steps);
+}
+
+/// Local maxima of the coarse search, the most evident first.
+std::vector<Peak> coarsePeaks(const CurveCorrelation& coarse, int first, int last) {
+    std::vector<double> all;
+    for (int lag = first; lag <= last; ++lag)
+        all.push_back(coarse.at(lag));
+    std::vector<Peak> peaks;
+    for (size_t i = 0; i < all.size(); ++i) {
+        const double left = i > 0 ? all[i - 1] : -1, right = i + 1 < all.size() ? all[i + 1] : -1;
+        const int lag = first + static_cast<int>(i);
+        if (all[i] > -1 && all[i] >= left && all[i] >= right)
+            peaks.push_back({lag * kCoarse, 0, all[i], evidenceOf(all[i], coarse.overlap(lag))});
+    }
+    std::ranges::sort(peaks, std::ranges::greater{}, &Peak::evidence);
+    if (peaks.size() > kJudgedPeaks)
+        peaks.resize(kJudgedPeaks);
+    return peaks;
+}
+
+Peak refined(const CurveCorrelation& fine, const Peak& coarse) {
+    Peak best = coarse;
+    best.correlation = -1;
+    for (int lag = coarse.lag - 2 * kCoarse; lag <= coarse.lag + 2 * kCoarse; ++lag)
+        if (const double c = fine.at(lag); c > best.correlation)
+            best.lag = lag, best.correlation = c;
+    best.fine = best.lag + parabolaPeak(fine.at(best.lag - 1), best.correlation, fine.at(best.lag + 1));
+    best.evidence = evidenceOf(best.correlation, fine.overlap(best.lag));
+    return best;
+}
+
+/// Shifts that the motions do not refute, the best five by time.
+std::vector<Peak> findRivals(const CurveCorrelation& fine, std::vector<Peak> peaks, const Peak& best) {
+    std::erase_if(peaks, [&](const Peak& peak) {
+        const double gap = best.correlation - peak.correlation;
+        const bool same = std::abs(peak.lag - best.lag) * static_cast<double>(kStep_ns) < kApart_s * 1e9;
+        return same || gap > kClearlyWorse || fine.overlap(peak.lag) < kLeastShare * fine.overlap(best.lag) ||
+               (gap > kLeastGap && fine.excessOf(peak.lag, best.lag) > kProof);
+    });
+    std::ranges::sort(peaks, std::ranges::greater{}, &Peak::correlation);
+    if (peaks.size() > kNamedRivals)
+        peaks.resize(kNamedRivals);
+    std::ranges::sort(peaks, {}, &Peak::lag);
+    return peaks;
+}
+
+std::string inMs(int64_t time_ns) {
+    return std::to_string(std::llround(static_cast<double>(time_ns) * 1e-6)) + " ms";
 }
 
 }  // namespace
 
 std::optional<TimeOffset> findTimeOffset(const TimedMotion& estimate, const TimedMotion& reference,
                                          double max_shift_s) {
-    std::vector<int> estimate_joints, reference_joints;
-    for (const CommonJoint& joint : commonJoints(estimate.skeleton, reference.skeleton))
-        if (joint.moves && joint.ancestor >= 0) {
-            estimate_joints.push_back(joint.first);
-            reference_joints.push_back(joint.second);
-        }
-    const std::vector<double> a = angularSpeed(estimate, estimate_joints);
-    const std::vector<double> b = angularSpeed(reference, reference_joints);
-    if (a.empty() || b.empty())
+    if (estimate.frames.empty() || reference.frames.empty())
         return std::nullopt;
+    const std::vector<CommonJoint> common = commonJoints(estimate.skeleton, reference.skeleton);
+    const CurveCorrelation fine(motionCurves(estimate, common, false, kStep_ns),
+                                motionCurves(reference, common, true, kStep_ns), kStep_ns, kLeastOverlap_s);
+    if (!fine.moves())
+        return std::nullopt;
+    const CurveCorrelation coarse = fine.coarser(kCoarse);
     const int64_t start_difference_ns = estimate.frames.front().time_ns - reference.frames.front().time_ns;
-    const int zero_lag = static_cast<int>(std::llround(-static_cast<double>(start_difference_ns) / kStep_ns));
-    const int reach = static_cast<int>(std::ceil(max_shift_s * 1e9 / kStep_ns));
-    int best = zero_lag;
-    double peak = -1;
-    for (int lag = zero_lag - reach; lag <= zero_lag + reach; ++lag)
-        if (const double c = correlationAt(a, b, lag); c > peak)
-            peak = c, best = lag;
-    if (peak <= -1)
+    const double zero_lag = -static_cast<double>(start_difference_ns) / (kCoarse * kStep_ns);
+    const double reach = max_shift_s * 1e9 / (kCoarse * kStep_ns);
+    std::vector<Peak> peaks =
+        coarsePeaks(coarse, std::max(static_cast<int>(zero_lag - reach), coarse.firstLag()),
+                    std::min(static_cast<int>(zero_lag + reach), coarse.lastLag()));
+    for (Peak& peak : peaks)
+        peak = refined(fine, peak);
+    if (peaks.empty())
         return std::nullopt;
-    const double fine =
-        best + parabolaPeak(correlationAt(a, b, best - 1), peak, correlationAt(a, b, best + 1));
-    return TimeOffset{start_difference_ns + std::llround(fine * kStep_ns), peak};
+    const Peak best = *std::ranges::max_element(peaks, {}, &Peak::evidence);
+    const auto offsetOf = [&](const Peak& peak) {
+        return start_difference_ns + std::llround(peak.fine * kStep_ns);
+    };
+    TimeOffset offset{offsetOf(best), best.correlation, fine.sigma_ns(best.lag), {}};
+    for (const Peak& rival : findRivals(fine, peaks, best))
+        offset.rivals.push_back({offsetOf(rival), rival.correlation});
+    return offset;
+}
+
+std::string distrust(const TimeOffset& offset) {
+    char correlation[32];
+    std::snprintf(correlation, sizeof correlation, "%.2f", offset.correlation);
+    if (offset.correlation < TimeOffset::kLeastCorrelation)
+        return std::string("does not match at any shift (best correlation ") + correlation + ")";
+    if (!offset.rivals.empty()) {
+        std::string rivals;
+        for (const TimeOffset::Rival& rival : offset.rivals)
+            rivals += (rivals.empty() ? "" : ", ") + inMs(rival.add_to_reference_ns);
+        return "repeats itself: " + rivals + (offset.rivals.size() > 1 ? " fit" : " fits") +
+               " about as well as " + inMs(offset.add_to_reference_ns);
+    }
+    return "moves too little to tell the shift better than within " + inMs(2 * offset.sigma_ns);
 }
 
 }  // namespace noctule

@@ -2,9 +2,12 @@
 #include "core/processing/attach_reference.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
+#include "core/motion/common_joints.h"
 #include "core/motion/time_offset.h"
 #include "core/processing/pose_runs.h"
 #include "core/processing/reference_motion.h"
@@ -43,7 +46,7 @@ Status checkFree(const Take& take, const AttachRequest& request) {
 
 Result<TimeOffset> alignment(const Take& take, const AttachRequest& request, std::string& aligned_with) {
     if (request.shift_s)
-        return TimeOffset{std::llround(*request.shift_s * 1e9), 0};
+        return TimeOffset{std::llround(*request.shift_s * 1e9), 0, 0, {}};
     if (!request.motion)
         return Error{ErrorKind::kUsage,
                      request.source_name + ": positions cannot be aligned in time by themselves",
@@ -56,13 +59,17 @@ Result<TimeOffset> alignment(const Take& take, const AttachRequest& request, std
     if (!estimate)
         return estimate.error();
     const auto offset = findTimeOffset(*estimate, timedMotion(*request.motion));
-    if (!offset || !offset->trusted())
-        return Error{
-            ErrorKind::kUnusable,
-            request.source_name + ": its motion does not match run '" + run->name + "' of " + take.path() +
-                (offset ? " at any shift (best correlation " + std::to_string(offset->correlation) + ")"
-                        : ": no common joint moves for two seconds"),
-            "Check that it shows this take, or give --align MILLISECONDS"};
+    if (!offset)
+        return Error{ErrorKind::kUnusable,
+                     request.source_name + ": no joint that it shares with run '" + run->name + "' of " +
+                         take.path() + " moves for two seconds, so the shift cannot be told",
+                     "Check that it shows this take, or give --align MILLISECONDS"};
+    if (!offset->trusted())
+        return Error{ErrorKind::kUnusable,
+                     request.source_name + ": compared with run '" + run->name + "' of " + take.path() +
+                         ", the motion " + distrust(*offset),
+                     "Check that it shows this take, or give --align MILLISECONDS, the time of the file's "
+                     "start on the take's clock"};
     aligned_with = run->name;
     return *offset;
 }
@@ -132,6 +139,64 @@ Result<TimedMotion> motionToAttach(const Take& take, const AttachRequest& reques
     return motion;
 }
 
+/// Times that cannot be seconds: a second and more from one row to the next.
+std::string otherUnit(const PositionTable& table) {
+    std::vector<double> steps_s;
+    for (size_t row = 1; row < table.time_s.size(); ++row)
+        steps_s.push_back(table.time_s[row] - table.time_s[row - 1]);
+    if (steps_s.empty())
+        return "";
+    const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
+    std::nth_element(steps_s.begin(), middle, steps_s.end());
+    return *middle < 1      ? ""
+           : *middle < 1000 ? "milliseconds"
+           : *middle < 1e6  ? "microseconds"
+                            : "nanoseconds";
+}
+
+Status checkTimes(const AttachRequest& request, const TimedMotion& motion, int64_t shift_ns, int64_t end_ns,
+                  AttachSummary& summary) {
+    const int64_t all = static_cast<int64_t>(motion.frames.size());
+    summary.rows_outside = std::ranges::count_if(motion.frames, [&](const TimedPose& frame) {
+        return frame.time_ns + shift_ns < 0 || frame.time_ns + shift_ns > end_ns;
+    });
+    char length[32];
+    std::snprintf(length, sizeof length, "%.3f s", static_cast<double>(end_ns) * 1e-9);
+    const std::string outside = std::to_string(summary.rows_outside) + " of " + std::to_string(all) +
+                                " rows lie outside the take of " + length;
+    const std::string unit = request.positions ? otherUnit(*request.positions) : "";
+    if (!unit.empty())
+        return Error{ErrorKind::kUnusable,
+                     request.source_name + ": " + outside + "; the times look like " + unit,
+                     "Name the column " +
+                         std::string(unit == "milliseconds"   ? "time_ms"
+                                     : unit == "microseconds" ? "time_us"
+                                                              : "time_ns") +
+                         ", or give the times in seconds"};
+    if (summary.rows_outside == all)
+        return Error{ErrorKind::kUnusable, request.source_name + ": " + outside, "Check --align"};
+    if (summary.rows_outside > 0)
+        summary.warnings.push_back(request.source_name + ": " + outside + " and were left out.");
+    return Done{};
+}
+
+void nameMatched(const Take& take, const AttachRequest& request, AttachSummary& summary) {
+    const auto actor = take.actorInForce();
+    if (!request.motion || !actor)
+        return;
+    const Skeleton& skeleton = actor->value.skeleton;
+    size_t moving = 0;
+    for (const CommonJoint& joint : commonJoints(skeleton, request.motion->skeleton)) {
+        summary.matched.emplace_back(joint.name, request.motion->skeleton.joint(joint.second).name);
+        moving += joint.moves;
+    }
+    const auto wanted = static_cast<size_t>(std::ranges::count_if(
+        skeleton.joints(), [](const Joint& joint) { return joint.type != JointType::kFixed; }));
+    if (moving < wanted)
+        summary.warnings.push_back(request.source_name + ": " + std::to_string(moving) + " of the take's " +
+                                   std::to_string(wanted) + " moving joints were recognised by name.");
+}
+
 Status writeRows(TakeEdit& edit, const AttachRequest& request, const TimedMotion& motion, int64_t shift_ns,
                  int64_t end_ns, int64_t& rows) {
     const double sigma_rad = request.motion ? kUsualSigma_rad : kUsualPointSigma_rad;
@@ -154,15 +219,18 @@ Status writeRows(TakeEdit& edit, const AttachRequest& request, const TimedMotion
     return Done{};
 }
 
-Status replaceRows(TakeEdit& edit, const AttachRequest& request, double shift_s) {
+Status replaceRows(TakeEdit& edit, const AttachRequest& request, const AttachSummary& summary) {
     if (request.as == AttachAs::kExternalRoot)
         return edit.removeExternalRoot();
     if (Status removed = edit.removeReference(); !removed)
         return removed;
     const std::string file = std::filesystem::path(request.source_name).filename().string();
-    for (const auto& [key, value] : {std::pair<const char*, std::string>{"reference_kind", "optical"},
-                                     {"reference_name", file},
-                                     {"reference_shift_s", std::to_string(shift_s)}})
+    for (const auto& [key, value] :
+         {std::pair<const char*, std::string>{"reference_kind", "optical"},
+          {"reference_name", file},
+          {"reference_shift_s", std::to_string(summary.shift_s)},
+          {"reference_shift_sigma_s",
+           summary.shift_sigma_s ? std::to_string(*summary.shift_sigma_s) : std::string()}})
         if (Status set = edit.setMeta(key, value); !set)
             return set;
     return edit.setMeta("reference_actor", toJson(actorOfClip(*request.motion)).dump());
@@ -201,24 +269,29 @@ Result<AttachSummary> attachReference(const AttachRequest& request, const JobCon
     if (!motion)
         return motion.error();
     summary.shift_s = static_cast<double>(offset->add_to_reference_ns) * 1e-9;
-    if (!request.shift_s)
+    if (!request.shift_s) {
         summary.correlation = offset->correlation;
+        summary.shift_sigma_s = static_cast<double>(offset->sigma_ns) * 1e-9;
+    }
+    const int64_t end_ns = std::llround(static_cast<double>(*samples) * 1e9 / static_cast<double>(*rate));
+    if (Status fits = checkTimes(request, *motion, offset->add_to_reference_ns, end_ns, summary); !fits)
+        return fits.error();
+    if (request.as == AttachAs::kReference)
+        nameMatched(take, request, summary);
 
     auto edit = TakeEdit::begin(take);
     if (!edit)
         return edit.error();
-    if (Status replaced = replaceRows(*edit, request, summary.shift_s); !replaced)
+    if (Status replaced = replaceRows(*edit, request, summary); !replaced)
         return replaced.error();
-    const int64_t end_ns = std::llround(static_cast<double>(*samples) * 1e9 / static_cast<double>(*rate));
     if (Status written =
             writeRows(*edit, request, *motion, offset->add_to_reference_ns, end_ns, summary.rows);
         !written)
         return written.error();
     if (summary.rows == 0)
         return Error{ErrorKind::kUnusable,
-                     request.source_name + ": none of it lies within the take of " +
-                         std::to_string(static_cast<double>(end_ns) * 1e-9) + " s",
-                     "Check --align"};
+                     request.source_name + ": none of its rows within the take shows how the hips are turned",
+                     "Give columns of joints that do not lie on a line"};
     if (job.cancelled())
         return JobContext::cancelledError();
     if (Status committed = edit->commit(); !committed)

@@ -5,6 +5,8 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/formats/positions_csv.h"
 #include "core/job/job.h"
@@ -27,13 +29,17 @@ struct AttachRequest {
 };
 
 struct AttachSummary {
-    int64_t rows = 0;
+    int64_t rows = 0, rows_outside = 0;  ///< attached, and left out since they lie outside the take
     double shift_s = 0;
-    std::optional<double> correlation;  ///< where the shift was found
-    std::string aligned_with;           ///< the run it was found with
+    std::optional<double> correlation;    ///< where the shift was found
+    std::optional<double> shift_sigma_s;  ///< standard deviation of a shift that was found
+    std::string aligned_with;             ///< the run it was found with
+    std::vector<std::pair<std::string, std::string>> matched;  ///< joint of the take, joint of the motion
+    std::vector<std::string> warnings;                         ///< whole sentences
 };
 
-/// Rows outside the take's time are left out. One transaction.
+/// Rows outside the take's time are left out, counted and said. One transaction. kUnusable when the shift
+/// cannot be told, when nothing fits, or when the times cannot be seconds.
 Result<AttachSummary> attachReference(const AttachRequest& request, const JobContext& job);
 
 }  // namespace noctule

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/math/rotation.h"
+#include "core/body/bone_names.h"
 #include "core/processing/pose_runs.h"
 #include "core/processing/reference_motion.h"
 #include "core/processing/take_quality.h"
@@ -87,32 +87,28 @@ Result<Reference> chooseReference(const Take& take, const EvaluateRequest& reque
     return reference;
 }
 
-/// Local rotations are counted from the zero pose. Two skeletons whose bones point elsewhere in it differ by
-/// constant angles that are nobody's error: said, since no comparison can tell them apart.
-void warnOfOtherZeroPose(const Skeleton& own, const Skeleton& other, ReportData& data) {
-    constexpr double kNoticeable_rad = 0.1, kShortBone_m = 0.01;
-    double worst_rad = kNoticeable_rad;
-    std::string worst;
-    for (const Joint& joint : own.joints()) {
-        const int same = other.find(joint.name);
-        if (joint.parent < 0 || same < 0 || joint.offset_m.norm() < kShortBone_m)
-            continue;
-        const Joint& match = other.joint(same);
-        const bool same_bone =
-            match.parent >= 0 && other.joint(match.parent).name == own.joint(joint.parent).name;
-        if (!same_bone || match.offset_m.norm() < kShortBone_m)
-            continue;
-        const double angle_rad =
-            angleBetween(smallestRotation(joint.offset_m, match.offset_m), Quaterniond::Identity());
-        if (angle_rad > worst_rad) {
-            worst_rad = angle_rad;
-            worst = joint.name;
+/// Constant differences that the comparison cannot count are said, with the joints by name.
+void warnOfMatchedSegments(const Comparison& comparison, ReportData& data) {
+    std::string joints;
+    size_t count = 0;
+    for (const MatchedJoint& joint : comparison.matched)
+        if (joint.moves && joint.segment.from == FrameFrom::kMotion) {
+            joints += (joints.empty() ? "" : ", ") + joint.name;
+            ++count;
         }
-    }
-    if (!worst.empty())
-        data.warnings.push_back("The reference's skeleton has another zero pose, by " +
-                                shortNumber(std::round(degrees(worst_rad))) + " degrees at " + worst +
-                                ": constant differences are counted as errors.");
+    if (count > 0)
+        data.warnings.push_back(
+            "The reference has other axes or another rest pose, and its bones do not show how " +
+            std::to_string(count) +
+            " segments are turned. That was taken from the run: constant errors of "
+            "these are not counted: " +
+            joints + ".");
+    const size_t moving = static_cast<size_t>(
+        std::ranges::count_if(comparison.matched, [](const MatchedJoint& joint) { return joint.moves; }));
+    const size_t main_joints = mainJoints().size();
+    if (moving < main_joints)
+        data.warnings.push_back("Only " + std::to_string(moving) +
+                                " joints of the reference were recognised by their names.");
 }
 
 std::string calibrationName(const Take& take, const DerivedRun& run) {
@@ -238,11 +234,11 @@ Status addRun(const Take& take, const DerivedRun& run, const RunSettings& settin
         return motion.error();
     ReportRun described = describeRun(take, run, settings);
     if (reference.there) {
-        if (data.runs.empty())
-            warnOfOtherZeroPose(motion->skeleton, reference.motion.skeleton, data);
         auto comparison = compareMotions(*motion, reference.motion, reference.options);
         if (!comparison)
             return comparison.error();
+        if (data.runs.empty())
+            warnOfMatchedSegments(*comparison, data);
         described.comparison = std::move(*comparison);
     }
     data.runs.push_back(std::move(described));

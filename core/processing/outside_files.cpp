@@ -32,6 +32,7 @@ Result<AttachRequest> readAttachment(const std::string& path, std::vector<std::s
         auto table = readPositionsCsv(path);
         if (!table)
             return table.error();
+        warnings.insert(warnings.end(), table->warnings.begin(), table->warnings.end());
         request.positions = std::move(*table);
         return request;
     }

@@ -5,8 +5,21 @@
 
 namespace noctule {
 
+Skeleton skeletonOfClip(const MotionClip& clip) {
+    if (clip.p_parent_joint_m.empty())
+        return clip.skeleton;
+    std::vector<Joint> joints = clip.skeleton.joints();
+    for (size_t j = 1; j < joints.size(); ++j) {
+        Vector3d sum = Vector3d::Zero();
+        for (const std::vector<Vector3d>& p_parent_joint_m : clip.p_parent_joint_m)
+            sum += p_parent_joint_m[j];
+        joints[j].offset_m = sum / static_cast<double>(clip.p_parent_joint_m.size());
+    }
+    return Skeleton::make(std::move(joints)).value();
+}
+
 TimedMotion timedMotion(const MotionClip& clip) {
-    TimedMotion motion{clip.skeleton, {}};
+    TimedMotion motion{skeletonOfClip(clip), {}};
     motion.frames.reserve(clip.frames.size());
     for (size_t i = 0; i < clip.frames.size(); ++i)
         motion.frames.push_back(
@@ -17,14 +30,14 @@ TimedMotion timedMotion(const MotionClip& clip) {
 Actor actorOfClip(const MotionClip& clip) {
     Actor actor;
     actor.name = clip.name;
-    actor.skeleton = clip.skeleton;
-    const Pose zero = clip.skeleton.zeroPose();
+    actor.skeleton = skeletonOfClip(clip);
+    const Pose zero = actor.skeleton.zeroPose();
     actor.rest_q_parent_joint = zero.q_parent_joint;
-    const GlobalPose global = globalPose(clip.skeleton, zero);
+    const GlobalPose global = globalPose(actor.skeleton, zero);
     Eigen::AlignedBox3d box;
     for (size_t j = 0; j < global.p_world_joint.size(); ++j) {
         box.extend(global.p_world_joint[j]);
-        if (const auto& end_m = clip.skeleton.joints()[j].end_m)
+        if (const auto& end_m = actor.skeleton.joints()[j].end_m)
             box.extend(Vector3d(global.p_world_joint[j] + *end_m));
     }
     actor.height_m = box.sizes().y();

@@ -8,6 +8,9 @@
 
 namespace noctule {
 
+/// With the mean of animated joint positions in place of offsets that a file leaves empty.
+Skeleton skeletonOfClip(const MotionClip& clip);
+
 TimedMotion timedMotion(const MotionClip& clip);
 
 /// Somebody with the clip's skeleton, who rests in its zero pose and has no flesh.

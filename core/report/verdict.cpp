@@ -50,10 +50,8 @@ void judgeConsistency(const Comparison& comparison, Verdict& verdict) {
                                   " frames could not be compared because the reference has none near them.");
     if (comparison.refused_offset)
         verdict.reasons.push_back(
-            "The clocks of take and reference were not aligned: the best shift only reaches a correlation "
-            "of " +
-            text::number(comparison.refused_offset->correlation, 2) +
-            ". Check that the reference shows this take.");
+            "The clocks of take and reference were not aligned: the reference's motion " +
+            distrust(*comparison.refused_offset) + ". Check that the reference shows this take.");
 }
 
 void judgeBoards(const ReportData& data, Verdict& verdict) {

@@ -146,6 +146,8 @@ void ReferencePanel::attach(const AttachChoice& choice) {
             if (!summary)
                 return summary.error();
             attached.summary = *summary;
+            attached.warnings.insert(attached.warnings.end(), summary->warnings.begin(),
+                                     summary->warnings.end());
             return attached;
         },
         [self = QPointer(this), take_path,

@@ -109,7 +109,7 @@ TEST(PositionsCsv, DamageIsNamedWithItsLine) {
         {"time_s,A.x,A.y,A.z\n0,1,2,3\n1,1,,3\n", "line 3: A.y is \"\""},
         {"time_s,A.x,A.y,A.z\n0,1,2,nan\n", "line 2: A.z is \"nan\""},
         {"time_s,A.x,A.y,A.z\n\n0,1,2,inf\n", "line 3: A.z is \"inf\""},
-        {"time_s;A.x;A.y;A.z\n0;1,5;2;3\n", "line 2: A.x is \"1,5\""},
+        {"time_s;A.x;A.y;A.z\n0;1,5,0;2;3\n", "line 2: A.x is \"1,5,0\""},
         {"time_s,A.x,A.y,A.z\n1,1,2,3\n1,1,2,3\n", "line 3: time_s does not rise"},
     };
     for (const auto& c : cases) {

@@ -119,6 +119,38 @@ TEST_F(TakeFiles, AttachedRootOfPointsIsTheRoot) {
     EXPECT_EQ(Take::open(path())->externalRoot()->size(), 100u) << "what was there stays";
 }
 
+TEST_F(TakeFiles, TimesInAnotherUnitAreSaidWithCounts) {
+    PositionTable table;
+    table.joints = {"Hips", "LeftUpLeg", "RightUpLeg"};
+    const GlobalPose global = globalPose(actor_.skeleton, poseAt(0));
+    for (int i = 0; i < 60; ++i) {
+        table.time_s.push_back(50.0 * i);  // milliseconds; the take lasts 2 s
+        for (const std::string& joint : table.joints)
+            table.p_world_m.push_back(global.p_world_joint[static_cast<size_t>(actor_.skeleton.find(joint))]);
+    }
+    AttachRequest request;
+    request.take_path = path();
+    request.source_name = "ms.csv";
+    request.positions = table;
+    request.as = AttachAs::kExternalRoot;
+    request.shift_s = 0;
+    const auto refused = attachReference(request, {});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("59 of 60 rows lie outside the take of 2.000 s"),
+              std::string::npos)
+        << refused.error().message;
+    EXPECT_NE(refused.error().text().find("milliseconds. Name the column time_ms"), std::string::npos);
+    EXPECT_TRUE(Take::open(path())->externalRoot()->empty());
+    for (double& time_s : request.positions->time_s)
+        time_s /= 1000;
+    const auto summary = attachReference(request, {});
+    ASSERT_TRUE(summary) << summary.error().text();
+    EXPECT_EQ(summary->rows, 41);
+    EXPECT_EQ(summary->rows_outside, 19);
+    ASSERT_EQ(summary->warnings.size(), 1u);
+    EXPECT_NE(summary->warnings[0].find("19 of 60 rows lie outside"), std::string::npos);
+}
+
 TEST_F(TakeFiles, AMotionThatDoesNotMatchIsNotAligned) {
     TimedMotion still{actor_.skeleton, {}};
     for (int i = 0; i < 400; ++i)
