@@ -17,21 +17,42 @@ motion=/usr/share/assimp/models/BVH/Boxing_Toes.bvh
 out=out/demo
 take=$out/boxer_001.noctule
 
-packaging/dependencies.sh
-cmake --preset release >/dev/null
-cmake --build --preset release --parallel "$(nproc)" --target noctule
+times=()
+step() {
+    local name=$1 begin=$SECONDS
+    shift
+    "$@"
+    times+=("$(printf '%5d s  %s' $((SECONDS - begin)) "$name")")
+}
+
+# The studio is left out, which halves the build. Who has configured build/release already keeps it as it is.
+preset=jobs
+[ ! -e build/release/CMakeCache.txt ] || preset=release
+! grep -qs '^NOCTULE_STUDIO:BOOL=OFF' build/release/CMakeCache.txt || preset=jobs
+build() {
+    cmake --preset "$preset" >/dev/null
+    cmake --build build/release --parallel "$(nproc)" --target noctule
+}
+step "packages" packaging/dependencies.sh jobs
+step "build" build
 mkdir -p "$out"
 
 noctule() {
     echo "+ noctule --batch $*" >&2
     build/release/bin/noctule --batch "$@"
 }
-noctule simulate --motion "$motion" --out "$take" --scenario nominal --level signal --seed 1 \
+step "simulate: the sound of the suit" noctule simulate --motion "$motion" --out "$take" --scenario nominal --level signal --seed 1 \
     "${duration[@]}" --overwrite
-noctule process "$take" --sensors AGD --root given --estimator manifold
-noctule evaluate "$take" --report "$out/report.html" --overwrite --json >"$out/evaluation.json"
-noctule export "$take" --bvh "$out/boxer.bvh" --csv "$out/boxer.csv" --overwrite
+step "process: from sound to poses" noctule process "$take" --sensors AGD --root given --estimator manifold
+evaluate() {
+    noctule evaluate "$take" --report "$out/report.html" --overwrite --json >"$out/evaluation.json"
+}
+step "evaluate: against the truth" evaluate
+step "export" noctule export "$take" --bvh "$out/boxer.bvh" --csv "$out/boxer.csv" --overwrite
 
+echo
+echo "Where the time went"
+printf '%s\n' "${times[@]}"
 echo
 python3 -B packaging/acceptance/table1.py "$out/evaluation.json"
 cat <<END

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs on Debian 12 what building, testing and the demo need; quick when all of it is there.
+# Installs on Debian 12 what a part of the work needs; quick when all of it is there.
+#   packaging/dependencies.sh [jobs|package|all]    jobs: building `noctule --batch` and the demo; package: building the
+#   package too; all (default): tests, benchmarks and checks too
 # The comments name what CMakeLists.txt asks for; tests/architecture.py compares the two.
 set -euo pipefail
 
-packages=(
-    g++ cmake ninja-build ccache clang-format
+jobs_need=(
+    g++ cmake ninja-build
     python3              # Python3: the checks and the tables of figures, standard library only
     pkg-config           # PkgConfig
     libeigen3-dev        # Eigen3
@@ -14,31 +16,44 @@ packages=(
     libzstd-dev          # libzstd
     zlib1g-dev           # ZLIB
     qtbase5-dev          # Qt5
-    libqt5svg5-dev       # Qt5: Svg
     libqt5serialport5-dev # Qt5: SerialPort
+    libepoxy-dev         # epoxy
+    libegl-dev           # epoxy: pictures without a screen
+    libgl1-mesa-dri      # OpenGL without a graphics card
+    libassimp-dev        # assimp
+    libopencv-dev        # OpenCV: markers in photographs, films
+    libopencv-contrib-dev # OpenCV: ArUco
+    assimp-testmodels    # real human motion for tests, demo and figures
+)
+package_needs=(
+    dpkg-dev             # dpkg-shlibdeps: what the package depends on
+    libqt5svg5-dev       # Qt5: Svg
     qttools5-dev         # Qt5: LinguistTools
     qttools5-dev-tools   # Qt5: lupdate, lrelease
     libqwt-qt5-dev       # Qt5Qwt6
     libqt5opengl5-dev    # Qt5Qwt6 asks for it
-    libepoxy-dev         # epoxy
-    libegl-dev           # epoxy: pictures without a screen
-    libgl1-mesa-dri      # OpenGL without a graphics card
     fonts-roboto-unhinted # the studio's type
+)
+tests_need=(
+    ccache clang-format
     xvfb                 # a screen for the studio's tests
     xauth                # xvfb-run needs it
     libgtest-dev         # GTest
     libgmock-dev         # GTest: its CMake configuration names both
     libbenchmark-dev     # benchmark
-    libassimp-dev        # assimp
-    libopencv-dev        # OpenCV: markers in photographs, films
-    libopencv-contrib-dev # OpenCV: ArUco
-    assimp-testmodels    # real human motion for tests, demo and figures
 )
 
 fail() {
     echo "dependencies: $1" >&2
     exit 1
 }
+
+case "${1:-all}" in
+    jobs) packages=("${jobs_need[@]}") ;;
+    package) packages=("${jobs_need[@]}" "${package_needs[@]}") ;;
+    all) packages=("${jobs_need[@]}" "${package_needs[@]}" "${tests_need[@]}") ;;
+    *) fail "usage: packaging/dependencies.sh [jobs|package|all]" ;;
+esac
 
 installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null) || true
 missing=()

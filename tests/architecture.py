@@ -16,7 +16,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 TOP_LEVEL = {"CMakeLists.txt", "app", "core", "devices", "ui", "resources", "tests", "packaging", "README.md",
-             "CMakePresets.json", "LICENSE"}
+             "CMakePresets.json", "LICENSE", "CHANGELOG.md"}
 LAYERS = {"app": {"app", "ui", "devices", "core"}, "ui": {"ui", "devices", "core"}, "devices": {"devices", "core"},
           "core": {"core"}}
 ONLY_IN = {"assimp": {"core/formats", "core/mesh"}, "opencv2": {"core/film", "core/vision"}}
@@ -178,9 +178,9 @@ def check_build(files, complaints):
             for modules in re.findall(r"\bpkg_check_modules\(\w+ ([^)]*)\)", text):
                 wanted.update(set(modules.split()) - {"REQUIRED", "IMPORTED_TARGET"})
     installed = set(re.findall(r"^ +\S+ +# (\w+)", files["packaging/dependencies.sh"], re.MULTILINE))
-    components = re.search(r"\bfind_package\(Qt5\b[^)]*\bCOMPONENTS ([^)]*)\)", files["CMakeLists.txt"])
+    components = re.findall(r"\bfind_package\(Qt5\b[^)]*\bCOMPONENTS ([^)]*)\)", files["CMakeLists.txt"])
     parts = set(re.findall(r"^ +\S+ +# Qt5: (\w+)", files["packaging/dependencies.sh"], re.MULTILINE))
-    for name in sorted(set(components.group(1).split() if components else ()) - QT_OF_BASE - parts):
+    for name in sorted(set(" ".join(components).split()) - QT_OF_BASE - parts):
         complaints.append(f"packaging/dependencies.sh: no package for Qt5's {name}, which the build looks for")
     for name in sorted(wanted - installed):
         complaints.append(f"packaging/dependencies.sh: no package for {name}, which the build looks for")

@@ -60,6 +60,25 @@ std::string laterVerbs() {
 
 }  // namespace
 
+std::string exitCodeLine(const std::vector<ExitCode>& codes) {
+    std::string words = "exit codes:";
+    for (const ExitCode& code : codes)
+        words += (words.back() == ':' ? " " : ", ") + std::to_string(code.code) + " " + code.meaning;
+    return wrapped(words + ".", 0);
+}
+
+const std::vector<ExitCode>& exitCodes() {
+    static const std::vector<ExitCode> codes = {{0, "done"},
+                                                {1, "internal error"},
+                                                {2, "usage"},
+                                                {3, "input unreadable or not what it should be"},
+                                                {4, "input readable but not usable"},
+                                                {5, "device"},
+                                                {6, "disk"},
+                                                {130, "cancelled"}};
+    return codes;
+}
+
 std::string optionList(const std::vector<Option>& options) {
     std::string text;
     for (const Option& option : options)
@@ -73,11 +92,8 @@ std::string programHelp() {
            "       noctule --batch VERB [ARGUMENTS]\n"
            "       noctule --batch VERB --help\n"
            "       noctule --help | --version\n\nverbs:\n" +
-           verbList(false) + laterVerbs() + "\nafter every verb:\n" + optionList(commonOptions()) +
-           "\nexit codes: 0 done, 1 internal error, 2 usage, 3 input unreadable or not what it should be,\n"
-           "4 input readable but not usable, 5 device, 6 disk, 130 cancelled.\n\n"
-           "example: " +
-           verbs().front().example + "\n";
+           verbList(false) + laterVerbs() + "\nafter every verb:\n" + optionList(commonOptions()) + "\n" +
+           exitCodeLine(exitCodes()) + "\nexample: " + verbs().front().example + "\n";
 }
 
 std::string verbHelp(const Verb& verb) {

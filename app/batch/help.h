@@ -8,6 +8,16 @@
 
 namespace noctule::batch {
 
+struct ExitCode {
+    int code;
+    std::string meaning;
+};
+
+/// Of `noctule --batch`.
+const std::vector<ExitCode>& exitCodes();
+/// "exit codes: 0 done, 1 ...", in lines.
+std::string exitCodeLine(const std::vector<ExitCode>& codes);
+
 std::string programHelp();
 std::string verbHelp(const Verb& verb);
 /// One entry an option.

@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "app/batch/help.h"
+#include "app/batch/version.h"
 
 namespace noctule::batch {
 namespace {
@@ -175,7 +176,7 @@ int runBatch(const std::vector<std::string>& words, const CancelFlag& cancel) {
 }
 
 std::string softwareName() {
-    return "noctule " NOCTULE_VERSION;
+    return std::string("noctule ") + softwareVersion();
 }
 
 }  // namespace noctule::batch

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "app/batch/program.h"
+#include "app/batch/version.h"
 #include "app/studio/sample_take.h"
 #include "app/studio/start_clock.h"
 #include "core/job/heap.h"
@@ -85,8 +86,9 @@ int runStudio(int argc, char** argv) {
     QApplication::setOrganizationName("Noctule");
     QApplication::setApplicationName("noctule");
     QApplication::setApplicationDisplayName("Noctule");
-    QApplication::setApplicationVersion(NOCTULE_VERSION);
+    QApplication::setApplicationVersion(batch::softwareVersion());
     QApplication::setQuitOnLastWindowClosed(true);
+    QGuiApplication::setDesktopFileName("noctule");  // desktops take the window's icon from there
     Theme::install(application);
 
     Studio studio(parts());

@@ -11,8 +11,6 @@ namespace noctule::virtual_suit {
 namespace {
 
 constexpr const char* kDefaultTcp = "127.0.0.1:41941";
-constexpr const char* kExample = "noctule-virtual-suit --rig rest --tcp 127.0.0.1:41941";
-
 const std::vector<batch::Option>& table() {
     static const std::vector<batch::Option> options = [] {
         using namespace batch;
@@ -90,6 +88,29 @@ Status addAddresses(Options& options) {
 
 }  // namespace
 
+const std::vector<batch::Option>& optionTable() {
+    return table();
+}
+
+std::string controlHelp() {
+    return "  unplug BOARD, plug BOARD, swap A B, slip BOARD DEGREES, drop-bytes RATE, flip-bits RATE,\n"
+           "  stall SECONDS, cut SECONDS, battery PERCENT, temperature C, quit; pose rest|t|sit (rig rest),\n"
+           "  side SIDE (rig level), spin SIDE RPM (rig turntable, 0 stops it), placement N (rig jig).\n"
+           "BOARD is an id such as l_forearm or a number from 1, RATE a share from 0 to 1,\n"
+           "SIDE the boards' axis that points up: +x, -x, +y, -y, +z or -z.\n";
+}
+
+const std::vector<batch::ExitCode>& exitCodes() {
+    static const std::vector<batch::ExitCode> codes = {{0, "ended by quit"},
+                                                       {1, "internal error"},
+                                                       {2, "usage"},
+                                                       {3, "input unreadable"},
+                                                       {4, "input readable but not usable"},
+                                                       {5, "a port cannot be had"},
+                                                       {130, "ended by Ctrl-C"}};
+    return codes;
+}
+
 Result<Options> parseOptions(const std::vector<std::string>& words) {
     auto arguments = batch::Arguments::parse(words, table());
     if (!arguments)
@@ -109,15 +130,8 @@ std::string helpText() {
            batch::optionList(table()) +
            "\nIt prints the addresses that `noctule --batch record --device` takes, then serves one studio "
            "at\n"
-           "a time until Ctrl-C. The control port takes one command a line and answers ok or error:\n"
-           "  unplug BOARD, plug BOARD, swap A B, slip BOARD DEGREES, drop-bytes RATE, flip-bits RATE,\n"
-           "  stall SECONDS, cut SECONDS, battery PERCENT, temperature C, quit; pose rest|t|sit (rig rest),\n"
-           "  side SIDE (rig level), spin SIDE RPM (rig turntable, 0 stops it), placement N (rig jig).\n"
-           "BOARD is an id such as l_forearm or a number from 1, RATE a share from 0 to 1,\n"
-           "SIDE the boards' axis that points up: +x, -x, +y, -y, +z or -z.\n"
-           "\nexit codes: 0 ended by quit, 1 internal error, 2 usage, 3 input unreadable, 4 input readable\n"
-           "but not usable, 5 a port cannot be had, 130 ended by Ctrl-C.\n\nexample: " +
-           kExample + "\n";
+           "a time until Ctrl-C. The control port takes one command a line and answers ok or error:\n" +
+           controlHelp() + "\n" + batch::exitCodeLine(exitCodes()) + "\nexample: " + kExample + "\n";
 }
 
 }  // namespace noctule::virtual_suit

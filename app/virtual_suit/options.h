@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/batch/arguments.h"
+#include "app/batch/help.h"
 #include "app/virtual_suit/address.h"
 
 namespace noctule::virtual_suit {
@@ -26,6 +27,12 @@ struct Options {
 /// kUsage names the mistake.
 Result<Options> parseOptions(const std::vector<std::string>& words);
 
+inline constexpr const char* kExample = "noctule-virtual-suit --rig rest --tcp 127.0.0.1:41941";
+
 std::string helpText();
+// What the help is made of; manual page and completion are made of it too.
+const std::vector<batch::Option>& optionTable();
+std::string controlHelp();
+const std::vector<batch::ExitCode>& exitCodes();
 
 }  // namespace noctule::virtual_suit

@@ -31,10 +31,10 @@ std::vector<std::string> encodersFor(const std::string& ending) {
 
 /// Loaded once, and for good.
 Result<const VideoBackend*> videoBackend() {
-    static void* const module = dlopen(besideThisProgram(kVideoModule).c_str(), RTLD_NOW | RTLD_LOCAL);
+    static void* const module = dlopen(helperPath(kVideoModule).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!module)
         return Error{ErrorKind::kInternal,
-                     besideThisProgram(kVideoModule) + ", which encodes films, cannot be loaded",
+                     helperPath(kVideoModule) + ", which encodes films, cannot be loaded",
                      "Install the program again; this file belongs beside it"};
     const auto backend = reinterpret_cast<const VideoBackend* (*)()>(dlsym(module, kVideoBackend));
     require(backend, "the module of films has a backend");

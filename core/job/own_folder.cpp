@@ -5,9 +5,14 @@
 
 namespace noctule {
 
-std::string besideThisProgram(const std::string& name) {
+std::string helperPath(const std::string& name) {
     std::error_code ignored;
-    return (std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / name).string();
+    const std::filesystem::path folder =
+        std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+    const std::filesystem::path installed = (folder / NOCTULE_HELPERS_FROM_BIN / name).lexically_normal();
+    const bool is_installed =
+        !std::filesystem::exists(folder / name, ignored) && std::filesystem::exists(installed, ignored);
+    return (is_installed ? installed : folder / name).string();
 }
 
 }  // namespace noctule

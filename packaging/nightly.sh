@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The slow checks, which .ci/run leaves out. Any of the names, or all:
+#   packaging/nightly.sh [debug|asan|tsan|clang|tidy|odr|package|busy]...
+# debug: Eigen's assertions, matrices begin as NaN. asan: address and undefined over core and devices. tsan: the threads
+# of devices and jobs. clang: another compiler. tidy: clang-tidy on what differs from the main branch (NOCTULE_BASE).
+# odr: one definition in the whole program, seen at link time. package: packaging/test_package.sh. busy: all tests beside
+# four loops that take the processors. What was run, with its result and time, ends in out/nightly/YYYY-MM-DD.md.
+set -uo pipefail
+cd "$(dirname "$0")/.."
+
+all=(debug asan tsan clang tidy odr package busy)
+chosen=("${@:-all}")
+[ "${chosen[0]}" != all ] || chosen=("${all[@]}")
+jobs=$(nproc)
+mkdir -p out/nightly
+log=out/nightly/$(date -u +%F).md
+export ASAN_OPTIONS=detect_stack_use_after_return=1:check_initialization_order=1:strict_string_checks=1
+export UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1
+export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1
+
+# The test programs whose names match, of a build folder.
+test_targets() {
+    cmake --build "$1" --target help | grep -oE "\btest_$2\w*" | sort -u
+}
+
+build_and_test() {
+    local folder=$1 pattern=$2
+    mapfile -t targets < <(test_targets "$folder" "$pattern")
+    cmake --build "$folder" --parallel "$jobs" --target "${targets[@]}" &&
+        ctest --test-dir "$folder" --parallel "$jobs" --no-tests=error --output-on-failure --timeout 1800 \
+            --tests-regex "^$pattern"
+}
+
+run_debug() {
+    cmake --preset dev -D CMAKE_UNITY_BUILD=ON -D CMAKE_UNITY_BUILD_BATCH_SIZE=100 -D NOCTULE_STUDIO=OFF >/dev/null &&
+        build_and_test build/dev "(core|devices)_"
+}
+run_asan() {
+    cmake --preset asan-ubsan -D NOCTULE_STUDIO=OFF >/dev/null && build_and_test build/asan-ubsan "(core|devices)_"
+}
+run_tsan() {
+    cmake --preset tsan -D NOCTULE_STUDIO=OFF >/dev/null &&
+        build_and_test build/tsan "(core_job|core_live|core_processing|devices_live)"
+}
+run_clang() {
+    cmake --preset release -B build/clang -D CMAKE_CXX_COMPILER=clang++ -D NOCTULE_WERROR=OFF -D NOCTULE_TESTS=OFF \
+        -D NOCTULE_BENCHMARKS=OFF >/dev/null &&
+        cmake --build build/clang --parallel "$jobs" --target noctule noctule-virtual-suit
+}
+run_tidy() {
+    local base=${NOCTULE_BASE:-origin/main}
+    cmake --preset dev >/dev/null || return 1
+    mapfile -t files < <(git diff --name-only --diff-filter=d "$base" -- 'core/*.cpp' 'devices/*.cpp' 'app/*.cpp')
+    [ ${#files[@]} -gt 0 ] || { echo "no source differs from $base"; return 0; }
+    clang-tidy -p build/dev --warnings-as-errors='*' "${files[@]}"
+}
+run_odr() {
+    cmake --preset package -B build/odr -D CMAKE_CXX_FLAGS="-flto=auto -Wodr -Werror=odr" \
+        -D CMAKE_AR="$(command -v gcc-ar)" -D CMAKE_RANLIB="$(command -v gcc-ranlib)" >/dev/null &&
+        cmake --build build/odr --parallel "$jobs" --target noctule noctule-virtual-suit
+}
+run_package() { packaging/test_package.sh; }
+run_busy() {
+    local loops=()
+    for _ in 1 2 3 4; do (while :; do :; done) & loops+=($!); done
+    cmake --preset release >/dev/null && cmake --build --preset release --parallel "$jobs" &&
+        ctest --preset release --parallel "$jobs" --no-tests=error
+    local result=$?
+    kill "${loops[@]}"
+    return $result
+}
+
+packaging/dependencies.sh all || exit 1
+echo "# $(date -u +'%F %H:%M') UTC, $(git describe --always --dirty 2>/dev/null || echo 'no git')" >>"$log"
+failed=0
+for name in "${chosen[@]}"; do
+    declare -F "run_$name" >/dev/null || { echo "nightly: unknown part $name; choose ${all[*]}" >&2; exit 2; }
+    begin=$SECONDS
+    echo "== $name"
+    "run_$name" && result=passed || { result=FAILED; failed=1; }
+    echo "- $name: $result, $((SECONDS - begin)) s" | tee -a "$log"
+done
+exit $failed
