@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Proves that the sources keep to the layout of the house: arrows point down (app -> ui -> devices -> core, and
 among core's rooms as core/CMakeLists.txt links them), core knows no Qt, threads, clocks or environment, a library
-stays in its room, every file carries its licence.
+stays in its room, every file carries its licence, no two headers define one type name in one namespace.
 
   architecture.py               checks this tree; exit code 1 and one line per complaint
   architecture.py --self-test   breaks every rule once, in memory, and sees that it is noticed
@@ -38,6 +38,9 @@ QT_OF_BASE = {"Core", "Gui", "Widgets", "Network", "Test"}  # come with the pack
 FLAGS = re.compile(r"\b(add_compile_options|target_compile_options|CMAKE_CXX_FLAGS)\b")
 # Spelled in pieces, so that this file does not complain about itself.
 FORBIDDEN_WORDS = re.compile(r"\b(TO" r"DO|FIX" r"ME)\b|(?<![\w.])/(wo" r"rk|ro" r"ot|ho" r"me)/\w")
+NAMESPACE = re.compile(r"\bnamespace\s+([\w:]+)?\s*\{")
+TYPE = re.compile(r"(?:\btemplate\s*<[^;{]*>\s*)?\b(enum\s+class|enum|struct|class|union)\s+([\w:]+)(?<!:)\s*(?:final\s*)?"
+                  r"(?::[^;{]*)?\{")
 LICENCE = "SPDX-License-Identifier: Apache-2.0"
 SOURCE_SUFFIXES = {".h", ".cpp"}
 SCRIPT_SUFFIXES = {".py", ".sh"}
@@ -186,8 +189,42 @@ def check_build(files, complaints):
         complaints.append(f"packaging/dependencies.sh: no package for {name}, which the build looks for")
 
 
+def types_of(text):
+    """Types that a header defines outside of functions and other types, with their namespaces: noctule::Pose."""
+    text = re.sub(r'"(?:\\.|[^"\\\n])*"', '""', without_comments(text))
+    found, scopes, at = [], [], 0
+    while at < len(text):
+        opens = NAMESPACE.match(text, at) or TYPE.match(text, at)
+        if opens and not (at and (text[at - 1].isalnum() or text[at - 1] in "_:")):
+            is_type = opens.re is TYPE
+            name = opens.group(2 if is_type else 1) or "(anonymous)"
+            if is_type and all(scope and scope[0] == "namespace" for scope in scopes):
+                found.append("::".join([scope[1] for scope in scopes] + [name]))
+            scopes.append(("type" if is_type else "namespace", name))
+            at = opens.end()
+            continue
+        if text[at] == "{":
+            scopes.append(None)
+        elif text[at] == "}" and scopes:
+            scopes.pop()
+        at += 1
+    return found
+
+
+def check_type_names(files, complaints):
+    """Two layouts under one name are undefined behaviour, and no compiler says so."""
+    homes = {}
+    for path, text in files.items():
+        if suffix(path) == ".h" and path.split("/")[0] in LAYERS:
+            for name in types_of(text):
+                homes.setdefault(name, set()).add(path)
+    for name, paths in sorted(homes.items()):
+        if len(paths) > 1:
+            complaints.append(f"{name} is defined in {' and in '.join(sorted(paths))}")
+
+
 CHECKS = (check_rooms, check_purity, check_layers, check_libraries, check_licences, check_words, check_top_level,
-          check_build)
+          check_build, check_type_names)
 
 
 def complaints_about(files):
@@ -297,6 +334,13 @@ def broken_trees(files):
         ("dependency without package", {"CMakeLists.txt": build + "find_package(Ceres REQUIRED)\n"}, "for Ceres"),
         ("part of Qt without package", {"CMakeLists.txt": build.replace("SerialPort", "Bluetooth", 1)},
          "for Qt5's Bluetooth"),
+        ("two types of one name",
+         {**source("core/math/a.h", "namespace noctule { struct Twin { int a; }; }"),
+          **source("core/suit/b.h", "namespace noctule { template <class T>\nclass Twin : public T { T b; }; }")},
+         "noctule::Twin is defined in core/math/a.h and in core/suit/b.h"),
+        ("two enumerations of one name",
+         {**source("core/math/a.h", "namespace noctule { enum class Twin { kA }; }"),
+          **source("ui/style/b.h", "namespace noctule { enum class Twin : int { kB }; }")}, "noctule::Twin is defined"),
         ("module without package", {"CMakeLists.txt": build + "pkg_check_modules(E REQUIRED flite)\n"}, "for flite"),
     ]
 
@@ -312,6 +356,9 @@ def self_test(files):
             unnoticed += 1
             print(f"self-test: {name} went unnoticed; new complaints: {new}")
     harmless = {"core/math/a.cpp": f'// {LICENCE}\n#include <vector>\n#include "core/job/result.h"\n// std::cout\n'}
+    twin = "struct Inner { int a; };"
+    harmless |= {"core/math/a.h": f"// {LICENCE}\nnamespace noctule {{ struct Pair; struct A {{ {twin} }}; {twin} }}\n",
+                 "core/suit/b.h": f"// {LICENCE}\nnamespace noctule::suits {{ struct Pair; class B {{ {twin} }}; {twin} }}"}
     for text in set(complaints_about({**files, **harmless})) - before:
         unnoticed += 1
         print(f"self-test: a harmless file is complained about: {text}")

@@ -89,7 +89,7 @@ Status Arguments::addOption(const std::vector<std::string>& words, size_t& index
     const Option* option = find(name);
     if (!option)
         return unknownOption(word.substr(0, equals));
-    if (values_.contains(name))
+    if (values_.contains(name) && option->kind != Option::Kind::kTexts)
         return Error{ErrorKind::kUsage, "--" + name + " is given twice", "Give it once"};
     if (option->kind == Option::Kind::kFlag) {
         if (equals != std::string::npos)
@@ -111,7 +111,7 @@ Status Arguments::addOption(const std::vector<std::string>& words, size_t& index
         return checked.error();
     values_[name] = *checked;
     if (option->kind == Option::Kind::kTexts) {
-        lists_[name] = {*checked};
+        lists_[name].push_back(*checked);
         while (index + 1 < words.size() && !words[index + 1].starts_with("--"))
             lists_[name].push_back(words[++index]);
     }

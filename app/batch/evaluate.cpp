@@ -4,6 +4,7 @@
 #include "core/body/text.h"
 #include "core/job/atomic_file.h"
 #include "core/processing/evaluate_take.h"
+#include "core/processing/run_subjects.h"
 #include "core/processing/orient_take.h"
 #include "core/report/evaluation_json.h"
 #include "core/report/html_report.h"
@@ -102,6 +103,33 @@ Outcome orientationOutcome(const std::string& take, const OrientationEvaluation&
             std::nullopt};
 }
 
+/// One entry of `subjects` and one line each; the rest of the outcome is the first subject's.
+Status addSubjects(const VerbContext& context, EvaluateRequest request,
+                   const std::vector<TakeSubject>& subjects, Outcome& outcome) {
+    request.all_runs = false;
+    outcome.json["subject"] = subjects.front().name;
+    outcome.text =
+        "subject " + subjects.front().name + ", of " + std::to_string(subjects.size()) + "\n" + outcome.text;
+    for (const TakeSubject& subject : subjects) {
+        request.suit = subject.suit();
+        const auto data = evaluateTake(request, context.job());
+        if (!data)
+            return data.error();
+        const nlohmann::json all = evaluationJson(*data, *data->shownRun());
+        nlohmann::json own{{"name", subject.name}, {"suit", subject.suit()}};
+        for (const char* member : {"mean_deg", "end_effector_mm", "root", "nees", "duration_s"})
+            own[member] = all.value(member, nlohmann::json(nullptr));
+        outcome.json["subjects"].push_back(own);
+        const auto& comparison = data->shownRun()->comparison;
+        outcome.text += "subject " + subject.name + ": " +
+                        (comparison ? fixed(comparison->mean_deg) + " deg mean, root position " +
+                                          fixed(comparison->root.position_m, 3) + " m"
+                                    : std::string("no reference")) +
+                        "\n";
+    }
+    return Done{};
+}
+
 Result<Outcome> runEvaluate(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     const bool overwrite = arguments.given("overwrite");
@@ -124,6 +152,10 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
             return clip.error();
         request.reference = std::move(*clip);
     }
+    const auto subjects = subjectsOfRun(request.take_path, request.run);
+    if (!subjects)
+        return subjects.error();
+    request.suit = subjects->front().suit();
     const auto data = evaluateTake(request, context.job());
     if (!data)
         return data.error();
@@ -131,6 +163,9 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
         context.console.warn(warning);
     const ReportRun& shown = *data->shownRun();
     Outcome outcome{evaluationJson(*data, shown), evaluationText(*data, shown), std::nullopt};
+    if (subjects->size() > 1)
+        if (Status added = addSubjects(context, request, *subjects, outcome); !added)
+            return added.error();
     if (shown.comparison)
         outcome.json["joints_matched"] = matchedJson(*shown.comparison);
     if (!report_path.empty()) {

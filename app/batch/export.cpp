@@ -10,6 +10,7 @@
 #include "core/film/video_file.h"
 #include "core/processing/export_program.h"
 #include "core/processing/export_take.h"
+#include "core/processing/run_subjects.h"
 
 namespace noctule::batch {
 namespace {
@@ -76,6 +77,33 @@ ExportRequest requestFor(const Arguments& arguments, const std::string& take_pat
     request.angles = arguments.given("angles");
     request.overwrite = arguments.given("overwrite");
     return request;
+}
+
+/// "walk_A.bvh" of "walk.bvh"; what a file's name cannot hold becomes an underscore.
+std::string withSubject(const std::string& path, const std::string& subject) {
+    std::string name = subject;
+    std::ranges::replace_if(
+        name, [](char c) { return c == '/' || c == '\\' || c == ':' || c == ' '; }, '_');
+    const std::filesystem::path whole(path);
+    return (whole.parent_path() / (whole.stem().string() + "_" + name + whole.extension().string())).string();
+}
+
+/// One for each subject of the run. A take that cannot be read gets one, whose job names the trouble.
+std::vector<ExportRequest> requestsFor(const Arguments& arguments, const std::string& take_path) {
+    const ExportRequest request = requestFor(arguments, take_path);
+    const auto subjects = subjectsOfRun(take_path, request.run);
+    if (!subjects || arguments.given("stacks"))
+        return {request};
+    std::vector<ExportRequest> requests;
+    for (const TakeSubject& subject : *subjects) {
+        ExportRequest own = request;
+        own.suit = subject.suit();
+        for (const ExportFormatEntry& format : exportFormats())
+            if (std::string& path = own.*format.path; subjects->size() > 1 && !path.empty())
+                path = withSubject(path, subject.name);
+        requests.push_back(std::move(own));
+    }
+    return requests;
 }
 
 Status checkPictures(const Arguments& arguments, const ExportRequest& request) {
@@ -225,7 +253,8 @@ Result<Outcome> writeStacks(const VerbContext& context, const std::vector<Export
 Result<Outcome> runExport(const VerbContext& context) {
     std::vector<ExportRequest> requests;
     for (const std::string& take : context.arguments.operands())
-        requests.push_back(requestFor(context.arguments, take));
+        for (ExportRequest& request : requestsFor(context.arguments, take))
+            requests.push_back(std::move(request));
     if (Status sensible = checkRequests(context.arguments, requests); !sensible)
         return sensible.error();
     const auto body = readBody(context);
@@ -236,10 +265,21 @@ Result<Outcome> runExport(const VerbContext& context) {
     if (context.arguments.given("stacks"))
         return writeStacks(context, requests);
     return forEachTake(context, 1, [&](const std::string& take, const JobContext& job) -> Result<Outcome> {
-        ExportRequest request = requestFor(context.arguments, take);
-        request.worn = *body;
-        const auto summary = exportTake(request, job);
-        return summary ? outcomeOf(request, *summary) : Result<Outcome>(summary.error());
+        Outcome outcome;
+        for (ExportRequest& request : requestsFor(context.arguments, take)) {
+            request.worn = *body;
+            const auto summary = exportTake(request, job);
+            if (!summary)
+                return summary.error();
+            Outcome one = outcomeOf(request, *summary);
+            if (outcome.json.is_null())
+                outcome.json = one.json;
+            else
+                outcome.json["files"].insert(outcome.json["files"].end(), one.json["files"].begin(),
+                                             one.json["files"].end());
+            outcome.text += one.text;
+        }
+        return outcome;
     });
 }
 

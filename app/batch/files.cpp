@@ -13,6 +13,15 @@
 namespace noctule::batch {
 namespace {
 
+template <class T>
+Result<T> readDocument(const std::string& path,
+                       Result<T> (*fromJson)(const nlohmann::json&, const std::string&)) {
+    const auto json = readJson(path);
+    return json ? fromJson(*json, path) : Result<T>(json.error());
+}
+
+}  // namespace
+
 Result<nlohmann::json> readJson(const std::string& path) {
     const auto text = readTextFile(path, &signalFlag());
     if (!text)
@@ -22,15 +31,6 @@ Result<nlohmann::json> readJson(const std::string& path) {
         return Error{ErrorKind::kUnreadable, path + ": is not JSON", "Check that it is the right file"};
     return json;
 }
-
-template <class T>
-Result<T> readDocument(const std::string& path,
-                       Result<T> (*fromJson)(const nlohmann::json&, const std::string&)) {
-    const auto json = readJson(path);
-    return json ? fromJson(*json, path) : Result<T>(json.error());
-}
-
-}  // namespace
 
 Option bvhUnitOption() {
     return choice("bvh-unit", {"m", "cm", "mm", "inch", "cmu", "dm", "auto"},

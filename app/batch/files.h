@@ -19,6 +19,8 @@ Option bvhUnitOption();
 /// What the reader found odd goes to the console as warnings.
 Result<MotionClip> readMotion(const std::string& path, const std::string& bvh_unit, Console& console);
 
+/// kUnreadable when it is no JSON.
+Result<nlohmann::json> readJson(const std::string& path);
 Result<Suit> readSuit(const std::string& path);
 Result<Actor> readActor(const std::string& path);
 Result<Calibration> readCalibration(const std::string& path);

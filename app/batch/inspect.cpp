@@ -45,8 +45,26 @@ std::string headText(const TakeInspection& in) {
            line("external root", in.external_root_rows == 0 ? "" : counted(in.external_root_rows, "rows"));
 }
 
+std::string suitText(const SuitSummary& suit) {
+    char carrier[32];
+    std::snprintf(carrier, sizeof carrier, "%.1f kHz", suit.carrier_hz / 1000);
+    const std::string who = suit.room              ? "the room"
+                            : suit.subject.empty() ? "nobody"
+                                                   : "subject " + suit.subject;
+    return line("suit " + std::to_string(suit.suit),
+                who + (suit.name.empty() ? "" : ", '" + suit.name + "'") + ": " +
+                    counted(static_cast<int64_t>(suit.boards), "boards, ") +
+                    counted(static_cast<int64_t>(suit.sources), "sources at ") + carrier + ", " +
+                    counted(suit.blocks, "blocks, ") + counted(suit.pulses, "pulses, ") +
+                    counted(suit.status_rows, "status rows, ") +
+                    counted(suit.reference_frames, "reference frames, ") +
+                    counted(suit.external_root_rows, "external root rows"));
+}
+
 std::string rowsText(const TakeInspection& in) {
     std::string text;
+    for (const SuitSummary& suit : in.suits)
+        text += suitText(suit);
     for (const GapRow& gap : in.gaps)
         text += line("gap", counted(gap.sample_count, "samples from ") + std::to_string(gap.first_sample) +
                                 (gap.board ? ", board " + std::to_string(*gap.board + 1) : ", all boards") +

@@ -2,24 +2,12 @@
 #include "app/batch/option.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "core/job/nearest_word.h"
 
 namespace noctule::batch {
 namespace {
-
-/// Levenshtein distance.
-size_t editsBetween(const std::string& a, const std::string& b) {
-    std::vector<size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), size_t{0});
-    for (size_t i = 1; i <= a.size(); ++i) {
-        size_t diagonal = std::exchange(row[0], i);
-        for (size_t j = 1; j <= b.size(); ++j)
-            diagonal = std::exchange(
-                row[j], std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)}));
-    }
-    return row[b.size()];
-}
 
 Option make(Option::Kind kind, const std::string& name, const std::string& placeholder,
             const std::string& help) {
@@ -91,10 +79,7 @@ const std::vector<Option>& commonOptions() {
 }
 
 std::string nearest(const std::string& word, const std::vector<std::string>& known) {
-    const auto best = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-        return editsBetween(word, a) < editsBetween(word, b);
-    });
-    return best == known.end() ? "" : *best;
+    return nearestWord(word, known);
 }
 
 std::string listed(const std::vector<std::string>& words) {

@@ -12,7 +12,7 @@ struct Option {
     enum class Kind {
         kFlag,    ///< no value
         kText,    ///< a path or a name
-        kTexts,   ///< one or more, up to the next option
+        kTexts,   ///< one or more, up to the next option; may be given again
         kChoice,  ///< one of `choices`, upper and lower case alike
         kNumber,  ///< min to max, finite
         kWhole,   ///< the same without a fraction

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "app/batch/files.h"
+#include "app/batch/parameters.h"
 #include "app/batch/program.h"
 #include "app/batch/takes.h"
+#include "core/estimation/paper_parameters.h"
 #include "core/processing/process_take.h"
 #include "core/recording/take_copy.h"
 #include "devices/device/clock.h"
@@ -30,6 +33,38 @@ Result<SensorSelection> sensorSelection(const std::string& letters) {
     return sensors;
 }
 
+/// "A,B"; blanks around a name are left out.
+std::vector<std::string> splitNames(const std::string& text) {
+    std::vector<std::string> names;
+    std::istringstream from(text);
+    for (std::string name; std::getline(from, name, ',');) {
+        const size_t begin = name.find_first_not_of(' '), end = name.find_last_not_of(' ');
+        if (begin != std::string::npos)
+            names.push_back(name.substr(begin, end - begin + 1));
+    }
+    return names;
+}
+
+/// --params, then --param, then --paper-sigma.
+Result<ParameterValues> parametersOf(const Arguments& arguments, const EstimatorEntry& estimator) {
+    ParameterValues values;
+    if (arguments.given("params"))
+        if (Status read = addParameterFile(arguments.text("params"), estimator, values); !read)
+            return read.error();
+    for (const std::string& setting : arguments.texts("param"))
+        if (Status read = addParameter(setting, values); !read)
+            return read.error();
+    if (const auto sigma = arguments.number("paper-sigma")) {
+        if (estimator.name != kPaperEstimator)
+            return Error{ErrorKind::kUsage, "--paper-sigma belongs to the paper's estimator",
+                         "Add --estimator paper, or leave it out"};
+        values[kPaperProcessSigma] = *sigma;
+    }
+    if (Status known = checkParameters(estimator.parameters, values, estimator.name); !known)
+        return known.error();
+    return values;
+}
+
 Result<ProcessRequest> requestOf(const Arguments& arguments) {
     ProcessRequest request;
     const auto sensors = sensorSelection(arguments.text("sensors"));
@@ -37,25 +72,26 @@ Result<ProcessRequest> requestOf(const Arguments& arguments) {
         return sensors.error();
     request.tracker.sensors = *sensors;
     request.tracker.root_given = arguments.text("root") == "given";
-    request.tracker.estimator = *estimatorFromName(arguments.text("estimator"));
+    request.tracker.estimator = arguments.text("estimator");
+    const EstimatorEntry& estimator = *findEstimator(request.tracker.estimator);
     request.tracker.smoother = *smootherFromName(arguments.text("smooth"));
-    if (request.tracker.smoother != Smoother::kNone && request.tracker.estimator == EstimatorKind::kPaper)
+    if (request.tracker.smoother != Smoother::kNone && !estimator.smooths)
         return Error{ErrorKind::kUsage,
-                     "--smooth " + arguments.text("smooth") +
-                         " does not go with the paper's estimator, which has no smoother",
-                     "Leave out --smooth, or --estimator paper"};
+                     "--smooth " + arguments.text("smooth") + " does not go with estimator " +
+                         estimator.name + ", which has no smoother",
+                     "Leave out --smooth, or --estimator " + estimator.name};
     request.tracker.ground = *groundFromName(arguments.text("ground"));
-    request.detector = *detectorFromName(arguments.text("detector"));
-    if (const auto sigma = arguments.number("paper-sigma")) {
-        if (request.tracker.estimator != EstimatorKind::kPaper)
-            return Error{ErrorKind::kUsage, "--paper-sigma belongs to the paper's estimator",
-                         "Add --estimator paper, or leave it out"};
-        request.tracker.paper_process_sigma_rad_per_s2 = *sigma;
-    }
+    if (arguments.given("detector"))
+        request.detector = *detectorFromName(arguments.text("detector"));
+    auto parameters = parametersOf(arguments, estimator);
+    if (!parameters)
+        return parameters.error();
+    request.tracker.parameters = std::move(*parameters);
     if (const Status read = readGiven(arguments, "calibration", readCalibration, request.calibration); !read)
         return read.error();
     if (const Status read = readGiven(arguments, "actor", readActor, request.actor); !read)
         return read.error();
+    request.subjects = splitNames(arguments.text("subjects"));
     request.run_name = arguments.text("run-name");
     request.software = softwareName();
     request.created_utc = utcNow();
@@ -97,6 +133,13 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
                     {"clipped_readings", s.clipped_readings},
                     {"resets", s.resets},
                     {"warnings", s.warnings}};
+    if (s.subjects.size() > 1)
+        for (const ProcessSummary::Subject& subject : s.subjects)
+            outcome.json["subjects"].push_back(
+                {{"name", subject.name},
+                 {"suit", subject.suit},
+                 {"poses", subject.poses},
+                 {"ranges", {{"heard", subject.ranges}, {"used", subject.ranges_used}}}});
     char text[240];
     std::snprintf(text, sizeof text,
                   "%lld poses over %.1f s; %lld of %lld ranges used, %lld gated; %lld of %lld frames lost.\n",
@@ -104,6 +147,11 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
                   static_cast<long long>(s.ranges), static_cast<long long>(s.ranges_gated),
                   static_cast<long long>(s.frames_lost), static_cast<long long>(s.frames_seen));
     outcome.text = path + ": run " + s.run_name + ", " + text;
+    if (s.subjects.size() > 1)
+        for (const ProcessSummary::Subject& subject : s.subjects)
+            outcome.text += path + ": " + subject.name + ", suit " + std::to_string(subject.suit) + ": " +
+                            std::to_string(subject.poses) + " poses, " + std::to_string(subject.ranges_used) +
+                            " of " + std::to_string(subject.ranges) + " ranges used.\n";
     if (s.contacts_edited)
         outcome.text += path + ": contacts of the feet as they were edited, none were looked for.\n";
     return outcome;
@@ -169,16 +217,19 @@ Verb processVerb() {
             "what holds feet that stand while the root is free: level holds their height, too; a treadmill "
             "nothing, though contacts are found; none: no contacts")
             .orElse("level"),
-        choice("detector", {"inflection", "matched"},
-               "what finds the pulses in the sound: matched is finer, inflection the paper's")
-            .orElse("inflection"),
-        choice("estimator", {"manifold", "paper"}, "paper: Vlasic 2007 to the letter").orElse("manifold"),
+        choice("detector", {"matched", "inflection"},
+               "what finds the pulses in the sound: matched, or the paper's inflection, which is the default "
+               "with --estimator paper"),
+        choice("estimator", estimatorNames(), "paper: Vlasic 2007 to the letter").orElse(kManifoldEstimator),
+        texts("param", "NAME=VALUE", "sets a parameter of the estimator; `estimators` lists them"),
+        text("params", "F.json", "parameters by name, or the settings of a run"),
         number("paper-sigma", "X", 1e-6, 1e6,
                "process sigma of the paper's estimator, rad/s^2 (default 0.04)"),
         choice("smooth", {"none", "lag", "full", "batch"},
                "poses that know what came later: half a second of it (lag) or all (full); batch: all, "
                "linearised again until the most probable motion is found, several times as long")
             .orElse("none"),
+        text("subjects", "A,B", "whose poses, of a take of several; all of them when not given"),
         text("run-name", "NAME", "name of the new run; from sensors, estimator and smoother when not given"),
         text("out-dir", "D", "copy the take there and write into the copy")};
     verb.remarks = {"Nothing is replaced: every call adds a run, and the raw data stay as they are."};

@@ -12,7 +12,7 @@ namespace noctule::batch {
 /// `words` follow `--batch`. Returns the exit code.
 int runBatch(const std::vector<std::string>& words, const CancelFlag& cancel);
 
-/// "noctule 0.1.0", as it stands in takes.
+/// "noctule 0.1.0-7-g1a2b3c4d", as it stands in takes.
 std::string softwareName();
 
 }  // namespace noctule::batch

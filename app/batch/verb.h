@@ -45,6 +45,7 @@ inline constexpr size_t kAnyNumber = 1'000'000;
 // app/batch/<name>.cpp each
 Verb simulateVerb();
 Verb processVerb();
+Verb estimatorsVerb();
 Verb evaluateVerb();
 Verb exportVerb();
 Verb inspectVerb();

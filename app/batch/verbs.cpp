@@ -11,6 +11,7 @@ nlohmann::json errorJson(const Error& error) {
 const std::vector<Verb>& verbs() {
     static const std::vector<Verb> all = {simulateVerb(),
                                           processVerb(),
+                                          estimatorsVerb(),
                                           evaluateVerb(),
                                           exportVerb(),
                                           inspectVerb(),

@@ -49,7 +49,7 @@ void filterBothWays(const std::vector<Biquad>& sections, std::vector<Lanes>& row
 InflectionDetector::InflectionDetector(const PulseTrain& train)
     : interval_(train.interval_samples),
       margin_(int(std::ceil(kMargin_s * train.sample_rate_hz))),
-      band_pass_(butterworthBandPass(2, 37500, 42500, train.sample_rate_hz)),
+      band_pass_(butterworthBandPass(2, train.drive_hz - 2500, train.drive_hz + 2500, train.sample_rate_hz)),
       low_pass_(butterworthLowPass(2, 30000, train.sample_rate_hz)),
       rows_(windowSamples()) {}
 

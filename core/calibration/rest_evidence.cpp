@@ -67,12 +67,12 @@ Arrangement RestEvidenceMaker::asDescribed() const {
     return arrangement;
 }
 
-Vector3d RestEvidenceMaker::accel(const PlacedBoard& board) const {
+Vector3d RestEvidenceMaker::accel(const StreamPlace& board) const {
     return calibration(board.calibration)
         .accel.apply(still_.boards[static_cast<size_t>(board.stream)].accel_counts);
 }
 
-Vector3d RestEvidenceMaker::gyro_rad_per_s(const PlacedBoard& board) const {
+Vector3d RestEvidenceMaker::gyro_rad_per_s(const StreamPlace& board) const {
     return calibration(board.calibration)
         .gyro.apply(still_.boards[static_cast<size_t>(board.stream)].gyro_counts);
 }
@@ -90,7 +90,7 @@ bool RestEvidenceMaker::sameCalibration(int a, int b) const {
     return same(calibration(a).gyro, calibration(b).gyro) && same(calibration(a).accel, calibration(b).accel);
 }
 
-double RestEvidenceMaker::sensorCost(const PlacedBoard& board) const {
+double RestEvidenceMaker::sensorCost(const StreamPlace& board) const {
     if (!still_.boards[static_cast<size_t>(board.stream)].heard())
         return 0;
     const BoardCalibration& known = calibration(board.calibration);
@@ -114,14 +114,14 @@ std::optional<double> RestEvidenceMaker::distance_m(const StillFlight& flight, i
     return distance_m > 0 && std::isfinite(distance_m) ? std::optional(distance_m) : std::nullopt;
 }
 
-void RestEvidenceMaker::addUp(int place, const PlacedBoard& placed, RestEvidence& into) const {
+void RestEvidenceMaker::addUp(int place, const StreamPlace& placed, RestEvidence& into) const {
     const Vector3d up = accel(placed);
     if (still_.boards[static_cast<size_t>(placed.stream)].heard() && up.allFinite() &&
         up.norm() > kLeastForce_m_per_s2)
         into.ups.push_back({place, up.normalized(), sigmaUp_rad(placed.calibration)});
 }
 
-void RestEvidenceMaker::addDistance(int place, const PlacedBoard& placed, const StillFlight& flight,
+void RestEvidenceMaker::addDistance(int place, const StreamPlace& placed, const StillFlight& flight,
                                     RestEvidence& into) const {
     const auto distance = distance_m(flight, placed.calibration);
     // A faint pulse arrives late or from elsewhere: as in the paper, sigma / confidence.

@@ -14,12 +14,12 @@
 namespace noctule {
 
 /// What stands behind a place of the suit: whose readings and sound, and whose calibration belongs to them.
-struct PlacedBoard {
+struct StreamPlace {
     int stream = 0, calibration = 0;
 
-    bool operator==(const PlacedBoard&) const = default;
+    bool operator==(const StreamPlace&) const = default;
 };
-using Arrangement = std::vector<PlacedBoard>;  ///< per board of the suit
+using Arrangement = std::vector<StreamPlace>;  ///< per board of the suit
 
 class RestEvidenceMaker {
 public:
@@ -30,12 +30,12 @@ public:
     Arrangement asDescribed() const;
     RestEvidence make(const Arrangement& arrangement) const;
     /// -2 log likelihood of readings at rest: |a| = g and no rotation.
-    double sensorCost(const PlacedBoard& board) const;
+    double sensorCost(const StreamPlace& board) const;
 
     const BoardCalibration& calibration(int board) const { return calibrations_[static_cast<size_t>(board)]; }
     /// Mean specific force, m/s^2.
-    Vector3d accel(const PlacedBoard& board) const;
-    Vector3d gyro_rad_per_s(const PlacedBoard& board) const;
+    Vector3d accel(const StreamPlace& board) const;
+    Vector3d gyro_rad_per_s(const StreamPlace& board) const;
     bool accelIsCalibrated(int board) const;
     /// Of the direction of up; of a single board from its group (calibrated or not).
     double sigmaUp_rad(int board) const;
@@ -46,8 +46,8 @@ public:
 
 private:
     double spread_m_per_s2(bool calibrated) const;
-    void addUp(int place, const PlacedBoard& placed, RestEvidence& into) const;
-    void addDistance(int place, const PlacedBoard& placed, const StillFlight& flight,
+    void addUp(int place, const StreamPlace& placed, RestEvidence& into) const;
+    void addDistance(int place, const StreamPlace& placed, const StillFlight& flight,
                      RestEvidence& into) const;
 
     const Observations& take_;

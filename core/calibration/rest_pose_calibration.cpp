@@ -13,7 +13,7 @@ namespace noctule {
 namespace {
 
 bool takesPart(const RestExplanation& explained, int board) {
-    const PlacedBoard& placed = explained.arrangement[static_cast<size_t>(board)];
+    const StreamPlace& placed = explained.arrangement[static_cast<size_t>(board)];
     return placed.stream == board && placed.calibration == board;
 }
 

@@ -67,7 +67,7 @@ public:
 private:
     double arrangementCost(const Arrangement& arrangement) const {
         double cost = sight_.cost(arrangement);
-        for (const PlacedBoard& board : arrangement)
+        for (const StreamPlace& board : arrangement)
             cost += maker_.sensorCost(board);
         return cost;
     }

@@ -75,6 +75,13 @@ SuitModel moved(SuitModel suit, const KinematicTree& from, const KinematicTree& 
     return suit;
 }
 
+std::vector<double> boardRates(const SuitModel& suit) {
+    std::vector<double> rates_hz;
+    for (const MountedBoard& board : suit.boards)
+        rates_hz.push_back(board.rate_hz);
+    return rates_hz;
+}
+
 int64_t nanoseconds(double time_s) {
     return std::llround(time_s * 1e9);
 }
@@ -98,7 +105,7 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
       layout_(makeLayout(tree_.freedoms(), suit_, parameters_)),
       observations_(tree_, suit_, layout_, parameters_.g_m_per_s2),
       step_s_(1.0 / (kInertialFramesPerSecond * parameters_.steps_per_frame)),
-      inertial_(suit_.boards.size()) {
+      inertial_(boardRates(suit_)) {
     const int n = tree_.freedoms();
     acceleration_decay_ = Eigen::VectorXd::Constant(n, std::exp(-step_s_ / parameters_.joint_accel_time_s));
     wander_ = Eigen::VectorXd::Zero(layout_.size);

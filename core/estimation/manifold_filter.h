@@ -141,7 +141,7 @@ public:
 
     /// For smoothers, which drive the filter by steps: advanceTo() is `while (isDue(t)) step(nextInput())`.
     bool isDue(double time_s) const {
-        return static_cast<double>(now_.step_index + 1) * step_s_ + ReadingGrid::kReach_s <= time_s;
+        return static_cast<double>(now_.step_index + 1) * step_s_ + inertial_.reach_s() <= time_s;
     }
     double stepSeconds() const { return step_s_; }
     StepInput nextInput();

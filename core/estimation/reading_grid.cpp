@@ -8,7 +8,7 @@
 namespace noctule {
 namespace {
 
-constexpr double kLongestGap_s = 2.5 / 140;  ///< one reading may be missing
+constexpr double kLongestGap = 2.5, kReach = 1.001;  // intervals; one reading may be missing
 constexpr double kSame_s = 1e-6;
 constexpr ptrdiff_t kBefore = 3;  ///< readings that the cubic takes from before
 
@@ -35,6 +35,16 @@ double interpolate(Iterator begin, Iterator end, double time_s) {
 
 }  // namespace
 
+ReadingGrid::ReadingGrid(const std::vector<double>& rates_hz) : reach_s_(kReach / kInertialFramesPerSecond) {
+    for (const double rate_hz : rates_hz) {
+        Board& board = boards_.emplace_back();
+        board.longest_gap_s = kLongestGap / rate_hz;
+        board.reach_s = rate_hz == kInertialFramesPerSecond ? kReach / rate_hz : board.longest_gap_s;
+        board.noise_factor = std::sqrt(std::max(1.0, kInertialFramesPerSecond / rate_hz));
+        reach_s_ = std::max(reach_s_, board.reach_s);
+    }
+}
+
 void ReadingGrid::add(const InertialMeasurement& measurement) {
     Board& board = boards_[static_cast<size_t>(measurement.board)];
     const auto addAll = [&](const TriadReading& triad, size_t first) {
@@ -52,7 +62,7 @@ void ReadingGrid::addTo(Track& track, double time_s, const AxisReading& reading)
         track.push_back({time_s, reading});
 }
 
-bool ReadingGrid::readAt(Track& track, double time_s, AxisReading& reading) {
+bool ReadingGrid::readAt(const Board& board, Track& track, double time_s, AxisReading& reading) {
     const auto is_later = [](double t, const Sample& sample) { return t < sample.time_s; };
     auto next = std::upper_bound(track.begin(), track.end(), time_s + kSame_s, is_later);
     if (next - track.begin() > kBefore)
@@ -64,7 +74,8 @@ bool ReadingGrid::readAt(Track& track, double time_s, AxisReading& reading) {
         reading = last.reading;
         return true;
     }
-    if (next == track.end() || next->time_s > time_s + kReach_s || next->time_s - last.time_s > kLongestGap_s)
+    if (next == track.end() || next->time_s > time_s + board.reach_s ||
+        next->time_s - last.time_s > board.longest_gap_s)
         return false;
     const Sample& nearest = next->time_s - time_s < time_s - last.time_s ? *next : last;
     reading = nearest.reading;
@@ -72,7 +83,7 @@ bool ReadingGrid::readAt(Track& track, double time_s, AxisReading& reading) {
         return nearest.reading.beyond != 0;
     auto first = std::prev(next);
     while (first != track.begin() && std::prev(first)->reading.beyond == 0 &&
-           first->time_s - std::prev(first)->time_s <= kLongestGap_s)
+           first->time_s - std::prev(first)->time_s <= board.longest_gap_s)
         --first;
     reading.value = interpolate(first, std::next(next), time_s);
     reading.sigma = std::max(last.reading.sigma, next->reading.sigma);
@@ -85,8 +96,10 @@ std::vector<InertialMeasurement> ReadingGrid::at(double time_s) {
         InertialMeasurement measurement{static_cast<int>(b), time_s, {}, {}};
         for (size_t i = 0; i < 6; ++i) {
             AxisReading reading;
-            if (readAt(boards_[b].axes[i], time_s, reading))
-                (i < 3 ? measurement.gyro : measurement.accel).add(reading);
+            if (!readAt(boards_[b], boards_[b].axes[i], time_s, reading))
+                continue;
+            reading.sigma *= boards_[b].noise_factor;
+            (i < 3 ? measurement.gyro : measurement.accel).add(reading);
         }
         if (measurement.gyro.count + measurement.accel.count > 0)
             all.push_back(measurement);

@@ -72,6 +72,7 @@ Result<SuitModel> mountSuit(const Suit& suit, const Calibration& calibration, co
         const Quaterniond q = board.q_segment_board;
         model.boards.push_back(
             {linkOf(board.segment, actor, tree), p, q.toRotationMatrix(), p + q * board.p_board_mic_m});
+        model.boards.back().rate_hz = board.rate_hz;
         const BoardCalibration* known = calibration.findBoard(board.id);
         if (!known || !known->flesh || model.boards.back().link < 0)
             continue;

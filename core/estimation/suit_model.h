@@ -27,6 +27,7 @@ struct MountedBoard {
     Matrix3d R_link_board = Matrix3d::Identity();
     Vector3d p_link_mic = Vector3d::Zero();
     std::optional<MountedFlesh> flesh = {};
+    double rate_hz = kUsualBoardRate_hz;  ///< nominal
 };
 
 /// A board where the flesh has taken it; in the link's frame.

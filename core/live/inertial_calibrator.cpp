@@ -39,10 +39,12 @@ InertialCalibrator::InertialCalibrator(const Suit& suit, const Calibration& cali
             axes.axes[i] = {row.normalized(),
                             triad.zero_counts[i % 3],
                             1 / row.norm(),
-                            i < 3 ? noise.gyro_rad_per_s : noise.accel_m_per_s2,
+                            i < 3 ? board.gyro_noise_rad_per_s.value_or(noise.gyro_rad_per_s)
+                                  : board.accel_noise_m_per_s2.value_or(noise.accel_m_per_s2),
                             std::nullopt,
                             codecRoundingSigmaCounts(0),
-                            !(triad.zero_counts.isZero() && triad.matrix.isIdentity())};
+                            !(triad.zero_counts.isZero() && triad.matrix.isIdentity()),
+                            board.rate_hz == kInertialFramesPerSecond};
         }
         boards_.push_back(axes);
     }
@@ -61,12 +63,18 @@ InertialMeasurement InertialCalibrator::convert(const InertialReading& reading) 
             triad.add({axis.sensitive_axis, *counts, axis.noise});
             continue;
         }
+        const bool clipped = *counts <= kCountsMin || *counts >= kCountsMax;
+        if (!axis.coded && !clipped) {
+            triad.add({axis.sensitive_axis, (*counts - axis.zero_counts) * axis.per_count,
+                       std::hypot(axis.noise, axis.per_count / std::sqrt(12.0))});
+            continue;
+        }
         const double step = axis.last_counts ? std::abs(*counts - *axis.last_counts) : 0;
         const double rounding = codecRoundingSigmaCounts(step);
         const double last_rounding = std::exchange(axis.last_rounding, rounding);
         const double both = std::hypot(rounding, last_rounding) * axis.per_count;
         axis.last_counts = counts;
-        if (*counts <= kCountsMin || *counts >= kCountsMax) {
+        if (clipped) {
             ++board.clipped;
             triad.add({axis.sensitive_axis, (*counts - axis.zero_counts) * axis.per_count,
                        (i < 3 ? kClippedGyro_rad_per_s : kClippedAccel_m_per_s2),

@@ -37,6 +37,7 @@ private:
         std::optional<double> last_counts;
         double last_rounding;  ///< counts
         bool counts;  ///< else SI already, as in takes imported from other sensors: neither clipped nor coded
+        bool coded;   ///< by the stream of our boards, whose rate is 140 Hz
     };
     struct BoardAxes {
         Axis axes[6];

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/estimation/batch_smoother.h"
+#include "core/live/estimators.h"
 
 namespace noctule {
 namespace {
@@ -17,41 +17,6 @@ constexpr double kUnstatedSigma_m = 0.0025;                           // Vlasic 
 // Nobody stands perfectly still: floors of a mean's deviation.
 constexpr double kRestGyroSigma_rad_per_s = 0.0005, kRestAccelSigma_m_per_s2 = 0.01;
 
-Result<std::unique_ptr<Estimator>> manifoldEstimator(const Skeleton& skeleton, SuitModel suit,
-                                                     const TrackerSettings& settings) {
-    ManifoldParameters parameters;
-    parameters.sensors = settings.sensors;
-    parameters.root_given = settings.root_given;
-    parameters.g_m_per_s2 = settings.g_m_per_s2;
-    parameters.ground.ground = settings.ground;
-    parameters.ground.given = settings.contacts;
-    std::unique_ptr<Estimator> estimator;
-    const size_t wanted = settings.smoother == Smoother::kBatch  ? 3
-                          : settings.smoother == Smoother::kFull ? 1
-                                                                 : 0;
-    std::vector<UnnamedFile> files;
-    while (files.size() < wanted) {
-        auto file = UnnamedFile::make(settings.spool_folder, "what smoothing puts aside",
-                                      "Check that you may write there, or process without smoothing");
-        if (!file)
-            return file.error();
-        files.push_back(std::move(*file));
-    }
-    if (settings.smoother == Smoother::kBatch) {
-        estimator = std::make_unique<BatchSmoother>(
-            skeleton, std::move(suit), parameters,
-            BatchFiles{std::move(files[0]), std::move(files[1]), std::move(files[2])});
-    } else if (settings.smoother == Smoother::kFull) {
-        estimator = std::make_unique<FixedIntervalSmoother>(skeleton, std::move(suit), parameters,
-                                                            std::move(files[0]));
-    } else if (settings.smoother == Smoother::kLag) {
-        estimator = std::make_unique<FixedLagSmoother>(skeleton, std::move(suit), parameters);
-    } else {
-        estimator = std::make_unique<ManifoldFilter>(skeleton, std::move(suit), parameters);
-    }
-    return estimator;
-}
-
 /// The pose has said which cycle of the carrier it is, or that none can be told: time and distance go with
 /// it.
 void settle(RangeMeasurement& range, const DistanceDecision::Settled& settled) {
@@ -61,17 +26,6 @@ void settle(RangeMeasurement& range, const DistanceDecision::Settled& settled) {
 }
 
 }  // namespace
-
-const char* estimatorName(EstimatorKind kind) {
-    return kind == EstimatorKind::kManifold ? "manifold" : "paper";
-}
-
-std::optional<EstimatorKind> estimatorFromName(const std::string& name) {
-    for (EstimatorKind kind : {EstimatorKind::kManifold, EstimatorKind::kPaper})
-        if (name == estimatorName(kind))
-            return kind;
-    return std::nullopt;
-}
 
 const char* smootherName(Smoother smoother) {
     return kSmootherNames[static_cast<size_t>(smoother)];
@@ -88,6 +42,12 @@ Result<std::unique_ptr<MotionTracker>> MotionTracker::create(const Suit& suit, c
                                                              const Actor& actor, double sample_rate_hz,
                                                              std::optional<std::pair<int64_t, int64_t>> rest,
                                                              const TrackerSettings& settings) {
+    const auto entry = estimatorNamed(settings.estimator);
+    if (!entry)
+        return entry.error();
+    if (Status checked = checkParameters((*entry)->parameters, settings.parameters, settings.estimator);
+        !checked)
+        return checked.error();
     const KinematicTree manifold_tree(actor.skeleton, BallCoordinates::kManifold);
     auto mounted = mountSuit(suit, calibration, actor, manifold_tree);
     if (!mounted)
@@ -98,22 +58,10 @@ Result<std::unique_ptr<MotionTracker>> MotionTracker::create(const Suit& suit, c
         tracker->rest_begin_s_ = static_cast<double>(rest->first) / sample_rate_hz;
         tracker->rest_end_s_ = static_cast<double>(rest->second) / sample_rate_hz;
     }
-    if (settings.estimator == EstimatorKind::kManifold) {
-        auto estimator = manifoldEstimator(actor.skeleton, std::move(*mounted), settings);
-        if (!estimator)
-            return estimator.error();
-        tracker->estimator_ = std::move(*estimator);
-    } else {
-        PaperParameters parameters;
-        parameters.sensors = settings.sensors;
-        parameters.root_given = settings.root_given;
-        parameters.g_m_per_s2 = settings.g_m_per_s2;
-        parameters.process_sigma_rad_per_s2 = settings.paper_process_sigma_rad_per_s2;
-        const KinematicTree euler_tree(actor.skeleton, BallCoordinates::kEuler);
-        auto euler_mounted = mountSuit(suit, calibration, actor, euler_tree);
-        tracker->estimator_ = std::make_unique<PaperFilter>(actor.skeleton, std::move(*euler_mounted),
-                                                            std::move(*mounted), parameters);
-    }
+    auto estimator = (*entry)->make({suit, calibration, actor, *mounted, settings});
+    if (!estimator)
+        return estimator.error();
+    tracker->estimator_ = std::move(*estimator);
     return tracker;
 }
 

@@ -12,19 +12,16 @@
 #include "core/body/actor.h"
 #include "core/estimation/estimator.h"
 #include "core/estimation/ground_contacts.h"
-#include "core/estimation/paper_filter.h"
+#include "core/estimation/parameter.h"
 #include "core/live/inertial_calibrator.h"
 
 namespace noctule {
 
-enum class EstimatorKind { kManifold, kPaper };
+/// Names in the registry of estimators (estimators.h), on the command line and in takes.
+inline constexpr const char* kManifoldEstimator = "manifold";
+inline constexpr const char* kPaperEstimator = "paper";
 
-/// "manifold", "paper": as on the command line and in takes.
-const char* estimatorName(EstimatorKind kind);
-std::optional<EstimatorKind> estimatorFromName(const std::string& name);
-
-/// Whether poses know what came later: kLag half a second of it, kFull all; kBatch all, linearised again
-/// until it settles.
+/// Smoothing. kLag: fixed lag, 0.5 s. kFull: fixed interval. kBatch: relinearised MAP.
 enum class Smoother { kNone, kLag, kFull, kBatch };
 
 /// "none", "lag", "full", "batch": as on the command line and in takes.
@@ -32,13 +29,13 @@ const char* smootherName(Smoother smoother);
 std::optional<Smoother> smootherFromName(const std::string& name);
 
 struct TrackerSettings {
-    EstimatorKind estimator = EstimatorKind::kManifold;
+    std::string estimator = kManifoldEstimator;
+    ParameterValues parameters;  ///< that differ from the estimator's defaults
     SensorSelection sensors;
     bool root_given = false;
     double g_m_per_s2 = kStandardGravity_m_per_s2;
-    double paper_process_sigma_rad_per_s2 = 0.04;
-    Smoother smoother = Smoother::kNone;  ///< of kManifold only
-    Ground ground = Ground::kLevel;       ///< of kManifold only
+    Smoother smoother = Smoother::kNone;  ///< of "manifold" only
+    Ground ground = Ground::kLevel;       ///< of "manifold" only
     /// When each foot stands, instead of what the readings show.
     std::optional<std::vector<FootContacts>> contacts{};
     std::string spool_folder = ".";  ///< kFull and kBatch put aside there what memory should not hold
@@ -47,7 +44,8 @@ struct TrackerSettings {
 class MotionTracker {
 public:
     /// `rest`: first and last sample of the time in which the performer holds the rest pose; none: the motion
-    /// is believed to begin in it at sample 0. Fails (kUnusable) when the suit does not fit the actor.
+    /// is believed to begin in it at sample 0. Fails (kUnusable) when the suit does not fit the actor, and
+    /// (kUsage) for an unknown estimator or parameter.
     static Result<std::unique_ptr<MotionTracker>> create(const Suit& suit, const Calibration& calibration,
                                                          const Actor& actor, double sample_rate_hz,
                                                          std::optional<std::pair<int64_t, int64_t>> rest,

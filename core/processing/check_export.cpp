@@ -182,9 +182,10 @@ struct CheckedTake {
 };
 
 Result<CheckedTake> checkedTake(const ExportRequest& request) {
-    const auto take = Take::open(request.take_path);
+    auto take = Take::open(request.take_path);
     if (!take)
         return take.error();
+    take->view(request.suit);
     CheckedTake checked;
     auto expected = expectedMotion(*take, request, checked.run);
     if (!expected)

@@ -54,7 +54,8 @@ Result<ReportTake> describeTake(const Take& take) {
     if (!rest)
         return rest.error();
     if (*rest)
-        described.rest_s = static_cast<double>((*rest)->last) / described.sample_rate_hz;
+        described.rest_s =
+            take.suitClock().takeTime_s(static_cast<double>((*rest)->last) / described.sample_rate_hz);
     const auto notes = take.notes();
     if (!notes)
         return notes.error();
@@ -251,6 +252,7 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
     auto opened = Take::open(request.take_path);
     if (!opened)
         return opened.error();
+    opened->view(request.suit);
     const Take& take = *opened;
     const auto shown =
         request.run_number ? poseRun(take, *request.run_number) : choosePoseRun(take, request.run);

@@ -86,9 +86,10 @@ bool locksFeet(const ExportRequest& request) {
 }
 
 Result<ExportedMotion> exportedMotion(const ExportRequest& request) {
-    const auto take = Take::open(request.take_path);
+    auto take = Take::open(request.take_path);
     if (!take)
         return take.error();
+    take->view(request.suit);
     const auto run = choosePoseRun(*take, request.run);
     if (!run)
         return run.error();

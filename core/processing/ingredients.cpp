@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/processing/ingredients.h"
 
+#include "core/live/estimators.h"
+
 namespace noctule {
 
 Error unusableTake(const Take& take, const std::string& what, const std::string& remedy) {
@@ -104,7 +106,7 @@ Status readDecoderSettings(const Take& take, const ProcessRequest& request, Ingr
                             "Correct board_count in meta or the suit's JSON");
     in.decoder.train = {static_cast<double>(*rate), static_cast<int>(take.header().pulse_interval_samples),
                         take.header().drive_hz, static_cast<int>(take.header().pulse_cycles)};
-    in.decoder.detector = request.detector;
+    in.decoder.detector = request.detector.value_or(findEstimator(request.tracker.estimator)->detector);
     return Done{};
 }
 
@@ -113,10 +115,25 @@ Status readDecoderSettings(const Take& take, const ProcessRequest& request, Ingr
 Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& request,
                                       std::vector<std::string>& warnings) {
     Ingredients in;
+    const auto estimator = estimatorNamed(request.tracker.estimator);
+    if (!estimator)
+        return estimator.error();
+    if (Status known =
+            checkParameters((*estimator)->parameters, request.tracker.parameters, request.tracker.estimator);
+        !known)
+        return known.error();
     auto suit = take.suit();
     if (!suit)
         return suit.error();
     in.suit = *suit;
+    in.clock = take.suitClock();
+    for (const Board& board : in.suit.boards)
+        if (take.level() == TakeLevel::kSignal && board.rate_hz != kUsualBoardRate_hz)
+            return unusableTake(take,
+                                "board " + board.id +
+                                    " is said to read other than 140 times a second, "
+                                    "which sound cannot carry",
+                                "Correct rate_hz in the suit's JSON");
     if (Status ready = readDecoderSettings(take, request, in); !ready)
         return ready.error();
     auto calibration = chooseCalibration(take, request, in, warnings);

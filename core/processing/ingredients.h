@@ -22,11 +22,13 @@ struct Ingredients {
     std::vector<ExternalRootRow> roots;
     std::optional<std::vector<FootContacts>> contacts;  ///< as an operator has set them
     int64_t sample_count = 0;
+    TakeSubject subject{"", {1}, false};
+    SuitClock clock;  ///< poses are written on take time
 };
 
-/// Fails when the take cannot be processed as asked (its suit and sound contradict each other, the
-/// calibration is another suit's, the root is to be given and is not there) and adds whole sentences to
-/// `warnings` where a default stands in for something that is missing.
+/// Of the suit in view. Fails when the take cannot be processed as asked (its suit and sound contradict each
+/// other, the calibration is another suit's, the root is to be given and is not there) and adds whole
+/// sentences to `warnings` where a default stands in for something that is missing.
 Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& request,
                                       std::vector<std::string>& warnings);
 

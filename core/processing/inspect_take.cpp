@@ -53,7 +53,7 @@ private:
         const auto documents = keep(rows);
         if (!documents || documents->empty())
             return "";
-        const auto document = keep((take_.*read)(1));
+        const auto document = keep((take_.*read)(kSuitInView));
         if (!document)
             return "";
         std::string text = std::to_string(document->id);
@@ -113,7 +113,7 @@ private:
         for (size_t b = 0; b < boards; ++b)
             in_.wires.push_back({b < in_.boards.size() ? in_.boards[b] : std::to_string(b + 1)});
         int64_t end = 0;
-        keep(take_.forEachBlock(1, [&](const AdcBlock& block) {
+        keep(take_.forEachBlock(kSuitInView, [&](const AdcBlock& block) {
             in_.hole_samples += std::max<int64_t>(0, block.first_sample - end);
             const auto samples = static_cast<int64_t>(block.values.size() / boards);
             end = block.first_sample + samples;
@@ -178,6 +178,79 @@ private:
     TakeInspection in_;
     std::optional<Suit> suit_;
 };
+
+template <class Rows>
+int64_t sizeOf(const Result<Rows>& rows, std::vector<std::string>& problems) {
+    if (rows)
+        return std::ssize(*rows);
+    problems.push_back(rows.error().text() + ".");
+    return 0;
+}
+
+/// The suit that is in view.
+SuitSummary summariseSuit(const Take& take, std::vector<std::string>& problems) {
+    SuitSummary summary;
+    summary.suit = take.viewed();
+    summary.carrier_hz = take.header().drive_hz;
+    if (const auto suit = take.suit()) {
+        summary.name = suit->name;
+        summary.boards = suit->boards.size();
+        summary.sources = suit->sources.size();
+    }
+    summary.pulses = sizeOf(take.pulses(), problems);
+    summary.status_rows = sizeOf(take.statusRows(), problems);
+    summary.external_root_rows = sizeOf(take.externalRoot(), problems);
+    if (const auto there = take.hasRows("reference"); there && *there) {
+        const auto reference = take.reference();
+        summary.reference_frames = reference ? std::ssize(reference->frames) : 0;
+        if (!reference)
+            problems.push_back(reference.error().text() + ".");
+    }
+    const Status read = take.forEachBlock(kSuitInView, [&](const AdcBlock&) {
+        ++summary.blocks;
+        return true;
+    });
+    if (!read)
+        problems.push_back(read.error().text() + ".");
+    return summary;
+}
+
+/// Of a take with one suit none: it is described anyway.
+std::vector<SuitSummary> summariseSuits(Take& take, std::vector<std::string>& problems) {
+    std::vector<SuitSummary> suits;
+    const auto subjects = take.subjects();
+    if (!subjects)
+        problems.push_back(subjects.error().text() + ".");
+    if (take.suitIds().size() < 2)
+        return suits;
+    for (const int suit : take.suitIds()) {
+        take.view(suit);
+        suits.push_back(summariseSuit(take, problems));
+        if (!subjects)
+            continue;
+        for (const TakeSubject& subject : *subjects)
+            if (std::ranges::count(subject.suits, suit) > 0) {
+                suits.back().subject = subject.name;
+                suits.back().room = subject.room;
+            }
+    }
+    return suits;
+}
+
+nlohmann::json suitJson(const SuitSummary& suit) {
+    return {{"suit", suit.suit},
+            {"name", suit.name},
+            {"subject", suit.subject.empty() ? nlohmann::json(nullptr) : nlohmann::json(suit.subject)},
+            {"room", suit.room},
+            {"boards", suit.boards},
+            {"sources", suit.sources},
+            {"carrier_hz", suit.carrier_hz},
+            {"blocks", suit.blocks},
+            {"pulses", suit.pulses},
+            {"status_rows", suit.status_rows},
+            {"reference_frames", suit.reference_frames},
+            {"external_root_rows", suit.external_root_rows}};
+}
 
 template <class T, class ToJson>
 nlohmann::json list(const std::vector<T>& values, ToJson toJson) {
@@ -252,10 +325,18 @@ nlohmann::json qualityJson(const TakeInspection& in) {
 }  // namespace
 
 Result<TakeInspection> inspectTake(const std::string& path, const JobContext& job) {
-    const auto take = Take::open(path);
+    auto take = Take::open(path);
     if (!take)
         return take.error();
-    return Inspector(*take, job).inspect();
+    std::vector<std::string> problems;
+    const std::vector<SuitSummary> suits = summariseSuits(*take, problems);
+    take->view(1);
+    auto inspection = Inspector(*take, job).inspect();
+    if (!inspection)
+        return inspection;
+    inspection->suits = suits;
+    inspection->problems.insert(inspection->problems.end(), problems.begin(), problems.end());
+    return inspection;
 }
 
 nlohmann::json toJson(const TakeInspection& in) {
@@ -285,6 +366,8 @@ nlohmann::json toJson(const TakeInspection& in) {
         {"quality", qualityJson(in)},
         {"missing", in.missing},
         {"problems", in.problems}};
+    if (!in.suits.empty())
+        json["suits"] = list(in.suits, suitJson);
     json.update(rowsJson(in));
     return json;
 }

@@ -26,6 +26,16 @@ struct PairSummary {
     double confidence = 0;                   ///< mean over all pulses; not heard counts as 0
 };
 
+/// One suit of several.
+struct SuitSummary {
+    int suit = 1;
+    std::string name, subject;  ///< subject empty: nobody's
+    bool room = false;
+    size_t boards = 0, sources = 0;
+    double carrier_hz = 0;
+    int64_t blocks = 0, pulses = 0, status_rows = 0, reference_frames = 0, external_root_rows = 0;
+};
+
 struct TakeInspection {
     std::string path;
     TakeHeader header;
@@ -38,6 +48,7 @@ struct TakeInspection {
     int64_t blocks = 0, block_samples = 0, hole_samples = 0, pulses = 0;
     int64_t reference_frames = 0, external_root_rows = 0;
     std::string reference_kind;
+    std::vector<SuitSummary> suits;  ///< of a take with several
     std::vector<GapRow> gaps;
     std::vector<MarkerRow> markers;
     std::vector<NoteRow> notes;

@@ -12,11 +12,11 @@
 namespace noctule {
 namespace {
 
-std::vector<RootMeasurement> rootMeasurements(const std::vector<ExternalRootRow>& rows) {
+std::vector<RootMeasurement> rootMeasurements(const Ingredients& in) {
     std::vector<RootMeasurement> roots;
-    for (const ExternalRootRow& row : rows)
-        roots.push_back({static_cast<double>(row.time_ns) * 1e-9, row.p_world_root, row.q_world_root,
-                         std::max(row.sigma_p_m, 1e-5), std::max(row.sigma_q_rad, 1e-5)});
+    for (const ExternalRootRow& row : in.roots)
+        roots.push_back({in.clock.suitTime_s(static_cast<double>(row.time_ns) * 1e-9), row.p_world_root,
+                         row.q_world_root, std::max(row.sigma_p_m, 1e-5), std::max(row.sigma_q_rad, 1e-5)});
     return roots;
 }
 
@@ -78,10 +78,10 @@ Status processSound(const Take& take, const Ingredients& in, const TrackerSettin
         pipeline.pushStatus(status);
     for (const GapRow& gap : log->gaps)
         pipeline.pushGap(gap.first_sample, gap.sample_count, gap.board);
-    for (const RootMeasurement& root : rootMeasurements(in.roots))
+    for (const RootMeasurement& root : rootMeasurements(in))
         pipeline.pushRoot(root);
     Status state = Done{};
-    Status read = take.forEachBlock(1, [&](const AdcBlock& block) {
+    Status read = take.forEachBlock(kSuitInView, [&](const AdcBlock& block) {
         if (job.cancelled())
             state = JobContext::cancelledError();
         else
@@ -123,7 +123,7 @@ Status processReadings(const Take& take, const Ingredients& in, const TrackerSet
     auto ranges = take.ranges(kPrimaryRun);
     if (!ranges)
         return ranges.error();
-    for (const RootMeasurement& root : rootMeasurements(in.roots))
+    for (const RootMeasurement& root : rootMeasurements(in))
         tracker.add(root);
     auto range = ranges->next();
     if (!range)

@@ -20,9 +20,10 @@ struct ProcessRequest {
     std::optional<Calibration> calibration;  ///< else the one in force in the take; becomes the one in force
     std::optional<Actor> actor;              ///< likewise
     TrackerSettings tracker;                 ///< sensors, root, estimator
-    Detector detector = Detector::kInflection;
-    std::string run_name;  ///< empty: defaultRunName()
-    std::string software;  ///< goes into the runs' rows
+    std::optional<Detector> detector{};      ///< none: the estimator's own (EstimatorEntry::detector)
+    std::vector<std::string> subjects;       ///< by name; empty: all
+    std::string run_name;                    ///< empty: defaultRunName()
+    std::string software;                    ///< goes into the runs' rows
     std::string created_utc;
 };
 
@@ -37,6 +38,12 @@ struct ProcessSummary {
     int64_t contacts = 0;               ///< of all feet
     bool contacts_edited = false;       ///< an operator's, instead of those in the readings
     std::vector<std::string> warnings;  ///< whole sentences
+    struct Subject {
+        std::string name;
+        int suit = 1;
+        int64_t poses = 0, ranges = 0, ranges_used = 0;
+    };
+    std::vector<Subject> subjects;  ///< in the order of the take
 };
 
 /// What a run is called when no name is given: "AGD", "G paper", "AGD lag", "AGD smoothed", "AGD batch".

@@ -25,7 +25,7 @@ Result<PulseShapes> learnShapes(const Take& take, const SoundLog& log, const Ing
     for (const Pulse& pulse : log.pulses)
         receiver->pushPulse(pulse);
     std::vector<PulseDetection> unused;
-    const Status read = take.forEachBlock(1, [&](const AdcBlock& block) {
+    const Status read = take.forEachBlock(kSuitInView, [&](const AdcBlock& block) {
         receiver->pushBlock(block.first_sample, block.values);
         receiver->advance(receiver->samplesEnd(), unused);
         unused.clear();

@@ -2,7 +2,12 @@
 #include "core/processing/result_runs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "core/estimation/paper_parameters.h"
+#include "core/job/text_hash.h"
+#include "core/live/estimators.h"
 
 namespace noctule {
 namespace {
@@ -25,35 +30,89 @@ std::string freeRunName(const std::vector<DerivedRun>& runs, const ProcessReques
     return name;
 }
 
-nlohmann::json settingsJson(const ProcessRequest& request, const Ingredients& in,
+const EstimatorEntry& estimatorOf(const ProcessRequest& request) {
+    const EstimatorEntry* entry = findEstimator(request.tracker.estimator);
+    require(entry != nullptr, "an estimator that was checked before");
+    return *entry;
+}
+
+nlohmann::json orNull(const std::optional<int64_t>& number) {
+    return number ? nlohmann::json(*number) : nlohmann::json(nullptr);
+}
+
+/// Everything that a pose run was made with; `made_by` is the hash of it all.
+nlohmann::json settingsJson(const ProcessRequest& request, const std::vector<Ingredients>& subjects,
                             const ProcessSummary& runs) {
+    const Ingredients& in = subjects.front();
+    const EstimatorEntry& estimator = estimatorOf(request);
+    const ParameterValues parameters = completeParameters(estimator.parameters, request.tracker.parameters);
     nlohmann::json settings{{"sensors", sensorLetters(request.tracker.sensors)},
                             {"root", request.tracker.root_given ? "given" : "free"},
-                            {"estimator", estimatorName(request.tracker.estimator)},
-                            {"detector", detectorName(request.detector)},
+                            {"estimator", estimator.name},
+                            {"detector", detectorName(in.decoder.detector)},
                             {"smooth", smootherName(request.tracker.smoother)},
-                            {"inertial_run", runs.inertial_run},
-                            {"range_run", runs.range_run}};
-    if (request.tracker.estimator == EstimatorKind::kManifold) {
+                            {"program", request.software},
+                            {"parameters", parameters}};
+    if (estimator.finds_contacts) {
         const bool looks = request.tracker.sensors.gyroscopes;
         settings["ground"] = groundName(looks ? request.tracker.ground : Ground::kNone);
         settings["contacts"] = in.contacts ? kContactsEdited : kContactsDetected;
     }
     if (in.rest)
         settings["rest_end_s"] = static_cast<double>(in.rest->second) / in.decoder.train.sample_rate_hz;
-    if (request.tracker.estimator == EstimatorKind::kPaper)
-        settings["process_sigma_rad_per_s2"] = request.tracker.paper_process_sigma_rad_per_s2;
+    if (const auto sigma = parameters.find(kPaperProcessSigma); sigma != parameters.end())
+        settings["process_sigma_rad_per_s2"] = sigma->second;
+    std::string made = settings.dump();
+    nlohmann::json list = nlohmann::json::array();
+    for (const Ingredients& of : subjects) {
+        made += toJson(of.suit).dump() + toJson(of.calibration).dump() + toJson(of.actor).dump();
+        list.push_back({{"name", of.subject.name},
+                        {"suit", of.subject.suit()},
+                        {"calibration_id", orNull(of.calibration_id)},
+                        {"actor_id", orNull(of.actor_id)}});
+    }
+    settings["made_by"] = textHash(made);
+    if (subjects.size() > 1 || in.subject.suit() != 1)
+        settings["subjects"] = list;
+    settings["inertial_run"] = runs.inertial_run;
+    settings["range_run"] = runs.range_run;
     return settings;
 }
 
-constexpr const char* kDecodedFromSound = R"({"from":"sound"})";
+/// What decoding readings depends on: the program, the wires, and which samples are there.
+Result<std::string> decodedSettings(Take& take, const ProcessRequest& request,
+                                    const std::vector<Ingredients>& subjects) {
+    std::string made = request.software;
+    for (const Ingredients& in : subjects) {
+        take.view(in.subject.suit());
+        const auto gaps = take.gaps();
+        if (!gaps)
+            return gaps.error();
+        made += " suit " + std::to_string(in.subject.suit()) + " " +
+                std::to_string(in.decoder.train.sample_rate_hz) + " " + std::to_string(in.sample_count);
+        for (const Board& board : in.suit.boards)
+            made += " " + board.id + (board.has_magnetometer ? " imu9" : " imu6");
+        for (const GapRow& gap : *gaps)
+            made += " gap " + std::to_string(gap.first_sample) + " " + std::to_string(gap.sample_count) +
+                    " " + std::to_string(gap.board.value_or(-1));
+    }
+    return nlohmann::json{{"from", "sound"}, {"made_by", textHash(made)}}.dump();
+}
 
-/// Readings do not depend on calibration or estimator: one run of them serves all.
-int64_t earlierInertialRun(const std::vector<DerivedRun>& runs, const std::string& software) {
+/// Readings do not depend on calibration or estimator: one run of them serves all that agree in the hash of
+/// what made it.
+int64_t earlierInertialRun(const std::vector<DerivedRun>& runs, const std::string& settings,
+                           const std::string& software) {
     for (const DerivedRun& run : runs)
-        if (run.kind == "inertial" && run.settings_json == kDecodedFromSound && run.software == software)
+        if (run.kind == "inertial" && run.settings_json == settings && run.software == software)
             return run.run;
     return 0;
+}
+
+TimedPose onTakeTime(TimedPose pose, const SuitClock& clock) {
+    if (!clock.isTakeTime())
+        pose.time_ns = std::llround(clock.offset_ns + clock.rate * static_cast<double>(pose.time_ns));
+    return pose;
 }
 
 /// The calibration and the actor of the request come into force.
@@ -76,19 +135,21 @@ Status addDocuments(TakeEdit& edit, const ProcessRequest& request, Ingredients& 
 }  // namespace
 
 std::string defaultRunName(const TrackerSettings& tracker) {
-    return sensorLetters(tracker.sensors) + (tracker.estimator == EstimatorKind::kPaper ? " paper" : "") +
+    return sensorLetters(tracker.sensors) +
+           (tracker.estimator == kManifoldEstimator ? "" : " " + tracker.estimator) +
            (tracker.smoother == Smoother::kFull    ? " smoothed"
             : tracker.smoother == Smoother::kLag   ? " lag"
             : tracker.smoother == Smoother::kBatch ? " batch"
                                                    : "");
 }
 
-Result<ResultRuns> ResultRuns::begin(const Take& take, TakeEdit& edit, const ProcessRequest& request,
-                                     const Ingredients& in) {
+Result<ResultRuns> ResultRuns::begin(Take& take, TakeEdit& edit, const ProcessRequest& request,
+                                     const std::vector<Ingredients>& subjects) {
+    const Ingredients& in = subjects.front();
     const auto earlier_runs = take.derivedRuns();
     if (!earlier_runs)
         return earlier_runs.error();
-    ResultRuns runs(edit, detectorName(request.detector));
+    ResultRuns runs(edit, detectorName(in.decoder.detector));
     ProcessSummary& summary = runs.summary;
     summary.run_name = freeRunName(*earlier_runs, request);
     const auto add = [&](const char* kind, const std::string& name, const std::string& settings) {
@@ -96,9 +157,12 @@ Result<ResultRuns> ResultRuns::begin(const Take& take, TakeEdit& edit, const Pro
             {0, kind, name, request.created_utc, request.software, settings, in.calibration_id, in.actor_id});
     };
     const bool sound = take.level() == TakeLevel::kSignal;
-    summary.inertial_run = earlierInertialRun(*earlier_runs, request.software);
+    const auto decoded = decodedSettings(take, request, subjects);
+    if (!decoded)
+        return decoded.error();
+    summary.inertial_run = earlierInertialRun(*earlier_runs, *decoded, request.software);
     if (sound && summary.inertial_run == 0) {
-        auto run = add("inertial", "decoded", kDecodedFromSound);
+        auto run = add("inertial", "decoded", *decoded);
         if (!run)
             return run.error();
         summary.inertial_run = *run;
@@ -108,13 +172,19 @@ Result<ResultRuns> ResultRuns::begin(const Take& take, TakeEdit& edit, const Pro
     if (!range_run)
         return range_run.error();
     summary.range_run = *range_run;
-    auto pose_run = add("pose", summary.run_name, settingsJson(request, in, summary).dump());
+    auto pose_run = add("pose", summary.run_name, settingsJson(request, subjects, summary).dump());
     if (!pose_run)
         return pose_run.error();
     summary.pose_run = *pose_run;
     summary.contacts_edited = in.contacts.has_value();
     summary.duration_s = static_cast<double>(in.sample_count) / in.decoder.train.sample_rate_hz;
     return runs;
+}
+
+void ResultRuns::beginSubject(const Ingredients& in) {
+    edit_->view(in.subject.suit());
+    clock_ = in.clock;
+    summary.subjects.push_back({in.subject.name, in.subject.suit(), 0, 0, 0});
 }
 
 Status ResultRuns::write(const std::vector<InertialReading>& readings) {
@@ -130,8 +200,11 @@ Status ResultRuns::write(const std::vector<InertialReading>& readings) {
 
 Status ResultRuns::write(const std::vector<RangeMeasurement>& ranges) {
     for (const RangeMeasurement& range : ranges) {
+        const bool used = range.fate == RangeFate::kUsed || range.fate == RangeFate::kWeighted;
         summary.ranges += 1;
-        summary.ranges_used += range.fate == RangeFate::kUsed || range.fate == RangeFate::kWeighted;
+        summary.ranges_used += used;
+        summary.subjects.back().ranges += 1;
+        summary.subjects.back().ranges_used += used;
         summary.ranges_gated += range.fate == RangeFate::kGated;
         if (Status done = edit_->addRange(summary.range_run, range, detector_); !done)
             return done;
@@ -142,45 +215,120 @@ Status ResultRuns::write(const std::vector<RangeMeasurement>& ranges) {
 Status ResultRuns::write(const std::vector<FootContacts>& contacts) {
     for (const FootContacts& foot : contacts)
         summary.contacts += std::ssize(foot.contacts);
-    return edit_->addContacts(summary.pose_run, contacts);
+    std::vector<FootContacts> on_take_time = contacts;
+    for (FootContacts& foot : on_take_time)
+        for (FootContact& contact : foot.contacts) {
+            contact.from_s = clock_.takeTime_s(contact.from_s);
+            contact.to_s = clock_.takeTime_s(contact.to_s);
+        }
+    return edit_->addContacts(summary.pose_run, on_take_time);
 }
 
 Status ResultRuns::write(const std::vector<TimedPose>& poses) {
     for (const TimedPose& pose : poses) {
         summary.poses += 1;
+        summary.subjects.back().poses += 1;
         if (!pose.pose || !isUsable(*pose.pose))
             return Error{ErrorKind::kInternal,
                          "the estimator lost its state at " +
                              std::to_string(static_cast<double>(pose.time_ns) * 1e-9) + " s",
                          "Please report this take; another choice of sensors may work"};
-        if (Status done = edit_->addPose(summary.pose_run, pose); !done)
+        if (Status done = edit_->addPose(summary.pose_run, onTakeTime(pose, clock_)); !done)
             return done;
     }
     return Done{};
 }
+
+namespace {
+
+std::string namesOf(const std::vector<TakeSubject>& subjects) {
+    std::string names;
+    for (const TakeSubject& subject : subjects)
+        if (!subject.room)
+            names += (names.empty() ? "" : ", ") + subject.name;
+    return names;
+}
+
+/// Those that poses are made of. Says in `warnings` what is left out.
+Result<std::vector<TakeSubject>> chooseSubjects(const Take& take, const ProcessRequest& request,
+                                                std::vector<std::string>& warnings) {
+    const auto all = take.subjects();
+    if (!all)
+        return all.error();
+    for (const std::string& name : request.subjects)
+        if (std::ranges::none_of(*all, [&](const auto& one) { return !one.room && one.name == name; }))
+            return Error{ErrorKind::kUsage, take.path() + ": has no subject '" + name + "'",
+                         "Its subjects are " + namesOf(*all)};
+    std::vector<TakeSubject> chosen;
+    for (const TakeSubject& subject : *all) {
+        if (subject.room)
+            warnings.push_back("Suit " + std::to_string(subject.suit()) +
+                               " stands in the room: it is kept, but nothing is measured with it yet.");
+        else if (request.subjects.empty() || std::ranges::count(request.subjects, subject.name) > 0)
+            chosen.push_back(subject);
+        if (!subject.room && subject.suits.size() > 1)
+            warnings.push_back(subject.name + " wears several suits: only suit " +
+                               std::to_string(subject.suit()) + " is used yet.");
+    }
+    if (chosen.size() > 1)
+        warnings.push_back("Distances between subjects are not used yet: each one's poses are its own.");
+    if (chosen.size() > 1 && (request.calibration || request.actor))
+        return Error{ErrorKind::kUsage, "one calibration or actor cannot be that of several subjects",
+                     "Add --subjects NAME, one of " + namesOf(*all)};
+    return chosen;
+}
+
+Result<std::vector<Ingredients>> gatherAll(Take& take, const ProcessRequest& request,
+                                           std::vector<std::string>& warnings) {
+    const auto subjects = chooseSubjects(take, request, warnings);
+    if (!subjects)
+        return subjects.error();
+    std::vector<Ingredients> all;
+    for (const TakeSubject& subject : *subjects) {
+        take.view(subject.suit());
+        std::vector<std::string> own;
+        auto in = gatherIngredients(take, request, own);
+        if (!in)
+            return in.error();
+        for (const std::string& warning : own)
+            warnings.push_back((subjects->size() > 1 ? subject.name + ": " : "") + warning);
+        in->subject = subject;
+        all.push_back(std::move(*in));
+    }
+    return all;
+}
+
+}  // namespace
 
 Result<ProcessSummary> writeRuns(const ProcessRequest& request, const FillRuns& fill) {
     auto take = Take::open(request.take_path, Access::kReadWrite);
     if (!take)
         return take.error();
     std::vector<std::string> warnings;
-    auto in = gatherIngredients(*take, request, warnings);
-    if (!in)
-        return in.error();
+    auto all = gatherAll(*take, request, warnings);
+    if (!all)
+        return all.error();
     auto edit = TakeEdit::begin(*take);
     if (!edit)
         return edit.error();
-    if (Status added = addDocuments(*edit, request, *in); !added)
+    edit->view(all->front().subject.suit());
+    if (Status added = addDocuments(*edit, request, all->front()); !added)
         return added.error();
-    auto runs = ResultRuns::begin(*take, *edit, request, *in);
+    auto runs = ResultRuns::begin(*take, *edit, request, *all);
     if (!runs)
         return runs.error();
     runs->summary.warnings = warnings;
-    if (Status filled = fill(*take, *in, *runs); !filled)
-        return filled.error();
-    if (runs->summary.poses == 0)
-        return unusableTake(*take, "it is too short or holds no sound: no pose came out",
-                            "`noctule --batch inspect` shows what is in it");
+    for (const Ingredients& in : *all) {
+        take->view(in.subject.suit());
+        runs->beginSubject(in);
+        if (Status filled = fill(*take, in, *runs); !filled)
+            return filled.error();
+        if (runs->summary.subjects.back().poses == 0)
+            return unusableTake(*take,
+                                (all->size() > 1 ? in.subject.name + ": " : std::string()) +
+                                    "it is too short or holds no sound: no pose came out",
+                                "`noctule --batch inspect` shows what is in it");
+    }
     for (const SkippedRows& skipped : take->skippedRows())
         runs->summary.warnings.push_back(std::to_string(skipped.count) + " rows of " + skipped.table +
                                          " could not be used, first " + skipped.first + ".");

@@ -17,8 +17,10 @@ class ResultRuns {
 public:
     /// Adds the rows that name the runs. Readings do not depend on calibration or estimator: a run of them by
     /// the same software serves all, and those given here are then only counted.
-    static Result<ResultRuns> begin(const Take& take, TakeEdit& edit, const ProcessRequest& request,
-                                    const Ingredients& in);
+    static Result<ResultRuns> begin(Take& take, TakeEdit& edit, const ProcessRequest& request,
+                                    const std::vector<Ingredients>& subjects);
+    /// What is written from now on is this subject's.
+    void beginSubject(const Ingredients& in);
 
     Status write(const std::vector<InertialReading>& readings);
     Status write(const std::vector<RangeMeasurement>& ranges);
@@ -33,10 +35,11 @@ private:
 
     TakeEdit* edit_;
     const char* detector_;
+    SuitClock clock_;
     bool writes_readings_ = false;
 };
 
-/// Gives everything that the processing yields to the runs.
+/// Gives everything that the processing of one subject, whose suit is in view, yields to the runs.
 using FillRuns = std::function<Status(const Take& take, const Ingredients& in, ResultRuns& runs)>;
 
 /// Everything or nothing: when filling fails or yields no pose, the take stays as it was.

@@ -14,7 +14,7 @@ Status TakeTables::addOrientation(int64_t run, const OrientationRow& row, int su
     if (!insert)
         return insert.error();
     const Quaterniond& q = row.q_world_board;
-    (*insert)->bind(0, run).bind(1, int64_t{suit}).bind(2, int64_t{row.board}).bind(3, row.time_ns);
+    (*insert)->bind(0, run).bind(1, int64_t{seen(suit)}).bind(2, int64_t{row.board}).bind(3, row.time_ns);
     (*insert)->bind(4, q.w()).bind(5, q.x()).bind(6, q.y()).bind(7, q.z());
     return (*insert)->bind(8, row.heading_sigma_rad).run();
 }
@@ -23,7 +23,7 @@ Result<std::vector<OrientationRow>> Take::orientations(int64_t run, int board, i
     const std::string filter = schema_->expression("orientation", "run") + "=" + std::to_string(run) +
                                " AND " + schema_->expression("orientation", "board") + "=" +
                                std::to_string(board) + " AND " + schema_->expression("orientation", "suit") +
-                               "=" + std::to_string(suit);
+                               "=" + std::to_string(seen(suit));
     const std::string sql =
         schema_->select("orientation", {"time_ns", "qw", "qx", "qy", "qz", "heading_sigma_rad"}) +
         (schema_->has("orientation") ? " WHERE " + filter + " ORDER BY time_ns" : "");

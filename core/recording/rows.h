@@ -40,6 +40,22 @@ enum class TakeLevel {
 struct SuitClock {
     double offset_ns = 0;
     double rate = 1;
+
+    bool isTakeTime() const { return offset_ns == 0 && rate == 1; }
+    double takeTime_s(double suit_s) const { return offset_ns * 1e-9 + rate * suit_s; }
+    double suitTime_s(double take_s) const { return (take_s - offset_ns * 1e-9) / rate; }
+};
+
+/// The suit that a Take or an edit looks at; see Take::view().
+inline constexpr int kSuitInView = 0;
+
+/// Who wears which suits; the first one carries the actor. A room: anchors that do not move.
+struct TakeSubject {
+    std::string name;
+    std::vector<int> suits;
+    bool room = false;
+
+    int suit() const { return suits.front(); }
 };
 
 /// `values` holds sample_count * board_count numbers, all boards of the first sample first.

@@ -16,6 +16,7 @@ namespace noctule {
 inline constexpr int64_t kTakeApplicationId = 0x4E4F4354;  ///< "NOCT"
 inline constexpr int64_t kTakeMajorVersion = 1;
 inline constexpr int64_t kTakeUserVersion = 1000 * kTakeMajorVersion;
+inline constexpr int64_t kTakeNewestVersion = kTakeUserVersion + 1;  ///< of takes that need format 1.1
 
 struct ColumnDefinition {
     std::string name;

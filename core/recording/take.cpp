@@ -60,7 +60,25 @@ Error Take::unusable(const std::string& what, const std::string& remedy) const {
 }
 
 std::string Take::ofSuit(const std::string& table, int suit) const {
+    suit = seen(suit);
     return " WHERE " + schema_->expression(table, "suit") + "=" + std::to_string(suit);
+}
+
+void Take::view(int suit) {
+    view_ = suit;
+    header_ = headerFrom(meta_);
+    const auto found = suits_.find(suit);
+    if (found == suits_.end() || !found->second.suit)
+        return;
+    const Suit& viewed = *found->second.suit;
+    header_.drive_hz = viewed.carrier_hz.value_or(header_.drive_hz);
+    header_.pulse_interval_samples = viewed.pulse_interval_samples.value_or(header_.pulse_interval_samples);
+    header_.pulse_cycles = viewed.pulse_cycles.value_or(header_.pulse_cycles);
+    header_.sample_rate_hz = viewed.sample_rate_hz.value_or(header_.sample_rate_hz);
+    if (suit == 1)
+        return;
+    header_.board_count = static_cast<int>(viewed.boards.size());
+    header_.source_count = static_cast<int>(viewed.sources.size());
 }
 
 Result<Take> Take::open(const std::string& path, Access access) {
@@ -147,6 +165,7 @@ Status Take::loadSuits() {
     if (!entries)
         return entries.error();
     suits_ = {entries->begin(), entries->end()};
+    view(view_);
     return Done{};
 }
 
@@ -169,6 +188,7 @@ std::vector<int> Take::suitIds() const {
 }
 
 Result<Suit> Take::suit(int suit) const {
+    suit = seen(suit);
     const auto found = suits_.find(suit);
     if (found == suits_.end())
         return unusable("suit " + std::to_string(suit) + " is not described",
@@ -177,11 +197,13 @@ Result<Suit> Take::suit(int suit) const {
 }
 
 SuitClock Take::suitClock(int suit) const {
+    suit = seen(suit);
     const auto found = suits_.find(suit);
     return found == suits_.end() ? SuitClock{} : found->second.clock;
 }
 
 Result<int> Take::boardCount(int suit) const {
+    suit = seen(suit);
     const auto described = this->suit(suit);
     if (suits_.size() > 1) {
         if (!described)
@@ -199,6 +221,7 @@ Result<int> Take::boardCount(int suit) const {
 }
 
 Result<int> Take::sourceCount(int suit) const {
+    suit = seen(suit);
     const auto described = this->suit(suit);
     if (described)
         return static_cast<int>(described->sources.size());
@@ -208,8 +231,9 @@ Result<int> Take::sourceCount(int suit) const {
 }
 
 Result<int64_t> Take::sampleCount(int suit) const {
+    suit = seen(suit);
     const double stated = metaNumber(meta_, "sample_count", 0, 1, static_cast<double>(kLastSample));
-    if (stated > 0)
+    if (stated > 0 && (suit == 1 || level() == TakeLevel::kReadings))  // meta speaks of suit 1
         return std::llround(stated);
     if (!schema_->has("adc_block"))
         return int64_t{0};
@@ -224,6 +248,7 @@ Result<int64_t> Take::sampleCount(int suit) const {
 }
 
 Result<double> Take::duration_s(int suit) const {
+    suit = seen(suit);
     const auto samples = sampleCount(suit);
     const auto rate_hz = sampleRate_hz();
     if (!samples || !rate_hz)

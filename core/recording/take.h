@@ -39,6 +39,10 @@ public:
     const std::string& path() const { return database_->path(); }
     const std::map<std::string, std::string>& meta() const { return meta_; }
     const TakeHeader& header() const { return header_; }
+    /// Functions that are given no suit speak of the one in view, and so does header(). It is suit 1 until
+    /// another one is chosen.
+    void view(int suit);
+    int viewed() const { return view_; }
     TakeLevel level() const;
     /// What a complete take would have and this one does not, in plain words.
     Result<std::vector<std::string>> missingParts() const;
@@ -47,20 +51,23 @@ public:
 
     Result<int64_t> sampleRate_hz() const;  ///< error: it is missing, nothing can be processed
     std::vector<int> suitIds() const;
-    Result<Suit> suit(int suit = 1) const;
-    SuitClock suitClock(int suit = 1) const;
-    Result<int> boardCount(int suit = 1) const;
-    Result<int> sourceCount(int suit = 1) const;
+    /// By meta `subjects`, else each suit with an actor; at least one. kUnreadable names a suit that is there
+    /// twice or not at all, and a subject without an actor.
+    Result<std::vector<TakeSubject>> subjects() const;
+    Result<Suit> suit(int suit = kSuitInView) const;
+    SuitClock suitClock(int suit = kSuitInView) const;
+    Result<int> boardCount(int suit = kSuitInView) const;
+    Result<int> sourceCount(int suit = kSuitInView) const;
     /// One after the last sample, from meta or else from the blocks; 0 when there are none.
-    Result<int64_t> sampleCount(int suit = 1) const;
+    Result<int64_t> sampleCount(int suit = kSuitInView) const;
     /// Error: the rate is missing.
-    Result<double> duration_s(int suit = 1) const;
+    Result<double> duration_s(int suit = kSuitInView) const;
 
     Result<std::vector<DocumentRow>> calibrations() const;
     Result<std::vector<DocumentRow>> actors() const;
     /// The calibration or actor with the highest id of the suit; kUnusable when there is none.
-    Result<Stored<Calibration>> calibrationInForce(int suit = 1) const;
-    Result<Stored<Actor>> actorInForce(int suit = 1) const;
+    Result<Stored<Calibration>> calibrationInForce(int suit = kSuitInView) const;
+    Result<Stored<Actor>> actorInForce(int suit = kSuitInView) const;
     Result<Calibration> calibration(int64_t id) const;
     Result<Actor> actor(int64_t id) const;
 
@@ -68,39 +75,41 @@ public:
     Status forEachBlock(int suit, const BlockSink& sink) const;
     /// Only the blocks that hold any of these samples.
     Status forEachBlock(int suit, const SampleInterval& within, const BlockSink& sink) const;
-    Result<std::vector<Pulse>> pulses(int suit = 1) const;
+    Result<std::vector<Pulse>> pulses(int suit = kSuitInView) const;
     /// Only those sent within it.
     Result<std::vector<Pulse>> pulses(int suit, const SampleInterval& within) const;
-    Result<std::vector<StatusRow>> statusRows(int suit = 1) const;
-    Result<std::vector<GapRow>> gaps(int suit = 1) const;
-    Result<std::vector<MarkerRow>> markers(int suit = 1) const;
+    Result<std::vector<StatusRow>> statusRows(int suit = kSuitInView) const;
+    Result<std::vector<GapRow>> gaps(int suit = kSuitInView) const;
+    Result<std::vector<MarkerRow>> markers(int suit = kSuitInView) const;
     Result<std::vector<NoteRow>> notes() const;
     /// The first rest pose, begin to end; absent when none is marked.
-    Result<std::optional<SampleInterval>> restInterval(int suit = 1) const;
+    Result<std::optional<SampleInterval>> restInterval(int suit = kSuitInView) const;
 
     /// Truth of a simulation or an optical system, on its own skeleton; no frames when there is none.
-    Result<TimedMotion> reference(int suit = 1) const;
-    Result<std::vector<ExternalRootRow>> externalRoot(int suit = 1) const;
+    Result<TimedMotion> reference(int suit = kSuitInView) const;
+    Result<std::vector<ExternalRootRow>> externalRoot(int suit = kSuitInView) const;
     /// Whether the table (reference, external_root, adc_block, ...) has any row of the suit; quick.
-    Result<bool> hasRows(const std::string& table, int suit = 1) const;
+    Result<bool> hasRows(const std::string& table, int suit = kSuitInView) const;
 
     Result<std::vector<DerivedRun>> derivedRuns() const;
-    Result<ReadingCursor> readings(int64_t run, int suit = 1) const;
-    Result<RangeCursor> ranges(int64_t run, int suit = 1) const;
+    Result<ReadingCursor> readings(int64_t run, int suit = kSuitInView) const;
+    Result<RangeCursor> ranges(int64_t run, int suit = kSuitInView) const;
     /// Only those of the pulses with ids `first` to `last`.
-    Result<RangeCursor> rangesOfPulses(int64_t run, int64_t first, int64_t last, int suit = 1) const;
+    Result<RangeCursor> rangesOfPulses(int64_t run, int64_t first, int64_t last,
+                                       int suit = kSuitInView) const;
     /// Attitudes of one sensor in the order of time, of a run of kind `orientation`.
-    Result<std::vector<OrientationRow>> orientations(int64_t run, int board, int suit = 1) const;
+    Result<std::vector<OrientationRow>> orientations(int64_t run, int board,
+                                                     int suit = kSuitInView) const;
 
     /// When each foot stood as a pose run found it, kPrimaryRun: as an operator has set it. Feet without any
     /// are left out.
-    Result<std::vector<FootContacts>> contacts(int64_t run, int suit = 1) const;
+    Result<std::vector<FootContacts>> contacts(int64_t run, int suit = kSuitInView) const;
     /// What the operator says of the feet; nothing while that is left to the runs.
-    Result<std::optional<std::vector<FootContacts>>> editedContacts(int suit = 1) const;
+    Result<std::optional<std::vector<FootContacts>>> editedContacts(int suit = kSuitInView) const;
     /// On the skeleton of the actor that the run names, else of the one in force.
-    Result<TimedMotion> poses(int64_t run, int suit = 1) const;
+    Result<TimedMotion> poses(int64_t run, int suit = kSuitInView) const;
     /// The same, read anew, one frame at a time, whenever it is gone through. The take must outlive it.
-    Result<PoseSource> poseSource(int64_t run, int suit = 1) const;
+    Result<PoseSource> poseSource(int64_t run, int suit = kSuitInView) const;
 
 private:
     friend class TakeEdit;
@@ -122,6 +131,9 @@ private:
     PoseSource timedPoses(Skeleton skeleton, const std::string& table, const std::string& filter,
                           int suit) const;
     Result<RunOfTake> runOfTake(int64_t run, int suit) const;
+    int seen(int suit) const { return suit == kSuitInView ? view_ : suit; }
+    Result<TakeSubject> subjectFrom(const nlohmann::json& entry) const;
+    std::vector<TakeSubject> subjectsByActor(const std::vector<DocumentRow>& actors) const;
     Error unusable(const std::string& what, const std::string& remedy) const;
     std::string ofSuit(const std::string& table, int suit) const;  ///< " WHERE suit=N"
     Result<std::vector<Pulse>> pulsesWhere(const std::string& filter, int suit) const;
@@ -133,6 +145,7 @@ private:
     std::map<std::string, std::string> meta_;
     TakeHeader header_;
     std::map<int, SuitEntry> suits_;
+    int view_ = 1;
 };
 
 }  // namespace noctule

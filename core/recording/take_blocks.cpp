@@ -79,10 +79,12 @@ private:
 }  // namespace
 
 Status Take::forEachBlock(int suit, const BlockSink& sink) const {
+    suit = seen(suit);
     return forEachBlockWhere("", suit, sink);
 }
 
 Status Take::forEachBlock(int suit, const SampleInterval& within, const BlockSink& sink) const {
+    suit = seen(suit);
     // By first_sample alone, which is indexed: a block reaches no further than the largest can.
     const std::string filter = " AND first_sample>" + std::to_string(within.first - kMaxBlockSamples) +
                                " AND first_sample<=" + std::to_string(within.last);
@@ -94,6 +96,7 @@ Status Take::forEachBlock(int suit, const SampleInterval& within, const BlockSin
 }
 
 Status Take::forEachBlockWhere(const std::string& filter, int suit, const BlockSink& sink) const {
+    suit = seen(suit);
     const auto board_count = boardCount(suit);
     if (!board_count)
         return board_count.error();

@@ -46,11 +46,13 @@ Result<Stored<T>> Take::document(const std::string& table, const std::string& wh
 }
 
 Result<Stored<Calibration>> Take::calibrationInForce(int suit) const {
+    suit = seen(suit);
     return document<Calibration>("calibration", ofSuit("calibration", suit),
                                  "of suit " + std::to_string(suit), calibrationFromJson);
 }
 
 Result<Stored<Actor>> Take::actorInForce(int suit) const {
+    suit = seen(suit);
     return document<Actor>("actor", ofSuit("actor", suit), "of suit " + std::to_string(suit), actorFromJson);
 }
 
@@ -71,7 +73,8 @@ Result<Actor> Take::actor(int64_t id) const {
 }
 
 Result<Actor> Take::referenceActor(int suit) const {
-    const auto own = meta_.find("reference_actor");
+    suit = seen(suit);
+    const auto own = meta_.find(suit == 1 ? "reference_actor" : "reference_actor_" + std::to_string(suit));
     if (own != meta_.end())
         return actorFromJson(json::Json::parse(own->second, nullptr, false), path() + ": reference_actor");
     auto in_force = actorInForce(suit);

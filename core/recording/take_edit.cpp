@@ -25,7 +25,9 @@ Result<TakeEdit> TakeEdit::begin(Take& take) {
     Result<Transaction> transaction = Transaction::begin(*take.database_);
     if (!transaction)
         return transaction.error();
-    return TakeEdit(take, std::move(*transaction));
+    TakeEdit edit(take, std::move(*transaction));
+    edit.view(take.viewed());
+    return edit;
 }
 
 Result<int64_t> TakeEdit::highestRun(const std::string& table) {
@@ -77,6 +79,7 @@ Status TakeEdit::dropRun(int64_t run) {
 }
 
 Status TakeEdit::removeMarker(const MarkerRow& row, int suit) {
+    suit = seen(suit);
     const Error none{ErrorKind::kUsage, database().name() + ": there is no such marker any more",
                      "Look at the take again"};
     if (!schema().has("marker"))
@@ -95,6 +98,7 @@ Status TakeEdit::removeMarker(const MarkerRow& row, int suit) {
 }
 
 Status TakeEdit::setContacts(const std::optional<std::vector<FootContacts>>& contacts, int suit) {
+    suit = seen(suit);
     const std::string where = " WHERE run=" + std::to_string(kPrimaryRun) + " AND " +
                               schema().expression("contact", "suit") + "=" + std::to_string(suit);
     if (Status removed = removeRows("contact", where); !removed)
@@ -105,11 +109,13 @@ Status TakeEdit::setContacts(const std::optional<std::vector<FootContacts>>& con
 }
 
 Status TakeEdit::removeReference(int suit) {
+    suit = seen(suit);
     return removeRows("reference",
                       " WHERE " + schema().expression("reference", "suit") + "=" + std::to_string(suit));
 }
 
 Status TakeEdit::removeExternalRoot(int suit) {
+    suit = seen(suit);
     return removeRows("external_root",
                       " WHERE " + schema().expression("external_root", "suit") + "=" + std::to_string(suit));
 }

@@ -20,11 +20,11 @@ public:
     /// Removes a run and its rows; kUsage for primary rows (run 0).
     Status dropRun(int64_t run);
     /// One such marker; kUsage when there is none.
-    Status removeMarker(const MarkerRow& row, int suit = 1);
+    Status removeMarker(const MarkerRow& row, int suit = kSuitInView);
     /// What the operator says of the feet; nothing: what each run has found holds again.
-    Status setContacts(const std::optional<std::vector<FootContacts>>& contacts, int suit = 1);
-    Status removeReference(int suit = 1);
-    Status removeExternalRoot(int suit = 1);
+    Status setContacts(const std::optional<std::vector<FootContacts>>& contacts, int suit = kSuitInView);
+    Status removeReference(int suit = kSuitInView);
+    Status removeExternalRoot(int suit = kSuitInView);
 
     /// Writes it; the Take then shows it. On an error nothing was changed.
     Status commit();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/json.h"
 #include "core/recording/pose_blob.h"
 #include "core/recording/take.h"
 
@@ -25,6 +26,24 @@ std::optional<Vector3d> readPosition(const Statement& row, int column) {
 
 bool isNullPosition(const Statement& row, int column) {
     return row.isNull(column) || row.isNull(column + 1) || row.isNull(column + 2);
+}
+
+/// A run of several subjects names the calibration and the actor of each in its settings.
+void namePartsOf(int suit, DerivedRun& run) {
+    const json::Json settings = json::Json::parse(run.settings_json, nullptr, false);
+    const auto subjects = settings.is_object() ? settings.find("subjects") : settings.end();
+    if (subjects == settings.end() || !subjects->is_array())
+        return;
+    for (const json::Json& subject : *subjects) {
+        if (json::number(subject, "suit") != suit)
+            continue;
+        const auto id = [&](const char* member) {
+            const auto number = json::number(subject, member);
+            return number ? std::optional(static_cast<int64_t>(*number)) : std::nullopt;
+        };
+        run.calibration_id = id("calibration_id");
+        run.actor_id = id("actor_id");
+    }
 }
 
 /// Columns time_ns, px, py, pz, q, sigma.
@@ -69,15 +88,18 @@ RowVerdict readExternalRoot(const Statement& row, ExternalRootRow& root) {
 }  // namespace
 
 Result<std::vector<Pulse>> Take::pulses(int suit) const {
+    suit = seen(suit);
     return pulsesWhere("", suit);
 }
 
 Result<std::vector<Pulse>> Take::pulses(int suit, const SampleInterval& within) const {
+    suit = seen(suit);
     return pulsesWhere(
         " AND sample BETWEEN " + std::to_string(within.first) + " AND " + std::to_string(within.last), suit);
 }
 
 Result<std::vector<Pulse>> Take::pulsesWhere(const std::string& filter, int suit) const {
+    suit = seen(suit);
     const auto known = sourceCount(suit);
     const int source_count = known ? *known : static_cast<int>(Suit::kMaxPerSuit);
     return collectRows<Pulse>(
@@ -96,6 +118,7 @@ Result<std::vector<Pulse>> Take::pulsesWhere(const std::string& filter, int suit
 }
 
 Result<std::vector<StatusRow>> Take::statusRows(int suit) const {
+    suit = seen(suit);
     return collectRows<StatusRow>(
         *database_, *log_, rowsOfSuit("status", suit),
         schema_->select(
@@ -111,6 +134,7 @@ Result<std::vector<StatusRow>> Take::statusRows(int suit) const {
 }
 
 Result<std::vector<GapRow>> Take::gaps(int suit) const {
+    suit = seen(suit);
     const auto known = boardCount(suit);
     const int board_count = known ? *known : static_cast<int>(Suit::kMaxPerSuit);
     return collectRows<GapRow>(
@@ -127,6 +151,7 @@ Result<std::vector<GapRow>> Take::gaps(int suit) const {
 }
 
 Result<std::vector<MarkerRow>> Take::markers(int suit) const {
+    suit = seen(suit);
     return collectRows<MarkerRow>(*database_, *log_, rowsOfSuit("marker", suit),
                                   schema_->select("marker", {"id", "sample", "kind", "label"}) +
                                       ofSuit("marker", suit) + " ORDER BY 2,1",
@@ -149,6 +174,7 @@ Result<std::vector<NoteRow>> Take::notes() const {
 }
 
 Result<std::optional<SampleInterval>> Take::restInterval(int suit) const {
+    suit = seen(suit);
     const auto all = markers(suit);
     if (!all)
         return all.error();
@@ -166,6 +192,7 @@ Result<std::optional<SampleInterval>> Take::restInterval(int suit) const {
 
 PoseSource Take::timedPoses(Skeleton skeleton, const std::string& table, const std::string& filter,
                             int suit) const {
+    suit = seen(suit);
     const auto joint_count = static_cast<size_t>(skeleton.size());
     const std::string sql = schema_->select(table, {"time_ns", "px", "py", "pz", "q", "sigma"}) +
                             ofSuit(table, suit) + filter + " ORDER BY 1";
@@ -181,6 +208,7 @@ PoseSource Take::timedPoses(Skeleton skeleton, const std::string& table, const s
 }
 
 Result<TimedMotion> Take::reference(int suit) const {
+    suit = seen(suit);
     if (!schema_->has("reference"))
         return TimedMotion{};
     const auto actor = referenceActor(suit);
@@ -190,6 +218,7 @@ Result<TimedMotion> Take::reference(int suit) const {
 }
 
 Result<std::vector<ExternalRootRow>> Take::externalRoot(int suit) const {
+    suit = seen(suit);
     return collectRows<ExternalRootRow>(
         *database_, *log_, rowsOfSuit("external_root", suit),
         schema_->select("external_root",
@@ -199,6 +228,7 @@ Result<std::vector<ExternalRootRow>> Take::externalRoot(int suit) const {
 }
 
 Result<bool> Take::hasRows(const std::string& table, int suit) const {
+    suit = seen(suit);
     if (!schema_->has(table))
         return false;
     const auto row = database_->queryInteger("SELECT 1 FROM " + table + ofSuit(table, suit) + " LIMIT 1");
@@ -208,7 +238,7 @@ Result<bool> Take::hasRows(const std::string& table, int suit) const {
 }
 
 Result<std::vector<DerivedRun>> Take::derivedRuns() const {
-    return collectRows<DerivedRun>(
+    auto runs = collectRows<DerivedRun>(
         *database_, *log_, "derived",
         schema_->select("derived", {"run", "kind", "name", "created_utc", "software", "settings",
                                     "calibration_id", "actor_id"}) +
@@ -225,9 +255,14 @@ Result<std::vector<DerivedRun>> Take::derivedRuns() const {
                    row.integer(7)};
             return run.run < 1 ? "run is not 1, 2, ..." : "";
         });
+    if (runs)
+        for (DerivedRun& run : *runs)
+            namePartsOf(view_, run);
+    return runs;
 }
 
 Result<RunOfTake> Take::runOfTake(int64_t run, int suit) const {
+    suit = seen(suit);
     const auto board_count = boardCount(suit);
     if (!board_count)
         return board_count.error();
@@ -242,6 +277,7 @@ Result<RunOfTake> Take::runOfTake(int64_t run, int suit) const {
 }
 
 Result<ReadingCursor> Take::readings(int64_t run, int suit) const {
+    suit = seen(suit);
     const auto where = runOfTake(run, suit);
     if (!where)
         return where.error();
@@ -249,6 +285,7 @@ Result<ReadingCursor> Take::readings(int64_t run, int suit) const {
 }
 
 Result<RangeCursor> Take::ranges(int64_t run, int suit) const {
+    suit = seen(suit);
     const auto where = runOfTake(run, suit);
     if (!where)
         return where.error();
@@ -256,6 +293,7 @@ Result<RangeCursor> Take::ranges(int64_t run, int suit) const {
 }
 
 Result<RangeCursor> Take::rangesOfPulses(int64_t run, int64_t first, int64_t last, int suit) const {
+    suit = seen(suit);
     auto where = runOfTake(run, suit);
     if (!where)
         return where.error();
@@ -264,6 +302,7 @@ Result<RangeCursor> Take::rangesOfPulses(int64_t run, int64_t first, int64_t las
 }
 
 Result<std::vector<FootContacts>> Take::contacts(int64_t run, int suit) const {
+    suit = seen(suit);
     std::vector<FootContacts> feet;
     const auto rows = collectRows<FootContact>(
         *database_, *log_, rowsOfSuit("contact", suit),
@@ -287,6 +326,7 @@ Result<std::vector<FootContacts>> Take::contacts(int64_t run, int suit) const {
 }
 
 Result<std::optional<std::vector<FootContacts>>> Take::editedContacts(int suit) const {
+    suit = seen(suit);
     std::optional<std::vector<FootContacts>> edited;
     const auto whose = meta_.find(contactsKey(suit));
     if (whose == meta_.end() || whose->second != kContactsEdited)
@@ -299,6 +339,7 @@ Result<std::optional<std::vector<FootContacts>>> Take::editedContacts(int suit) 
 }
 
 Result<TimedMotion> Take::poses(int64_t run, int suit) const {
+    suit = seen(suit);
     const auto source = poseSource(run, suit);
     if (!source)
         return source.error();
@@ -306,6 +347,7 @@ Result<TimedMotion> Take::poses(int64_t run, int suit) const {
 }
 
 Result<PoseSource> Take::poseSource(int64_t run, int suit) const {
+    suit = seen(suit);
     const auto runs = derivedRuns();
     if (!runs)
         return runs.error();

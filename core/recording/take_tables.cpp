@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recording/take_tables.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/recording/pose_blob.h"
@@ -12,6 +13,17 @@ namespace {
 /// Ids and names come from outside; text that is not UTF-8 must not throw.
 std::string dump(const nlohmann::json& json) {
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// Uses what format 1.1 has added.
+bool needsMinorVersion(const Suit& suit) {
+    const auto adds = [](const Board& board) {
+        return board.rate_hz != kUsualBoardRate_hz || board.gyro_noise_rad_per_s ||
+               board.accel_noise_m_per_s2;
+    };
+    return suit.carrier_hz || suit.pulse_interval_samples || suit.pulse_cycles || suit.sample_rate_hz ||
+           std::ranges::any_of(suit.boards, adds) ||
+           std::ranges::any_of(suit.sources, [](const Source& source) { return !source.board.empty(); });
 }
 
 bool isFinite(const TimedPose& timed) {
@@ -72,11 +84,18 @@ Result<int64_t> TakeTables::addSuit(const Suit& suit, const SuitClock& clock) {
     (*insert)->bindNull(0).bind(1, std::string_view(dump(toJson(suit))));
     if (const Status done = (*insert)->bind(2, clock.offset_ns).bind(3, clock.rate).run(); !done)
         return done.error();
-    return database_->lastInsertId();
+    const int64_t id = database_->lastInsertId();
+    if (id > 1 || needsMinorVersion(suit))
+        if (const Status noted =
+                database_->execute("PRAGMA user_version=" + std::to_string(kTakeNewestVersion));
+            !noted)
+            return noted.error();
+    return id;
 }
 
 Result<int64_t> TakeTables::addDocument(const std::string& table, const std::string& json,
                                         const std::string& created_utc, int suit) {
+    suit = seen(suit);
     auto insert = insertInto(table);
     if (!insert)
         return insert.error();
@@ -88,14 +107,17 @@ Result<int64_t> TakeTables::addDocument(const std::string& table, const std::str
 }
 
 Result<int64_t> TakeTables::addCalibration(const Calibration& calibration, int suit) {
+    suit = seen(suit);
     return addDocument("calibration", dump(toJson(calibration)), calibration.created_utc, suit);
 }
 
 Result<int64_t> TakeTables::addActor(const Actor& actor, const std::string& created_utc, int suit) {
+    suit = seen(suit);
     return addDocument("actor", dump(toJson(actor)), created_utc, suit);
 }
 
 Result<int64_t> TakeTables::addPulse(int64_t sample, int source, int suit) {
+    suit = seen(suit);
     auto insert = insertInto("pulse");
     if (!insert)
         return insert.error();
@@ -106,6 +128,7 @@ Result<int64_t> TakeTables::addPulse(int64_t sample, int source, int suit) {
 }
 
 Status TakeTables::addStatus(const StatusRow& row, int suit) {
+    suit = seen(suit);
     auto insert = insertInto("status");
     if (!insert)
         return insert.error();
@@ -115,6 +138,7 @@ Status TakeTables::addStatus(const StatusRow& row, int suit) {
 }
 
 Status TakeTables::addGap(const GapRow& row, int suit) {
+    suit = seen(suit);
     auto insert = insertInto("gap");
     if (!insert)
         return insert.error();
@@ -124,6 +148,7 @@ Status TakeTables::addGap(const GapRow& row, int suit) {
 }
 
 Status TakeTables::addMarker(const MarkerRow& row, int suit) {
+    suit = seen(suit);
     auto insert = insertInto("marker");
     if (!insert)
         return insert.error();
@@ -140,6 +165,7 @@ Status TakeTables::addNote(const NoteRow& row) {
 }
 
 Status TakeTables::addReference(const TimedPose& timed, int suit) {
+    suit = seen(suit);
     auto insert = insertInto("reference");
     if (!insert)
         return insert.error();
@@ -154,6 +180,7 @@ Status TakeTables::addReference(const TimedPose& timed, int suit) {
 }
 
 Status TakeTables::addExternalRoot(const ExternalRootRow& row, int suit) {
+    suit = seen(suit);
     auto insert = insertInto("external_root");
     if (!insert)
         return insert.error();
@@ -165,6 +192,7 @@ Status TakeTables::addExternalRoot(const ExternalRootRow& row, int suit) {
 }
 
 Status TakeTables::addInertial(int64_t run, const InertialReading& reading, int suit) {
+    suit = seen(suit);
     auto insert = insertInto("inertial");
     if (!insert)
         return insert.error();
@@ -181,6 +209,7 @@ Status TakeTables::addInertial(int64_t run, const InertialReading& reading, int 
 
 Status TakeTables::addRange(int64_t run, const RangeMeasurement& range, const std::string& detector,
                             int suit) {
+    suit = seen(suit);
     auto insert = insertInto("range");
     if (!insert)
         return insert.error();
@@ -196,6 +225,7 @@ Status TakeTables::addRange(int64_t run, const RangeMeasurement& range, const st
 }
 
 Status TakeTables::addContacts(int64_t run, const std::vector<FootContacts>& feet, int suit) {
+    suit = seen(suit);
     auto insert = insertInto("contact");
     if (!insert)
         return insert.error();
@@ -211,6 +241,7 @@ Status TakeTables::addContacts(int64_t run, const std::vector<FootContacts>& fee
 }
 
 Status TakeTables::addPose(int64_t run, const TimedPose& timed, int suit) {
+    suit = seen(suit);
     require(timed.pose.has_value(), "a derived pose must be there");
     require(timed.sigma_rad.empty() || timed.sigma_rad.size() == 3 * timed.pose->q_parent_joint.size(),
             "sigma must hold three numbers per joint");

@@ -21,30 +21,34 @@ namespace noctule {
 
 class TakeTables {
 public:
+    /// Rows that are given no suit belong to this one; 1 until another one is chosen.
+    void view(int suit) { view_ = suit; }
+
     Status setMeta(const std::string& key, const std::string& value);
 
     // Functions without `suit` leave it to the row; ids are those of the new row.
     Result<int64_t> addSuit(const Suit& suit, const SuitClock& clock = {});
-    Result<int64_t> addCalibration(const Calibration& calibration, int suit = 1);
-    Result<int64_t> addActor(const Actor& actor, const std::string& created_utc, int suit = 1);
-    Result<int64_t> addPulse(int64_t sample, int source, int suit = 1);
-    Status addStatus(const StatusRow& row, int suit = 1);
-    Status addGap(const GapRow& row, int suit = 1);
-    Status addMarker(const MarkerRow& row, int suit = 1);
+    Result<int64_t> addCalibration(const Calibration& calibration, int suit = kSuitInView);
+    Result<int64_t> addActor(const Actor& actor, const std::string& created_utc, int suit = kSuitInView);
+    Result<int64_t> addPulse(int64_t sample, int source, int suit = kSuitInView);
+    Status addStatus(const StatusRow& row, int suit = kSuitInView);
+    Status addGap(const GapRow& row, int suit = kSuitInView);
+    Status addMarker(const MarkerRow& row, int suit = kSuitInView);
     Status addNote(const NoteRow& row);
 
     /// A pose that is absent is stored as not seen.
-    Status addReference(const TimedPose& timed, int suit = 1);
-    Status addExternalRoot(const ExternalRootRow& row, int suit = 1);
+    Status addReference(const TimedPose& timed, int suit = kSuitInView);
+    Status addExternalRoot(const ExternalRootRow& row, int suit = kSuitInView);
 
     /// Inertial, range and contact rows belong to kPrimaryRun or to a run of TakeEdit::beginRun(), poses to
     /// the latter.
-    Status addInertial(int64_t run, const InertialReading& reading, int suit = 1);
-    Status addRange(int64_t run, const RangeMeasurement& range, const std::string& detector, int suit = 1);
-    Status addContacts(int64_t run, const std::vector<FootContacts>& feet, int suit = 1);
+    Status addInertial(int64_t run, const InertialReading& reading, int suit = kSuitInView);
+    Status addRange(int64_t run, const RangeMeasurement& range, const std::string& detector,
+                    int suit = kSuitInView);
+    Status addContacts(int64_t run, const std::vector<FootContacts>& feet, int suit = kSuitInView);
+    Status addPose(int64_t run, const TimedPose& timed, int suit = kSuitInView);
     /// Of a run of kind `orientation`.
-    Status addOrientation(int64_t run, const OrientationRow& row, int suit = 1);
-    Status addPose(int64_t run, const TimedPose& timed, int suit = 1);
+    Status addOrientation(int64_t run, const OrientationRow& row, int suit = kSuitInView);
 
 protected:
     TakeTables(const Database* database, TakeSchema schema)
@@ -57,6 +61,7 @@ protected:
     /// The INSERT of all the table's columns in the order of the schema, ready to bind.
     Result<Statement*> insertInto(const std::string& table);
     void dropStatements() { inserts_.clear(); }
+    int seen(int suit) const { return suit == kSuitInView ? view_ : suit; }
 
 private:
     Result<int64_t> addDocument(const std::string& table, const std::string& json,
@@ -65,6 +70,7 @@ private:
     const Database* database_;
     TakeSchema schema_;
     std::map<std::string, Statement> inserts_;
+    int view_ = 1;
 };
 
 }  // namespace noctule

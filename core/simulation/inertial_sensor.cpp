@@ -34,11 +34,12 @@ InertialTruth drawInertialTruth(const Board& board, const Scenario& scenario, ui
                                                scenario.accel_scale_spread, misalignment_rad});
     truth.gyro.bias = Random(seed, "gyro bias", index).gaussianVector(scenario.gyro_bias_rad_per_s);
     truth.accel.bias = Random(seed, "accel bias", index).gaussianVector(scenario.accel_bias_m_per_s2);
-    truth.gyro.noise = scenario.gyro_noise_rad_per_s;
-    truth.accel.noise = scenario.accel_noise_m_per_s2;
+    truth.rate_hz = board.rate_hz;
+    truth.gyro.noise = board.gyro_noise_rad_per_s.value_or(scenario.gyro_noise_rad_per_s);
+    truth.accel.noise = board.accel_noise_m_per_s2.value_or(scenario.accel_noise_m_per_s2);
     truth.gyro.bias_walk_per_sqrt_s = scenario.gyro_bias_walk_rad_per_s_per_sqrt_s;
     Random clock(seed, "stream phase", index);
-    truth.phase_samples = clock.below(scenario.sample_rate_hz / kInertialFramesPerSecond);
+    truth.phase_samples = clock.below(static_cast<int64_t>(scenario.sample_rate_hz / board.rate_hz));
     truth.first_counter = static_cast<int>(clock.below(kCounterPeriod));
     return truth;
 }
@@ -58,6 +59,7 @@ InertialSensor::InertialSensor(const SuitWorld& world, int board, const Inertial
       board_(board),
       sample_rate_hz_(sample_rate_hz),
       phase_samples_(static_cast<double>(truth.phase_samples)),
+      rate_hz_(truth.rate_hz),
       gyro_(makeChip(truth.gyro, seed, "gyro", board)),
       accel_(makeChip(truth.accel, seed, "accel", board)),
       frame_(first_frame) {}
@@ -69,20 +71,21 @@ InertialSensor::Chip InertialSensor::makeChip(const ChipTruth& truth, uint64_t s
             Random(seed, name + " bias walk", index)};
 }
 
-Vector3d InertialSensor::Chip::counts(const Vector3d& value) {
+Vector3d InertialSensor::Chip::counts(const Vector3d& value, double rate_hz) {
     const Vector3d measured = value + bias + noise.gaussianVector(truth.noise);
-    bias += walk.gaussianVector(truth.bias_walk_per_sqrt_s / std::sqrt(double{kInertialFramesPerSecond}));
+    bias += walk.gaussianVector(truth.bias_walk_per_sqrt_s / std::sqrt(rate_hz));
     return truth.calibration.zero_counts + counts_per_unit * measured;
 }
 
 double InertialSensor::sampleOf(int64_t frame) const {
-    return phase_samples_ + static_cast<double>(frame) * sample_rate_hz_ / kInertialFramesPerSecond;
+    return phase_samples_ + static_cast<double>(frame) * sample_rate_hz_ / rate_hz_;
 }
 
 std::array<double, 6> InertialSensor::next() {
     const BoardMotion motion = world_.boardMotion(board_, sampleOf(frame_) / sample_rate_hz_);
     ++frame_;
-    const Vector3d gyro = gyro_.counts(motion.gyro_rad_per_s), accel = accel_.counts(motion.accel_m_per_s2);
+    const Vector3d gyro = gyro_.counts(motion.gyro_rad_per_s, rate_hz_),
+                   accel = accel_.counts(motion.accel_m_per_s2, rate_hz_);
     std::array<double, 6> counts{gyro.x(), gyro.y(), gyro.z(), accel.x(), accel.y(), accel.z()};
     for (double& count : counts)
         count = std::clamp(count, kCountsMin, kCountsMax);
@@ -110,7 +113,8 @@ LineBits BoardStream::next(int& counter) {
 BoardReadings::BoardReadings(const SuitWorld& world, int board, const InertialTruth& truth,
                              const Scenario& scenario, uint64_t seed)
     : board_(board), sensor_(world, board, truth, scenario.sample_rate_hz, seed, 0) {
-    if (!scenario.codec)
+    // The stream of our boards carries 140 readings a second and no other number.
+    if (!scenario.codec || truth.rate_hz != kInertialFramesPerSecond)
         return;
     stream_.emplace(world, board, truth, scenario.sample_rate_hz, seed);
     int counter = 0;

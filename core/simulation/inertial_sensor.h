@@ -24,6 +24,7 @@ struct ChipTruth {
 
 struct InertialTruth {
     ChipTruth gyro, accel;
+    double rate_hz = kUsualBoardRate_hz;
     int64_t phase_samples = 0;  ///< s0: first sample of frame 0
     int first_counter = 0;      ///< of the stream, a little before the take
 };
@@ -33,7 +34,7 @@ InertialTruth drawInertialTruth(const Board& board, const Scenario& scenario, ui
 /// What the laboratory found: the exact zeros and, up to its matrix errors, the matrices.
 AxisCalibration asCalibrated(const AxisCalibration& truth, double matrix_error, Random random);
 
-/// Readings of one board, frame after frame; frame n belongs to sample s0 + n fs / 140.
+/// Readings of one board, frame after frame; frame n belongs to sample s0 + n fs / rate.
 class InertialSensor {
 public:
     /// `world` must outlive the sensor. The first frame asked for is `first_frame`, perhaps negative.
@@ -52,13 +53,13 @@ private:
         Matrix3d counts_per_unit;
         Vector3d bias;
         Random noise, walk;
-        Vector3d counts(const Vector3d& value);
+        Vector3d counts(const Vector3d& value, double rate_hz);
     };
     static Chip makeChip(const ChipTruth& truth, uint64_t seed, const std::string& name, int board);
 
     const SuitWorld& world_;
     int board_;
-    double sample_rate_hz_, phase_samples_;
+    double sample_rate_hz_, phase_samples_, rate_hz_;
     Chip gyro_, accel_;
     int64_t frame_;
 };

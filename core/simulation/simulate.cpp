@@ -201,16 +201,26 @@ private:
         for (int b = 0; b < stage_.world->boardCount(); ++b)
             boards.emplace_back(*stage_.world, b, stage_.truth.inertia[b], stage_.scenario,
                                 stage_.truth.seed);
-        const int64_t frames = samples_ * kInertialFramesPerSecond / rate_hz_ - 1;
+        const auto framesAt = [&](double rate_hz) {
+            return static_cast<int64_t>(static_cast<double>(samples_) * rate_hz /
+                                        static_cast<double>(rate_hz_)) -
+                   1;
+        };
+        double fastest_hz = 0;
+        for (const Board& board : stage_.suit.boards)
+            fastest_hz = std::max(fastest_hz, board.rate_hz);
+        const int64_t frames = framesAt(fastest_hz);
         for (int64_t frame = 0; frame < frames; ++frame) {
-            for (BoardReadings& board : boards) {
-                if (Status done = take_.addInertial(kPrimaryRun, board.next(frame)); !done)
+            for (size_t b = 0; b < boards.size(); ++b) {
+                if (frame >= framesAt(stage_.suit.boards[b].rate_hz))
+                    continue;
+                if (Status done = take_.addInertial(kPrimaryRun, boards[b].next(frame)); !done)
                     return done;
                 ++summary_.inertial_rows;
             }
             if (job_.cancelled())
                 return JobContext::cancelledError();
-            report(frame * rate_hz_ / kInertialFramesPerSecond, 0, 0.5);
+            report(frame * samples_ / frames, 0, 0.5);
         }
         return Done{};
     }
@@ -269,6 +279,12 @@ private:
 }  // namespace
 
 Result<SimulationSummary> writeTake(const Stage& stage, const TakeRequest& request, const JobContext& job) {
+    for (const Board& board : stage.suit.boards)
+        if (request.level == Level::kSignal && board.rate_hz != kUsualBoardRate_hz)
+            return Error{ErrorKind::kUsage,
+                         "board " + board.id + " reads " + std::to_string(board.rate_hz) +
+                             " times a second, but sound carries 140 readings a second",
+                         "Add --level readings"};
     TakeHeader header;
     header.uuid = uuidOf(stage.truth.seed);
     header.name = request.name;

@@ -2,6 +2,7 @@
 #include "core/suit/suit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/math/json.h"
@@ -26,16 +27,25 @@ nlohmann::json toJson(const Board& board) {
                            {"accel_full_scale_m_s2", board.accel_full_scale_m_per_s2}};
     if (!board.p_board_mic_m.isZero(0))
         members["p_board_mic_m"] = json::fromVector(board.p_board_mic_m);
+    if (board.rate_hz != kUsualBoardRate_hz)
+        members["rate_hz"] = board.rate_hz;
+    if (board.gyro_noise_rad_per_s)
+        members["gyro_noise_rad_per_s"] = *board.gyro_noise_rad_per_s;
+    if (board.accel_noise_m_per_s2)
+        members["accel_noise_m_per_s2"] = *board.accel_noise_m_per_s2;
     return members;
 }
 
 nlohmann::json toJson(const Source& source) {
-    return {{"id", source.id},
-            {"serial", textOrNull(source.serial)},
-            {"segment", textOrNull(source.segment)},
-            {"p_segment_source_m", json::fromVector(source.p_segment_source_m)},
-            {"normal_segment", json::fromVector(source.normal_segment)},
-            {"nominal_hz", source.nominal_hz}};
+    nlohmann::json members{{"id", source.id},
+                           {"serial", textOrNull(source.serial)},
+                           {"segment", textOrNull(source.segment)},
+                           {"p_segment_source_m", json::fromVector(source.p_segment_source_m)},
+                           {"normal_segment", json::fromVector(source.normal_segment)},
+                           {"nominal_hz", source.nominal_hz}};
+    if (!source.board.empty())
+        members["board"] = source.board;
+    return members;
 }
 
 Board readBoard(JsonObject& json) {
@@ -55,6 +65,11 @@ Board readBoard(JsonObject& json) {
         json.positiveOr("gyro_full_scale_rad_s", board.gyro_full_scale_rad_per_s);
     board.accel_full_scale_m_per_s2 =
         json.positiveOr("accel_full_scale_m_s2", board.accel_full_scale_m_per_s2);
+    board.rate_hz = json.numberOr("rate_hz", board.rate_hz);
+    if (!(board.rate_hz >= kLeastBoardRate_hz && board.rate_hz <= kMostBoardRate_hz))
+        json.fail(ErrorKind::kUnreadable, "rate_hz", "must be 10 to 1000 readings a second");
+    board.gyro_noise_rad_per_s = json.optionalPositive("gyro_noise_rad_per_s");
+    board.accel_noise_m_per_s2 = json.optionalPositive("accel_noise_m_per_s2");
     return board;
 }
 
@@ -67,6 +82,7 @@ Source readSource(JsonObject& json) {
     source.p_segment_source_m = json.vector("p_segment_source_m");
     source.normal_segment = json.unitVector("normal_segment");
     source.nominal_hz = json.positiveOr("nominal_hz", source.nominal_hz);
+    source.board = json.textOr("board", "");
     return source;
 }
 
@@ -90,6 +106,15 @@ std::vector<Part> readParts(JsonObject& suit, const char* member, const std::str
             json.fail(ErrorKind::kUnusable, "id", "is there twice");
     }
     return parts;
+}
+
+/// A whole number; what is none counts as missing.
+std::optional<int64_t> readCount(JsonObject& json, const char* member) {
+    const std::optional<double> number = json.optionalPositive(member);
+    constexpr double kMost = 1e9;
+    if (number && !(*number >= 1 && *number <= kMost))
+        json.fail(ErrorKind::kUnreadable, member, "must be a whole number from 1 on");
+    return number && *number <= kMost ? std::optional(std::llround(*number)) : std::nullopt;
 }
 
 template <class Part>
@@ -128,11 +153,20 @@ nlohmann::json toJson(const Suit& suit) {
     nlohmann::json sources = nlohmann::json::array();
     for (const Source& source : suit.sources)
         sources.push_back(toJson(source));
-    return {{"format", "noctule-suit"},
-            {"version", 1},
-            {"name", suit.name},
-            {"boards", boards},
-            {"sources", sources}};
+    nlohmann::json json{{"format", "noctule-suit"},
+                        {"version", 1},
+                        {"name", suit.name},
+                        {"boards", boards},
+                        {"sources", sources}};
+    const auto add = [&json](const char* member, const auto& value) {
+        if (value)
+            json[member] = *value;
+    };
+    add("carrier_hz", suit.carrier_hz);
+    add("pulse_cycles", suit.pulse_cycles);
+    add("pulse_interval_samples", suit.pulse_interval_samples);
+    add("sample_rate_hz", suit.sample_rate_hz);
+    return json;
 }
 
 Result<Suit> suitFromJson(const nlohmann::json& json, const std::string& where) {
@@ -143,8 +177,18 @@ Result<Suit> suitFromJson(const nlohmann::json& json, const std::string& where) 
     suit.name = object.textOr("name", "");
     suit.boards = readParts<Board>(object, "boards", "board", where, readBoard, error);
     suit.sources = readParts<Source>(object, "sources", "source", where, readSource, error);
+    suit.carrier_hz = object.optionalPositive("carrier_hz");
+    suit.pulse_cycles = object.optionalPositive("pulse_cycles");
+    suit.pulse_interval_samples = readCount(object, "pulse_interval_samples");
+    suit.sample_rate_hz = readCount(object, "sample_rate_hz");
     if (error)
         return *error;
+    for (const Source& source : suit.sources)
+        if (!source.board.empty() && suit.findBoard(source.board) < 0)
+            return Error{ErrorKind::kUnreadable,
+                         where + ": source '" + source.id + "' sits on board '" + source.board +
+                             "', which the suit does not have",
+                         "Correct the board in the suit's description"};
     return suit;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@
 #include "core/math/conventions.h"
 
 namespace noctule {
+
+/// Of the boards of our own boxes.
+inline constexpr double kUsualBoardRate_hz = 140;
+inline constexpr double kLeastBoardRate_hz = 10, kMostBoardRate_hz = 1000;
 
 struct Board {
     std::string id;       ///< "l_forearm"
@@ -23,6 +28,9 @@ struct Board {
     bool has_magnetometer = false;  ///< stream imu9
     double gyro_full_scale_rad_per_s = 17.5;
     double accel_full_scale_m_per_s2 = 16 * kStandardGravity_m_per_s2;
+    double rate_hz = kUsualBoardRate_hz;  ///< nominal, of its inertial readings
+    /// White noise per reading; none: that of the usual chips.
+    std::optional<double> gyro_noise_rad_per_s{}, accel_noise_m_per_s2{};
 };
 
 struct Source {
@@ -32,12 +40,16 @@ struct Source {
     Vector3d p_segment_source_m = Vector3d::Zero();
     Vector3d normal_segment = Vector3d::UnitZ();  ///< unit vector of the source's axis
     double nominal_hz = 40000;
+    std::string board = {};  ///< in the same housing; empty: none
 };
 
 struct Suit {
     std::string name;
     std::vector<Board> boards;    ///< at most kMaxPerSuit
     std::vector<Source> sources;  ///< at most kMaxPerSuit
+    /// None: as the take says.
+    std::optional<double> carrier_hz{}, pulse_cycles{};
+    std::optional<int64_t> pulse_interval_samples{}, sample_rate_hz{};
 
     static constexpr size_t kMaxPerSuit = 32;
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/acoustics/range_finder.h"
+#include "core/live/estimators.h"
 #include "core/suit/calibration_entries.h"
 
 namespace noctule {
@@ -44,7 +46,8 @@ constexpr double kUsualOffset_s = 1.3e-4;
 
 bool knowsSources(const Calibration& calibration, Detector detector) {
     return std::ranges::any_of(calibration.sources, [&](const SourceCalibration& source) {
-        return source.offsets_s.contains(detectorName(detector)) || source.offsets_s.contains("start");
+        return source.offsets_s.contains(detectorName(detector)) || source.offsets_s.contains("start") ||
+               (shapeOf(source) && !source.offsets_s.empty());
     });
 }
 
@@ -55,7 +58,24 @@ void addUsualOffsets(const Suit& suit, Detector detector, Calibration& calibrati
         entryOf(calibration, source).offsets_s[detectorName(detector)] = kUsualOffset_s;
 }
 
+/// Sound is heard once only: nothing can be learnt from it beforehand.
+bool knowsPulses(const Calibration& calibration) {
+    return !calibration.sources.empty() &&
+           std::ranges::all_of(calibration.sources, [](const SourceCalibration& source) {
+               return shapeOf(source) && !source.offsets_s.empty();
+           });
+}
+
 }  // namespace
+
+Detector detectorOf(const StreamRequest& request) {
+    if (request.detector)
+        return *request.detector;
+    const EstimatorEntry* estimator = findEstimator(request.tracker.estimator);
+    const bool matched = estimator && estimator->detector == Detector::kMatched && request.calibration &&
+                         knowsPulses(*request.calibration);
+    return matched ? Detector::kMatched : Detector::kInflection;
+}
 
 double queueLength_s(int64_t pre_roll_samples, int sample_rate_hz) {
     return kQueue_s + static_cast<double>(pre_roll_samples) / sample_rate_hz;
@@ -100,12 +120,13 @@ Result<LivePlan> livePlanOf(const StreamRequest& request, const link::Hello& hel
     if (!calibration)
         return calibration.error();
     PipelineSettings pipeline;
+    const Detector detector = detectorOf(request);
     pipeline.decoder = {{static_cast<double>(hello.sample_rate_hz), hello.pulse_interval_samples,
                          hello.drive_hz, hello.pulse_cycles},
-                        request.detector};
+                        detector};
     pipeline.tracker = request.tracker;
-    if (!knowsSources(*calibration, request.detector)) {
-        addUsualOffsets(*suit, request.detector, *calibration);
+    if (!knowsSources(*calibration, detector)) {
+        addUsualOffsets(*suit, detector, *calibration);
         pipeline.tracker.sensors.distances = false;
     }
     pipeline.rest = restOf(request, hello.sample_rate_hz, pre_roll_samples);

@@ -14,6 +14,9 @@ double queueLength_s(int64_t pre_roll_samples, int sample_rate_hz);
 TakePlan takePlanOf(const StreamRequest& request, const link::Hello& hello, const Suit& suit,
                     int64_t pre_roll_samples);
 
+/// As asked for, else as the estimator wants it and the calibration allows.
+Detector detectorOf(const StreamRequest& request);
+
 /// Fails when what the pipeline would get cannot be stored in a take either.
 Result<LivePlan> livePlanOf(const StreamRequest& request, const link::Hello& hello, const Suit& worn,
                             int64_t pre_roll_samples);

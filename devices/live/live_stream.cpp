@@ -159,7 +159,7 @@ void LiveSession::keepResults(Stream& stream, StreamResult& result) {
     ProcessRequest request;
     request.take_path = recording.path;
     request.tracker = stream.request.tracker;
-    request.detector = stream.request.detector;
+    request.detector = detectorOf(stream.request);
     request.software = stream.request.software;
     request.created_utc = stream.request.created_utc;
     auto written = writeRuns(request, [&](const Take&, const Ingredients&, ResultRuns& runs) {

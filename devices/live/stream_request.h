@@ -33,7 +33,8 @@ struct StreamRequest {
     bool process = true;
     bool keep_results = false;  ///< the live results become derived runs of the take
     TrackerSettings tracker;
-    Detector detector = Detector::kInflection;
+    /// None: matched where the calibration knows the shape of every source's pulse, else inflection.
+    std::optional<Detector> detector{};
     double rest_s = 0;  ///< the performer begins in the rest pose and holds it so long
     std::string software, created_utc;
 };

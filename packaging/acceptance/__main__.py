@@ -23,6 +23,7 @@ import live
 import long_fuzz
 import partial
 import record
+import referee
 import sanitizers
 import speed
 import studio
@@ -32,6 +33,7 @@ FIGURES = {
     "table1": ("Table 1: combinations of sensors, both estimators", table1.figure),
     "accuracy": ("Accuracy on real motions, filtered and smoothed", accuracy.figure),
     "partial": ("Suits with boards left out", partial.figure),
+    "referee": ("Poses that must stay the same to the bit", referee.figure),
     "drift": ("Drift over five minutes and an hour", drift.figure),
     "bounds": ("Bounds, floors and starts", bounds.figure),
     "ground": ("Where a free root goes", ground.figure),
@@ -66,6 +68,8 @@ def parse_options():
     parser.add_argument("--live-seconds", type=int, default=600, metavar="N", help="of live")
     parser.add_argument("--studio-rounds", type=int, default=interface.ROUNDS_PER_HOUR, metavar="N",
                         help="of drive_studio, each what is done in a minute; at least 4")
+    parser.add_argument("--referee-against", metavar="PROGRAM", help="of referee: another build to compare with")
+    parser.add_argument("--referee-record", action="store_true", help="of referee: keep the hashes of this build")
     parser.add_argument("--check", action="store_true", help="only look at the arguments")
     options = parser.parse_args()
     names = list(FIGURES) if "all" in options.names else options.names

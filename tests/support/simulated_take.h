@@ -18,12 +18,13 @@ struct SimulatedTake {
     std::optional<double> rest_seconds{};                    ///< none: the scenario's
     simulation::Scenario scenario = simulation::Scenario::nominal();
     uint64_t seed = 1;
+    Suit suit = defaultSuit();
 };
 
 /// Named as its file.
 inline Status writeSimulatedTake(const std::string& path, SimulatedTake wanted, const JobContext& job = {}) {
     simulation::StageRequest request;
-    request.suit = defaultSuit();
+    request.suit = std::move(wanted.suit);
     request.clip = std::move(wanted.clip);
     request.scenario = wanted.scenario;
     request.rest_seconds = wanted.rest_seconds;

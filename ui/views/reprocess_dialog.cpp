@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <array>
 
+#include "core/estimation/paper_parameters.h"
 #include "core/processing/outside_files.h"
 #include "ui/style/words.h"
 #include "ui/views/choice_row.h"
@@ -125,7 +126,7 @@ void ReprocessDialog::addFilter(QBoxLayout& into) {
     process_sigma_->setDecimals(3);
     process_sigma_->setRange(0.001, 1000);
     process_sigma_->setSingleStep(0.01);
-    process_sigma_->setValue(TrackerSettings{}.paper_process_sigma_rad_per_s2);
+    process_sigma_->setValue(PaperParameters{}.process_sigma_rad_per_s2);
     process_sigma_->setSuffix(tr(" rad/s²"));
     process_sigma_->setAccessibleName(label->text());
     row->addWidget(label);
@@ -159,6 +160,12 @@ void ReprocessDialog::addDetector(QBoxLayout& into) {
     keepOneChosen(this, {inflection, matched});
     if (overview_.level != TakeLevel::kSignal)
         matched->setDisabledBecause(tr("Needs the recorded sound, which this take does not hold."));
+    else
+        matched->setChecked(true);
+    connect(paper->button(), &QAbstractButton::toggled, this, [this](bool chosen) {
+        const bool by_rise = chosen || overview_.level != TakeLevel::kSignal;
+        (by_rise ? inflection : matched)->setChecked(true);
+    });
 }
 
 void ReprocessDialog::addCalibration(QBoxLayout& into) {
@@ -219,6 +226,8 @@ void ReprocessDialog::startFrom(const RunSettings& settings) {
         most_probable->setChecked(true);
     if (settings.detector == detectorName(Detector::kMatched) && overview_.level == TakeLevel::kSignal)
         matched->setChecked(true);
+    if (settings.detector == detectorName(Detector::kInflection))
+        inflection->setChecked(true);
 }
 
 void ReprocessDialog::refresh() {
@@ -245,8 +254,9 @@ ProcessRequest ReprocessDialog::request() const {
     request.tracker.sensors = {accelerometers->isChecked(), gyroscopes->isChecked(), distances->isChecked()};
     request.tracker.root_given = root_given->isChecked();
     request.tracker.ground = static_cast<Ground>(ground->currentIndex());
-    request.tracker.estimator = paper->isChecked() ? EstimatorKind::kPaper : EstimatorKind::kManifold;
-    request.tracker.paper_process_sigma_rad_per_s2 = process_sigma_->value();
+    request.tracker.estimator = paper->isChecked() ? kPaperEstimator : kManifoldEstimator;
+    if (paper->isChecked())
+        request.tracker.parameters[kPaperProcessSigma] = process_sigma_->value();
     request.tracker.smoother = most_probable->isChecked()          ? Smoother::kBatch
                                : smoothed_whole->isChecked()       ? Smoother::kFull
                                : smoothed_half_second->isChecked() ? Smoother::kLag

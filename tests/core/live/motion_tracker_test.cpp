@@ -98,9 +98,9 @@ void expectEachRangeOnce(const Rest& rest, const TrackerSettings& settings) {
 }
 
 TEST(MotionTracker, EveryRangeComesOutOnce) {
-    for (const EstimatorKind estimator : {EstimatorKind::kManifold, EstimatorKind::kPaper})
+    for (const std::string estimator : {kManifoldEstimator, kPaperEstimator})
         for (const Rest& rest : {Rest(), Rest({0, 30001}), Rest({0, 36000})}) {
-            SCOPED_TRACE(std::string(estimatorName(estimator)) + (rest ? ", rest" : ", no rest"));
+            SCOPED_TRACE(estimator + (rest ? ", rest" : ", no rest"));
             TrackerSettings settings;
             settings.estimator = estimator;
             expectEachRangeOnce(rest, settings);
@@ -120,10 +120,25 @@ TEST(MotionTracker, RefusesASuitOnASegmentThatTheActorLacks) {
     EXPECT_NE(refused.error().message.find(suit.boards[4].id), std::string::npos) << refused.error().text();
 }
 
-TEST(MotionTracker, EstimatorsHaveTheirNames) {
-    for (const EstimatorKind kind : {EstimatorKind::kManifold, EstimatorKind::kPaper})
-        EXPECT_EQ(estimatorFromName(estimatorName(kind)), kind);
-    EXPECT_FALSE(estimatorFromName("magic"));
+TEST(MotionTracker, RefusesUnknownEstimatorsAndParameters) {
+    const Suit suit = defaultSuit();
+    const auto refusal = [&](const TrackerSettings& settings) {
+        const auto made = MotionTracker::create(suit, nominalCalibration(suit), defaultActor(), kRate_hz,
+                                                std::nullopt, settings);
+        EXPECT_FALSE(made);
+        EXPECT_EQ(made.error().kind, ErrorKind::kUsage);
+        return made.error().text();
+    };
+    TrackerSettings settings;
+    settings.estimator = "manifolt";
+    EXPECT_NE(refusal(settings).find("Did you mean manifold?"), std::string::npos);
+    settings.estimator = kManifoldEstimator;
+    settings.parameters = {{"range.gates", 5}};
+    EXPECT_NE(refusal(settings).find("Did you mean range.gate?"), std::string::npos);
+    settings.parameters = {{"range.gate", 0.5}};
+    EXPECT_NE(refusal(settings).find("from 1 to 100"), std::string::npos);
+    settings.parameters = {{"steps_per_frame", 1.5}};
+    EXPECT_NE(refusal(settings).find("whole number"), std::string::npos);
 }
 
 }  // namespace

@@ -113,8 +113,8 @@ TEST(ProcessTinyTake, SaysWhenTheCalibrationIsOfAnotherBoard) {
 TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {
     const Folder folder;
     const std::string path = tinyTake(folder);
-    for (const EstimatorKind estimator : {EstimatorKind::kManifold, EstimatorKind::kPaper}) {
-        SCOPED_TRACE(estimatorName(estimator));
+    for (const std::string estimator : {kManifoldEstimator, kPaperEstimator}) {
+        SCOPED_TRACE(estimator);
         ProcessRequest request = requestFor(path);
         request.tracker.estimator = estimator;
         const auto summary = processTake(request, {});
@@ -133,7 +133,7 @@ TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {
             EXPECT_TRUE(poses.frames[i].pose && isUsable(*poses.frames[i].pose));
         }
         // Measured means: manifold 0.15, 0.6 and 1.0 degrees, paper 0.1, 2.3 and 1.9.
-        const bool paper = estimator == EstimatorKind::kPaper;
+        const bool paper = estimator == kPaperEstimator;
         const TimedMotion reference = take.reference().value();
         EXPECT_LT(segmentError(poses, reference, "Hips").mean_deg, 0.5);
         EXPECT_LT(segmentError(poses, reference, "Chest").mean_deg, paper ? 4 : 1.5);
@@ -171,7 +171,11 @@ TEST(ProcessTinyTake, WritesItsRunsWithTheirSettings) {
         EXPECT_EQ(settings["sensors"], "AGD");
         EXPECT_EQ(settings["root"], "given");
         EXPECT_EQ(settings["estimator"], "manifold");
-        EXPECT_EQ(settings["detector"], "inflection");
+        EXPECT_EQ(settings["detector"], "matched");
+        EXPECT_EQ(settings["program"], "test");
+        EXPECT_EQ(settings["parameters"]["range.gate"], 5);
+        EXPECT_GT(settings["parameters"].size(), 90u);
+        EXPECT_EQ(settings["made_by"].get<std::string>().size(), 16u);
         EXPECT_EQ(settings["inertial_run"], summary.inertial_run);
         EXPECT_EQ(settings["range_run"], summary.range_run);
         EXPECT_NEAR(settings["rest_end_s"].get<double>(), 74999 / 150000.0, 1e-9);
@@ -353,6 +357,33 @@ TEST(ProcessSimulation, ReadingsGiveTheTruthAndNoSensorHurts) {
     EXPECT_LT(meanError_deg(path, {true, true, true}, Smoother::kFull), lag_deg);
 }
 
+/// The same motion, read at other rates; at `thinned` a third of the readings is missing here and there.
+TEST(ProcessSimulation, OtherRatesGiveTheSameErrors) {
+    if (!std::filesystem::exists(kMotion))
+        GTEST_SKIP() << "no " << kMotion << " (package assimp-testmodels)";
+    const Folder folder;
+    const auto error_deg = [&](double rate_hz, bool thinned) {
+        const std::string path = folder.file("rate.noctule");
+        std::filesystem::remove(path);
+        test::SimulatedTake wanted{.clip = toClip(readBvh(kMotion).value()).value(),
+                                   .level = simulation::Level::kReadings,
+                                   .duration_s = 8};
+        for (Board& board : wanted.suit.boards)
+            board.rate_hz = rate_hz;
+        EXPECT_TRUE(test::writeSimulatedTake(path, wanted));
+        if (thinned)
+            runSql(path, "DELETE FROM inertial WHERE (frame*2654435761 + board*40503) / 1024 % 3 = 0");
+        return meanError_deg(path, {true, true, true});
+    };
+    const double usual_deg = error_deg(kUsualBoardRate_hz, false);
+    for (const double rate_hz : {60.0, 100.0, 285.7}) {
+        const double deg = error_deg(rate_hz, false);
+        std::printf("%.1f Hz: %.3f degrees, at 140 Hz %.3f\n", rate_hz, deg, usual_deg);
+        EXPECT_NEAR(deg, usual_deg, 0.2 * usual_deg) << rate_hz;
+    }
+    EXPECT_NEAR(error_deg(285.7, true), usual_deg, 0.2 * usual_deg) << "irregular";
+}
+
 /// Of a body that stays in the pose in which a run begins.
 double heldRestPoseError_deg(const std::string& path, int64_t pose_run) {
     const Take take = Take::open(path).value();
@@ -405,7 +436,11 @@ TEST(ProcessSimulation, SoundGivesTheTruth) {
     const Folder folder;
     const std::string path = folder.file("signal.noctule");
     simulate(path, simulation::Level::kSignal, 6);
-    const double paper_deg = meanError_deg(path, {true, true, true});
+    ProcessRequest inflection = requestFor(path);
+    inflection.detector = Detector::kInflection;
+    const auto by_rise = processTake(inflection, {});
+    ASSERT_TRUE(by_rise) << by_rise.error().text();
+    const double paper_deg = compareRun(path, by_rise->pose_run).mean_deg;
     EXPECT_LT(paper_deg, 1.0);
 
     // The matched detector; then with nothing but the other's offsets to go by.

@@ -116,7 +116,7 @@ TEST_F(ReviewPageTest, AProcessingNeedsSensors) {
     dialog.distances->setChecked(true);
     dialog.paper->setChecked(true);
     EXPECT_EQ(dialog.name->placeholderText(), "D paper");
-    EXPECT_EQ(dialog.request().tracker.estimator, EstimatorKind::kPaper);
+    EXPECT_EQ(dialog.request().tracker.estimator, kPaperEstimator);
 }
 
 TEST_F(ReviewPageTest, SmoothingIsAskedForAndThePapersFilterHasNone) {
@@ -132,8 +132,10 @@ TEST_F(ReviewPageTest, SmoothingIsAskedForAndThePapersFilterHasNone) {
     EXPECT_EQ(dialog.request().tracker.smoother, Smoother::kNone);
     EXPECT_FALSE(dialog.smoothed_whole->button()->isEnabled());
     EXPECT_FALSE(dialog.most_probable->button()->isEnabled());
-    EXPECT_EQ(dialog.request().detector, Detector::kInflection);
+    EXPECT_EQ(dialog.request().detector, Detector::kInflection) << "the paper's";
     const bool has_sound = studio_->take().overview()->level == TakeLevel::kSignal;
+    dialog.ours->setChecked(true);
+    EXPECT_EQ(dialog.request().detector, has_sound ? Detector::kMatched : Detector::kInflection);
     EXPECT_EQ(dialog.matched->button()->isEnabled(), has_sound);
 }
 

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// The word that was probably meant.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace noctule {
+
+/// The word of `known` that needs the fewest edits (Levenshtein distance); empty when there is none.
+std::string nearestWord(const std::string& word, const std::vector<std::string>& known);
+
+}  // namespace noctule
