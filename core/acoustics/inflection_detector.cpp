@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace noctule {
 namespace {
@@ -44,6 +45,9 @@ void filterBothWays(const std::vector<Biquad>& sections, std::vector<Lanes>& row
     filter<kCount>(sections, rows.data() + rows.size() - 1, std::ssize(rows), -1);
 }
 
+/// Twice a higher carrier folds to where the low-pass lets it through.
+constexpr double kSquaredUpTo_hz = 45000;
+
 }  // namespace
 
 InflectionDetector::InflectionDetector(const PulseTrain& train)
@@ -51,6 +55,10 @@ InflectionDetector::InflectionDetector(const PulseTrain& train)
       margin_(int(std::ceil(kMargin_s * train.sample_rate_hz))),
       band_pass_(butterworthBandPass(2, train.drive_hz - 2500, train.drive_hz + 2500, train.sample_rate_hz)),
       low_pass_(butterworthLowPass(2, 30000, train.sample_rate_hz)),
+      quadrature_gain_(
+          train.drive_hz <= kSquaredUpTo_hz
+              ? 0
+              : float(0.5 / std::sin(2 * std::numbers::pi * train.drive_hz / train.sample_rate_hz))),
       rows_(windowSamples()) {}
 
 void InflectionDetector::detect(std::span<const int16_t> window, std::span<PulseArrival> boards,
@@ -79,8 +87,18 @@ void InflectionDetector::load(std::span<const int16_t> window, size_t boards, si
 
 void InflectionDetector::envelope() {
     filterBothWays<2>(band_pass_, rows_);
-    for (Lanes& row : rows_)
-        row = row.square();
+    if (quadrature_gain_ == 0) {
+        for (Lanes& row : rows_)
+            row = row.square();
+    } else {
+        // In the band the sound's quadrature is its slope, scaled: half the analytic signal's square.
+        Lanes before = rows_.front();
+        for (size_t i = 0; i < rows_.size(); ++i) {
+            const Lanes now = rows_[i], after = i + 1 < rows_.size() ? rows_[i + 1] : now;
+            rows_[i] = (now.square() + (quadrature_gain_ * (after - before)).square()) / 2;
+            before = now;
+        }
+    }
     filterBothWays<1>(low_pass_, rows_);
     highest_.setZero();
     for (int i = margin_; i < margin_ + interval_; ++i)

@@ -41,6 +41,7 @@ private:
 
     int interval_, margin_;
     std::vector<Biquad> band_pass_, low_pass_;
+    float quadrature_gain_;    // 0: the sound is squared as it is
     std::vector<Lanes> rows_;  // one per sample: sound, then its power envelope
     Lanes loudest_;            // counts, anywhere in the loaded window
     Lanes highest_;            // counts^2, of the envelope in the pulse's interval

@@ -70,7 +70,7 @@ void centre(std::vector<float>& values) {
 
 }  // namespace
 
-CurveCorrelation::CurveCorrelation(std::vector<MotionCurve> first, std::vector<MotionCurve> second,
+CurveCorrelation::CurveCorrelation(std::vector<AlignmentCurve> first, std::vector<AlignmentCurve> second,
                                    int64_t step_ns, double least_overlap_s)
     : step_ns_(step_ns), least_overlap_s_(least_overlap_s) {
     for (size_t c = 0; c < std::min(first.size(), second.size()); ++c)
@@ -79,7 +79,7 @@ CurveCorrelation::CurveCorrelation(std::vector<MotionCurve> first, std::vector<M
             addPair(std::move(first[c]), std::move(second[c]));
 }
 
-void CurveCorrelation::addPair(MotionCurve first, MotionCurve second) {
+void CurveCorrelation::addPair(AlignmentCurve first, AlignmentCurve second) {
     Pair pair{std::move(first), std::move(second), {}, {}, {}, {}};
     centre(pair.first.values);  // so that sums of squares lose no digits
     centre(pair.second.values);

@@ -10,7 +10,7 @@ namespace noctule {
 class CurveCorrelation {
 public:
     /// Curves on which either motion hardly moves are left out.
-    CurveCorrelation(std::vector<MotionCurve> first, std::vector<MotionCurve> second, int64_t step_ns,
+    CurveCorrelation(std::vector<AlignmentCurve> first, std::vector<AlignmentCurve> second, int64_t step_ns,
                      double least_overlap_s);
     /// With means over `factor` steps instead.
     CurveCorrelation coarser(int factor) const;
@@ -31,7 +31,7 @@ public:
 
 private:
     struct Pair {
-        MotionCurve first, second;
+        AlignmentCurve first, second;
         std::vector<double> first_sum, first_squares, second_sum, second_squares;  ///< of all before
     };
     /// y = gain * x, both standardised over the overlap at a lag.
@@ -39,7 +39,7 @@ private:
         double mean_x = 0, mean_y = 0, scale_x = 0, scale_y = 0, correlation = 0;
     };
     Fit fitOf(const Pair& pair, int lag) const;
-    void addPair(MotionCurve first, MotionCurve second);
+    void addPair(AlignmentCurve first, AlignmentCurve second);
     std::pair<int, int> range(int lag) const;
 
     std::vector<Pair> pairs_;

@@ -73,7 +73,7 @@ public:
         now_.clear();
     }
 
-    std::vector<MotionCurve> finish(int64_t step_ns) {
+    std::vector<AlignmentCurve> finish(int64_t step_ns) {
         for (size_t c = 0; c < curves_.size(); ++c) {
             const bool distance = c >= turning_.size() && c + 1 < curves_.size();
             curves_[c].least_deviation = distance ? kStillDistance_m : kStillSpeed_rad_per_s;
@@ -96,12 +96,12 @@ private:
     std::vector<size_t> index_;                       ///< joint of the skeleton per common joint
     std::vector<std::pair<size_t, size_t>> turning_;  ///< joint and its ancestor
     std::vector<Quaterniond> before_, now_;           ///< per curve
-    std::vector<MotionCurve> curves_;
+    std::vector<AlignmentCurve> curves_;
 };
 
 }  // namespace
 
-std::vector<MotionCurve> motionCurves(const TimedMotion& motion, const std::vector<CommonJoint>& common,
+std::vector<AlignmentCurve> motionCurves(const TimedMotion& motion, const std::vector<CommonJoint>& common,
                                       bool second, int64_t step_ns) {
     if (motion.frames.empty() || common.empty())
         return {};

@@ -10,7 +10,7 @@
 
 namespace noctule {
 
-struct MotionCurve {
+struct AlignmentCurve {
     std::vector<float> values;
     double least_deviation = 0;  ///< standard deviation below which nobody moves
 };
@@ -18,7 +18,7 @@ struct MotionCurve {
 /// One curve per common joint (angular speed, rad/s), some per pair of hands, feet, head and hips (distance,
 /// m), and the root's turn about the vertical (rad/s). `second`: of which of the two skeletons the motion is.
 /// Equal lists of common joints give equal lists of curves.
-std::vector<MotionCurve> motionCurves(const TimedMotion& motion, const std::vector<CommonJoint>& common,
+std::vector<AlignmentCurve> motionCurves(const TimedMotion& motion, const std::vector<CommonJoint>& common,
                                       bool second, int64_t step_ns);
 
 }  // namespace noctule

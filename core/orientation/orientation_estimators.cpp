@@ -19,14 +19,18 @@ Result<OrientationRun> runMiller(const ImuSamples& samples, const OrientationCho
     MillerSettings settings;
     settings.level_reading = choice.level_reading;
     settings.alpha_per_s = choice.gain_per_s.value_or(choice.level_reading ? 0.1 : settings.alpha_per_s);
-    return OrientationRun{millerOrientation(samples, settings)};
+    OrientationRun run;
+    run.q_world_sensor = millerOrientation(samples, settings);
+    return run;
 }
 
 Result<OrientationRun> runBachmann(const ImuSamples& samples, const OrientationChoice& choice,
                                    const JobContext&) {
     BachmannSettings settings;
     settings.gain_per_s = choice.gain_per_s.value_or(settings.gain_per_s);
-    return OrientationRun{bachmannOrientation(samples, settings)};
+    OrientationRun run;
+    run.q_world_sensor = bachmannOrientation(samples, settings);
+    return run;
 }
 
 }  // namespace

@@ -39,8 +39,6 @@ struct FieldMemory {
     }
 };
 
-}  // namespace
-
 class Filter {
 public:
     Filter(const ImuSamples& samples, const OrientationSettings& settings)
@@ -223,6 +221,7 @@ private:
     std::vector<Quaterniond> attitudes_;  ///< of each reading, turned along with the last corrections
 };
 
+}  // namespace
 }  // namespace orientation
 
 Result<OrientationRun> estimateOrientation(const ImuSamples& samples, const OrientationSettings& settings,

@@ -106,7 +106,11 @@ Status readDecoderSettings(const Take& take, const ProcessRequest& request, Ingr
                             "Correct board_count in meta or the suit's JSON");
     in.decoder.train = {static_cast<double>(*rate), static_cast<int>(take.header().pulse_interval_samples),
                         take.header().drive_hz, static_cast<int>(take.header().pulse_cycles)};
-    in.decoder.detector = request.detector.value_or(findEstimator(request.tracker.estimator)->detector);
+    // The matched detector hears 12 kHz to both sides of its carrier, inflection 2.5 kHz: it tells the pulses
+    // of other suits apart. Ranges of a take without sound were measured before.
+    const bool own_choice = take.level() == TakeLevel::kSignal && take.suitIds().size() < 2;
+    const EstimatorEntry& estimator = *findEstimator(request.tracker.estimator);
+    in.decoder.detector = request.detector.value_or(own_choice ? estimator.detector : Detector::kInflection);
     return Done{};
 }
 
