@@ -17,6 +17,7 @@ public:
 private:
     // trunk_alignment.cpp
     bool trunkStands() const;
+    bool zeroIsSymmetric() const;
     double zeroBend() const;
     void alignStandingTrunk();
     void alignTrunkByBones();

@@ -97,7 +97,7 @@ void mapTrunk(const Skeleton& source, JointMapping& mapping) {
     if (chest == hips)
         return;
     mapping["Chest"] = chest;
-    std::vector<int> trunk = chainBetween(source, hips, chest);
+    const std::vector<int> trunk = chainBetween(source, commonAncestor(source, hips, chest), chest);
     if (trunk.size() > 1)
         mapping["Spine"] = trunk[(trunk.size() - 1) / 2];
 }

@@ -140,6 +140,15 @@ void Aligner::alignHand(const std::string& side) {
         meanIn(hand, [&](const GlobalPose& pose) { return Vector3d(canonical(pose, forearm) * wanted); });
     if (usual.norm() > 0.5 && angleOf(q_[hand] * wanted, usual) > kUnlikely)
         q_[hand] = smallestRotation(q_[hand] * wanted, usual) * q_[hand];
+    constexpr double kTwisted = radians(25);  // a wrist does not twist; on the mean it is little
+    MeanAngle twist;
+    for (const GlobalPose& pose : seen_.poses())
+        twist.add(
+            turnAbout(wanted, Vector3d::UnitY(),
+                      canonical(pose, hand).conjugate() * (canonical(pose, forearm) * Vector3d::UnitY())),
+            1);
+    if (std::abs(twist.mean_rad()) > kTwisted)
+        q_[hand] = q_[hand] * axisAngle(wanted, twist.mean_rad());
 }
 
 }  // namespace noctule::figure

@@ -113,7 +113,21 @@ bool Aligner::trunkStands() const {
     if (rise.norm() < hips.norm() / 2 || angleOf(hips, arms) > kParallel ||
         std::abs(angleOf(hips, rise) - std::numbers::pi / 2) > kAcross)
         return false;
-    return zeroBend() < kBent;
+    return zeroIsSymmetric() && zeroBend() < kBent;
+}
+
+/// Poses that programs mean as zero poses have both sides alike; a frame of a motion has not.
+bool Aligner::zeroIsSymmetric() const {
+    constexpr double kAlike = radians(15);
+    for (const auto& [from, to] : {std::pair{"Arm", "ForeArm"}, std::pair{"UpLeg", "Leg"}}) {
+        const auto inBody = [&, from = from, to = to](const std::string& side) {
+            return Vector3d(q_zero_body_.conjugate() * (zero(side + to) - zero(side + from)));
+        };
+        const Vector3d right = inBody("Right");
+        if (angleOf(inBody("Left"), Vector3d(-right.x(), right.y(), right.z())) > kAlike)
+            return false;
+    }
+    return true;
 }
 
 void Aligner::alignStandingTrunk() {

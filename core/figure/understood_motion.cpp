@@ -21,32 +21,33 @@ std::string fixed(double value, int decimals) {
     return text;
 }
 
-/// Some programs write position channels of zeros beside true OFFSETs on every joint.
-void keepOffsets(BvhDocument& document, std::vector<std::string>& notes) {
-    size_t kept = 0;
-    for (BvhJoint& joint : document.joints) {
-        std::vector<size_t> places;
+/// MakeHuman and others write position channels on every joint that do not replace its OFFSET, they add to
+/// it: they stay near zero while the OFFSET does not.
+void addOffsets(BvhDocument& document, std::vector<std::string>& notes) {
+    constexpr double kNearZero = 0.05;  // of the OFFSET's length
+    size_t added = 0;
+    for (const BvhJoint& joint : document.joints) {
+        std::vector<std::pair<size_t, double>> places;  // in a row, and what the OFFSET has there
         for (size_t n = 0; n < joint.channels.size(); ++n)
             if (joint.channels[n] <= BvhChannel::kZposition)
-                places.push_back(joint.first_channel + n);
+                places.emplace_back(joint.first_channel + n,
+                                    joint.offset[static_cast<Eigen::Index>(joint.channels[n])]);
         if (joint.parent < 0 || places.size() < 3 || joint.offset.isZero(0))
             continue;
-        bool zeros = true;
-        for (size_t row = 0; row < document.values.size() && zeros; row += document.channel_count)
-            for (const size_t place : places)
-                zeros = zeros && document.values[row + place] == 0;
-        if (!zeros)
+        double largest = 0;
+        for (size_t row = 0; row < document.values.size(); row += document.channel_count)
+            for (const auto& [place, offset] : places)
+                largest = std::max(largest, std::abs(document.values[row + place]));
+        if (largest > kNearZero * joint.offset.norm())
             continue;
         for (size_t row = 0; row < document.values.size(); row += document.channel_count)
-            for (size_t n = 0; n < joint.channels.size(); ++n)
-                if (joint.channels[n] <= BvhChannel::kZposition)
-                    document.values[row + joint.first_channel + n] =
-                        joint.offset[static_cast<Eigen::Index>(joint.channels[n])];
-        ++kept;
+            for (const auto& [place, offset] : places)
+                document.values[row + place] += offset;
+        ++added;
     }
-    if (kept > 0)
-        notes.push_back("The position channels of " + counted(kept, "joint") +
-                        " are all zero; their OFFSETs hold");
+    if (added > 0)
+        notes.push_back("The position channels of " + counted(added, "joint") +
+                        " are about zero; they are added to the OFFSETs");
 }
 
 void scale(MotionClip& clip, double factor) {
@@ -69,7 +70,7 @@ public:
     explicit Understanding(const MotionHints& hints) : hints_(hints) {}
 
     Result<UnderstoodMotion> run(BvhDocument document) {
-        keepOffsets(document, motion_.notes);
+        addOffsets(document, motion_.notes);
         Result<MotionClip> clip = toClip(document, BvhUnit::kMetre);
         if (!clip)
             return clip.error();

@@ -12,6 +12,13 @@ namespace {
 const std::set<std::string> kNoPersons = {"tests__fixtures__full_precision_frame_time.bvh",
                                           "tests__fixtures__rotation_first_root.bvh"};
 
+/// Files whose figure stands along Z, as the places of its feet and head say.
+bool standsAlongZ(const std::filesystem::path& path) {
+    static const std::set<std::string> pybvh = {"bvh_data__bvh_example.bvh", "bvh_data__bvh_test1.bvh",
+                                                "bvh_data__bvh_test3.bvh", "bvh_data__standard_skeleton.bvh"};
+    return path.parent_path().filename() == "makehuman" || pybvh.contains(path.filename().string());
+}
+
 TEST(PublicMotions, AreUnderstoodOrRefusedWithAReason) {
     const std::string folder = NOCTULE_SOURCE_DIR "/../shared/data/bvh";
     if (!std::filesystem::exists(folder))
@@ -37,7 +44,7 @@ TEST(PublicMotions, AreUnderstoodOrRefusedWithAReason) {
         for (const auto& list : {motion->notes, motion->warnings})
             for (const std::string& sentence : list)
                 std::printf("    %s\n", sentence.c_str());
-        EXPECT_EQ(motion->up, UpAxis::kY) << name;
+        EXPECT_EQ(toText(motion->up), standsAlongZ(path) ? "+Z" : "+Y") << name;
         EXPECT_GT(motion->measures.height_m, 1.2) << name;
         EXPECT_LT(motion->measures.height_m, 2.3) << name;
         EXPECT_TRUE(missingMainJoints(motion->joints).empty()) << missingMainJoints(motion->joints).front();
@@ -59,6 +66,9 @@ TEST(PublicMotions, KeepTheirPosesWithAllBonesAlongX) {
         const Difference difference = differenceOf(plain, perform(other));
         std::printf("%s: mean %.2f deg, worst %s %.2f deg\n", name, difference.mean_deg,
                     difference.worst.c_str(), difference.worst_deg);
+        for (const auto& [bone, deg] : difference.bones_deg)
+            if (deg > 5)
+                std::printf("    %s %.1f deg\n", bone.c_str(), deg);
         EXPECT_LT(difference.mean_deg, 8) << name;  // where its spine is bent in its T pose, no frame tells
     }
 }
