@@ -83,7 +83,8 @@ bool Aligner::zeroFootStands(const std::string& side, double stance_rad, double 
 double Aligner::slopeBelowAnkle(const std::string& side, const Vector3d& left, const Vector3d& ahead,
                                 const std::optional<std::pair<double, double>>& stance) const {
     constexpr double kUsual = radians(8), kStanding = radians(4);
-    const auto& tip = clip_.skeleton.joint(at(side + "ToeBase")).end_m;
+    const std::string toe = side + "ToeBase";
+    const auto tip = has(toe) ? clip_.skeleton.joint(at(toe)).end_m : std::nullopt;
     if (tip && tip->norm() > 1e-3) {
         const Vector3d level = (*tip - left * left.dot(*tip)).normalized();
         const double slope = std::asin(std::clamp(level.cross(ahead).dot(left), -1.0, 1.0));
@@ -119,8 +120,9 @@ void Aligner::alignFoot(const std::string& side) {
         Vector3d left = q_[foot] * Vector3d::UnitX();
         if (angleOf(left, seen_left) > kFar)
             left = seen_left;
-        if (has_toe) {
-            const Vector3d ahead = bone(foot, toe).normalized();
+        const auto& tip = clip_.skeleton.joint(at(foot)).end_m;
+        if (has_toe || (tip && tip->norm() > 1e-3)) {
+            const Vector3d ahead = (has_toe ? bone(foot, toe) : *tip).normalized();
             left = (left - ahead * ahead.dot(left)).normalized();
             const Vector3d forward = axisAngle(left, -slopeBelowAnkle(side, left, ahead, stance)) * ahead;
             setAxes(foot, left, forward.cross(left));

@@ -133,7 +133,7 @@ void Aligner::alignHand(const std::string& side) {
     const Vector3d wanted = side == "Left" ? Vector3d::UnitX() : Vector3d(-Vector3d::UnitX());
     q_[hand] = q_.at(forearm);
     const auto& tip = clip_.skeleton.joint(at(hand)).end_m;
-    constexpr double kBent = radians(30), kUnlikely = radians(70);
+    constexpr double kBent = radians(30), kUnlikely = radians(45);
     if (tip && tip->norm() > 1e-3 && angleOf(q_[hand] * wanted, *tip) > kBent)
         q_[hand] = smallestRotation(q_[hand] * wanted, *tip) * q_[hand];
     const Vector3d usual =

@@ -9,7 +9,7 @@
 namespace noctule::figure {
 namespace {
 
-constexpr double kSnap_rad = radians(8), kSnapSide_rad = radians(12);
+constexpr double kSnap_rad = radians(8), kSnapSide_rad = radians(8);
 
 }  // namespace
 
@@ -152,15 +152,14 @@ void Aligner::alignTrunkByBones() {
     };
     const auto rise = [&](const GlobalPose& pose) { return Vector3d(trunkOf(pose, mapping_).normalized()); };
     const auto upOf = [&](const std::string& joint, std::pair<int, int> bone) {
-        return bone.second < 0 ? meanIn(joint, rise)
-                               : snapped(seen_.between(at(joint), bone.first, bone.second), kSnap_rad);
+        return bone.second < 0 ? meanIn(joint, rise) : seen_.between(at(joint), bone.first, bone.second);
     };
-    setAxes("Hips", snapped(meanIn("Hips", across("UpLeg")), kSnap_rad), upOf("Hips", trunkBone(false)));
+    setAxes("Hips", meanIn("Hips", across("UpLeg")), upOf("Hips", trunkBone(false)));
     const bool collars = has("LeftShoulder") && has("RightShoulder") &&
                          seen_.distance(at("LeftShoulder"), at("RightShoulder")) >
                              0.1 * seen_.distance(at("LeftArm"), at("RightArm"));
     if (has("Chest"))
-        setAxes("Chest", snapped(meanIn("Chest", across(collars ? "Shoulder" : "Arm")), kSnap_rad),
+        setAxes("Chest", meanIn("Chest", across(collars ? "Shoulder" : "Arm")),
                 upOf("Chest", trunkBone(true)));
     if (has("Spine")) {
         const std::vector<int> above = chainBetween(clip_.skeleton, at("Spine"), at(chest()));
@@ -168,8 +167,7 @@ void Aligner::alignTrunkByBones() {
             return Vector3d(canonical(pose, "Hips") * Vector3d::UnitX() +
                             canonical(pose, chest()) * Vector3d::UnitX());
         });
-        setAxes("Spine", snapped(left, kSnapSide_rad),
-                upOf("Spine", {at("Spine"), above.empty() ? -1 : above.front()}));
+        setAxes("Spine", left, upOf("Spine", {at("Spine"), above.empty() ? -1 : above.front()}));
     }
     alignHead();
     for (const std::string side : {"Left", "Right"})
@@ -188,17 +186,18 @@ void Aligner::alignHead() {
         const Vector3d usual = meanIn(joint, chestAxis(Vector3d::UnitY()));
         const auto& end = clip_.skeleton.joint(at(joint)).end_m;
         Vector3d up = usual;
+        bool has_tip = false;
         if (joint == "Neck" && has("Head"))
             up = bone("Neck", "Head");
-        else if (end && end->norm() > 1e-3)
+        else if (has_tip = end && end->norm() > 1e-3; has_tip)
             up = *end;
         else if (has("Neck") && has("Head"))
             up = bone("Neck", "Head");
         constexpr double kFar = radians(50);
-        if (up.norm() < 1e-3 || angleOf(snapped(up, kSnap_rad), usual) > kFar)
+        if (up.norm() < 1e-3 || angleOf(up, usual) > kFar)
             up = usual;
         setAxes(joint, snapped(meanIn(joint, chestAxis(Vector3d::UnitX())), kSnapSide_rad),
-                snapped(up, kSnap_rad));
+                has_tip ? up : snapped(up, kSnap_rad));
     }
 }
 
