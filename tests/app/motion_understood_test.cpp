@@ -14,7 +14,7 @@ std::vector<std::string> simulation(const std::string& motion, const std::string
                                     const std::vector<std::string>& more = {}) {
     std::vector<std::string> arguments = {"simulate", "--motion",   motion,     "--out",
                                           out,        "--level",    "readings", "--rest-seconds",
-                                          "0",        "--scenario", "ideal",    "--json"};
+                                          "0",        "--scenario", "ideal"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
 }
@@ -29,7 +29,7 @@ void writeChanged(const std::string& path, const std::string& from, const std::s
 
 TEST(MotionUnderstood, IsSaidOnStandardErrorAndInJson) {
     Folder folder;
-    const Ran ran = batch(simulation(kSampleWalk, folder.file("a.noctule"), {"--duration", "2"}));
+    const Ran ran = batch(simulation(kSampleWalk, folder.file("a.noctule"), {"--duration", "2", "--json"}));
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_NE(ran.err.find("zero pose: T pose"), std::string::npos) << ran.err;
     EXPECT_NE(ran.err.find("+Y up"), std::string::npos) << ran.err;
@@ -42,8 +42,8 @@ TEST(MotionUnderstood, IsSaidOnStandardErrorAndInJson) {
 
 TEST(MotionUnderstood, CorrectionsAreTaken) {
     Folder folder;
-    const Ran tall =
-        batch(simulation(kSampleWalk, folder.file("tall.noctule"), {"--duration", "2", "--height", "1.95"}));
+    const Ran tall = batch(simulation(kSampleWalk, folder.file("tall.noctule"),
+                                      {"--duration", "2", "--json", "--height", "1.95"}));
     ASSERT_EQ(tall.exit_code, 0) << tall.err;
     EXPECT_NEAR(tall.json().at("motion").at("height_m").get<double>(), 1.95, 1e-3);
 
@@ -51,7 +51,7 @@ TEST(MotionUnderstood, CorrectionsAreTaken) {
     writeBytes(folder.file("map.json"),
                R"({"format": "noctule-bone-map", "version": 1, "bones": {"LeftForeArm": "Wrist2"}})");
     const Ran mapped = batch(simulation(folder.file("odd.bvh"), folder.file("odd.noctule"),
-                                        {"--duration", "2", "--bones", folder.file("map.json")}));
+                                        {"--duration", "2", "--json", "--bones", folder.file("map.json")}));
     ASSERT_EQ(mapped.exit_code, 0) << mapped.err;
     EXPECT_EQ(mapped.json().at("motion").at("joints").at("LeftForeArm"), "Wrist2");
 }
