@@ -2,8 +2,12 @@
 #include "core/import/unit_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "core/math/rotation.h"
 
 namespace noctule {
 
@@ -46,52 +50,89 @@ void convertAccelerations(ImportedSensor& sensor, std::vector<std::string>& warn
 }
 
 void convertRates(ImportedSensor& sensor, std::vector<std::string>& warnings) {
-    const double slope = gyroscopeSlope(sensor.samples);
-    if (!std::isfinite(slope))
-        return;
-    if (slope > 0.008 && slope < 0.03) {
-        scale(sensor.samples.gyro_rad_per_s, radians(1));
-        warnings.push_back(sensor.id + ": rates were read as deg/s and converted to rad/s");
-    } else if (slope < 0.5 || slope > 2) {
-        warnings.push_back(sensor.id + ": gravity turns " + std::to_string(slope) +
-                           " times as fast as the gyroscope says; check unit and axes of the gyroscope");
+    switch (rateReading(sensor.samples)) {
+        case RateReading::kDegrees:
+            scale(sensor.samples.gyro_rad_per_s, radians(1));
+            warnings.push_back(sensor.id + ": rates were read as deg/s and converted to rad/s");
+            break;
+        case RateReading::kMirrored:
+            warnings.push_back(sensor.id +
+                               ": gravity turns against the gyroscope; check the gyroscope's axes");
+            break;
+        case RateReading::kRadians:
+        case RateReading::kUnknown:
+            break;
     }
+}
+
+/// A tenth of a second.
+struct Block {
+    Vector3d up = Vector3d::Zero();
+    bool quiet = false;
+};
+
+std::vector<Block> blocksOf(const ImuSamples& samples, size_t size, double gravity) {
+    std::vector<Block> blocks;
+    for (size_t begin = 0; begin + size <= samples.size(); begin += size) {
+        Block block;
+        for (size_t i = begin; i < begin + size; ++i)
+            block.up += samples.accel_m_per_s2[i] / double(size);
+        double spread = 0;
+        for (size_t i = begin; i < begin + size; ++i)
+            spread += (samples.accel_m_per_s2[i] - block.up).squaredNorm() / double(size);
+        block.quiet = spread < 0.25 && std::abs(block.up.norm() / gravity - 1) < 0.03;  // NaN is not quiet
+        blocks.push_back(block);
+    }
+    return blocks;
+}
+
+/// The turn from the middle of block `from` to the middle of block `to`, were the rates `factor` rad/s.
+Quaterniond turnBetween(const ImuSamples& samples, size_t size, size_t from, size_t to, double factor) {
+    Quaterniond q = Quaterniond::Identity();
+    for (size_t i = from * size + size / 2; i < to * size + size / 2; ++i)
+        q = q * expQuaternion(factor / samples.rate_hz * samples.gyro_rad_per_s[i]);
+    return q;
+}
+
+constexpr double kWindow_s = 5;
+constexpr double kTurned_rad = 0.35;
+constexpr int kFewestTurns = 3, kMostTurns = 200;
+
+double angleOfDirections(const Vector3d& a, const Vector3d& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 }  // namespace
 
-double gyroscopeSlope(const ImuSamples& samples) {
-    // Means over a tenth of a second: gravity's direction by finite differences drowns in noise otherwise.
-    const auto block = static_cast<size_t>(std::max(1.0, samples.rate_hz / 10));
-    std::vector<Vector3d> up, rate;
-    for (size_t begin = 0; begin + block <= samples.size(); begin += block) {
-        Vector3d a = Vector3d::Zero(), w = Vector3d::Zero();
-        for (size_t i = begin; i < begin + block; ++i) {
-            a += samples.accel_m_per_s2[i];
-            w += samples.gyro_rad_per_s[i];
+RateReading rateReading(const ImuSamples& samples) {
+    const auto size = static_cast<size_t>(std::max(1.0, samples.rate_hz / 10));
+    const auto blocks = blocksOf(samples, size, medianNorm(samples.accel_m_per_s2));
+    constexpr std::array<std::pair<RateReading, double>, 3> kReadings{
+        {{RateReading::kRadians, 1},
+         {RateReading::kDegrees, std::numbers::pi / 180},
+         {RateReading::kMirrored, -1}}};
+    std::array<double, 3> off_rad{};
+    int turns = 0;
+    for (size_t from = 0; from < blocks.size() && turns < kMostTurns; ++from) {
+        size_t to = from;
+        while (++to < blocks.size() && double((to - from) * size) < kWindow_s * samples.rate_hz)
+            if (blocks[to].quiet && angleOfDirections(blocks[from].up, blocks[to].up) > kTurned_rad)
+                break;
+        if (!blocks[from].quiet || to >= blocks.size() ||
+            double((to - from) * size) >= kWindow_s * samples.rate_hz)
+            continue;
+        for (size_t k = 0; k < kReadings.size(); ++k) {
+            const Quaterniond turn = turnBetween(samples, size, from, to, kReadings[k].second);
+            const double off = angleOfDirections(turn * blocks[to].up, blocks[from].up);
+            off_rad[k] += std::isfinite(off) ? off : 0;
         }
-        up.push_back(a / double(block));
-        rate.push_back(w / double(block));
+        ++turns;
+        from = to;
     }
-    const double gravity = medianNorm(up);
-    double cross = 0, square = 0, moved = 0;
-    for (size_t k = 1; k + 1 < up.size(); ++k) {
-        if (!up[k - 1].allFinite() || !up[k + 1].allFinite() || !rate[k].allFinite())
-            continue;
-        // Only where gravity is all that is felt, and the turn is slow enough for a difference.
-        if (std::abs(up[k].norm() / gravity - 1) > 0.05)
-            continue;
-        const Vector3d turned = (up[k + 1] - up[k - 1]) / (2 * double(block) / samples.rate_hz);
-        if (turned.norm() > 1.5 * gravity)
-            continue;
-        const Vector3d told = -rate[k].cross(up[k]);
-        cross += turned.dot(told);
-        square += told.squaredNorm();
-        moved += turned.squaredNorm() / (gravity * gravity);
-    }
-    if (!(moved > 0.05 * double(up.size()) * 0.1) || square == 0)
-        return std::numeric_limits<double>::quiet_NaN();
-    return cross / square;
+    if (turns < kFewestTurns)
+        return RateReading::kUnknown;
+    const size_t best = size_t(std::min_element(off_rad.begin(), off_rad.end()) - off_rad.begin());
+    return off_rad[best] / turns < kTurned_rad / 2 ? kReadings[best].first : RateReading::kUnknown;
 }
 
 void convertToSi(ImportedRecording& recording) {

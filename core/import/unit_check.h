@@ -7,11 +7,14 @@
 
 namespace noctule {
 
-/// How fast gravity turns in the sensor's frame over how fast the gyroscope says it does, in slow movement: 1
-/// in rad/s, 0.017 in deg/s. Not finite when the sensor hardly moves.
-double gyroscopeSlope(const ImuSamples& samples);
+/// What a gyroscope's numbers are, told by gravity: between two instants at which the sensor hardly
+/// accelerates, its turn must take gravity's direction at the first to that at the second.
+enum class RateReading { kUnknown, kRadians, kDegrees, kMirrored };
+/// kUnknown when the sensor turned by 20 degrees between quiet instants less than three times, or nothing
+/// fits. kMirrored: axes of another handedness than the accelerometer's. Accelerations in m/s^2.
+RateReading rateReading(const ImuSamples& samples);
 
-/// Accelerations whose median is near 1 are g, near 981 cm/s^2; rates by gyroscopeSlope. Converts to SI and
+/// Accelerations whose median is near 1 are g, near 981 cm/s^2; rates by rateReading. Converts to SI and
 /// adds one warning for each sensor and quantity; a field of zeros and readings that fit no unit are warned
 /// of.
 void convertToSi(ImportedRecording& recording);
