@@ -65,7 +65,7 @@ void BoxConversation::tick(int64_t now_ns) {
 }
 
 void BoxConversation::dropClient(const std::string& why, int64_t now_ns) {
-    events_.push_back(ClientDropped{why});
+    events_.emplace_back(std::in_place_type<ClientDropped>, why);
     disconnected(now_ns);
 }
 
@@ -149,7 +149,7 @@ Code BoxConversation::identify(ByteView payload) {
     const auto wish = readIdentify(payload);
     if (!wish || (wish->board != kAllBoardsOff && wish->board >= hello_.boardCount()))
         return Code::kBadPayload;
-    events_.push_back(IdentifyWanted{*wish});
+    events_.emplace_back(std::in_place_type<IdentifyWanted>, *wish);
     return Code::kOk;
 }
 
@@ -169,7 +169,7 @@ Code BoxConversation::set(ByteView payload) {
     hello_.pulse_interval_samples = wish.pulse_interval_samples.value_or(hello_.pulse_interval_samples);
     hello_.pulse_cycles = wish.pulse_cycles.value_or(hello_.pulse_cycles);
     hello_.name = wish.name.value_or(hello_.name);
-    events_.push_back(SettingsWanted{wish});
+    events_.emplace_back(std::in_place_type<SettingsWanted>, wish);
     return Code::kOk;
 }
 
