@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes of other programs: glTF, GLB and VRM (gltf_document.h), through assimp FBX and Collada with their rigs
-// and animations, OBJ and PLY without. The library trusts what it reads, so files from outside go through importMeshApart()
-// (mesh_reader.h), which does this in a process of its own.
+// Meshes of other programs: glTF, GLB and VRM (gltf_document.h), through assimp FBX and Collada with their
+// rigs and animations, OBJ and PLY without. The library trusts what it reads, so files from outside go
+// through importMeshApart() (mesh_reader.h), which does this in a process of its own.
 #pragma once
 
 #include <optional>

@@ -102,7 +102,7 @@ private:
 }  // namespace
 
 std::vector<AlignmentCurve> motionCurves(const TimedMotion& motion, const std::vector<CommonJoint>& common,
-                                      bool second, int64_t step_ns) {
+                                         bool second, int64_t step_ns) {
     if (motion.frames.empty() || common.empty())
         return {};
     CurveMaker maker(motion, common, second);

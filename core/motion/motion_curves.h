@@ -19,6 +19,6 @@ struct AlignmentCurve {
 /// m), and the root's turn about the vertical (rad/s). `second`: of which of the two skeletons the motion is.
 /// Equal lists of common joints give equal lists of curves.
 std::vector<AlignmentCurve> motionCurves(const TimedMotion& motion, const std::vector<CommonJoint>& common,
-                                      bool second, int64_t step_ns);
+                                         bool second, int64_t step_ns);
 
 }  // namespace noctule

@@ -98,8 +98,7 @@ public:
     Result<RangeCursor> rangesOfPulses(int64_t run, int64_t first, int64_t last,
                                        int suit = kSuitInView) const;
     /// Attitudes of one sensor in the order of time, of a run of kind `orientation`.
-    Result<std::vector<OrientationRow>> orientations(int64_t run, int board,
-                                                     int suit = kSuitInView) const;
+    Result<std::vector<OrientationRow>> orientations(int64_t run, int board, int suit = kSuitInView) const;
 
     /// When each foot stood as a pose run found it, kPrimaryRun: as an operator has set it. Feet without any
     /// are left out.

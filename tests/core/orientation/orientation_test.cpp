@@ -174,8 +174,8 @@ TEST(OrientationFilter, WithoutAMagnetometerTheHeadingGrowsUnsure) {
     Waved waved = wave(2, 60, 200, {});
     waved.samples.mag.clear();
     const OrientationRun run = estimate(waved, false);
-    // No reading and no pseudo-measurement tells north. What the gyroscope's bias added may be learnt later, so sigma
-    // may fall again, but never below that of the start.
+    // No reading and no pseudo-measurement tells north. What the gyroscope's bias added may be learnt later,
+    // so sigma may fall again, but never below that of the start.
     for (size_t i = 1; i < run.heading_sigma_rad.size(); ++i)
         ASSERT_GE(run.heading_sigma_rad[i], 0.2) << "reading " << i;
     EXPECT_GT(run.heading_sigma_rad.back(), run.heading_sigma_rad.front());
