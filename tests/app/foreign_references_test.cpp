@@ -71,8 +71,7 @@ TEST_F(ForeignReferences, ARealWalkIsFoundWithItsUncertainty) {
 
 TEST_F(ForeignReferences, TablesOfTheField) {
     const std::string take = folder_.file("t.noctule");
-    ASSERT_EQ(batch({"simulate", "--motion", kFieldInputs + "base.bvh", "--level", "readings", "--duration",
-                     "3", "--out", take})
+    ASSERT_EQ(batch({"simulate", "--motion", kFieldInputs + "base.bvh", "--level", "readings", "--out", take})
                   .exit_code,
               0);
     const Ran refused = batch({"attach", take, "--reference", kFieldInputs + "positions_time_in_ms.csv",
