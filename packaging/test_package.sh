@@ -40,14 +40,14 @@ check_results() {
 }
 
 echo "== moved to another place"
-mkdir -p "$folder/moved" "$folder/work"
+mkdir -p "$folder/moved" "$folder/takes"
 dpkg-deb --extract "$package" "$folder/moved"
 for file in "$folder"/moved/usr/bin/* "$folder"/moved/usr/libexec/noctule/*; do
     ! ldd "$file" | grep -F "not found" || fail "$file lacks libraries"
 done
-cp "$motion" "$folder/work/"
-demo "$folder/work" env PATH="$folder/moved/usr/bin:$PATH"
-check_results "$folder/work"
+cp "$motion" "$folder/takes/"
+demo "$folder/takes" env PATH="$folder/moved/usr/bin:$PATH"
+check_results "$folder/takes"
 PATH=$folder/moved/usr/bin:$PATH noctule --version | grep -q "^noctule [0-9]" || fail "no version"
 desktop=$folder/moved/usr/share/applications/noctule.desktop
 if command -v desktop-file-validate >/dev/null; then desktop-file-validate "$desktop"; fi
@@ -82,11 +82,11 @@ inside apt-get -qq install -y --no-install-recommends /tmp/noctule.deb >"$folder
     { tail "$folder/install.log" >&2; fail "the package cannot be installed"; }
 inside useradd --create-home user
 as_user() { inside setpriv --reuid user --regid user --clear-groups env HOME="$(inside sh -c 'echo ~user')" "$@"; }
-mkdir -m 777 "$root/tmp/work"
-cp "$motion" "$root/tmp/work/"
+mkdir -m 777 "$root/tmp/takes"
+cp "$motion" "$root/tmp/takes/"
 echo "-- the batch demo"
-demo /tmp/work as_user
-check_results "$root/tmp/work"
+demo /tmp/takes as_user
+check_results "$root/tmp/takes"
 echo "-- manual pages"
 inside man noctule | grep -q "noctule --batch simulate" || fail "man noctule shows nothing"
 inside man noctule-virtual-suit | grep -q -- "--announce" || fail "man noctule-virtual-suit shows nothing"
@@ -104,7 +104,7 @@ display=:$(cat "$folder/display")
 mount --bind /tmp/.X11-unix "$root/tmp/.X11-unix"
 mounted=("$root/tmp/.X11-unix" "${mounted[@]}")
 as_user env DISPLAY="$display" XDG_RUNTIME_DIR=/tmp/run QT_LOGGING_RULES="noctule.startup=true" \
-    noctule /tmp/work/walk_001.noctule 2>"$folder/studio.log" &
+    noctule /tmp/takes/walk_001.noctule 2>"$folder/studio.log" &
 studio=$!
 for _ in $(seq 600); do grep -qs "first frame" "$folder/studio.log" && break; sleep 0.1; done
 grep -s "first frame" "$folder/studio.log" || { cat "$folder/studio.log" >&2; fail "the studio showed no frame"; }

@@ -4,6 +4,7 @@
 
 #include "app/batch/files.h"
 #include "app/batch/program.h"
+#include "app/batch/signals.h"
 #include "app/batch/verb.h"
 #include "core/import/import_take.h"
 #include "core/import/mat_recording.h"
@@ -16,7 +17,9 @@ namespace noctule::batch {
 namespace {
 
 Result<ImportedRecording> readRecording(const std::string& path, double rate_hz) {
-    auto bytes = readWholeFile(path);
+    ReadOptions options;
+    options.cancel = &signalFlag();
+    auto bytes = readWholeFile(path, options);
     if (!bytes)
         return bytes.error();
     auto arrays = parseMat(*bytes, path);

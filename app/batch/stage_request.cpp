@@ -2,6 +2,7 @@
 #include "app/batch/stage_request.h"
 
 #include "app/batch/files.h"
+#include "app/batch/signals.h"
 #include "core/figure/understood_motion.h"
 #include "core/mesh/bone_map.h"
 #include "core/suit/default_suit.h"
@@ -48,7 +49,7 @@ Result<figure::UnderstoodMotion> readUnderstood(const Arguments& arguments, Cons
             return bones.error();
         hints.joints = bones->node_of_joint;
     }
-    auto document = readBvh(path);
+    auto document = readBvh(path, &signalFlag());
     if (!document)
         return document.error();
     for (const BvhWarning& warning : document->warnings)

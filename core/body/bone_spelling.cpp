@@ -313,10 +313,17 @@ BoneSpelling withoutPrefix(std::vector<std::string> words) {
     return {};
 }
 
-/// Without a word behind it that a whole body carries: "Hips_jnt", "LeftArm_outfit".
+/// Behind the name it says whose bone it is, not that the bone only helps: clothes with an armature of their
+/// own.
+bool isGarmentWord(const std::string& word) {
+    return word == "cloth" || word == "coat";
+}
+
+/// Without a word behind it that a whole body carries: "Hips_jnt", "LeftArm_cloth".
 BoneSpelling withoutLastWord(std::vector<std::string> words) {
     const std::string last = words.empty() ? std::string() : inSmallLetters(words.back());
-    if (words.size() < 2 || isNumber(last) || isHelperWord(last) || isSideWord(last))
+    if (words.size() < 2 || isNumber(last) || isSideWord(last) ||
+        (isHelperWord(last) && !isGarmentWord(last)))
         return {};
     words.pop_back();
     BoneSpelling spelling = withoutPrefix(words);

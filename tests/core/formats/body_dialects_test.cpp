@@ -297,7 +297,7 @@ TEST_F(BodyDialects, TheTableOfAnAvatarComesBeforeNames) {
 }
 
 TEST_F(BodyDialects, ClothesWithAnArmatureOfTheirOwnGoAlong) {
-    for (const char* suffix : {"", ".001", "_outfit"}) {
+    for (const char* suffix : {"", ".001", "_outfit", "_cloth"}) {
         GlbBody dressed;
         GlbDialect clothes;
         clothes.name = [&](const std::string& joint) { return joint + suffix; };
