@@ -29,13 +29,6 @@ void Console::eraseProgress() {
     line_open_ = false;
 }
 
-void Console::tell(const std::string& sentence) {
-    const std::lock_guard lock(mutex_);
-    eraseProgress();
-    if (!quiet_)
-        std::fprintf(stderr, "%s\n", sentence.c_str());
-}
-
 void Console::warn(const std::string& sentence) {
     const std::lock_guard lock(mutex_);
     eraseProgress();

@@ -16,8 +16,6 @@ public:
     /// `program`: who speaks in errors.
     Console(bool quiet, bool json, std::string program = "noctule");
 
-    /// What is going on, on standard error; not when quiet.
-    void tell(const std::string& sentence);
     void warn(const std::string& sentence);
     void error(const Error& error);  ///< also when quiet
     /// The result: text for people (not when quiet or for machines). False when it could not be written.

@@ -64,8 +64,7 @@ Result<Outcome> runSimulate(const VerbContext& context) {
                      "`noctule --batch simulate --help` shows an example"};
     if (!digitizer_out.empty() && arguments.text("rig") != nameOf(RigKind::kJig))
         return Error{ErrorKind::kUsage, "--digitizer-out is for the jig", "Give --rig jig, or leave it out"};
-    nlohmann::json understood;
-    auto request = stageRequest(arguments, context.console, &understood);
+    auto request = stageRequest(arguments, context.console);
     if (!request)
         return request.error();
     request->duration_s = arguments.number("duration").value_or(0);
@@ -100,10 +99,7 @@ Result<Outcome> runSimulate(const VerbContext& context) {
                 overwrite);
             !written)
             return written.error();
-    Outcome made = outcome(context, *stage, *summary);
-    if (!understood.is_null())
-        made.json["motion"] = std::move(understood);
-    return made;
+    return outcome(context, *stage, *summary);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct BvhDocument {
     std::string name;  ///< of the file, without folder and extension
     std::vector<BvhJoint> joints;
     size_t channel_count = 0;    ///< numbers per row
-    double frame_time_s = 0;     ///< 1 us to 10 s as written; above, to 100: taken as ms, with a warning
+    double frame_time_s = 0;     ///< as written, 1 us to 10 s
     size_t declared_frames = 0;  ///< what `Frames:` says; frameCount() is what is there
     std::vector<double> values;  ///< row after row, file's unit and degrees, within +-1e9
     std::vector<BvhWarning> warnings;
@@ -70,9 +70,9 @@ std::string toText(BvhUnit unit);
 /// Not of kAuto.
 double metresPer(BvhUnit unit);
 
-/// What kAuto takes: the unit that makes the figure 1.2 to 2.3 m tall (in inches to 2.05 m: a child of 80 to
-/// 90 cm is no giant), and that is one alone (from 21.3 to 23 units cmu rather than dm). A figure that fits
-/// none gets the nearest, centimetres and metres preferred, and is not plausible: tell the user.
+/// What kAuto takes: the unit that makes the figure 1.2 to 2.3 m tall, and that is one alone (from 21.3 to 23
+/// units cmu rather than dm). A figure that fits none gets the nearest, centimetres and metres preferred, and
+/// is not plausible: tell the user.
 struct BvhUnitChoice {
     BvhUnit unit = BvhUnit::kCentimetre;
     double height_m =
@@ -80,8 +80,6 @@ struct BvhUnitChoice {
     bool plausible = false;
 };
 BvhUnitChoice chooseUnit(const BvhDocument& document);
-/// The same for a figure whose height in the file's unit is known better than from its extent.
-BvhUnitChoice unitForHeight(double height);
 
 /// Root free, all other joints ball with freedoms rotation_x, _y and _z. kUnusable without frames.
 Result<MotionClip> toClip(const BvhDocument& document, BvhUnit unit = BvhUnit::kAuto);

@@ -32,21 +32,9 @@ LocalPose localPose(const BvhJoint& joint, const double* row) {
     return local;
 }
 
-/// The first joint from which several hang. What is above it (a reference node, from which the hips may be
-/// metres away) is no part of the figure. The root where nothing branches.
-size_t topOfFigure(const BvhDocument& document) {
-    std::vector<int> children(document.joints.size(), 0);
-    for (const BvhJoint& joint : document.joints)
-        if (joint.parent >= 0)
-            ++children[static_cast<size_t>(joint.parent)];
-    const auto branching = std::find_if(children.begin(), children.end(), [](int n) { return n > 1; });
-    return branching == children.end() ? 0 : static_cast<size_t>(branching - children.begin());
-}
-
-/// Largest side of the box around the figure's joints and end sites, in the file's unit; of the zero pose
-/// without a row.
+/// Largest side of the box around all joints and end sites, in the file's unit; of the zero pose without a
+/// row.
 double extent(const BvhDocument& document, const double* row) {
-    const size_t top = topOfFigure(document);
     std::vector<LocalPose> world;
     Eigen::AlignedBox3d box;
     for (const BvhJoint& joint : document.joints) {
@@ -57,13 +45,31 @@ double extent(const BvhDocument& document, const double* row) {
                      parent.q_parent_joint * local.q_parent_joint};
         }
         world.push_back(local);
-        if (world.size() <= top)
-            continue;
         box.extend(local.place);
         if (joint.end_site)
             box.extend(local.place + local.q_parent_joint * *joint.end_site);
     }
     return box.sizes().maxCoeff();
+}
+
+BvhUnitChoice nearestUnit(double height) {
+    constexpr double kSmallest_m = 1.2, kTallest_m = 2.3;
+    constexpr double kUnusual = 0.3;  // how much further off centimetres and metres may be, as a logarithm
+    BvhUnitChoice best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const BvhUnit unit : {BvhUnit::kCentimetre, BvhUnit::kMetre, BvhUnit::kCmu, BvhUnit::kInch,
+                               BvhUnit::kMillimetre, BvhUnit::kDecimetre}) {
+        const double height_m = height * metresPer(unit);
+        const bool plausible = height_m >= kSmallest_m && height_m <= kTallest_m;
+        const bool usual = unit == BvhUnit::kCentimetre || unit == BvhUnit::kMetre;
+        const double off = std::max(std::log(kSmallest_m / height_m), std::log(height_m / kTallest_m));
+        const double cost = plausible ? 0 : off + (usual ? 0 : kUnusual);
+        if (cost < least) {
+            least = cost;
+            best = {unit, height_m, plausible};
+        }
+    }
+    return best;
 }
 
 Joint jointFrom(const BvhJoint& read, double metres_per_unit) {
@@ -97,36 +103,15 @@ bool movesInParent(const BvhDocument& document, double metres_per_unit) {
 
 }  // namespace
 
-BvhUnitChoice unitForHeight(double height) {
-    constexpr double kSmallest_m = 1.2, kTallestOfMost_m = 2.3, kTallestInInches_m = 2.05;
-    constexpr double kUnusual = 0.3;  // how much further off centimetres and metres may be, as a logarithm
-    BvhUnitChoice best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const BvhUnit unit : {BvhUnit::kCentimetre, BvhUnit::kMetre, BvhUnit::kCmu, BvhUnit::kInch,
-                               BvhUnit::kMillimetre, BvhUnit::kDecimetre}) {
-        const double height_m = height * metresPer(unit);
-        const double tallest_m = unit == BvhUnit::kInch ? kTallestInInches_m : kTallestOfMost_m;
-        const bool plausible = height_m >= kSmallest_m && height_m <= tallest_m;
-        const bool usual = unit == BvhUnit::kCentimetre || unit == BvhUnit::kMetre;
-        const double off = std::max(std::log(kSmallest_m / height_m), std::log(height_m / tallest_m));
-        const double cost = plausible ? 0 : off + (usual ? 0 : kUnusual);
-        if (cost < least) {
-            least = cost;
-            best = {unit, height_m, plausible};
-        }
-    }
-    return best;
-}
-
 /// The zero pose stands upright in most files. Where it is crumpled (all bones along one axis, or places
 /// given by position channels only) the first frame is larger and tells more.
 BvhUnitChoice chooseUnit(const BvhDocument& document) {
     const double zero_pose = extent(document, nullptr);
-    const BvhUnitChoice choice = unitForHeight(zero_pose);
+    const BvhUnitChoice choice = nearestUnit(zero_pose);
     if (document.frameCount() == 0)
         return choice;
     const double first_frame = extent(document, document.values.data());
-    return first_frame > (choice.plausible ? 2 : 1) * zero_pose ? unitForHeight(first_frame) : choice;
+    return first_frame > (choice.plausible ? 2 : 1) * zero_pose ? nearestUnit(first_frame) : choice;
 }
 
 Result<MotionClip> toClip(const BvhDocument& document, BvhUnit unit) {

@@ -9,7 +9,7 @@
 namespace noctule {
 namespace {
 
-constexpr double kShortestFrame_s = 1e-6, kLongestFrame_s = 10, kLongestFrame_ms = 100;
+constexpr double kShortestFrame_s = 1e-6, kLongestFrame_s = 10;
 
 }  // namespace
 
@@ -32,16 +32,10 @@ Status BvhReader::readMotionHeader() {
     const std::string_view time_text = scan_.word();
     double& frame_time_s = document_.frame_time_s;
     if (!parseFiniteNumber(time_text, frame_time_s) || frame_time_s < kShortestFrame_s ||
-        frame_time_s > kLongestFrame_ms)
+        frame_time_s > kLongestFrame_s)
         return error(
             "Frame Time is " + inQuotes(time_text),
             "Write the seconds from one frame to the next, for example 0.00833333 for 120 frames a second");
-    if (frame_time_s > kLongestFrame_s) {
-        frame_time_s /= 1000;
-        warn(scan_.line(), "Frame Time is " + inQuotes(time_text) + ", more than " +
-                               std::to_string(static_cast<int>(kLongestFrame_s)) +
-                               " seconds; it is taken as milliseconds");
-    }
     return Done{};
 }
 

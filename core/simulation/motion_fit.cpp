@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/figure/measures.h"
 #include "core/math/rotation.h"
 #include "core/simulation/low_pass.h"
 #include "core/simulation/motion_cleaning.h"
@@ -135,15 +134,15 @@ void limitAngleSpeed(const Coordinates& coordinates, double step_s, std::vector<
 
 }  // namespace
 
-Result<Actor> actorFromClip(const MotionClip& clip, const std::optional<figure::JointMapping>& joints) {
-    Result<figure::JointMapping> mapping = joints ? *joints : figure::mapJoints(clip);
+Result<Actor> actorFromClip(const MotionClip& clip) {
+    Result<JointMapping> mapping = mapJoints(clip.skeleton, clip.name);
     if (!mapping)
         return mapping.error();
-    const BodyMeasures measures = figure::measure(clip, figure::SeenMotion(clip), *mapping);
+    const BodyMeasures measures = measure(clip, *mapping);
     if (!(measures.height_m > 0.3 && measures.height_m < 4) || !(measures.trunk_m > 0))
         return Error{ErrorKind::kUnusable,
                      clip.name + ": its figure would be " + std::to_string(measures.height_m) + " m tall",
-                     "Give the person's height with --height M, or the file's unit with --bvh-unit"};
+                     "Give the file's unit of length"};
     Actor actor = defaultActor(measures);
     actor.name = clip.name;
     return actor;
@@ -176,8 +175,7 @@ Result<FittedMotion> fitMotion(const MotionClip& clip, const FitRequest& request
     Result<CleanedMotion> cleaned = cleanMotion(clip);
     if (!cleaned)
         return cleaned.error();
-    Result<figure::JointMapping> mapping =
-        request.joints ? *request.joints : figure::mapJoints(cleaned->clip);
+    Result<JointMapping> mapping = mapJoints(clip.skeleton, clip.name);
     if (!mapping)
         return mapping.error();
 

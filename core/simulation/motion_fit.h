@@ -6,16 +6,13 @@
 #pragma once
 
 #include "core/body/actor.h"
-#include "core/figure/joint_mapping.h"
 #include "core/motion/clip.h"
 #include "core/simulation/coordinates.h"
 
 namespace noctule::simulation {
 
-/// The default actor with the lengths of the clip's figure. `joints`: as the clip was understood; none: found
-/// here. Fails (kUnusable) when joints cannot be mapped or the figure has no person's size.
-Result<Actor> actorFromClip(const MotionClip& clip,
-                            const std::optional<figure::JointMapping>& joints = std::nullopt);
+/// The default actor with the lengths of the clip's figure.
+Result<Actor> actorFromClip(const MotionClip& clip);
 
 /// The same joints, every one but the root a ball joint without limits: what flesh really does.
 Actor freedActor(const Actor& actor);
@@ -38,7 +35,6 @@ struct FitRequest {
     const Actor& actor;     ///< whose joints say how limbs bend
     const Skeleton& mover;  ///< the joints that really move: the actor's or freedActor's
     double low_pass_hz = 7;
-    std::optional<figure::JointMapping> joints{};  ///< as the clip was understood; none: found here
 };
 
 /// Fails (kUnusable) when joints cannot be mapped or a number is not finite (names frame and joint).

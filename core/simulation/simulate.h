@@ -24,7 +24,6 @@ struct StageRequest {
     uint64_t seed = 1;
     std::optional<RigKind> rig{};  ///< the suit is not worn, it is on a rig: without clip and actor
     bool rig_is_operated = false;  ///< by hand while time goes on; else it runs through a whole calibration
-    std::optional<figure::JointMapping> joints{};  ///< which of the clip's is which; none: found here
 };
 
 /// Performer, suit and all hidden draws, before anything is sampled. The virtual suit starts here too.

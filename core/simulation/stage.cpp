@@ -13,7 +13,7 @@ Result<Actor> believedActor(const StageRequest& request) {
     if (request.actor)
         return *request.actor;
     if (request.clip)
-        return actorFromClip(*request.clip, request.joints);
+        return actorFromClip(*request.clip);
     return defaultActor();
 }
 
@@ -93,8 +93,8 @@ Result<Stage> prepareStage(const StageRequest& request) {
     stage.mover =
         withScaledBones(scenario.unreduced_motion ? freedActor(*actor) : *actor, scenario, request.seed);
     if (request.clip) {
-        Result<FittedMotion> motion = fitMotion(
-            *request.clip, {stage.actor, stage.mover.skeleton, scenario.motion_low_pass_hz, request.joints});
+        Result<FittedMotion> motion =
+            fitMotion(*request.clip, {stage.actor, stage.mover.skeleton, scenario.motion_low_pass_hz});
         if (!motion)
             return motion.error();
         stage.motion = std::move(*motion);

@@ -273,30 +273,6 @@ TEST(Bvh, PlacesGivenByPositionChannelsCountForTheHeight) {
     EXPECT_TRUE(chooseUnit(figure).plausible);
 }
 
-TEST(Bvh, AChildInCentimetresIsNoGiantInInches) {
-    EXPECT_EQ(unitForHeight(90).unit, BvhUnit::kCentimetre);
-    EXPECT_FALSE(unitForHeight(90).plausible);
-    EXPECT_EQ(unitForHeight(69).unit, BvhUnit::kInch);
-}
-
-/// A node that stands far from the figure is no part of it.
-TEST(Bvh, AReferenceNodeDoesNotCountForTheHeight) {
-    BvhDocument figure = parsed(
-        "HIERARCHY\nROOT Reference\n{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT Hips\n{\nOFFSET 1200 0 0\n"
-        "CHANNELS 3 Xposition Yposition Zposition\nJOINT Head\n{\nOFFSET 0 80 0\nEnd Site\n{\n"
-        "OFFSET 0 10 0\n}\n}\nJOINT Foot\n{\nOFFSET 0 -90 0\nEnd Site\n{\nOFFSET 0 0 10\n}\n}\n}\n}\n"
-        "MOTION\nFrames: 1\nFrame Time: 0.04\n1200 90 0\n");
-    EXPECT_EQ(chooseUnit(figure).unit, BvhUnit::kCentimetre);
-    EXPECT_NEAR(chooseUnit(figure).height_m, 1.8, 1e-9);
-}
-
-TEST(Bvh, AFrameTimeAboveTenSecondsIsTakenAsMillisecondsAndTold) {
-    const BvhDocument document = parsed(changed("Frame Time: 0.01", "Frame Time: 16.6667"));
-    EXPECT_NEAR(document.frame_time_s, 0.0166667, 1e-12);
-    ASSERT_EQ(document.warnings.size(), 1u);
-    EXPECT_NE(document.warnings[0].text.find("milliseconds"), std::string::npos);
-}
-
 TEST(Bvh, UnitsHaveTheirWords) {
     for (const BvhUnit unit : {BvhUnit::kMetre, BvhUnit::kCentimetre, BvhUnit::kMillimetre, BvhUnit::kInch,
                                BvhUnit::kCmu, BvhUnit::kDecimetre, BvhUnit::kAuto})
