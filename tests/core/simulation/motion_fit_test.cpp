@@ -94,41 +94,15 @@ TEST(MotionFit, EveryNamingIsRecognised) {
     }
 }
 
-TEST(MotionFit, AnUnknownNameIsFoundByTheShape) {
-    MotionClip clip = madeMotion(0.5);
+TEST(MotionFit, MissingJointsAreNamed) {
+    MotionClip clip = madeMotion(0.1);
     std::vector<Joint> joints = clip.skeleton.joints();
     joints[clip.skeleton.find("LeftForeArm")].name = "tentacle";
     clip.skeleton = Skeleton::make(joints).value();
-    const auto mapping = figure::mapJoints(clip);
-    ASSERT_TRUE(mapping) << mapping.error().text();
-    EXPECT_EQ(mapping->at("LeftForeArm"), clip.skeleton.find("tentacle"));
-}
-
-/// An arm that ends at its elbow is no arm.
-TEST(MotionFit, MissingJointsAreNamed) {
-    MotionClip clip = madeMotion(0.1);
-    std::vector<Joint> joints;
-    std::vector<int> kept(clip.skeleton.joints().size(), -1);
-    for (int j = 0; j < clip.skeleton.size(); ++j) {
-        Joint joint = clip.skeleton.joint(j);
-        if (joint.name == "LeftForeArm" || joint.name == "LeftHand")
-            continue;
-        kept[static_cast<size_t>(j)] = static_cast<int>(joints.size());
-        joint.parent = joint.parent < 0 ? -1 : kept[static_cast<size_t>(joint.parent)];
-        joints.push_back(joint);
-    }
-    for (Pose& pose : clip.frames) {
-        std::vector<Quaterniond> turns;
-        for (size_t j = 0; j < kept.size(); ++j)
-            if (kept[j] >= 0)
-                turns.push_back(pose.q_parent_joint[j]);
-        pose.q_parent_joint = std::move(turns);
-    }
-    clip.skeleton = Skeleton::make(std::move(joints)).value();
     const Result<Actor> actor = actorFromClip(clip);
     ASSERT_FALSE(actor);
     EXPECT_EQ(actor.error().kind, ErrorKind::kUnusable);
-    EXPECT_NE(actor.error().message.find("LeftForeArm"), std::string::npos) << actor.error().message;
+    EXPECT_NE(actor.error().message.find("LeftForeArm"), std::string::npos);
 }
 
 TEST(MotionFit, ValuesThatAreNoNumbersAreNamed) {
