@@ -20,6 +20,8 @@ Result<std::unique_ptr<LivePipeline>> LivePipeline::create(const Suit& suit, con
                                          settings.rest, settings.tracker);
     if (!tracker)
         return tracker.error();
+    if (!settings.tracks)
+        tracker->reset();  // made all the same: what does not fit is told
     return std::unique_ptr<LivePipeline>(
         new LivePipeline(std::move(*decoder), std::move(*tracker), static_cast<int>(suit.boards.size())));
 }
@@ -54,11 +56,27 @@ void LivePipeline::hop(int64_t first_sample, std::span<const int16_t> interleave
         track(decoder_->watermark());
 }
 
+void LivePipeline::pushRoot(const RootMeasurement& root) {
+    if (tracker_)
+        tracker_->add(root);
+}
+
+std::vector<TimedPose> LivePipeline::takePoses() {
+    return tracker_ ? tracker_->takePoses() : std::vector<TimedPose>();
+}
+
+std::vector<RangeMeasurement> LivePipeline::takeRanges() {
+    return tracker_ ? tracker_->takeRanges() : decoder_->takeRanges();
+}
+
 void LivePipeline::track(int64_t watermark) {
     for (InertialReading& reading : decoder_->takeReadings()) {
-        tracker_->add(reading);
+        if (tracker_)
+            tracker_->add(reading);
         readings_.push_back(std::move(reading));
     }
+    if (!tracker_)
+        return;
     for (const RangeMeasurement& range : decoder_->takeRanges())
         tracker_->add(range);
     tracker_->advanceTo(watermark);

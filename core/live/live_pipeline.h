@@ -19,6 +19,7 @@ struct PipelineSettings {
     DecoderSettings decoder;
     TrackerSettings tracker;
     std::optional<std::pair<int64_t, int64_t>> rest;  ///< first and last sample of the rest pose
+    bool tracks = true;  ///< false: readings and ranges only, as of a suit that is not calibrated
 };
 
 class LivePipeline {
@@ -30,21 +31,24 @@ public:
     void pushPulse(const Pulse& pulse) { pulses_.push_back(pulse); }
     void pushStatus(const TemperatureStatus& status) { statuses_.push_back(status); }
     void pushGap(int64_t first_sample, int64_t count, std::optional<int> board);
-    void pushRoot(const RootMeasurement& root) { tracker_->add(root); }
+    void pushRoot(const RootMeasurement& root);
 
     void pushBlock(int64_t first_sample, std::span<const int16_t> interleaved);
     /// The recording has ended.
     void finish();
 
     /// Poses that had to wait for the end, after finish(); as those of Estimator.
-    int portionsLeft() const { return tracker_->portionsLeft(); }
-    Status finishPortion(const JobContext& job) { return tracker_->finishPortion(job); }
+    int portionsLeft() const { return tracker_ ? tracker_->portionsLeft() : 0; }
+    Status finishPortion(const JobContext& job) {
+        return tracker_ ? tracker_->finishPortion(job) : Status(Done{});
+    }
 
-    std::vector<TimedPose> takePoses() { return tracker_->takePoses(); }
-    std::vector<RangeMeasurement> takeRanges() { return tracker_->takeRanges(); }
+    std::vector<TimedPose> takePoses();
+    std::vector<RangeMeasurement> takeRanges();
     std::vector<InertialReading> takeReadings() { return std::exchange(readings_, {}); }
 
     const SuitDecoder& decoder() const { return *decoder_; }
+    /// Of a pipeline that tracks.
     const MotionTracker& tracker() const { return *tracker_; }
 
 private:
@@ -55,7 +59,7 @@ private:
     void track(int64_t watermark);
 
     std::unique_ptr<SuitDecoder> decoder_;
-    std::unique_ptr<MotionTracker> tracker_;
+    std::unique_ptr<MotionTracker> tracker_;  ///< null: nothing is tracked
     int board_count_;
     std::deque<Pulse> pulses_;
     std::deque<TemperatureStatus> statuses_;

@@ -7,6 +7,7 @@
 #include "core/acoustics/range_finder.h"
 #include "core/live/estimators.h"
 #include "core/suit/calibration_entries.h"
+#include "core/suit/calibration_lack.h"
 
 namespace noctule {
 namespace {
@@ -120,6 +121,9 @@ Result<LivePlan> livePlanOf(const StreamRequest& request, const link::Hello& hel
     if (!calibration)
         return calibration.error();
     PipelineSettings pipeline;
+    // Without gyroscopes' calibration a body would drift by tens of degrees a second: it is not shown, and
+    // the time that the filter takes is left to the calibration.
+    pipeline.tracks = !lackOf(*suit, *calibration).ofMostGyroscopes();
     const Detector detector = detectorOf(request);
     pipeline.decoder = {{static_cast<double>(hello.sample_rate_hz), hello.pulse_interval_samples,
                          hello.drive_hz, hello.pulse_cycles},

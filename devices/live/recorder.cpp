@@ -98,8 +98,8 @@ void Recorder::work() {
             std::this_thread::sleep_for(kLookAtLock);
         }
     } catch (const std::exception& mistake) {
-        endWith({ErrorKind::kInternal, sink_->path() + ": internal error: " + mistake.what(),
-                 "Please report it"});
+        endWith(
+            {ErrorKind::kInternal, state_.path + ": internal error: " + mistake.what(), "Please report it"});
     }
 }
 
@@ -216,12 +216,15 @@ void Recorder::complete(std::optional<Error> trouble) {
         trouble->remedy = (trouble->kind == ErrorKind::kDisk ? "Free some space and run" : "Run") +
                           std::string(" `noctule --batch recover` on it");
     }
+    const bool left_log = sink_->leftLog();
+    const std::string path = sink_->path();
+    sink_.reset();  // an ended recording holds no file: whoever recovers it need not wait for this object
     const std::lock_guard lock(mutex_);
     state_.ended = true;
     if (state_.longest_lock_s >= kWorthTelling_s)
         state_.notices.push_back(lockNotice(state_));
-    if (sink_->leftLog())
-        state_.notices.push_back(sink_->path() +
+    if (left_log)
+        state_.notices.push_back(path +
                                  ": another program reads the take, so a -wal file stands beside it; keep "
                                  "both together until the take is opened again.");
     if (!trouble)

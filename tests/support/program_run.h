@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,17 @@ public:
         const size_t caught = status.find("SigCgt:");
         return caught != std::string::npos &&
                (std::stoull(status.substr(caught + 7), nullptr, 16) >> (signal - 1) & 1U) != 0;
+    }
+    /// Processor time that it has used itself, seconds: how far it has come, however busy the machine is.
+    double computed_s() const {
+        const std::string stat = readBytes("/proc/" + std::to_string(pid_) + "/stat");
+        std::istringstream fields(stat.substr(stat.rfind(')') + 1));
+        std::string field;
+        for (int n = 3; n < 14; ++n)  // utime is field 14; the name, field 2, ends at the bracket
+            fields >> field;
+        double ticks = 0;
+        fields >> ticks;
+        return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
     }
     /// Written so far.
     std::string out() const { return readBytes(outputs_.file("out")); }

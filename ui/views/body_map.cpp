@@ -119,7 +119,7 @@ QSize BodyMap::sizeHint() const {
 }
 
 QSize BodyMap::minimumSizeHint() const {
-    return {Theme::get().px(520), std::max(Theme::get().px(400), static_cast<int>(10 * labelHeight()))};
+    return {Theme::get().px(520), std::max(Theme::get().px(340), static_cast<int>(9 * labelHeight()))};
 }
 
 double BodyMap::labelHeight() const {

@@ -39,8 +39,11 @@ QDoubleSpinBox* makeSeconds(const QString& name) {
 
 enum class ResultChoice { kLast, kShown, kEach, kAll };
 /// What several programs want of one take at once.
-constexpr ExportFormat kAlso[] = {ExportFormat::kFbx, ExportFormat::kGlb, ExportFormat::kBvh,
-                                  ExportFormat::kCsv};
+/// All four in one line.
+constexpr std::pair<ExportFormat, const char*> kAlso[] = {{ExportFormat::kFbx, "FBX"},
+                                                          {ExportFormat::kGlb, "GLB"},
+                                                          {ExportFormat::kBvh, "BVH"},
+                                                          {ExportFormat::kCsv, "CSV"}};
 
 template <class T>
 void chooseData(QComboBox* box, const T& value) {
@@ -169,16 +172,16 @@ void ExportForm::addFigureRows(FormRows& rows) {
 
 QWidget* ExportForm::makeAlso() {
     auto* boxes = new QWidget;
-    auto* grid = makeGrid(boxes, {}, 4);
-    int place = 0;
-    for (const ExportFormat each : kAlso) {
-        auto* box = new QCheckBox(formatName(each));
+    auto* row = makeRow(boxes, {}, 8);
+    for (const auto& [each, letters] : kAlso) {
+        auto* box = new QCheckBox(letters);
+        box->setAccessibleName(formatName(each));
         box->setToolTip(tr("Each take is written in this format too."));
         connect(box, &QCheckBox::toggled, this, &ExportForm::read);
-        grid->addWidget(box, place / 2, place % 2);
+        row->addWidget(box);
         also[each] = box;
-        ++place;
     }
+    row->addStretch();
     return boxes;
 }
 

@@ -24,7 +24,8 @@ PerformerPage::PerformerPage(Studio& studio, QWidget* parent)
                             tr("Go to Start"))),
       scene_(new SceneView(studio, nullptr, Step::kPerformer)),
       placement_(new PerformerPlacementPanel(*editor_)),
-      left_(makeLeft()) {
+      left_(makeLeft()),
+      right_(new ScrollArea(placement_)) {
     makeColumn(this)->addWidget(centre_);
     centre_->addWidget(scene_);
     centre_->addWidget(empty_);
@@ -40,7 +41,7 @@ PerformerPage::PerformerPage(Studio& studio, QWidget* parent)
 }
 
 QWidget* PerformerPage::rightDock() {
-    return placement_;
+    return right_;
 }
 
 QWidget* PerformerPage::makeLeft() {
@@ -68,7 +69,7 @@ void PerformerPage::showPerformer() {
     const bool any = editor_->hasPerformer();
     centre_->setCurrentWidget(any ? static_cast<QWidget*>(scene_) : empty_);
     left_->setEnabled(any);
-    placement_->setEnabled(any);
+    right_->setEnabled(any);
     if (any)
         scene_->setFigure(editor_->actor(), editor_->performer().suit);
 }

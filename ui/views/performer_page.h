@@ -44,7 +44,7 @@ private:
     PerformerListPanel* performers_ = nullptr;
     PerformerMeasuresPanel* measures_ = nullptr;
     PerformerPlacementPanel* placement_;
-    QWidget* left_;
+    QWidget *left_, *right_;
 };
 
 }  // namespace noctule::ui

@@ -60,7 +60,7 @@ QWidget* ReportView::makeHead() {
     auto* back = makeButton(ButtonKind::kText, tr("Back to the take"), "prev", QKeySequence(Qt::Key_Escape));
     auto* smaller = new ToolButton("minus", tr("Smaller"), QKeySequence::ZoomOut);
     auto* larger = new ToolButton("new", tr("Larger"), QKeySequence::ZoomIn);
-    keepMinimumWidth(*search_, 132);
+    keepMinimumWidth(*search_, 112);
     keepMaximumWidth(*search_, 200);
     title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* formats = new QMenu(save_);

@@ -158,7 +158,7 @@ TEST(StillCheck, ExchangedBoardsAreNamedAsSuch) {
     auto take = person.stand(1);
     ASSERT_TRUE(take) << take.error().text();
     const int forearm = take->observations.suit.findBoard("l_forearm");
-    const int shin = take->observations.suit.findBoard("r_shin");
+    const int shin = take->observations.suit.findBoard("r_leg");
     ASSERT_GE(forearm, 0);
     ASSERT_GE(shin, 0);
     std::swap(take->observations.boards[static_cast<size_t>(forearm)],

@@ -291,8 +291,11 @@ TEST(BrokenRecording, ADiskThatIsFullAllTheSameKeepsWhatWasCommitted) {
 
     const Folder elsewhere;
     std::string safe = elsewhere.file("safe.noctule");
-    const auto left = Take::open(state.path);  // may fail where no byte is free, not even for reading
-    if (left && left->meta().at("state") == "complete")
+    const bool is_whole = [&] {
+        const auto left = Take::open(state.path);  // may fail where no byte is free, not even for reading
+        return left && left->meta().at("state") == "complete";
+    }();
+    if (is_whole)
         safe = state.path;
     else if (const Status recovered = recoverTake(state.path, safe, {}); !recovered)
         FAIL() << recovered.error().text();

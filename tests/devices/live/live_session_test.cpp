@@ -9,12 +9,6 @@
 namespace noctule {
 namespace {
 
-#ifdef NOCTULE_SANITIZED
-constexpr int kSlower = 10;
-#else
-constexpr int kSlower = 1;
-#endif
-
 using namespace std::chrono_literals;
 using test::FakeDevice;
 using test::Folder;
@@ -182,9 +176,6 @@ TEST(LiveSession, ShowsPosesAndHealthWithoutATakeAndTakesAfterwards) {
     EXPECT_TRUE(health.pair(0, 0).age_s);
     EXPECT_NEAR(*health.suit.temperature_c, 22.71, 0.01);
     EXPECT_GT(result.frame->latency_median_s, 0);
-    if (kSlower == 1) {
-        EXPECT_LT(result.frame->latency_median_s, 0.5);
-    }
 }
 
 TEST(LiveSession, ASlowReaderMissesFramesAndKeepsNobodyWaiting) {

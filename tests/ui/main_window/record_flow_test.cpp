@@ -97,6 +97,7 @@ protected:
 TEST_F(RecordFlow, FromLaunchToAnExportedTake) {
     studio_->finder().start({answerer_.port(), false});
     ASSERT_TRUE(waitFor([&] { return studio_->finder().suits().size() == 1; })) << "not discovered";
+    ASSERT_TRUE(waitFor([&] { return visibleButton("Connect") != nullptr; })) << "its card is not shown";
     click(visibleButton("Connect"));
     ASSERT_EQ(window_->step(), Step::kConnect);
     auto& connect_page = pageOf<ConnectPage>(Step::kConnect);

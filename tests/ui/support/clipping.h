@@ -135,14 +135,16 @@ private:
     /// Only of widgets that take the mouse: overlays for drawing lie on others on purpose.
     void lookAtNeighbours(const QWidget& widget) {
         const QWidget* parent = widget.parentWidget();
-        if (!parent || widget.testAttribute(Qt::WA_TransparentForMouseEvents) || widget.isWindow())
+        if (!parent || widget.testAttribute(Qt::WA_TransparentForMouseEvents) || widget.isWindow() ||
+            widget.geometry().isEmpty())
             return;
         const bool is_placed =
             parent->layout() && parent->layout()->indexOf(const_cast<QWidget*>(&widget)) >= 0;
         for (const QObject* child : parent->children()) {
             const auto* other = qobject_cast<const QWidget*>(child);
             if (!other || other <= &widget || !other->isVisibleTo(parent) || other->isWindow() ||
-                other->testAttribute(Qt::WA_TransparentForMouseEvents) || isInside(*other))
+                other->geometry().isEmpty() || other->testAttribute(Qt::WA_TransparentForMouseEvents) ||
+                isInside(*other))
                 continue;
             const bool other_is_placed =
                 parent->layout() && parent->layout()->indexOf(const_cast<QWidget*>(other)) >= 0;
@@ -176,6 +178,12 @@ private:
             name += " “" + button->text() + "”";
         else if (!widget.accessibleName().isEmpty())
             name += " “" + widget.accessibleName() + "”";
+        const QRect place = widget.geometry();
+        name += QStringLiteral(" (%1x%2 at %3, %4)")
+                    .arg(place.width())
+                    .arg(place.height())
+                    .arg(place.x())
+                    .arg(place.y());
         const QWidget* parent = widget.parentWidget();
         while (parent && QByteArray(parent->metaObject()->className()) == "QWidget")
             parent = parent->parentWidget();

@@ -26,14 +26,15 @@ int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     if (testing::GTEST_FLAG(list_tests))
         return RUN_ALL_TESTS();
+    const QTemporaryDir home;  // programs that run side by side share no files
+    qputenv("HOME", home.path().toLocal8Bit());
     QStandardPaths::setTestModeEnabled(true);
     QApplication application(argc, argv);
     usual_handler = qInstallMessageHandler(failOnMissingIcons);
     std::setlocale(LC_NUMERIC, "C");
     QApplication::setOrganizationName("Noctule");
     QApplication::setApplicationName("noctule-test");
-    const QTemporaryDir settings;
     QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, home.path());
     return RUN_ALL_TESTS();
 }

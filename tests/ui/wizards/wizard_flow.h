@@ -73,7 +73,7 @@ protected:
     }
     void TearDown() override { stop(); }
 
-    void connectRig(const QStringList& options, const QString& speed = "8") {
+    void connectRig(const QStringList& options, const QString& speed = "2") {
         rig_ =
             std::make_unique<RigProgram>(QStringList{"--suit", QString::fromStdString(smallSuit(folder_, 4)),
                                                      "--speed", speed, "--seed", "3"} +
