@@ -43,7 +43,7 @@ struct GroundParameters {
     /// A slip stays for a while, and so do the errors of the leg above: updates so close to each other share
     /// them, and each counts as one of white noise with the same effect on their mean. Larger: the root is
     /// less sure of its place along the floor.
-    double slip_lasts_s = 0.05;
+    double slip_lasts_s = 0.1;
     /// By how much the place of the sole under the root changes from one update to the next: how high a root
     /// stands is never known better than that adds up to.
     double sole_m = 0.014;
