@@ -19,7 +19,9 @@
 #include "ui/main_window/look.h"
 #include "ui/main_window/studio_windows.h"
 #include "ui/models/end_signals.h"
+#include "ui/models/log_file.h"
 #include "ui/models/studio.h"
+#include "ui/models/studio_log.h"
 #include "ui/style/theme.h"
 
 namespace noctule::studio {
@@ -28,7 +30,8 @@ namespace {
 using namespace ui;
 
 constexpr int kNoDisplay = 2;
-bool has_display = false;  ///< the application has been made
+bool has_display = false;    ///< the application has been made
+LogFile* the_log = nullptr;  ///< while the studio runs
 
 [[noreturn]] void endWithoutDisplay() {
     std::fputs(
@@ -44,6 +47,8 @@ bool has_display = false;  ///< the application has been made
 void onQtMessage(QtMsgType type, const QMessageLogContext& context, const QString& text) {
     if (type == QtFatalMsg && !has_display)
         endWithoutDisplay();
+    if (the_log && type != QtDebugMsg)
+        the_log->write(type == QtInfoMsg ? "info" : "warning", text);
     static const bool wanted = qEnvironmentVariableIsSet("NOCTULE_QT_DEBUG");
     const bool ours = context.category && std::strncmp(context.category, "noctule.", 8) == 0;
     if (!wanted && !ours && type != QtFatalMsg)
@@ -92,7 +97,12 @@ int runStudio(int argc, char** argv) {
     QGuiApplication::setDesktopFileName("noctule");  // desktops take the window's icon from there
     Theme::install(application);
 
-    Studio studio(parts());
+    LogFile log(stateFolder());
+    the_log = &log;
+    StudioParts studio_parts = parts();
+    studio_parts.log = &log;
+    Studio studio(studio_parts);
+    const StudioLog follows(studio, log);
     applyLook(studio.settings());
     StudioWindows windows(studio);
     MainWindow& window = windows.show(Step::kStart);
@@ -108,7 +118,10 @@ int runStudio(int argc, char** argv) {
         window.offerTour();
     if (const QString problem = studio.remoteStart().problem(); !problem.isEmpty())
         emit studio.warned(problem);
-    return QApplication::exec();
+    const int code = QApplication::exec();
+    log.write("info", "ended in good order");
+    the_log = nullptr;
+    return code;
 }
 
 }  // namespace noctule::studio

@@ -35,7 +35,8 @@ struct ComparisonOptions {
 /// Of an angle over time, in degrees.
 struct AngleStatistics {
     double mean_deg = 0, std_deg = 0, rms_deg = 0, max_deg = 0;
-    double drift_deg_per_min = 0;  ///< slope of the line through it
+    double drift_deg_per_min = 0;        ///< slope of the line through it
+    double median_deg = 0, p95_deg = 0;  ///< half and 95 percent of the time it is below; to 0.01 degrees
 };
 
 struct JointComparison {

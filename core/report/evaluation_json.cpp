@@ -22,6 +22,8 @@ Json jointJson(const JointComparison& joint) {
             {"mean_deg", finite(joint.angle.mean_deg)},
             {"std_deg", finite(joint.angle.std_deg)},
             {"rms_deg", finite(joint.angle.rms_deg)},
+            {"median_deg", finite(joint.angle.median_deg)},
+            {"p95_deg", finite(joint.angle.p95_deg)},
             {"max_deg", finite(joint.angle.max_deg)},
             {"drift_deg_per_min", finite(joint.angle.drift_deg_per_min)},
             {"position_mm", finite(joint.position_mm)},

@@ -20,9 +20,9 @@ html::Row jointRow(const JointComparison& joint, double scale_deg) {
         {text::escaped(text::jointLabel(joint.name)) +
              (joint.composed ? " <small>from " + text::escaped(joint.relative_to) + "</small>" : ""),
          std::string(look ? "<span class=\"look\">" : "<span>") + text::degrees(a.mean_deg, 2) + "</span>",
-         text::degrees(a.std_deg, 2), text::degrees(a.rms_deg, 2), text::degrees(a.max_deg, 1),
-         text::degrees(a.drift_deg_per_min, 2), text::number(joint.position_mm, 1),
-         text::number(joint.nees, 1),
+         text::degrees(a.median_deg, 2), text::degrees(a.std_deg, 2), text::degrees(a.rms_deg, 2),
+         text::degrees(a.p95_deg, 2), text::degrees(a.max_deg, 1), text::degrees(a.drift_deg_per_min, 2),
+         text::number(joint.position_mm, 1), text::number(joint.nees, 1),
          html::bar({{scale_deg > 0 ? a.mean_deg / scale_deg : 0, look ? "inertia" : "good"}}, words)},
         ""};
 }
@@ -31,8 +31,10 @@ std::string jointTable(const Comparison& c) {
     html::Table table{"Error of every joint",
                       {{"Joint", false},
                        {"Mean"},
+                       {"Median"},
                        {"Deviation"},
                        {"RMS"},
+                       {"95 %"},
                        {"Largest"},
                        {"Drift per minute"},
                        {"Position mm"},
@@ -44,7 +46,7 @@ std::string jointTable(const Comparison& c) {
         worst_deg = std::max(worst_deg, joint.angle.mean_deg);
     for (const JointComparison& joint : c.joints)
         table.rows.push_back(jointRow(joint, worst_deg));
-    table.rows.push_back({{"Mean of all joints", text::degrees(c.mean_deg, 2), "", "", "", "", "",
+    table.rows.push_back({{"Mean of all joints", text::degrees(c.mean_deg, 2), "", "", "", "", "", "", "",
                            text::number(c.nees, 1), ""},
                           "total"});
     return html::table(table);
@@ -96,6 +98,7 @@ std::string jointsSection(const ReportData& data) {
     const Comparison& c = *run->comparison;
     std::string body = jointTable(c);
     body += html::note(
+        "Half of the time a joint errs less than its median, 95 % of the time less than the value so headed. "
         "NEES compares the errors with what the filter says about them: 1 is honest, more is too sure. "
         "Position "
         "is that of the joint in the frame of the pelvis, so it gathers the errors of all joints above.");

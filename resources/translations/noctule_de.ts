@@ -3362,6 +3362,57 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::HelpWindow</name>
+    <message>
+        <source>Noctule’s documents</source>
+        <translation>Noctules Dokumente</translation>
+    </message>
+    <message>
+        <source>Documents</source>
+        <translation>Dokumente</translation>
+    </message>
+    <message>
+        <source>The document</source>
+        <translation>Das Dokument</translation>
+    </message>
+    <message>
+        <source>Tutorial</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>How it works</source>
+        <translation>Wie es funktioniert</translation>
+    </message>
+    <message>
+        <source>Glossary</source>
+        <translation>Wörterverzeichnis</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Architecture</source>
+        <translation>Aufbau</translation>
+    </message>
+    <message>
+        <source>Security</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::HoldRing</name>
     <message>
         <source>%1 of %2 seconds</source>
@@ -3909,6 +3960,18 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Process</source>
         <translation>Verarbeiten</translation>
+    </message>
+    <message>
+        <source>Save diagnosis</source>
+        <translation>Diagnose speichern</translation>
+    </message>
+    <message>
+        <source>Text files (*.txt)</source>
+        <translation>Textdateien (*.txt)</translation>
+    </message>
+    <message>
+        <source>%1 is written. It holds no names and no folders; read it before you pass it on.</source>
+        <translation>%1 ist geschrieben. Darin stehen keine Namen und keine Ordner; vor dem Weitergeben durchlesen.</translation>
     </message>
 </context>
 <context>
@@ -8499,6 +8562,14 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Body of the view</source>
         <translation>Körper der Ansicht</translation>
+    </message>
+    <message>
+        <source>Guide and documents</source>
+        <translation>Handbuch und Dokumente</translation>
+    </message>
+    <message>
+        <source>Save diagnosis</source>
+        <translation>Diagnose speichern</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@ class QStackedWidget;
 
 namespace noctule::ui {
 
+class HelpWindow;
 class JobsPanel;
 class Page;
 class RecordRun;
@@ -50,6 +51,7 @@ public slots:
     void recoverTake(const QString& path);
     void showPreferences();
     void showShortcuts();
+    void saveDiagnosis();
     void showTour();
     /// Once, on the first start of the program.
     void offerTour();
@@ -109,6 +111,7 @@ private:
     QStackedWidget* stack_;
     StatusLine* status_;
     JobsPanel* jobs_panel_;
+    HelpWindow* help_ = nullptr;      ///< once it was asked for
     QString folder_;                  ///< of the session that was open last
     QStringList of_session_;          ///< topics of notices that are about what is open
     bool closes_after_take_ = false;  ///< everything has been asked

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Commands of menus, keys and pages, and what they do.
+#include <QDate>
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "core/job/atomic_file.h"
 #include "ui/main_window/about_dialog.h"
+#include "ui/main_window/diagnosis.h"
+#include "ui/main_window/help_window.h"
 #include "ui/main_window/jobs_panel.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/news_dialog.h"
@@ -53,7 +60,29 @@ void MainWindow::connectActions() {
     on(Command::kShortcuts, [this] { showShortcuts(); });
     on(Command::kTour, [this] { showTour(); });
     on(Command::kNews, [this] { NewsDialog(this).exec(); });
+    on(Command::kDocuments, [this] {
+        if (!help_)
+            help_ = new HelpWindow(this);
+        help_->show("guide");
+    });
+    on(Command::kSaveDiagnosis, [this] { saveDiagnosis(); });
     on(Command::kAbout, [this] { AboutDialog(studio_.parts().software, this).exec(); });
+}
+
+void MainWindow::saveDiagnosis() {
+    const QString name = "noctule-diagnosis-" + QDate::currentDate().toString(Qt::ISODate) + ".txt";
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Save diagnosis"), name, tr("Text files (*.txt)"));
+    if (path.isEmpty())
+        return;
+    const LogFile nowhere{QString()};
+    const LogFile& log = studio_.parts().log ? *studio_.parts().log : nowhere;
+    const QByteArray text = diagnosisText(studio_, log).toUtf8();
+    if (const Status saved = writeFileAtomically(path.toStdString(), text.toStdString(), true); !saved)
+        return onFailure(QString::fromStdString(saved.error().message),
+                         QString::fromStdString(saved.error().remedy));
+    studio_.say(tr("%1 is written. It holds no names and no folders; read it before you pass it on.")
+                    .arg(QFileInfo(path).fileName()));
 }
 
 void MainWindow::connectSteps() {

@@ -56,6 +56,8 @@ void WindowActions::addSuitAndHelpActions() {
     add(Command::kShortcuts, tr("Shortcuts"), {QKeySequence("F1")}, "");
     add(Command::kTour, tr("Tour of the five steps"), {}, "info");
     add(Command::kNews, tr("What is new"), {}, "history");
+    add(Command::kDocuments, tr("Guide and documents"), {QKeySequence("Shift+F1")}, "");
+    add(Command::kSaveDiagnosis, tr("Save diagnosis"), {}, "");
     add(Command::kAbout, tr("About Noctule"), {}, "")->setMenuRole(QAction::AboutRole);
 }
 

@@ -39,6 +39,8 @@ enum class Command {
     kShortcuts,
     kTour,
     kNews,
+    kDocuments,
+    kSaveDiagnosis,
     kAbout,
 };
 

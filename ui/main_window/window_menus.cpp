@@ -76,10 +76,10 @@ void WindowMenus::addPanels(const QList<QDockWidget*>& docks) {
 
 void WindowMenus::buildSuitAndHelp() {
     suit_->addActions({actions_[Command::kPerformer], actions_[Command::kPutSuitOn]});
-    help_->addActions({actions_[Command::kShortcuts], actions_[Command::kTour], actions_[Command::kPutSuitOn],
-                       actions_[Command::kNews]});
+    help_->addActions({actions_[Command::kDocuments], actions_[Command::kShortcuts], actions_[Command::kTour],
+                       actions_[Command::kPutSuitOn], actions_[Command::kNews]});
     help_->addSeparator();
-    help_->addAction(actions_[Command::kAbout]);
+    help_->addActions({actions_[Command::kSaveDiagnosis], actions_[Command::kAbout]});
 }
 
 void WindowMenus::showPageActions(Step step, const QList<QAction*>& page_actions) {

@@ -32,6 +32,8 @@
 
 namespace noctule::ui {
 
+class LogFile;
+
 /// What the program gives the studio: the screens know no simulator.
 struct StudioParts {
     std::string software;                  ///< "noctule 0.1.0"
@@ -40,6 +42,8 @@ struct StudioParts {
     std::function<Status(const std::string& path, const JobContext&)> make_sample_take;
     /// Path of noctule-virtual-suit; empty: there is none.
     std::string virtual_suit_program{};
+    /// Outlives the studio; null: nothing is logged.
+    LogFile* log = nullptr;
 };
 
 enum class Step { kStart, kConnect, kCalibrate, kRecord, kReview, kExport, kPerformer };

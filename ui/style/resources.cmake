@@ -1,4 +1,4 @@
-# What is compiled into the studio: tokens, icons, bodies, motions and Debian's Roboto (Apache-2.0). The list is
+# What is compiled into the studio: tokens, icons, bodies, motions, documents and Debian's Roboto (Apache-2.0). The list is
 # written at configure time, so that a new icon is one file and no font lies in this tree.
 find_path(NOCTULE_ROBOTO_DIR Roboto-Regular.ttf
     PATHS /usr/share/fonts/truetype/roboto/unhinted/RobotoTTF /usr/share/fonts/truetype/roboto
@@ -12,6 +12,8 @@ set(files "")
 file(GLOB found CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/resources
     ${PROJECT_SOURCE_DIR}/resources/style/*.json ${PROJECT_SOURCE_DIR}/resources/icons/*.svg
     ${PROJECT_SOURCE_DIR}/resources/bodies/*.glb
+    ${PROJECT_SOURCE_DIR}/resources/docs/*.md ${PROJECT_SOURCE_DIR}/resources/docs/*.svg
+    ${PROJECT_SOURCE_DIR}/resources/pictures/*.png
     ${PROJECT_SOURCE_DIR}/resources/motions/*.bvh)
 foreach(name IN LISTS found)
     string(APPEND files "<file alias=\"${name}\">${PROJECT_SOURCE_DIR}/resources/${name}</file>\n")

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// The documents and the diagnosis, as somebody who needs help meets them.
+#include <QDir>
+#include <QRegularExpression>
+
+#include "tests/ui/main_window/studio_fixture.h"
+#include "ui/main_window/diagnosis.h"
+#include "ui/main_window/help_window.h"
+#include "ui/models/studio_log.h"
+
+namespace noctule::ui {
+namespace {
+
+TEST(HelpWindowTest, EveryDocumentOpensWithItsPicturesAndLinks) {
+    HelpWindow help;
+    for (int row = 0; row < help.contents().count(); ++row) {
+        const QString name = help.contents().item(row)->data(Qt::UserRole).toString();
+        help.show(name);
+        const QString markdown = help.page().document()->toMarkdown();
+        EXPECT_GT(help.page().toPlainText().size(), 500) << name.toStdString();
+        QRegularExpression link(R"(\]\(([^)#\s]+)(#[^)]*)?\))");
+        for (auto all = link.globalMatch(markdown); all.hasNext();) {
+            const QString target = all.next().captured(1);
+            if (target.contains("://"))
+                continue;
+            const QUrl url = help.page().source().resolved(QUrl(target));
+            EXPECT_TRUE(QFile::exists(':' + url.path()) || !target.endsWith(".md"))
+                << name.toStdString() << ": " << target.toStdString();
+        }
+    }
+    EXPECT_EQ(help.contents().count(),
+              QDir(":/noctule/docs").entryList({"*.md"}).size() - 1)  // the index is the list itself
+        << "a document is missing in the list";
+}
+
+TEST(HelpWindowTest, ALinkLeadsToTheOtherDocument) {
+    HelpWindow help;
+    help.show("guide");
+    emit help.page().anchorClicked(QUrl("glossary.md"));
+    EXPECT_EQ(help.contents().currentItem()->data(Qt::UserRole).toString(), "glossary");
+    EXPECT_TRUE(help.page().source().path().endsWith("/glossary.md"));
+}
+
+TEST(DiagnosisTest, NamesAndFoldersAreTakenOut) {
+    const QString text = withoutPersonalData(
+        "error /home/anna/Sessions/Anna walks/take_001.noctule: Anna Berg is missing | Anna",
+        {"Anna Berg", "Anna"});
+    EXPECT_FALSE(text.contains("Anna")) << text.toStdString();
+    EXPECT_FALSE(text.contains("home")) << text.toStdString();
+    EXPECT_TRUE(text.contains("is missing")) << text.toStdString();
+}
+
+using DiagnosisOfStudio = test::StudioWindow;
+
+TEST_F(DiagnosisOfStudio, SaysWhatHappenedAndNotToWhom) {
+    LogFile log(folder_.filePath("state"));
+    const StudioLog follows(*studio_, log);
+    openSampleTake();
+    emit studio_->failed("the disk is full", "Free some space");
+    const QString session = QString::fromStdString(studio_->session().session().folder.string());
+    const QString text = diagnosisText(*studio_, log);
+    EXPECT_TRUE(text.contains("error the disk is full | Free some space"));
+    EXPECT_TRUE(text.contains("take opened"));
+    EXPECT_TRUE(text.contains("no suit is connected"));
+    EXPECT_TRUE(text.contains("Qt 5."));
+    EXPECT_FALSE(text.contains(session));
+    EXPECT_FALSE(text.contains(folder_.path()));
+    EXPECT_FALSE(text.contains(QString::fromStdString(studio_->session().session().performers.front().name)));
+}
+
+}  // namespace
+}  // namespace noctule::ui

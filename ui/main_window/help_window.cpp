@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/main_window/help_window.h"
+
+#include <QDesktopServices>
+#include <QHBoxLayout>
+#include <QTextBlock>
+#include <QVBoxLayout>
+
+#include "ui/style/resources.h"
+#include "ui/style/theme.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+
+namespace noctule::ui {
+namespace {
+
+/// Pictures never wider than the page.
+class DocumentBrowser : public QTextBrowser {
+protected:
+    QVariant loadResource(int type, const QUrl& name) override {
+        const QVariant resource = QTextBrowser::loadResource(type, name);
+        if (type != QTextDocument::ImageResource)
+            return resource;
+        QImage picture = resource.type() == QVariant::ByteArray ? QImage::fromData(resource.toByteArray())
+                                                                : resource.value<QImage>();
+        const int room = viewport()->width() - Theme::get().px(24);
+        if (picture.width() > room && room > 0)
+            picture = picture.scaledToWidth(room, Qt::SmoothTransformation);
+        return picture;
+    }
+};
+
+}  // namespace
+
+HelpWindow::HelpWindow(QWidget* parent)
+    : QDialog(parent), contents_(new QListWidget), page_(new DocumentBrowser) {
+    setWindowTitle(tr("Noctule’s documents"));
+    auto* outer = makeColumn(this, {16, 16, 16, 16}, 12);
+    auto* columns = addRow(outer, 12);
+    outer->setStretch(0, 1);
+    keepSize(*contents_, 200, 0);
+    contents_->setAccessibleName(tr("Documents"));
+    columns->addWidget(contents_);
+    columns->addWidget(page_, 1);
+    page_->setOpenLinks(false);
+    page_->setAccessibleName(tr("The document"));
+    const std::pair<const char*, QString> documents[] = {
+        {"tutorial", tr("Tutorial")}, {"guide", tr("Guide")},   {"how_it_works", tr("How it works")},
+        {"glossary", tr("Glossary")}, {"formats", tr("Files")}, {"architecture", tr("Architecture")},
+        {"security", tr("Security")}};
+    for (const auto& [name, title] : documents) {
+        auto* item = new QListWidgetItem(title, contents_);
+        item->setData(Qt::UserRole, QString(name));
+    }
+    connect(contents_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+        if (item)
+            follow(QUrl(item->data(Qt::UserRole).toString() + ".md"));
+    });
+    connect(page_, &QTextBrowser::anchorClicked, this, &HelpWindow::follow);
+    auto* row = addRow(outer, 8);
+    Button* back = makeButton(ButtonKind::kText, tr("Back"), "prev");
+    row->addWidget(back);
+    row->addStretch();
+    Button* close = makeButton(ButtonKind::kOutlined, tr("Close"), {}, QKeySequence("Esc"));
+    row->addWidget(close);
+    connect(back, &QPushButton::clicked, page_, &QTextBrowser::backward);
+    connect(close, &QPushButton::clicked, this, &QDialog::accept);
+    resize(Theme::get().px(1000), Theme::get().px(720));
+}
+
+void HelpWindow::show(const QString& name) {
+    for (int row = 0; row < contents_->count(); ++row)
+        if (contents_->item(row)->data(Qt::UserRole).toString() == name)
+            contents_->setCurrentRow(row);
+    QDialog::show();
+}
+
+void HelpWindow::follow(const QUrl& link) {
+    const QString file = link.path().section('/', -1);
+    if (!link.scheme().isEmpty() && link.scheme() != "qrc") {
+        QDesktopServices::openUrl(link);
+    } else if (file.isEmpty()) {
+        page_->scrollToAnchor(link.fragment());
+    } else if (file.endsWith(".md") && QFile::exists(resourcePath("docs/" + file))) {
+        page_->setSource(QUrl("qrc" + resourcePath("docs/" + file)), QTextDocument::MarkdownResource);
+        const QSignalBlocker quiet(contents_);
+        for (int row = 0; row < contents_->count(); ++row)
+            if (contents_->item(row)->data(Qt::UserRole).toString() + ".md" == file)
+                contents_->setCurrentRow(row);
+    }
+}
+
+}  // namespace noctule::ui
