@@ -105,5 +105,45 @@ TEST(TimeOffset, StandingStillCannotBeAligned) {
     EXPECT_TRUE(!found || !found->trusted());
 }
 
+/// As estimates err: each joint by slow errors of its own and a lag of its own.
+TimedMotion asEstimated(double from_s, double seconds, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    TimedMotion motion = lively(from_s, seconds, 140);
+    for (const Joint& joint : motion.skeleton.joints()) {
+        if (joint.parent < 0 || joint.type == JointType::kFixed)
+            continue;
+        const double lag_s = 0.012 * normal(random);
+        const Vector3d axis = Vector3d(normal(random), normal(random), normal(random)).normalized();
+        const double size = 0.06 * std::abs(normal(random)), rate = 2 + 3 * std::abs(normal(random)),
+                     phase = 6 * normal(random);
+        const auto j = static_cast<size_t>(motion.skeleton.find(joint.name));
+        for (TimedPose& frame : motion.frames) {
+            const double t_s = from_s + static_cast<double>(frame.time_ns) * 1e-9;
+            frame.pose->q_parent_joint[j] = livelyPose(motion.skeleton, t_s - lag_s).q_parent_joint[j] *
+                                            axisAngle(axis, size * std::sin(rate * t_s + phase));
+        }
+    }
+    return motion;
+}
+
+TEST(TimeOffset, TheStatedUncertaintyIsThatOfTwentyCases) {
+    double squares = 0;
+    int beyond_three = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const double start_s = 1 + 0.37 * seed, seconds = 4 + 0.5 * seed;
+        const auto found = findTimeOffset(asEstimated(0, 20, seed), lively(start_s, seconds, 60));
+        ASSERT_TRUE(found);
+        const double z = (shiftMs(*found) - 1000 * start_s) / (static_cast<double>(found->sigma_ns) * 1e-6);
+        squares += z * z;
+        beyond_three += std::abs(z) > 3;
+        EXPECT_GT(found->sigma_ns, 300'000) << seed;
+    }
+    const double rms = std::sqrt(squares / 20);
+    EXPECT_LT(rms, 1.5) << "too sure";
+    EXPECT_GT(rms, 0.4) << "too modest";
+    EXPECT_LE(beyond_three, 1);
+}
+
 }  // namespace
 }  // namespace noctule::test
