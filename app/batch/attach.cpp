@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 
-#include "app/batch/files.h"
+#include "app/batch/motion_file.h"
 #include "app/batch/verb.h"
 #include "core/formats/positions_csv.h"
 #include "core/processing/attach_reference.h"
 
 namespace noctule::batch {
 namespace {
-
-bool isCsv(const std::string& path) {
-    const std::string extension = std::filesystem::path(path).extension().string();
-    return extension == ".csv" || extension == ".CSV";
-}
 
 /// "auto" or milliseconds.
 Result<std::optional<double>> shiftSeconds(const std::string& text) {
@@ -29,9 +23,15 @@ Result<std::optional<double>> shiftSeconds(const std::string& text) {
     return std::optional(ms / 1000);
 }
 
-Status readSource(const VerbContext& context, AttachRequest& request) {
+Status readSource(const VerbContext& context, AttachRequest& request, nlohmann::json& understood) {
     request.source_name = context.arguments.text("reference");
-    if (isCsv(request.source_name)) {
+    if (isPositionsFile(request.source_name)) {
+        for (const char* option : {"up", "height", "bones"})
+            if (context.arguments.given(option))
+                return Error{ErrorKind::kUsage,
+                             "--" + std::string(option) + " is for motions, and " + request.source_name +
+                                 " is a table of positions",
+                             "Leave it out"};
         auto table = readPositionsCsv(request.source_name, &context.cancel);
         if (!table)
             return table.error();
@@ -40,10 +40,10 @@ Status readSource(const VerbContext& context, AttachRequest& request) {
         request.positions = std::move(*table);
         return Done{};
     }
-    auto clip = readMotion(request.source_name, context.arguments.text("bvh-unit"), context.console);
-    if (!clip)
-        return clip.error();
-    request.motion = std::move(*clip);
+    auto motion = readReference(request.source_name, context.arguments, context.console, understood);
+    if (!motion)
+        return motion.error();
+    request.motion = std::move(*motion);
     return Done{};
 }
 
@@ -77,7 +77,8 @@ Result<Outcome> runAttach(const VerbContext& context) {
     if (!shift_s)
         return shift_s.error();
     request.shift_s = *shift_s;
-    if (Status read = readSource(context, request); !read)
+    nlohmann::json understood;
+    if (Status read = readSource(context, request, understood); !read)
         return read.error();
     const auto summary = attachReference(request, context.job());
     if (!summary)
@@ -100,6 +101,7 @@ Result<Outcome> runAttach(const VerbContext& context) {
                      summary->correlation ? nlohmann::json(*summary->correlation) : nlohmann::json(nullptr)},
                     {"aligned_with", summary->aligned_with.empty() ? nlohmann::json(nullptr)
                                                                    : nlohmann::json(summary->aligned_with)}};
+    outcome.json["motion"] = std::move(understood);
     outcome.text = request.take_path + attachedText(*summary, arguments.text("as"));
     return outcome;
 }
@@ -122,8 +124,9 @@ Verb attachVerb() {
             .orElse("auto"),
         choice("as", {"reference", "external-root"},
                "what evaluate compares with, or the root that process --root given reads")
-            .orElse("reference"),
-        bvhUnitOption()};
+            .orElse("reference")};
+    for (Option& option : motionOptions("reference"))
+        verb.options.push_back(std::move(option));
     verb.remarks = {
         "Positions (CSV) do not say how limbs are twisted: they serve as external-root, from the "
         "joints that sit on the hips, with --align MILLISECONDS.",

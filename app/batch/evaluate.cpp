@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/files.h"
+#include "app/batch/motion_file.h"
 #include "app/batch/verb.h"
 #include "core/body/text.h"
 #include "core/job/atomic_file.h"
@@ -146,11 +147,14 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
     request.run = arguments.text("run");
     request.all_runs = !report_path.empty();
     request.reference_name = arguments.text("reference");
+    nlohmann::json understood;
+    if (Status fits = checkMotionOptions(arguments, "reference"); !fits)
+        return fits.error();
     if (arguments.given("reference")) {
-        auto clip = readMotion(request.reference_name, arguments.text("bvh-unit"), context.console);
-        if (!clip)
-            return clip.error();
-        request.reference = std::move(*clip);
+        auto motion = readReference(request.reference_name, arguments, context.console, understood);
+        if (!motion)
+            return motion.error();
+        request.reference = std::move(*motion);
     }
     const auto subjects = subjectsOfRun(request.take_path, request.run);
     if (!subjects)
@@ -163,6 +167,8 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
         context.console.warn(warning);
     const ReportRun& shown = *data->shownRun();
     Outcome outcome{evaluationJson(*data, shown), evaluationText(*data, shown), std::nullopt};
+    if (!understood.is_null())
+        outcome.json["motion"] = std::move(understood);
     if (shown.comparison)
         outcome.json["joints_matched"] = matchedJson(*shown.comparison);
     if (subjects->size() > 1)
@@ -192,7 +198,9 @@ Verb evaluateVerb() {
     verb.options = {
         text("run", "NAME", "the run to judge; the last one when not given"),
         text("reference", "M.bvh", "another system's motion, aligned in time; else the take's own"),
-        text("report", "R.html", "write the whole report, with every run of the take"), bvhUnitOption()};
+        text("report", "R.html", "write the whole report, with every run of the take")};
+    for (Option& option : motionOptions("reference"))
+        verb.options.push_back(std::move(option));
     verb.remarks = {
         "Angles are geodesic, between local rotations, after the rest pose; \"mean\" is the mean over all "
         "joints with freedom, the root left out."};

@@ -6,7 +6,6 @@
 
 #include "app/batch/option.h"
 #include "app/batch/signals.h"
-#include "core/formats/bvh.h"
 #include "core/formats/text_file.h"
 #include "core/job/atomic_file.h"
 #include "core/math/json.h"
@@ -37,22 +36,6 @@ Option bvhUnitOption() {
     return choice("bvh-unit", {"m", "cm", "mm", "inch", "cmu", "dm", "auto"},
                   "unit of lengths in BVH files; auto: from the figure's height")
         .orElse("auto");
-}
-
-Result<MotionClip> readMotion(const std::string& path, const std::string& bvh_unit, Console& console) {
-    const auto unit = bvhUnitFromText(bvh_unit);
-    if (!unit)
-        return unit.error();
-    const auto document = readBvh(path, &signalFlag());
-    if (!document)
-        return document.error();
-    for (const BvhWarning& warning : document->warnings)
-        console.warn(path + ": line " + std::to_string(warning.line) + ": " + warning.text);
-    if (*unit == BvhUnit::kAuto && document->frameCount() > 0)
-        if (const BvhUnitChoice choice = chooseUnit(*document); !choice.plausible)
-            console.warn(path + ": no unit makes the figure as tall as a person; " + toText(choice.unit) +
-                         " is assumed, --bvh-unit says it");
-    return toClip(*document, *unit);
 }
 
 Result<Suit> readSuit(const std::string& path) {

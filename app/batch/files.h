@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What verbs read and write beside takes: motions and JSON documents.
+// What verbs read and write beside takes: JSON documents; motions: motion_file.h.
 #pragma once
 
 #include <string>
 
 #include "app/batch/arguments.h"
-#include "app/batch/console.h"
 #include "core/body/actor.h"
-#include "core/motion/clip.h"
 #include "core/suit/calibration.h"
 #include "core/suit/suit.h"
 
@@ -15,9 +13,6 @@ namespace noctule::batch {
 
 /// "--bvh-unit", for verbs that read BVH files.
 Option bvhUnitOption();
-
-/// What the reader found odd goes to the console as warnings.
-Result<MotionClip> readMotion(const std::string& path, const std::string& bvh_unit, Console& console);
 
 /// kUnreadable when it is no JSON.
 Result<nlohmann::json> readJson(const std::string& path);

@@ -2,9 +2,7 @@
 #include "app/batch/stage_request.h"
 
 #include "app/batch/files.h"
-#include "app/batch/signals.h"
-#include "core/figure/understood_motion.h"
-#include "core/mesh/bone_map.h"
+#include "app/batch/motion_file.h"
 #include "core/suit/default_suit.h"
 
 namespace noctule::batch {
@@ -30,45 +28,10 @@ std::optional<RigKind> rigNamed(const std::string& name) {
     return std::nullopt;
 }
 
-/// The motion, and everything that had to be decided about it on the console.
-Result<figure::UnderstoodMotion> readUnderstood(const Arguments& arguments, Console& console) {
-    const std::string path = arguments.text("motion");
-    figure::MotionHints hints;
-    const auto unit = bvhUnitFromText(arguments.text("bvh-unit"));
-    if (!unit)
-        return unit.error();
-    hints.unit = *unit;
-    const auto up = figure::upAxisFromText(arguments.text("up"));
-    if (!up)
-        return up.error();
-    hints.up = *up;
-    hints.height_m = arguments.number("height").value_or(0);
-    if (arguments.given("bones")) {
-        const auto bones = readBoneMap(arguments.text("bones"));
-        if (!bones)
-            return bones.error();
-        hints.joints = bones->node_of_joint;
-    }
-    auto document = readBvh(path, &signalFlag());
-    if (!document)
-        return document.error();
-    for (const BvhWarning& warning : document->warnings)
-        console.warn(path + ": line " + std::to_string(warning.line) + ": " + warning.text);
-    auto motion = figure::understandMotion(std::move(*document), hints);
-    if (!motion)
-        return motion.error();
-    console.tell(figure::describe(*motion));
-    for (const std::string& note : motion->notes)
-        console.tell(motion->clip.name + ": " + note);
-    for (const std::string& warning : motion->warnings)
-        console.warn(motion->clip.name + ": " + warning);
-    return motion;
-}
-
 }  // namespace
 
 std::vector<Option> stageOptions() {
-    return {
+    std::vector<Option> options = {
         text("motion", "M.bvh", "the motion, with any human hierarchy"),
         choice("rig", {"rest", "jig", "level", "turntable"},
                "no motion: the performer stands in the rest pose, or nobody wears the suit, it is on a "
@@ -76,12 +39,10 @@ std::vector<Option> stageOptions() {
         choice("scenario", {"ideal", "nominal", "realistic"}, "how good the world is").orElse("nominal"),
         text("suit", "S.json", "the suit; the one of 18 boards and 8 sources when not given"),
         text("actor", "A.json", "the performer; one with the motion's measures when not given"),
-        number("rest-seconds", "S", 0, 3600, "rest pose before the motion").orElse("3"),
-        bvhUnitOption(),
-        choice("up", {"y", "z", "auto"}, "axis of the motion's file that points up; auto: as the body stands")
-            .orElse("auto"),
-        number("height", "M", 0.3, 3, "height of the motion's person; goes before the unit"),
-        text("bones", "MAP.json", "which joint of the motion is which of ours, where names do not say it")};
+        number("rest-seconds", "S", 0, 3600, "rest pose before the motion").orElse("3")};
+    for (Option& option : motionOptions("motion"))
+        options.push_back(std::move(option));
+    return options;
 }
 
 Result<StageRequest> stageRequest(const Arguments& arguments, Console& console, nlohmann::json* understood) {
@@ -95,13 +56,10 @@ Result<StageRequest> stageRequest(const Arguments& arguments, Console& console, 
                              "--" + std::string(name) + " does not go with --rig " + arguments.text("rig") +
                                  ", where nobody wears the suit",
                              "Leave it out, or take --rig rest"};
-    for (const char* name : {"up", "height", "bones"})
-        if (arguments.given(name) && !arguments.given("motion"))
-            return Error{ErrorKind::kUsage,
-                         "--" + std::string(name) + " speaks of a motion, and none is given",
-                         "Give --motion M.bvh too, or leave it out"};
+    if (Status fits = checkMotionOptions(arguments, "motion"); !fits)
+        return fits.error();
     if (arguments.given("motion")) {
-        auto motion = readUnderstood(arguments, console);
+        auto motion = readUnderstood(arguments.text("motion"), arguments, console);
         if (!motion)
             return motion.error();
         if (understood)

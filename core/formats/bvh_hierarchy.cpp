@@ -5,6 +5,7 @@
 #include "core/formats/bvh_reader.h"
 #include "core/formats/bvh_words.h"
 #include "core/formats/number_text.h"
+#include "core/job/outside_text.h"
 
 namespace noctule {
 
@@ -49,7 +50,7 @@ Status BvhReader::readJointLine(std::string_view keyword) {
 }
 
 Status BvhReader::openJoint(const char* keyword) {
-    const std::string_view name = scan_.name();
+    const std::string name = visibleText(scan_.name());  // what is no UTF-8 could be written nowhere
     if (name.empty())
         return error(std::string(keyword) + " has no name",
                      "Write the joint's name behind it on the same line");

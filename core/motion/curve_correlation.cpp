@@ -7,7 +7,8 @@
 namespace noctule {
 namespace {
 
-constexpr double kBlock_s = 0.25, kDependent_s = 0.15, kIndependentCurves = 1.0 / 3;
+constexpr double kBlock_s = 0.25;
+constexpr int kDependentBlocks = 4;  ///< errors of an estimate last for a second
 constexpr double kStillShare = 0.2;  ///< of the least deviation: within an overlap even less is no curve
 
 double deviation(const std::vector<float>& values) {
@@ -179,27 +180,62 @@ double CurveCorrelation::excessOf(int worse, int better) const {
     return mean / std::sqrt(variance / n);
 }
 
+/// Score and information of a shift: derivatives of the correlation at a lag, by parts of time or by curves.
+struct CurveCorrelation::ShiftTerms {
+    std::vector<double> score, information;
+
+    explicit ShiftTerms(size_t parts) : score(parts, 0), information(parts, 0) {}
+    void add(size_t part, double s, double h) {
+        score[part] += s;
+        information[part] += h;
+    }
+    /// Sum of squares of the parts' scores once the total is zero, in which neighbours up to `reach` apart
+    /// depend on each other (Newey and West 1987; Bartlett's weights).
+    double squares(int reach) const {
+        double total = 0, all = 0;
+        for (size_t i = 0; i < score.size(); ++i)
+            total += score[i], all += information[i];
+        std::vector<double> left;
+        for (size_t i = 0; i < score.size(); ++i)
+            left.push_back(score[i] - total / all * information[i]);
+        double sum = 0;
+        for (size_t i = 0; i < left.size(); ++i)
+            for (size_t k = 0; k <= static_cast<size_t>(reach) && i + k < left.size(); ++k)
+                sum += (k == 0 ? 1 : 2 * (1 - static_cast<double>(k) / (reach + 1))) * left[i] * left[i + k];
+        return std::max(sum, 0.0);
+    }
+};
+
 int64_t CurveCorrelation::sigma_ns(int lag) const {
     const auto [begin, end] = range(lag);
     const double step_s = static_cast<double>(step_ns_) * 1e-9;
+    const int block = std::max(1, static_cast<int>(kBlock_s / step_s));
+    const size_t blocks = static_cast<size_t>(std::max(1, (end - begin) / block));
+    ShiftTerms in_time(blocks), by_curve(pairs_.size());
     double information = 0;
-    for (const Pair& pair : pairs_) {
-        const Fit fit = fitOf(pair, lag);
+    for (size_t c = 0; c < pairs_.size(); ++c) {
+        const Fit fit = fitOf(pairs_[c], lag);
         if (fit.correlation <= 0)
             continue;
-        double slopes = 0;  // squares of the standardised curve's slope, 1/s^2
-        for (int i = begin + 1; i + 1 < end; ++i) {
-            const auto k = static_cast<size_t>(i);
+        const auto &first = pairs_[c].first.values, &second = pairs_[c].second.values;
+        for (int i = std::max(begin, lag + 1); i < std::min(end, second_size_ + lag - 1); ++i) {
+            const auto k = static_cast<size_t>(i - lag);
+            const double x = (static_cast<double>(first[static_cast<size_t>(i)]) - fit.mean_x) / fit.scale_x;
+            const double y = (static_cast<double>(second[k]) - fit.mean_y) / fit.scale_y;
             const double slope =
-                static_cast<double>(pair.first.values[k + 1] - pair.first.values[k - 1]) / (2 * step_s);
-            slopes += slope * slope / (fit.scale_x * fit.scale_x);
+                static_cast<double>(second[k + 1] - second[k - 1]) / (2 * step_s * fit.scale_y);
+            const double score = (x - fit.correlation * y) * slope;
+            const double own = fit.correlation * slope * slope;
+            in_time.add(std::min(static_cast<size_t>((i - begin) / block), blocks - 1), score, own);
+            by_curve.add(c, score, own);
+            information += own;
         }
-        const double residual = std::max(1 - fit.correlation * fit.correlation, 1e-6);
-        information += slopes * fit.correlation * fit.correlation / residual * step_s / kDependent_s;
     }
     if (information <= 0)
         return INT64_C(1'000'000'000);
-    return std::max<int64_t>(std::llround(1e9 / std::sqrt(information * kIndependentCurves)), 100'000);
+    const double n = static_cast<double>(blocks);
+    const double squares = in_time.squares(kDependentBlocks) * n / std::max(n - 1, 1.0) + by_curve.squares(0);
+    return std::max<int64_t>(std::llround(1e9 * std::sqrt(squares) / information), 100'000);
 }
 
 }  // namespace noctule

@@ -25,11 +25,13 @@ public:
     /// By how many standard errors the residuals at `worse` exceed those at `better`, over their common time,
     /// in blocks of a quarter of a second.
     double excessOf(int worse, int better) const;
-    /// Standard deviation of the shift: from the residuals, of which neighbours within 0.15 s are dependent,
-    /// and the curves' slopes. Curves of one body depend on each other: a third of them counts.
+    /// Standard deviation of the shift, from the curvature of the correlation and from how its slope
+    /// scatters: over time in blocks whose neighbours depend on each other, with all curves of a body
+    /// together, and from curve to curve, since an estimate lags more in one joint than in another.
     int64_t sigma_ns(int lag) const;
 
 private:
+    struct ShiftTerms;
     struct Pair {
         AlignmentCurve first, second;
         std::vector<double> first_sum, first_squares, second_sum, second_squares;  ///< of all before

@@ -10,7 +10,6 @@
 #include "core/motion/common_joints.h"
 #include "core/motion/time_offset.h"
 #include "core/processing/pose_runs.h"
-#include "core/processing/reference_motion.h"
 #include "core/recording/take_edit.h"
 
 namespace noctule {
@@ -44,7 +43,8 @@ Status checkFree(const Take& take, const AttachRequest& request) {
                  "Use --overwrite to replace it"};
 }
 
-Result<TimeOffset> alignment(const Take& take, const AttachRequest& request, std::string& aligned_with) {
+Result<TimeOffset> alignment(const Take& take, const AttachRequest& request, const TimedMotion& motion,
+                             std::string& aligned_with) {
     if (request.shift_s)
         return TimeOffset{std::llround(*request.shift_s * 1e9), 0, 0, {}};
     if (!request.motion)
@@ -58,7 +58,7 @@ Result<TimeOffset> alignment(const Take& take, const AttachRequest& request, std
     const auto estimate = take.poses(run->run);
     if (!estimate)
         return estimate.error();
-    const auto offset = findTimeOffset(*estimate, timedMotion(*request.motion));
+    const auto offset = findTimeOffset(*estimate, motion);
     if (!offset)
         return Error{ErrorKind::kUnusable,
                      request.source_name + ": no joint that it shares with run '" + run->name + "' of " +
@@ -123,20 +123,20 @@ private:
 };
 
 /// On the file's clock.
-Result<TimedMotion> motionToAttach(const Take& take, const AttachRequest& request) {
-    if (request.motion)
-        return timedMotion(*request.motion);
-    const PositionTable& table = *request.positions;
+Result<ReferenceMotion> motionToAttach(const Take& take, const AttachRequest& request) {
     const auto actor = take.actorInForce();
+    if (request.motion)
+        return referenceFrom(*request.motion, actor ? actor->value.skeleton : defaultActor().skeleton);
     if (!actor)
         return actor.error();
+    const PositionTable& table = *request.positions;
     const auto fit = RootFromPoints::create(actor->value, table, request.source_name);
     if (!fit)
         return fit.error();
-    TimedMotion motion;
+    ReferenceMotion reference;
     for (size_t row = 0; row < table.time_s.size(); ++row)
-        motion.frames.push_back({std::llround(table.time_s[row] * 1e9), fit->root(table, row), {}});
-    return motion;
+        reference.motion.frames.push_back({std::llround(table.time_s[row] * 1e9), fit->root(table, row), {}});
+    return reference;
 }
 
 /// Times that cannot be seconds: a second and more from one row to the next.
@@ -180,21 +180,25 @@ Status checkTimes(const AttachRequest& request, const TimedMotion& motion, int64
     return Done{};
 }
 
-void nameMatched(const Take& take, const AttachRequest& request, AttachSummary& summary) {
+void nameMatched(const Take& take, const AttachRequest& request, const ReferenceMotion& reference,
+                 AttachSummary& summary) {
     const auto actor = take.actorInForce();
     if (!request.motion || !actor)
         return;
     const Skeleton& skeleton = actor->value.skeleton;
     size_t moving = 0;
-    for (const CommonJoint& joint : commonJoints(skeleton, request.motion->skeleton)) {
-        summary.matched.emplace_back(joint.name, request.motion->skeleton.joint(joint.second).name);
+    const Skeleton& theirs = reference.motion.skeleton;
+    for (const CommonJoint& joint : commonJoints(skeleton, theirs)) {
+        const std::string& name = theirs.joint(joint.second).name;
+        const auto in_file = reference.names.find(name);
+        summary.matched.emplace_back(joint.name, in_file == reference.names.end() ? name : in_file->second);
         moving += joint.moves;
     }
     const auto wanted = static_cast<size_t>(std::ranges::count_if(
         skeleton.joints(), [](const Joint& joint) { return joint.type != JointType::kFixed; }));
     if (moving < wanted)
         summary.warnings.push_back(request.source_name + ": " + std::to_string(moving) + " of the take's " +
-                                   std::to_string(wanted) + " moving joints were recognised by name.");
+                                   std::to_string(wanted) + " moving joints were recognised.");
 }
 
 Status writeRows(TakeEdit& edit, const AttachRequest& request, const TimedMotion& motion, int64_t shift_ns,
@@ -219,7 +223,8 @@ Status writeRows(TakeEdit& edit, const AttachRequest& request, const TimedMotion
     return Done{};
 }
 
-Status replaceRows(TakeEdit& edit, const AttachRequest& request, const AttachSummary& summary) {
+Status replaceRows(TakeEdit& edit, const AttachRequest& request, const ReferenceMotion& reference,
+                   const AttachSummary& summary) {
     if (request.as == AttachAs::kExternalRoot)
         return edit.removeExternalRoot();
     if (Status removed = edit.removeReference(); !removed)
@@ -229,11 +234,13 @@ Status replaceRows(TakeEdit& edit, const AttachRequest& request, const AttachSum
          {std::pair<const char*, std::string>{"reference_kind", "optical"},
           {"reference_name", file},
           {"reference_shift_s", std::to_string(summary.shift_s)},
+          {"reference_frames", reference.in_our_frames ? "ours" : "own"},
+          {"reference_joints", nlohmann::json(reference.names).dump()},
           {"reference_shift_sigma_s",
            summary.shift_sigma_s ? std::to_string(*summary.shift_sigma_s) : std::string()}})
         if (Status set = edit.setMeta(key, value); !set)
             return set;
-    return edit.setMeta("reference_actor", toJson(actorOfClip(*request.motion)).dump());
+    return edit.setMeta("reference_actor", toJson(reference.actor).dump());
 }
 
 }  // namespace
@@ -262,30 +269,30 @@ Result<AttachSummary> attachReference(const AttachRequest& request, const JobCon
 
     AttachSummary summary;
     job.progress(0, "Aligning");
-    const auto offset = alignment(take, request, summary.aligned_with);
+    const auto reference = motionToAttach(take, request);
+    if (!reference)
+        return reference.error();
+    const TimedMotion& motion = reference->motion;
+    const auto offset = alignment(take, request, motion, summary.aligned_with);
     if (!offset)
         return offset.error();
-    const auto motion = motionToAttach(take, request);
-    if (!motion)
-        return motion.error();
     summary.shift_s = static_cast<double>(offset->add_to_reference_ns) * 1e-9;
     if (!request.shift_s) {
         summary.correlation = offset->correlation;
         summary.shift_sigma_s = static_cast<double>(offset->sigma_ns) * 1e-9;
     }
     const int64_t end_ns = std::llround(static_cast<double>(*samples) * 1e9 / static_cast<double>(*rate));
-    if (Status fits = checkTimes(request, *motion, offset->add_to_reference_ns, end_ns, summary); !fits)
+    if (Status fits = checkTimes(request, motion, offset->add_to_reference_ns, end_ns, summary); !fits)
         return fits.error();
     if (request.as == AttachAs::kReference)
-        nameMatched(take, request, summary);
+        nameMatched(take, request, *reference, summary);
 
     auto edit = TakeEdit::begin(take);
     if (!edit)
         return edit.error();
-    if (Status replaced = replaceRows(*edit, request, summary); !replaced)
+    if (Status replaced = replaceRows(*edit, request, *reference, summary); !replaced)
         return replaced.error();
-    if (Status written =
-            writeRows(*edit, request, *motion, offset->add_to_reference_ns, end_ns, summary.rows);
+    if (Status written = writeRows(*edit, request, motion, offset->add_to_reference_ns, end_ns, summary.rows);
         !written)
         return written.error();
     if (summary.rows == 0)

@@ -10,7 +10,7 @@
 
 #include "core/formats/positions_csv.h"
 #include "core/job/job.h"
-#include "core/motion/clip.h"
+#include "core/processing/reference_motion.h"
 
 namespace noctule {
 
@@ -20,7 +20,7 @@ struct AttachRequest {
     std::string take_path;
     // One of the two. Positions do not tell how limbs are twisted: they serve as an external root only, and
     // need Hips with LeftUpLeg and RightUpLeg, or with more of the joints that sit on the hips.
-    std::optional<MotionClip> motion;
+    std::optional<OutsideMotion> motion;
     std::optional<PositionTable> positions;
     std::string source_name;  ///< the file, for messages
     AttachAs as = AttachAs::kReference;

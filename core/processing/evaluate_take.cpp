@@ -5,10 +5,10 @@
 #include <cstdio>
 
 #include "core/body/bone_names.h"
+#include "core/math/json.h"
 #include "core/math/rotation.h"
 #include "core/processing/ingredients.h"
 #include "core/processing/pose_runs.h"
-#include "core/processing/reference_motion.h"
 #include "core/processing/take_quality.h"
 #include "core/report/joint_support.h"
 
@@ -18,6 +18,7 @@ namespace {
 /// What all runs are compared with.
 struct Reference {
     TimedMotion motion;
+    std::map<std::string, std::string> names;  ///< our joint, the file's joint
     ComparisonOptions options;
     bool there = false;
 };
@@ -66,11 +67,27 @@ Result<ReportTake> describeTake(const Take& take) {
     return described;
 }
 
-Result<Reference> chooseReference(const Take& take, const EvaluateRequest& request, ReportData& data) {
+/// Names of a stored reference's joints in its file; none when they are not known.
+std::map<std::string, std::string> storedNames(const Take& take) {
+    std::map<std::string, std::string> names;
+    const nlohmann::json stored = json::parse(metaText(take, "reference_joints"));
+    if (stored.is_object())
+        for (const auto& [joint, name] : stored.items())
+            if (name.is_string())
+                names[joint] = name.get<std::string>();
+    return names;
+}
+
+/// `target`: of the shown run.
+Result<Reference> chooseReference(const Take& take, const EvaluateRequest& request, const Skeleton& target,
+                                  ReportData& data) {
     Reference reference;
     reference.options.from_ns = std::llround(data.take.rest_s * 1e9);
     if (request.reference) {
-        reference.motion = timedMotion(*request.reference);
+        ReferenceMotion outside = referenceFrom(*request.reference, target);
+        reference.motion = std::move(outside.motion);
+        reference.names = std::move(outside.names);
+        reference.options.match_segments = !outside.in_our_frames;
         reference.options.align_time = true;
         data.take.reference_kind = "file";
         data.take.reference_name = request.reference_name;
@@ -82,6 +99,8 @@ Result<Reference> chooseReference(const Take& take, const EvaluateRequest& reque
         if (!reference.motion.frames.empty()) {
             const std::string kind = metaText(take, "reference_kind");
             data.take.reference_kind = kind.empty() ? "unnamed" : kind;
+            reference.names = storedNames(take);
+            reference.options.match_segments = metaText(take, "reference_frames") != "ours";
         }
     }
     reference.there = !reference.motion.frames.empty();
@@ -241,6 +260,9 @@ Status addRun(const Take& take, const DerivedRun& run, const RunSettings& settin
         auto comparison = compareMotions(*motion, reference.motion, reference.options);
         if (!comparison)
             return comparison.error();
+        for (MatchedJoint& joint : comparison->matched)
+            if (const auto name = reference.names.find(joint.reference_name); name != reference.names.end())
+                joint.reference_name = name->second;
         if (data.runs.empty())
             warnOfMatchedSegments(*comparison, data);
         described.comparison = std::move(*comparison);
@@ -270,7 +292,10 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
     if (!described)
         return described.error();
     data.take = std::move(*described);
-    auto reference = chooseReference(take, request, data);
+    const auto shown_motion = take.poseSource(shown->run);
+    if (!shown_motion)
+        return shown_motion.error();
+    auto reference = chooseReference(take, request, shown_motion->skeleton, data);
     if (!reference)
         return reference.error();
 

@@ -7,19 +7,19 @@
 #include <string>
 
 #include "core/job/job.h"
-#include "core/motion/clip.h"
+#include "core/processing/reference_motion.h"
 #include "core/report/report_data.h"
 
 namespace noctule {
 
 struct EvaluateRequest {
     std::string take_path;
-    std::string run;                      ///< empty: the last pose run
-    std::optional<int64_t> run_number;    ///< instead of the name, which several runs may share
-    std::optional<MotionClip> reference;  ///< on a clock of its own; none: the reference in the take
-    std::string reference_name;           ///< its file
-    int suit = 1;                         ///< whose poses, by the subject's first suit
-    bool all_runs = false;                ///< compare every run, for the report; else only the shown one
+    std::string run;                         ///< empty: the last pose run
+    std::optional<int64_t> run_number;       ///< instead of the name, which several runs may share
+    std::optional<OutsideMotion> reference;  ///< on a clock of its own; none: the reference in the take
+    std::string reference_name;              ///< its file
+    int suit = 1;                            ///< whose poses, by the subject's first suit
+    bool all_runs = false;                   ///< compare every run, for the report; else only the shown one
 };
 
 /// Without any reference the comparison is absent and a warning says so. kUnusable when the take holds no

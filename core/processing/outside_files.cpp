@@ -42,16 +42,35 @@ Result<AttachRequest> readAttachment(const std::string& path, std::vector<std::s
         return document.error();
     for (const BvhWarning& warning : document->warnings)
         warnings.push_back(sentence(path, warning));
-    if (document->frameCount() > 0)
-        if (const BvhUnitChoice choice = chooseUnit(*document); !choice.plausible)
-            warnings.push_back("No unit makes the figure in " +
-                               std::filesystem::path(path).filename().string() + " as tall as a person; " +
-                               toText(choice.unit) + " is assumed.");
-    auto clip = toClip(*document);
+    auto motion = figure::understandMotion(*document);
+    if (motion) {
+        for (const std::string& warning : motion->warnings)
+            warnings.push_back(motion->clip.name + ": " + warning + ".");
+        request.motion = OutsideMotion(std::move(*motion));
+        return request;
+    }
+    auto as_it_is = partialMotion(*document, {}, motion.error(), warnings);
+    if (!as_it_is)
+        return as_it_is.error();
+    request.motion = std::move(*as_it_is);
+    return request;
+}
+
+Result<OutsideMotion> partialMotion(const BvhDocument& document, const figure::MotionHints& hints,
+                                    const Error& why, std::vector<std::string>& warnings) {
+    const bool corrected = hints.up != figure::UpAxis::kAuto || hints.height_m > 0 || !hints.joints.empty();
+    if (corrected || document.frameCount() == 0)
+        return why;
+    const BvhUnitChoice choice =
+        hints.unit == BvhUnit::kAuto ? chooseUnit(document) : BvhUnitChoice{hints.unit, 0, true};
+    warnings.push_back(why.message + "; its names, axes and zero pose are taken as they are (Y up, unit " +
+                       toText(choice.unit) + ")");
+    if (!choice.plausible)
+        warnings.push_back("No unit makes the figure in " + document.name + " as tall as a person");
+    auto clip = toClip(document, choice.unit);
     if (!clip)
         return clip.error();
-    request.motion = std::move(*clip);
-    return request;
+    return OutsideMotion(std::move(*clip));
 }
 
 Result<Calibration> readCalibrationFile(const std::string& path) {

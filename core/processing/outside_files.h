@@ -19,6 +19,11 @@ bool isPositionsFile(const std::string& path);
 /// into `warnings` as whole sentences.
 Result<AttachRequest> readAttachment(const std::string& path, std::vector<std::string>& warnings);
 
+/// A motion that shows no whole person (`why`), with its names and axes as they are: a part of a body
+/// compares too. Returns `why` when hints were given, which could not be heeded.
+Result<OutsideMotion> partialMotion(const BvhDocument& document, const figure::MotionHints& hints,
+                                    const Error& why, std::vector<std::string>& warnings);
+
 Result<Calibration> readCalibrationFile(const std::string& path);
 
 struct ReferenceFacts {

@@ -1,9 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/processing/reference_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/body/bone_names.h"
+#include "core/figure/our_frames.h"
+#include "core/motion/common_joints.h"
+#include "core/motion/segment_match.h"
+
 namespace noctule {
+namespace {
+
+bool hasMainJoints(const Skeleton& skeleton) {
+    return std::ranges::all_of(mainJoints(), [&](const auto& name) { return skeleton.find(name) >= 0; });
+}
+
+/// Our own exports and those that follow them: nothing has to be found, so nothing is changed.
+bool isOurs(const Skeleton& clip, const Skeleton& target) {
+    if (!hasMainJoints(clip) || !hasMainJoints(target))
+        return false;
+    const auto known = matchZeroPoses(target, clip, commonJoints(target, clip));
+    return known && isSameFigure(*known);
+}
+
+}  // namespace
 
 Skeleton skeletonOfClip(const MotionClip& clip) {
     if (clip.p_parent_joint_m.empty())
@@ -30,7 +51,9 @@ TimedMotion timedMotion(const MotionClip& clip) {
 Actor actorOfClip(const MotionClip& clip) {
     Actor actor;
     actor.name = clip.name;
-    actor.skeleton = skeletonOfClip(clip);
+    std::vector<Joint> joints = skeletonOfClip(clip).joints();
+    joints[0].offset_m.setZero();  // poses say where the root is; files put theirs anywhere
+    actor.skeleton = Skeleton::make(std::move(joints)).value();
     const Pose zero = actor.skeleton.zeroPose();
     actor.rest_q_parent_joint = zero.q_parent_joint;
     const GlobalPose global = globalPose(actor.skeleton, zero);
@@ -42,6 +65,30 @@ Actor actorOfClip(const MotionClip& clip) {
     }
     actor.height_m = box.sizes().y();
     return actor;
+}
+
+OutsideMotion::OutsideMotion(figure::UnderstoodMotion motion)
+    : clip(std::move(motion.clip)),
+      joints(std::move(motion.joints)),
+      starts_s(static_cast<double>(motion.lost.cut_first) * clip.frame_time_s) {}
+
+ReferenceMotion referenceFrom(const OutsideMotion& outside, const Skeleton& target) {
+    ReferenceMotion reference;
+    const Skeleton theirs = skeletonOfClip(outside.clip);
+    reference.in_our_frames = outside.joints && !isOurs(theirs, target);
+    if (reference.in_our_frames) {
+        const MotionClip ours = figure::inOurFrames(outside.clip, *outside.joints, target);
+        reference.motion = timedMotion(ours);
+        reference.actor = actorOfClip(ours);
+        for (const auto& [name, joint] : *outside.joints)
+            reference.names[name] = theirs.joint(joint).name;
+    } else {
+        reference.motion = timedMotion(outside.clip);
+        reference.actor = actorOfClip(outside.clip);
+    }
+    for (TimedPose& frame : reference.motion.frames)
+        frame.time_ns += std::llround(outside.starts_s * 1e9);
+    return reference;
 }
 
 }  // namespace noctule

@@ -36,7 +36,7 @@ std::string metaText(const std::map<std::string, std::string>& meta, const char*
 
 /// A document, which is as long as it must be.
 bool isDocument(const std::string& key) {
-    return key.starts_with("reference_actor") || key == "subjects";
+    return key.starts_with("reference_actor") || key == "reference_joints" || key == "subjects";
 }
 
 /// Names a value that metaNumber() would not take.

@@ -22,6 +22,7 @@ import interface
 import kills
 import live
 import long_fuzz
+import motions
 import partial
 import record
 import referee
@@ -47,6 +48,7 @@ FIGURES = {
     "blender": ("Exports opened in Blender", blender.figure),
     "calibration": ("Calibration", calibration.figure),
     "kills": ("Recordings that are killed, without power, with every fault", kills.figure),
+    "motions": ("Public motions and bodies: read, right or refused", motions.figure),
     "hostile": ("Takes, boxes, announcements and clients made to do harm", hostile.figure),
     "fuzz": ("Damaged bytes into every reader", fuzz.figure),
     "sanitizers": ("Unit tests under sanitizers", sanitizers.figure),

@@ -34,7 +34,8 @@ protected:
 TEST_F(ForeignReferences, DialectsOfOneWalkAreBelowThreeDegrees) {
     const std::string take = processed(kFieldInputs + "base.bvh");
     for (const char* dialect :
-         {"base", "zero_pose_a", "zero_pose_sitting", "zero_pose_toes_down", "names_biped",
+         {"base", "z_up_blender", "bones_along_x", "names_japanese", "reference_12_m_away", "child_85_cm",
+          "dropouts_zero_rows", "zero_pose_a", "zero_pose_sitting", "zero_pose_toes_down", "names_biped",
           "names_lower_case", "names_asf", "names_rigify_def", "names_robot_prefix", "names_smpl"}) {
         const std::string reference = kFieldInputs + dialect + ".bvh";
         const Ran attached =
@@ -46,6 +47,53 @@ TEST_F(ForeignReferences, DialectsOfOneWalkAreBelowThreeDegrees) {
         EXPECT_LT(ran.json()["mean_deg"].get<double>(), 3) << dialect;
         EXPECT_GE(ran.json()["joints_matched"].size(), 15u) << dialect;
     }
+}
+
+TEST_F(ForeignReferences, AFileIsUnderstoodByEvaluateToo) {
+    const std::string take = processed(kFieldInputs + "base.bvh");
+    const Ran plain = batch({"evaluate", take, "--reference", kFieldInputs + "base.bvh", "--json"});
+    ASSERT_EQ(plain.exit_code, 0) << plain.err;
+    EXPECT_TRUE(plain.json()["motion"]["warnings"].empty());
+    const Ran along_x =
+        batch({"evaluate", take, "--reference", kFieldInputs + "bones_along_x.bvh", "--up", "y", "--json"});
+    ASSERT_EQ(along_x.exit_code, 0) << along_x.err;
+    EXPECT_NE(along_x.err.find("joints"), std::string::npos) << "says what was understood";
+    EXPECT_NEAR(along_x.json()["mean_deg"].get<double>(), plain.json()["mean_deg"].get<double>(), 0.5);
+    expectRefusal({"evaluate", take, "--height", "1.8"}, 2, {"--height", "--reference"});
+}
+
+TEST_F(ForeignReferences, AShortMotionOfAnotherAxisIsComparedWithItself) {
+    const std::string motion = NOCTULE_SOURCE_DIR "/../shared/data/bvh/peers/makehuman/zombieWalk1.bvh";
+    if (!std::filesystem::exists(motion))
+        GTEST_SKIP() << "needs ../shared/data/bvh";
+    const std::string take = processed(motion);
+    expectRefusal({"attach", take, "--reference", motion, "--overwrite"}, 4, {"two seconds", "--align"});
+    const Ran attached =
+        batch({"attach", take, "--reference", motion, "--align", "3000", "--overwrite", "--json"});
+    ASSERT_EQ(attached.exit_code, 0) << attached.err;
+    const Ran ran = batch({"evaluate", take, "--json"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_LT(ran.json()["mean_deg"].get<double>(), 15) << "37 degrees with axes taken from the run";
+    for (const auto& joint : ran.json()["joints_matched"])
+        EXPECT_EQ(joint["axes_from"], "same") << joint;
+}
+
+TEST(ForeignInputs, JointNamesThatAreNotUtf8AreShownAndKept) {
+    Folder folder;
+    std::string text = readBytes(NOCTULE_SOURCE_DIR "/resources/motions/sample.bvh");
+    const size_t at = text.find("JOINT Neck");
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at, 10, "JOINT \x8e\xf1");
+    writeBytes(folder.file("sjis.bvh"), text);
+    const std::string take = folder.file("t.noctule");
+    ASSERT_EQ(batch({"simulate", "--motion", folder.file("sjis.bvh"), "--level", "readings", "--duration",
+                     "4", "--out", take})
+                  .exit_code,
+              0);
+    const Ran ran = batch(
+        {"attach", take, "--reference", folder.file("sjis.bvh"), "--align", "3000", "--overwrite", "--json"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.json()["matched"]["Neck"], "\\x8e\\xf1");
 }
 
 TEST_F(ForeignReferences, AWalkThatRepeatsItselfIsNotShiftedByAStep) {

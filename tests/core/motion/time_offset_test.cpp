@@ -2,6 +2,8 @@
 // Shifts between the clocks of two recordings: other gaits, rates, lengths and dialects, and refusals.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/core/motion/dialects.h"
 
 namespace noctule::test {
@@ -103,6 +105,52 @@ TEST(TimeOffset, StandingStillCannotBeAligned) {
     }
     const auto found = findTimeOffset(standing, standing);
     EXPECT_TRUE(!found || !found->trusted());
+}
+
+/// As estimates err: each joint by slow errors of its own and a lag of its own, 12 ms rms. `late`: the motion
+/// later by -24, -18, ... 24 ms.
+TimedMotion asEstimated(const std::vector<TimedMotion>& late, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    const int middle = static_cast<int>(late.size() / 2);
+    TimedMotion motion = late[static_cast<size_t>(middle)];
+    for (size_t j = 1; j < motion.skeleton.joints().size(); ++j) {
+        const int steps = std::clamp(static_cast<int>(std::lround(2 * normal(random))), -middle, middle);
+        const TimedMotion& lagging = late[static_cast<size_t>(middle + steps)];
+        const Vector3d axis = Vector3d(normal(random), normal(random), normal(random)).normalized();
+        const double size = 0.06 * std::abs(normal(random)), rate = 2 + 3 * std::abs(normal(random)),
+                     phase = 6 * normal(random);
+        if (motion.skeleton.joint(static_cast<int>(j)).type == JointType::kFixed)
+            continue;
+        for (size_t f = 0; f < motion.frames.size(); ++f) {
+            const double t_s = static_cast<double>(motion.frames[f].time_ns) * 1e-9;
+            motion.frames[f].pose->q_parent_joint[j] = lagging.frames[f].pose->q_parent_joint[j] *
+                                                       axisAngle(axis, size * std::sin(rate * t_s + phase));
+        }
+    }
+    return motion;
+}
+
+TEST(TimeOffset, TheStatedUncertaintyIsThatOfTwentyCases) {
+    std::vector<TimedMotion> late;
+    for (int step = -4; step <= 4; ++step)
+        late.push_back(lively(-0.006 * step, 14, 100));
+    double squares = 0;
+    int beyond_three = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const double start_s = 1 + 0.3 * seed, seconds = 4 + 0.15 * seed;
+        const auto found = findTimeOffset(asEstimated(late, seed), lively(start_s, seconds, 50));
+        ASSERT_TRUE(found);
+        const double z = (shiftMs(*found) - 1000 * start_s) / (static_cast<double>(found->sigma_ns) * 1e-6);
+        squares += z * z;
+        beyond_three += std::abs(z) > 3;
+        EXPECT_GT(found->sigma_ns, 300'000) << seed;
+    }
+    const double rms = std::sqrt(squares / 20);
+    std::printf("errors are %.2f times what is stated\n", rms);
+    EXPECT_LT(rms, 1.5) << "too sure";
+    EXPECT_GT(rms, 0.4) << "too modest";
+    EXPECT_LE(beyond_three, 1);
 }
 
 }  // namespace
