@@ -6,6 +6,7 @@
 #include "app/batch/files.h"
 #include "app/batch/verb.h"
 #include "core/formats/positions_csv.h"
+#include "core/import/markers.h"
 #include "core/processing/attach_reference.h"
 
 namespace noctule::batch {
@@ -29,6 +30,26 @@ Result<std::optional<double>> shiftSeconds(const std::string& text) {
     return std::optional(ms / 1000);
 }
 
+Status readMarkerSource(const VerbContext& context, AttachRequest& request) {
+    const auto markers = readMarkers(request.source_name, context.job());
+    if (!markers)
+        return markers.error();
+    nlohmann::json map = nlohmann::json::object();
+    if (context.arguments.given("markers")) {
+        auto given = readJson(context.arguments.text("markers"));
+        if (!given)
+            return given.error();
+        map = std::move(*given);
+    }
+    auto table = jointsOfMarkers(*markers, map, context.arguments.text("up"), request.source_name);
+    if (!table)
+        return table.error();
+    for (const std::string& warning : table->warnings)
+        context.console.warn(warning);
+    request.positions = std::move(*table);
+    return Done{};
+}
+
 Status readSource(const VerbContext& context, AttachRequest& request) {
     request.source_name = context.arguments.text("reference");
     if (isCsv(request.source_name)) {
@@ -40,6 +61,8 @@ Status readSource(const VerbContext& context, AttachRequest& request) {
         request.positions = std::move(*table);
         return Done{};
     }
+    if (isMarkerFile(request.source_name))
+        return readMarkerSource(context, request);
     auto clip = readMotion(request.source_name, context.arguments.text("bvh-unit"), context.console);
     if (!clip)
         return clip.error();
@@ -114,9 +137,12 @@ Verb attachVerb() {
     verb.min_operands = verb.max_operands = 1;
     verb.example = "noctule --batch attach hops_001.noctule --reference optical.bvh --align auto";
     verb.options = {
-        text("reference", "M.bvh|P.csv",
+        text("reference", "M.bvh|P.csv|M.c3d|M.trc",
              "the recording; CSV: time_s or time_ms, and JOINT.x, .y, .z in metres")
             .needed(),
+        text("markers", "MAP.json",
+             "C3D, TRC: which markers surround which joint, {\"Hips\": [\"LASI\", ...]}"),
+        choice("up", {"X", "Y", "Z"}, "C3D, TRC: the axis that points up, where the file does not say"),
         text("align", "auto|MILLISECONDS",
              "when the recording starts on the take's clock; auto: found from the last run's motion")
             .orElse("auto"),
@@ -125,7 +151,7 @@ Verb attachVerb() {
             .orElse("reference"),
         bvhUnitOption()};
     verb.remarks = {
-        "Positions (CSV) do not say how limbs are twisted: they serve as external-root, from the "
+        "Positions (CSV, markers) do not say how limbs are twisted: they serve as external-root, from the "
         "joints that sit on the hips, with --align MILLISECONDS.",
         "With auto, a motion that repeats itself is refused, since several shifts fit."};
     verb.run = runAttach;
