@@ -15,6 +15,7 @@ jobs_need=(
     libsqlite3-dev       # SQLite3
     libzstd-dev          # libzstd
     zlib1g-dev           # ZLIB
+    libexpat1-dev        # EXPAT
     qtbase5-dev          # Qt5
     libqt5serialport5-dev # Qt5: SerialPort
     libepoxy-dev         # epoxy

@@ -2,9 +2,11 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/batch/files.h"
 #include "app/batch/motion_file.h"
 #include "app/batch/verb.h"
 #include "core/formats/positions_csv.h"
+#include "core/import/markers.h"
 #include "core/processing/attach_reference.h"
 
 namespace noctule::batch {
@@ -21,6 +23,37 @@ Result<std::optional<double>> shiftSeconds(const std::string& text) {
         return Error{ErrorKind::kUsage, "--align cannot be '" + text + "'",
                      "Give auto, or milliseconds within a day"};
     return std::optional(ms / 1000);
+}
+
+Status readMarkerSource(const VerbContext& context, AttachRequest& request) {
+    const auto markers = readMarkers(request.source_name, context.job());
+    if (!markers)
+        return markers.error();
+    nlohmann::json map = nlohmann::json::object();
+    if (context.arguments.given("markers")) {
+        auto given = readJson(context.arguments.text("markers"));
+        if (!given)
+            return given.error();
+        map = std::move(*given);
+    }
+    for (const char* option : {"height", "bones"})
+        if (context.arguments.given(option))
+            return Error{
+                ErrorKind::kUsage,
+                "--" + std::string(option) + " is for motions, and " + request.source_name + " holds markers",
+                "Leave it out"};
+    const std::string up = context.arguments.text("up");
+    auto table = jointsOfMarkers(*markers, map,
+                                 up == "auto" ? ""
+                                 : up == "y"  ? "Y"
+                                              : "Z",
+                                 request.source_name);
+    if (!table)
+        return table.error();
+    for (const std::string& warning : table->warnings)
+        context.console.warn(warning);
+    request.positions = std::move(*table);
+    return Done{};
 }
 
 Status readSource(const VerbContext& context, AttachRequest& request, nlohmann::json& understood) {
@@ -40,6 +73,8 @@ Status readSource(const VerbContext& context, AttachRequest& request, nlohmann::
         request.positions = std::move(*table);
         return Done{};
     }
+    if (isMarkerFile(request.source_name))
+        return readMarkerSource(context, request);
     auto motion = readReference(request.source_name, context.arguments, context.console, understood);
     if (!motion)
         return motion.error();
@@ -116,9 +151,11 @@ Verb attachVerb() {
     verb.min_operands = verb.max_operands = 1;
     verb.example = "noctule --batch attach hops_001.noctule --reference optical.bvh --align auto";
     verb.options = {
-        text("reference", "M.bvh|P.csv",
+        text("reference", "M.bvh|P.csv|M.c3d|M.trc",
              "the recording; CSV: time_s or time_ms, and JOINT.x, .y, .z in metres")
             .needed(),
+        text("markers", "MAP.json",
+             "C3D, TRC: which markers surround which joint, {\"Hips\": [\"LASI\", ...]}"),
         text("align", "auto|MILLISECONDS",
              "when the recording starts on the take's clock; auto: found from the last run's motion")
             .orElse("auto"),
@@ -128,7 +165,7 @@ Verb attachVerb() {
     for (Option& option : motionOptions("reference"))
         verb.options.push_back(std::move(option));
     verb.remarks = {
-        "Positions (CSV) do not say how limbs are twisted: they serve as external-root, from the "
+        "Positions (CSV, markers) do not say how limbs are twisted: they serve as external-root, from the "
         "joints that sit on the hips, with --align MILLISECONDS.",
         "With auto, a motion that repeats itself is refused, since several shifts fit."};
     verb.run = runAttach;

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/import/import_take.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
+#include "core/job/atomic_file.h"
+#include "core/job/limits.h"
+#include "core/recording/take_edit.h"
 #include "core/recording/take_writer.h"
 
 namespace noctule {
@@ -17,7 +22,9 @@ Suit suitOf(const ImportedRecording& recording) {
     for (const ImportedSensor& sensor : recording.sensors) {
         Board board;
         board.id = sensor.id;
+        board.segment = sensor.segment;
         board.has_magnetometer = !sensor.samples.mag.empty();
+        board.rate_hz = std::clamp(sensor.samples.rate_hz, kLeastBoardRate_hz, kMostBoardRate_hz);
         suit.boards.push_back(board);
     }
     return suit;
@@ -66,12 +73,13 @@ public:
                 InertialReading reading;
                 reading.board = static_cast<int>(s);
                 reading.frame = static_cast<int64_t>(i);
-                reading.sample = double(i) / samples.rate_hz * double(kClock_hz);
-                reading.corrected_bits = 0;
+                reading.sample = (sensor_offset_s(s) + double(i) / samples.rate_hz) * double(kClock_hz);
                 const bool whole = put(samples.gyro_rad_per_s[i], 0, reading.counts) &
                                    put(samples.accel_m_per_s2[i], 3, reading.counts);
                 if (i < samples.mag.size())
                     put(samples.mag[i], 0, reading.magnetometer_counts);
+                if (hasAny(reading))
+                    reading.corrected_bits = 0;
                 summary.missing += !whole;
                 if (Status added = take_.addInertial(kPrimaryRun, reading); !added)
                     return added;
@@ -81,6 +89,13 @@ public:
             summary.readings += samples.size();
             job_.progress(double(s + 1) / double(recording_.sensors.size()), "Readings");
         }
+        return Done{};
+    }
+
+    Status bodyReference() {
+        for (const TimedPose& timed : recording_.reference->frames)
+            if (Status added = take_.addReference(timed); !added)
+                return added;
         return Done{};
     }
 
@@ -98,6 +113,14 @@ public:
     }
 
 private:
+    double sensor_offset_s(size_t sensor) const { return recording_.sensors[sensor].offset_s; }
+
+    static bool hasAny(const InertialReading& reading) {
+        const auto given = [](const std::optional<double>& count) { return count.has_value(); };
+        return std::any_of(reading.counts.begin(), reading.counts.end(), given) ||
+               std::any_of(reading.magnetometer_counts.begin(), reading.magnetometer_counts.end(), given);
+    }
+
     Status movement(double rate_hz) {
         const auto mark = [&](size_t row, const char* label) {
             return take_.addMarker(
@@ -120,6 +143,44 @@ private:
     const JobContext& job_;
 };
 
+nlohmann::json importJson(const ImportedRecording& recording) {
+    return {{"format", recording.format}, {"notes", recording.notes}, {"warnings", recording.warnings}};
+}
+
+bool bringsAttitudes(const ImportedRecording& recording) {
+    return std::any_of(recording.sensors.begin(), recording.sensors.end(),
+                       [](const ImportedSensor& sensor) { return !sensor.q_world_sensor.empty(); });
+}
+
+/// The maker's attitudes as a run beside which ours can stand.
+Status writeAttitudes(const ImportedRecording& recording, const std::string& path,
+                      const ImportRequest& request, const JobContext& job) {
+    auto take = Take::open(path, Access::kReadWrite);
+    if (!take)
+        return take.error();
+    auto edit = TakeEdit::begin(*take);
+    if (!edit)
+        return edit.error();
+    const auto run = edit->beginRun({0, "orientation", kMakersRun, request.created_utc, request.software,
+                                     importJson(recording).dump(), std::nullopt, std::nullopt});
+    if (!run)
+        return run.error();
+    for (size_t s = 0; s < recording.sensors.size(); ++s) {
+        const ImportedSensor& sensor = recording.sensors[s];
+        for (size_t i = 0; i < sensor.q_world_sensor.size(); ++i) {
+            if (i % 4096 == 0 && job.cancelled())
+                return JobContext::cancelledError();
+            const Quaterniond& q = sensor.q_world_sensor[i];
+            const double time_s = sensor.offset_s + double(i) / sensor.samples.rate_hz;
+            if (!q.coeffs().allFinite())
+                continue;
+            if (Status added = edit->addOrientation(*run, {int(s), std::llround(time_s * 1e9), q, 0}); !added)
+                return added;
+        }
+    }
+    return edit->commit();
+}
+
 Status writeAll(const ImportedRecording& recording, TakeWriter& take, const ImportRequest& request,
                 const JobContext& job, ImportSummary& summary) {
     if (auto added = take.addSuit(suitOf(recording)); !added)
@@ -131,6 +192,20 @@ Status writeAll(const ImportedRecording& recording, TakeWriter& take, const Impo
     TakeOfImport writer(recording, take, job);
     if (Status written = writer.readings(summary); !written)
         return written;
+    if (Status set = take.setMeta("x_import", importJson(recording).dump()); !set)
+        return set;
+    if (recording.reference) {
+        summary.has_reference = true;
+        if (Status set = take.setMeta("reference_kind", recording.format); !set)
+            return set;
+        Actor actor;
+        actor.name = recording.name;
+        actor.skeleton = recording.reference->skeleton;
+        actor.rest_q_parent_joint = actor.skeleton.zeroPose().q_parent_joint;
+        if (Status set = take.setMeta("reference_actor", toJson(actor).dump()); !set)
+            return set;
+        return writer.bodyReference();
+    }
     if (recording.q_world_sensor.empty())
         return Done{};
     summary.has_reference = true;
@@ -141,22 +216,29 @@ Status writeAll(const ImportedRecording& recording, TakeWriter& take, const Impo
     return writer.reference(summary.rate_hz);
 }
 
-}  // namespace
-
-Result<ImportSummary> writeImportedTake(const ImportedRecording& recording, const ImportRequest& request,
-                                        const JobContext& job) {
-    if (recording.sensors.size() > Suit::kMaxPerSuit)
+Result<ImportSummary> summaryOf(const ImportedRecording& recording) {
+    if (recording.sensors.size() > Suit::kMaxPerSuit || recording.sensors.empty())
         return Error{ErrorKind::kUnusable,
                      recording.name + ": has " + std::to_string(recording.sensors.size()) + " sensors",
-                     "A take holds 32 in one suit; import fewer at a time"};
+                     "A take holds 1 to 32 in one suit; import fewer at a time"};
     ImportSummary summary;
     summary.sensors = recording.sensors.size();
     summary.rate_hz = recording.sensors.front().samples.rate_hz;
+    summary.has_attitudes = bringsAttitudes(recording);
     for (const ImportedSensor& sensor : recording.sensors) {
-        summary.duration_s =
-            std::max(summary.duration_s, double(sensor.samples.size()) / sensor.samples.rate_hz);
+        summary.duration_s = std::max(
+            summary.duration_s, sensor.offset_s + double(sensor.samples.size()) / sensor.samples.rate_hz);
         summary.has_magnetometer |= !sensor.samples.mag.empty();
     }
+    if (!(summary.duration_s <= double(limits::kLongestTake_s)))
+        return Error{ErrorKind::kUnusable,
+                     recording.name + ": lasts " + std::to_string(summary.duration_s) + " s",
+                     "A take lasts a week at most; check the rate"};
+    return summary;
+}
+
+Status writeTake(const ImportedRecording& recording, const std::string& path, const ImportRequest& request,
+                 const JobContext& job, ImportSummary& summary) {
     TakeHeader header;
     header.uuid = request.uuid;
     header.name = request.take_name;
@@ -166,17 +248,46 @@ Result<ImportSummary> writeImportedTake(const ImportedRecording& recording, cons
     header.board_count = static_cast<int>(recording.sensors.size());
     TakeWriter::Options options;
     options.overwrite = request.overwrite;
-    auto take = TakeWriter::create(request.out_path, header, options);
+    auto take = TakeWriter::create(path, header, options);
     if (!take)
         return take.error();
     if (Status written = writeAll(recording, *take, request, job, summary); !written)
-        return written.error();
+        return written;
     if (Status counted = take->setMeta("sample_count",
                                        std::to_string(std::llround(summary.duration_s * double(kClock_hz))));
         !counted)
-        return counted.error();
-    if (Status finished = take->finish(); !finished)
-        return finished.error();
+        return counted;
+    return take->finish();
+}
+
+/// A take that is written aside, completed there and only then named.
+Status writeWithAttitudes(const ImportedRecording& recording, const ImportRequest& request,
+                          const JobContext& job, ImportSummary& summary) {
+    const std::string aside = asidePath(request.out_path);
+    Status done = writeTake(recording, aside, request, job, summary);
+    if (done)
+        done = writeAttitudes(recording, aside, request, job);
+    if (done)
+        done = publishFile(aside, request.out_path, request.overwrite);
+    if (!done)
+        std::remove(aside.c_str());
+    return done;
+}
+
+}  // namespace
+
+Result<ImportSummary> writeImportedTake(const ImportedRecording& recording, const ImportRequest& request,
+                                        const JobContext& job) {
+    auto summary = summaryOf(recording);
+    if (!summary)
+        return summary.error();
+    if (Status free = checkOutputPath(request.out_path, request.overwrite); !free)
+        return free.error();
+    const Status written = summary->has_attitudes
+                               ? writeWithAttitudes(recording, request, job, *summary)
+                               : writeTake(recording, request.out_path, request, job, *summary);
+    if (!written)
+        return written.error();
     return summary;
 }
 

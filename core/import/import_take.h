@@ -16,8 +16,11 @@ struct ImportRequest {
 struct ImportSummary {
     size_t sensors = 0, readings = 0, missing = 0;
     double duration_s = 0, rate_hz = 0;
-    bool has_magnetometer = false, has_reference = false;
+    bool has_magnetometer = false, has_reference = false, has_attitudes = false;
 };
+
+/// The run of kind `orientation` that holds the maker's own attitudes.
+inline constexpr const char* kMakersRun = "orientation of the recording";
 
 /// Nothing is left behind when it fails or is cancelled.
 Result<ImportSummary> writeImportedTake(const ImportedRecording& recording, const ImportRequest& request,

@@ -8,6 +8,8 @@
 #include <map>
 #include <optional>
 
+#include "core/import/formats.h"
+
 namespace noctule {
 
 namespace {
@@ -92,18 +94,11 @@ std::optional<Timing> timingOf(const MatArrays& arrays, double rate_hz) {
     return timing;
 }
 
-/// East, north, up -> X west, Y up, Z north.
-Quaterniond fromEastNorthUp() {
-    Matrix3d R;
-    R << -1, 0, 0, 0, 0, 1, 0, 1, 0;
-    return Quaterniond(R);
-}
-
 void takeReference(const MatArrays& arrays, Eigen::Index rows, ImportedRecording& recording) {
     const auto* quaternions = arrayOf(arrays, {"opt_quat"});
     if (!quaternions || quaternions->cols() != 4 || quaternions->rows() != rows)
         return;
-    const Quaterniond turn = fromEastNorthUp();
+    const Quaterniond turn = worldFromFile(WorldFrame::kEastNorthUp);
     for (Eigen::Index i = 0; i < rows; ++i) {
         const auto q = quaternions->row(i);
         recording.q_world_sensor.push_back(turn * Quaterniond(q(0), q(1), q(2), q(3)));
@@ -157,6 +152,28 @@ Result<ImportedRecording> recordingFromMat(const MatArrays& arrays, const std::s
     if (recording.sensors.size() == 1)
         takeReference(arrays, Eigen::Index(recording.sensors[0].samples.size()), recording);
     return recording;
+}
+
+namespace {
+
+bool knowsMat(const ImportFile& file) {
+    return file.head().starts_with("MATLAB") || file.extension() == ".mat";
+}
+
+Result<ImportedRecording> readMat(const std::vector<ImportFile>& files, const ImportChoice& choice,
+                                  const JobContext&) {
+    const auto arrays = parseMat(files.front().bytes, files.front().path);
+    if (!arrays)
+        return arrays.error();
+    return recordingFromMat(*arrays, files.front().stem(), choice.rate_hz);
+}
+
+}  // namespace
+
+const ImportFormat& matFormat() {
+    static const ImportFormat format = {"mat", "MATLAB files of level 5 (BROAD, qmt)", false, knowsMat,
+                                        readMat};
+    return format;
 }
 
 }  // namespace noctule

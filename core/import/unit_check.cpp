@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -36,6 +37,9 @@ void scale(std::vector<Vector3d>& readings, double factor) {
 
 void convertAccelerations(ImportedSensor& sensor, std::vector<std::string>& warnings) {
     const double median = medianNorm(sensor.samples.accel_m_per_s2);
+    if (std::none_of(sensor.samples.accel_m_per_s2.begin(), sensor.samples.accel_m_per_s2.end(),
+                     [](const Vector3d& reading) { return reading.allFinite(); }))
+        return;
     for (const Unit& unit : {Unit{"g", 1}, Unit{"cm/s^2", 981}, Unit{"mg", 1000}})
         if (std::abs(median / unit.gravity - 1) < 0.012 ||
             (unit.gravity == 1 && std::abs(median - 1) < 0.25)) {
@@ -145,6 +149,72 @@ void convertToSi(ImportedRecording& recording) {
                                          ": the magnetometer reads zero throughout and is left out");
         }
     }
+}
+
+namespace {
+
+// Beyond any sensor of the kind: gyroscopes end at 70 rad/s, accelerometers at 4000 m/s^2.
+constexpr double kImpossibleRate_rad_per_s = 1000, kImpossibleAccel_m_per_s2 = 1e4;
+constexpr double kImpossibleField = 1e5;
+constexpr double kUsualShareMissing = 0.01;
+constexpr double kUnevenLength = 0.02;
+
+/// Counts what is missing; what is impossible becomes so.
+struct ReadingCount {
+    size_t missing = 0, impossible = 0, same = 0;
+
+    ReadingCount(std::vector<Vector3d>& readings, double impossible_beyond) {
+        const Vector3d nothing = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+        const Vector3d* last = nullptr;
+        for (Vector3d& reading : readings) {
+            if (reading.allFinite() && reading.cwiseAbs().maxCoeff() > impossible_beyond) {
+                ++impossible;
+                reading = nothing;
+            }
+            missing += !reading.allFinite();
+            same += last && *last == reading;
+            last = &reading;
+        }
+    }
+};
+
+void describeReadings(const std::string& who, const char* what, std::vector<Vector3d>& readings,
+                      double impossible_beyond, std::vector<std::string>& warnings) {
+    if (readings.empty())
+        return;
+    const ReadingCount count(readings, impossible_beyond);
+    const std::string of = std::to_string(readings.size()) + " " + what;
+    if (count.impossible > 0)
+        warnings.push_back(who + ": " + std::to_string(count.impossible) + " of " + of +
+                           " are beyond any sensor's range and were left out");
+    if (count.missing == readings.size())
+        return;  // the quantity is not there, which the summary says
+    if (double(count.missing) > kUsualShareMissing * double(readings.size()))
+        warnings.push_back(who + ": " + std::to_string(count.missing) + " of " + of + " are missing");
+    if (2 * count.same > readings.size())
+        warnings.push_back(who + ": more than half of " + of +
+                           " repeat the one before; the sensor may stand "
+                           "still or the file may hold fewer");
+}
+
+}  // namespace
+
+void checkReadings(ImportedRecording& recording) {
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+    for (ImportedSensor& sensor : recording.sensors) {
+        ImuSamples& samples = sensor.samples;
+        describeReadings(sensor.id, "rates", samples.gyro_rad_per_s, kImpossibleRate_rad_per_s,
+                         recording.warnings);
+        describeReadings(sensor.id, "accelerations", samples.accel_m_per_s2, kImpossibleAccel_m_per_s2,
+                         recording.warnings);
+        describeReadings(sensor.id, "fields", samples.mag, kImpossibleField, recording.warnings);
+        const double duration_s = double(samples.size()) / samples.rate_hz;
+        shortest = std::min(shortest, duration_s);
+        longest = std::max(longest, duration_s);
+    }
+    if (longest > 0 && shortest < (1 - kUnevenLength) * longest)
+        recording.warnings.push_back("The sensors are of different lengths: " + std::to_string(shortest) +
+                                     " to " + std::to_string(longest) + " s");
 }
 
 }  // namespace noctule

@@ -19,4 +19,8 @@ RateReading rateReading(const ImuSamples& samples);
 /// of.
 void convertToSi(ImportedRecording& recording);
 
+/// What looks odd in readings of SI, as warnings: missing and impossible readings (which become missing),
+/// rates that stand still, sensors of different lengths, a field that is far from the Earth's.
+void checkReadings(ImportedRecording& recording);
+
 }  // namespace noctule

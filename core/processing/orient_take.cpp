@@ -164,6 +164,11 @@ Status orientAll(const Take& take, const Suit& suit, const ReadingsOfBoards& boa
             summary.warnings.push_back("Board " + suit.boards[b].id + " has no readings and was left out");
             continue;
         }
+        if (readings->missing == readings->samples.size()) {
+            summary.warnings.push_back("Board " + suit.boards[b].id +
+                                       " has no row with both gyroscope and accelerometer and was left out");
+            continue;
+        }
         job.progress(double(b) / double(suit.boards.size()), "Orientation of " + suit.boards[b].id);
         auto result = request.estimator->run(readings->samples, request.choice, {nullptr, job.cancel});
         if (!result)
@@ -173,7 +178,9 @@ Status orientAll(const Take& take, const Suit& suit, const ReadingsOfBoards& boa
         summary.boards.push_back(describe(suit.boards[b].id, *readings, *result));
     }
     if (summary.boards.empty())
-        return orientationError(take, "no board has inertial readings", "Process the take's sound first");
+        return orientationError(take, "no board has readings of gyroscope and accelerometer",
+                                "Process the take's sound first, or record both; attitudes that came with a "
+                                "recording are a run already");
     return Done{};
 }
 

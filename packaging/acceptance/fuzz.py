@@ -16,7 +16,8 @@ def figure(options):
             ("takes", "test_core_recording", "FuzzTake.DamagedFiles"),
             ("rows of takes", "test_core_recording", "FuzzRows.DamagedValues"),
             ("JSON of takes", "test_core_recording", "FuzzJson.DamagedDocuments"),
-            ("JSON of sessions", "test_core_session", "FuzzSession.DamagedDocuments")):
+            ("JSON of sessions", "test_core_session", "FuzzSession.DamagedDocuments"),
+            ("recordings of other sensors and markers", "test_core_import", "FuzzImport.*")):
         found = built_tests.run(program, cases, "damaged inputs|could be opened", NOCTULE_FUZZ_INPUTS=count, **in_memory)
         text += f"{what}:\n\n{found}\n"
     # A process for each: fewer of them.

@@ -7,11 +7,13 @@
 #include <filesystem>
 #include <random>
 
+#include "core/import/import_format.h"
 #include "core/import/import_take.h"
 #include "core/import/mat_recording.h"
 #include "core/import/unit_check.h"
 #include "core/job/atomic_file.h"
 #include "core/recording/take.h"
+#include "tests/support/fuzzing.h"
 
 namespace noctule {
 namespace {
@@ -113,6 +115,17 @@ TEST(MatFile, DamagedFilesNeverCrash) {
     }
     EXPECT_GT(refused, 1000);
     EXPECT_LT(refused, 20'000) << "flips within values only change them";
+}
+
+TEST(FuzzImport, Mat) {
+    const std::vector<std::string> examples = {
+        file(structOf("s", {{"gyr", array<double>("", 2, 3, 9, {1, 2, 3, 4, 5, 6})},
+                            {"acc", array<double>("", 2, 3, 9, {1, 2, 3, 4, 5, 6})}}) +
+             packed(array<double>("t", 2, 1, 9, {0, 0.01})))};
+    test::feedDamaged(examples, 1500, 64 * 1024, [](const std::string& bytes, int64_t) {
+        const auto read = readImport(*findImportFormat("mat"), {{"a.mat", bytes}}, {}, {});
+        EXPECT_TRUE(read || !read.error().remedy.empty());
+    });
 }
 
 MatArrays turningSensor(double gyro_unit, double accel_unit) {

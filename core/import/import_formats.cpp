@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+
+#include "core/import/formats.h"
+#include "core/import/segment_names.h"
+#include "core/import/unit_check.h"
+#include "core/job/atomic_file.h"
+
+namespace noctule {
+
+namespace {
+
+constexpr size_t kHeadBytes = 8192;
+constexpr size_t kMostImportBytes = size_t{4} << 30;
+constexpr size_t kMostImportStreamBytes = size_t{256} << 20;
+constexpr size_t kMostImportFiles = 2000;
+constexpr int kFolderLevels = 2;
+
+std::filesystem::path pathOf(const ImportFile& file) {
+    return std::filesystem::path(file.path);
+}
+
+Status listFolder(const std::filesystem::path& folder, int levels, std::vector<std::string>& paths) {
+    std::error_code problem;
+    std::vector<std::filesystem::path> entries;
+    for (std::filesystem::directory_iterator entry(folder, problem), end; !problem && entry != end;
+         entry.increment(problem))
+        entries.push_back(entry->path());
+    if (problem)
+        return Error{ErrorKind::kUnreadable, folder.string() + ": " + problem.message(),
+                     "Check the folder and its permissions"};
+    std::sort(entries.begin(), entries.end());
+    for (const auto& entry : entries) {
+        if (std::filesystem::is_directory(entry, problem)) {
+            if (levels > 0)
+                if (Status listed = listFolder(entry, levels - 1, paths); !listed)
+                    return listed;
+        } else if (std::filesystem::is_regular_file(entry, problem)) {
+            paths.push_back(entry.string());
+        }
+        if (paths.size() > kMostImportFiles)
+            return Error{ErrorKind::kUsage,
+                         folder.string() + ": holds more than " + std::to_string(kMostImportFiles) + " files",
+                         "Name the files or the folder of one recording"};
+    }
+    return Done{};
+}
+
+}  // namespace
+
+std::string ImportFile::fileName() const {
+    return pathOf(*this).filename().string();
+}
+std::string ImportFile::folderName() const {
+    return pathOf(*this).parent_path().filename().string();
+}
+std::string ImportFile::stem() const {
+    return pathOf(*this).stem().string();
+}
+std::string ImportFile::extension() const {
+    std::string extension = pathOf(*this).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    return extension;
+}
+std::string_view ImportFile::head() const {
+    return std::string_view(bytes).substr(0, kHeadBytes);
+}
+
+const std::vector<const ImportFormat*>& importFormats() {
+    static const std::vector<const ImportFormat*> formats = {
+        &matFormat(), &mvnxFormat(), &xsensTextFormat(), &ximu3Format(), &stoFormat(), &csvFormat()};
+    return formats;
+}
+
+const ImportFormat* findImportFormat(const std::string& name) {
+    for (const ImportFormat* format : importFormats())
+        if (name == format->name)
+            return format;
+    return nullptr;
+}
+
+const ImportFormat* importFormatOf(const std::vector<ImportFile>& files) {
+    for (const ImportFormat* format : importFormats())
+        if (std::any_of(files.begin(), files.end(), format->knows))
+            return format;
+    return nullptr;
+}
+
+Result<ImportedRecording> readImport(const ImportFormat& format, const std::vector<ImportFile>& files,
+                                     const ImportChoice& choice, const JobContext& job) {
+    std::vector<ImportFile> known;
+    std::vector<std::string> others;
+    for (const ImportFile& file : files)
+        if (files.size() == 1 || format.knows(file))
+            known.push_back(file);
+        else
+            others.push_back(file.path);
+    if (known.empty() || (known.size() > 1 && !format.several_files))
+        return Error{ErrorKind::kUsage,
+                     known.empty()
+                         ? "No file given is of the kind " + std::string(format.name)
+                         : known[1].path + ": a recording of the kind " + format.name + " is one file",
+                     "Import one recording at a time"};
+    auto recording = format.read(known, choice, job);
+    if (!recording)
+        return recording.error();
+    recording->format = format.name;
+    for (const std::string& path : others)
+        recording->warnings.push_back(path + " is no file of this kind and was left out");
+    convertToSi(*recording);
+    checkReadings(*recording);
+    guessSegments(*recording);
+    return recording;
+}
+
+Result<std::vector<ImportFile>> readImportFiles(const std::vector<std::string>& given,
+                                                const CancelFlag* cancel) {
+    std::vector<std::string> paths;
+    for (const std::string& path : given) {
+        std::error_code problem;
+        if (!std::filesystem::is_directory(path, problem))
+            paths.push_back(path);
+        else if (Status listed = listFolder(path, kFolderLevels, paths); !listed)
+            return listed.error();
+    }
+    ReadOptions options;
+    options.cancel = cancel;
+    options.most_bytes = kMostImportBytes;
+    options.most_stream_bytes = kMostImportStreamBytes;
+    std::vector<ImportFile> files;
+    for (const std::string& path : paths) {
+        auto bytes = readWholeFile(path, options);
+        if (!bytes)
+            return bytes.error();
+        files.push_back({path, std::move(*bytes)});
+    }
+    if (files.empty())
+        return Error{ErrorKind::kUnreadable, given.front() + ": the folder holds no file",
+                     "Give the folder that the recording was written to"};
+    return files;
+}
+
+}  // namespace noctule

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: Apache-2.0
+// Recordings of other programs: bytes after their specifications, and real files beside the repository
+// (../shared/data), without which those tests skip.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/import/import_format.h"
+#include "core/import/import_take.h"
+#include "core/import/markers.h"
+#include "core/import/segment_names.h"
+#include "core/recording/take.h"
+#include "tests/core/import/example_files.h"
+#include "tests/support/files.h"
+
+namespace noctule::test {
+namespace {
+
+Result<ImportedRecording> readAs(const std::vector<ImportFile>& files, const ImportChoice& choice = {}) {
+    const ImportFormat* format = importFormatOf(files);
+    EXPECT_TRUE(format);
+    return format ? readImport(*format, files, choice, {}) : Error{};
+}
+
+bool mentions(const std::vector<std::string>& sentences, const std::string& word) {
+    return std::any_of(sentences.begin(), sentences.end(),
+                       [&](const std::string& sentence) { return sentence.find(word) != std::string::npos; });
+}
+
+TEST(XsensText, EverySeparatorAndLineEndReadsAlike) {
+    for (const char separator : {'\t', ',', ';', ' '})
+        for (const char* end : {"\n", "\r\n"}) {
+            const auto read =
+                readAs({{"t/MT_1_00B42D4B.txt", xsensExample({7, 8, 9, 10}, separator, true, end)}});
+            ASSERT_TRUE(read) << read.error().text();
+            ASSERT_EQ(read->sensors.size(), 1u);
+            const ImportedSensor& sensor = read->sensors[0];
+            EXPECT_EQ(sensor.id, "00B42D4B");
+            EXPECT_EQ(sensor.samples.rate_hz, 100);
+            ASSERT_EQ(sensor.samples.size(), 4u);
+            EXPECT_EQ(sensor.samples.gyro_rad_per_s[3], Vector3d(0.03, -0.5, 0.25));
+            EXPECT_EQ(sensor.samples.accel_m_per_s2[0], Vector3d(0.1, 0.2, 9.81));
+            EXPECT_EQ(sensor.samples.mag[1], Vector3d(0.5, 0, -0.9));
+            // The file turns y to 0.28 north, 0.96 up.
+            const Vector3d y = sensor.q_world_sensor[0] * Vector3d::UnitY();
+            EXPECT_LT((y - Vector3d(0, 0.96, 0.28)).norm(), 1e-9);
+        }
+}
+
+TEST(XsensText, TheCounterWrapsAndLostPacketsBecomeEmptyRows) {
+    const std::string early = xsensExample({65533, 65534, 65535, 0, 1, 4}, '\t', true),
+                      late = xsensExample({0, 1, 2, 3}, '\t', true);
+    const auto read = readAs({{"a_0001.txt", early}, {"a_0002.txt", late}});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->sensors[0].samples.size(), 8u);
+    EXPECT_FALSE(read->sensors[0].samples.gyro_rad_per_s[5].allFinite());
+    EXPECT_TRUE(read->sensors[0].samples.gyro_rad_per_s[7].allFinite());
+    EXPECT_DOUBLE_EQ(read->sensors[1].offset_s, 0.03) << "aligned by the counters across the wrap";
+    EXPECT_TRUE(mentions(read->warnings, "2 of 8 rows are lost"));
+}
+
+TEST(XsensText, WithoutARateTheFinesTicksTellItElseItIsAskedFor) {
+    const auto ticked = readAs({{"a_1.txt", xsensExample({1, 2, 3, 4}, '\t', false)}});
+    ASSERT_TRUE(ticked) << ticked.error().text();
+    EXPECT_NEAR(ticked->sensors[0].samples.rate_hz, 100, 1e-9);
+    std::string bare = "PacketCounter\tAcc_X\tAcc_Y\tAcc_Z\n1\t0\t0\t9.8\n2\t0\tNaN\t9.8\n3\t0\t0\t9.8\n";
+    const auto refused = readAs({{"a_1.txt", bare}});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().text().find("--rate HZ"), std::string::npos) << refused.error().text();
+    ImportChoice choice;
+    choice.rate_hz = 60;
+    const auto given = readAs({{"a_1.txt", bare}}, choice);
+    ASSERT_TRUE(given) << given.error().text();
+    EXPECT_EQ(given->sensors[0].samples.rate_hz, 60);
+    EXPECT_FALSE(given->sensors[0].samples.accel_m_per_s2[1].allFinite());
+}
+
+TEST(XsensText, ACutFileLosesItsLastLineAndSaysSo) {
+    const std::string whole = xsensExample({1, 2, 3, 4}, '\t', true);
+    const auto read = readAs({{"a_1.txt", whole.substr(0, whole.size() - 9)}});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->sensors[0].samples.size(), 3u);
+    EXPECT_TRUE(mentions(read->warnings, "no end"));
+}
+
+TEST(XsensText, TheExampleOfOpenSenseHasGravityUpward) {
+    const std::string folder = NOCTULE_SOURCE_DIR "/../shared/data/imu/opensense/example/IMUData";
+    if (!std::filesystem::exists(folder))
+        GTEST_SKIP() << "needs ../shared/data/imu";
+    const auto files = readImportFiles({folder}, nullptr);
+    ASSERT_TRUE(files) << files.error().text();
+    const auto read = readAs(*files);
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->sensors.size(), 8u);
+    for (const ImportedSensor& sensor : read->sensors) {
+        Vector3d mean = Vector3d::Zero();
+        size_t count = 0;
+        for (size_t i = 0; i < sensor.samples.size(); ++i)
+            if (const Vector3d f = sensor.q_world_sensor[i] * sensor.samples.accel_m_per_s2[i];
+                f.allFinite()) {
+                mean += f;
+                ++count;
+            }
+        mean /= double(count);
+        EXPECT_GT(mean.y(), 9.5) << sensor.id;
+        EXPECT_LT(mean.y(), 10.2) << sensor.id;
+        EXPECT_LT(std::hypot(mean.x(), mean.z()), 0.6) << sensor.id;
+    }
+}
+
+TEST(XsensText, TheVariantsOfMtManager2022AreRead) {
+    const std::string folder = NOCTULE_SOURCE_DIR "/../shared/data/imu/opensense/readers/Xsens";
+    if (!std::filesystem::exists(folder))
+        GTEST_SKIP() << "needs ../shared/data/imu";
+    ImportChoice choice;
+    choice.rate_hz = 100;
+    int with_attitude = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const auto read = readAs({{entry.path().string(), readBytes(entry.path().string())}}, choice);
+        ASSERT_TRUE(read) << read.error().text();
+        ASSERT_EQ(read->sensors.size(), 1u);
+        const ImportedSensor& sensor = read->sensors[0];
+        EXPECT_GE(sensor.samples.size(), 4u) << entry.path();
+        EXPECT_NEAR(sensor.samples.accel_m_per_s2[1].norm(), 9.94, 0.1) << entry.path();
+        if (!sensor.q_world_sensor.empty()) {
+            ++with_attitude;
+            EXPECT_GT((sensor.q_world_sensor[1] * sensor.samples.accel_m_per_s2[1]).y(), 9.8) << entry.path();
+        }
+    }
+    EXPECT_EQ(with_attitude, 5);
+}
+
+TEST(OpenSenseSto, AttitudesAndSegmentsAreRead) {
+    const auto read = readAs({{"walk.sto", stoExample()}});
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->sensors.size(), 2u);
+    EXPECT_EQ(read->sensors[0].segment, "Hips");
+    EXPECT_EQ(read->sensors[1].segment, "RightUpLeg");
+    EXPECT_NEAR(read->sensors[0].samples.rate_hz, 100, 1e-6);
+    EXPECT_EQ(read->sensors[0].q_world_sensor.size(), 50u);
+    EXPECT_TRUE(mentions(read->warnings, "ENU was assumed"));
+    const std::string real = NOCTULE_SOURCE_DIR
+        "/../shared/data/imu/opensense/tests/MT_012005D6_009-quaternions_calibration_trial_Facing_X.sto";
+    if (!std::filesystem::exists(real))
+        return;
+    const auto walked = readAs({{real, readBytes(real)}});
+    ASSERT_TRUE(walked) << walked.error().text();
+    ASSERT_EQ(walked->sensors.size(), 8u);
+    EXPECT_EQ(walked->sensors[7].segment, "LeftFoot");
+    EXPECT_NEAR(walked->sensors[0].q_world_sensor[0].norm(), 1, 1e-9);
+}
+
+TEST(Ximu3, CsvAndStreamAgree) {
+    const auto csv = readAs({{"rec/pelvis 64F0EDBF (UDP)/Inertial.csv", ximu3Csv()}});
+    ASSERT_TRUE(csv) << csv.error().text();
+    EXPECT_EQ(csv->sensors[0].id, "pelvis 64F0EDBF (UDP)");
+    EXPECT_EQ(csv->sensors[0].segment, "Hips");
+    const auto stream = readAs({{"rec/pelvis.ximu3", ximu3Binary()}});
+    ASSERT_TRUE(stream) << stream.error().text();
+    const ImuSamples &a = csv->sensors[0].samples, &b = stream->sensors[0].samples;
+    EXPECT_NEAR(a.rate_hz, 400, 1e-6);
+    EXPECT_NEAR(b.rate_hz, 400, 1e-6);
+    ASSERT_EQ(b.size(), 41u);
+    for (size_t i = 0; i < a.size(); ++i) {
+        EXPECT_LT((a.gyro_rad_per_s[i] - b.gyro_rad_per_s[i]).norm(), 1e-9) << i;
+        EXPECT_LT((a.accel_m_per_s2[i] - b.accel_m_per_s2[i]).norm(), 1e-9) << i;
+    }
+    EXPECT_NEAR(b.gyro_rad_per_s[0].x(), radians(90), 1e-12);
+    EXPECT_NEAR(b.accel_m_per_s2[0].z(), kStandardGravity_m_per_s2, 1e-12);
+    EXPECT_EQ(b.mag[4], Vector3d(1, 0, -2));
+    EXPECT_FALSE(b.mag[5].allFinite()) << "the magnetometer is slower";
+    EXPECT_TRUE(mentions(stream->notes, "deg/s"));
+}
+
+TEST(Ximu3, DamagedMessagesAreCountedAndACutOneIsSaid) {
+    std::string bytes = ximu3Binary();
+    bytes.insert(bytes.find('\n') + 1, std::string("\xC9garbage\n", 9));
+    const auto read = readAs({{"a.ximu3", bytes.substr(0, bytes.size() - 5)}});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_TRUE(mentions(read->warnings, "1 messages are damaged"));
+    EXPECT_TRUE(mentions(read->warnings, "cut in the middle"));
+    EXPECT_EQ(read->sensors[0].samples.size(), 40u);
+}
+
+TEST(Mvnx, SensorsAndTheResultAreRead) {
+    const auto read = readAs({{"walk.mvnx", mvnxExample()}});
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->sensors.size(), 2u);
+    EXPECT_EQ(read->sensors[0].samples.rate_hz, 60);
+    EXPECT_EQ(read->sensors[0].samples.size(), 20u);
+    // 1 m/s^2 upwards besides gravity; the turn is about the vertical.
+    EXPECT_LT(
+        (read->sensors[1].samples.accel_m_per_s2[7] - Vector3d(0, 0, 1 + kStandardGravity_m_per_s2)).norm(),
+        1e-5);
+    ASSERT_TRUE(read->reference);
+    const Skeleton& skeleton = read->reference->skeleton;
+    ASSERT_EQ(skeleton.size(), 3);
+    EXPECT_EQ(skeleton.joint(0).name, "Hips");
+    EXPECT_EQ(skeleton.joint(1).name, "RightUpLeg");
+    EXPECT_LT((skeleton.joint(1).offset_m - Vector3d(-0.1, -0.1, 0)).norm(), 1e-9) << "right is -X, down -Y";
+    const GlobalPose pose = globalPose(skeleton, *read->reference->frames[10].pose);
+    // Forward kinematics gives the file's positions: x right of (1, 2), turned by 0.1 rad.
+    EXPECT_LT(
+        (pose.p_world_joint[1] - Vector3d(2 - 0.1 * std::cos(0.1), 0.9, 1 + 0.1 * std::sin(0.1))).norm(),
+        1e-5);
+}
+
+TEST(Mvnx, CutFilesKeepWholeFramesAndWrongCountsAreErrors) {
+    const std::string whole = mvnxExample();
+    const auto cut = readAs({{"walk.mvnx", whole.substr(0, whole.size() * 3 / 4)}});
+    ASSERT_TRUE(cut) << cut.error().text();
+    EXPECT_LT(cut->sensors[0].samples.size(), 20u);
+    EXPECT_TRUE(mentions(cut->warnings, "ends in the middle"));
+    std::string wrong = whole;
+    wrong.replace(wrong.rfind("<position>1 2 1"), 15, "<position>1 2 1 4");
+    const auto refused = readAs({{"walk.mvnx", wrong}});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("frame 19, position: 10 numbers"), std::string::npos)
+        << refused.error().message;
+    const auto entity =
+        readAs({{"x.mvnx", "<?xml version=\"1.0\"?><!DOCTYPE mvnx [<!ENTITY a \"b\">]><mvnx>&a;</mvnx>"}});
+    ASSERT_FALSE(entity);
+    EXPECT_NE(entity.error().message.find("document type"), std::string::npos) << entity.error().message;
+}
+
+const char* kTable = "t;ax;ay;az;gx;gy;gz\n0;0;0;1000;90;0;0\n10;0;0;1000;90;0;0\n20;;0;1000;90;0;0\n";
+
+nlohmann::json mapOfTable() {
+    return nlohmann::json::parse(
+        R"({"format":"noctule-import-map","version":1,"time":{"column":"t","unit":"ms"},
+        "sensors":[{"id":"wrist","segment":"LeftForeArm","gyro":["gx","gy","gz"],"gyro_unit":"deg/s",
+        "accel":["ax","ay","az"],"accel_unit":"mg","axes":["y","-x","z"]}]})");
+}
+
+TEST(ColumnMap, UnitsAndAxesAreThoseOfTheMap) {
+    ImportChoice choice;
+    choice.map = mapOfTable();
+    const auto read = readAs({{"table.csv", kTable}}, choice);
+    ASSERT_TRUE(read) << read.error().text();
+    const ImportedSensor& sensor = read->sensors[0];
+    EXPECT_EQ(sensor.segment, "LeftForeArm");
+    EXPECT_NEAR(sensor.samples.rate_hz, 100, 1e-9);
+    EXPECT_LT((sensor.samples.gyro_rad_per_s[0] - Vector3d(0, -radians(90), 0)).norm(), 1e-12);
+    EXPECT_NEAR(sensor.samples.accel_m_per_s2[0].z(), kStandardGravity_m_per_s2, 1e-12);
+    EXPECT_FALSE(sensor.samples.accel_m_per_s2[2].allFinite());
+}
+
+TEST(ColumnMap, MistakesAreNamed) {
+    const auto refusal = [](const nlohmann::json& map) {
+        ImportChoice choice;
+        choice.map = map;
+        const auto read = readAs({{"table.csv", kTable}}, choice);
+        return read ? std::string() : read.error().text();
+    };
+    EXPECT_NE(refusal(nullptr).find("t, ax, ay"), std::string::npos) << refusal(nullptr);
+    nlohmann::json map = mapOfTable();
+    map["sensors"][0]["gyro"][1] = "wy";
+    EXPECT_NE(refusal(map).find("\"wy\""), std::string::npos) << refusal(map);
+    map = mapOfTable();
+    map["sensors"][0].erase("gyro_unit");
+    EXPECT_NE(refusal(map).find("gyro_unit is missing"), std::string::npos) << refusal(map);
+    map = mapOfTable();
+    map["sensors"][0]["axes"] = {"x", "y", "-z"};
+    EXPECT_NE(refusal(map).find("no turn"), std::string::npos) << "a mirror is no turn";
+    map = mapOfTable();
+    map["time"] = 3;
+    EXPECT_NE(refusal(map).find("time names no column"), std::string::npos) << refusal(map);
+}
+
+TEST(Clocks, GapsAndJumpsAreToldOf) {
+    ImportChoice choice;
+    choice.map = mapOfTable();
+    const std::string rows =
+        "t;ax;ay;az;gx;gy;gz\n0;0;0;1;0;0;0\n10;0;0;1;0;0;0\n20;0;0;1;0;0;0\n50;0;0;1;0;0;0\n"
+        "45;0;0;1;0;0;0\n60;0;0;1;0;0;0\n";
+    const auto read = readAs({{"table.csv", rows}}, choice);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->sensors[0].samples.size(), 7u);
+    EXPECT_TRUE(mentions(read->warnings, "2 of 7 rows are lost in 1 gaps"));
+    EXPECT_TRUE(mentions(read->warnings, "jumps back at 1 rows"));
+    const auto far = readAs({{"table.csv", rows + "90000000;0;0;1;0;0;0\n"}}, choice);
+    ASSERT_FALSE(far);
+    EXPECT_NE(far.error().message.find("clock jumps"), std::string::npos) << far.error().message;
+}
+
+TEST(Readings, ImpossibleOnesBecomeMissingAndAreSaid) {
+    ImportChoice choice;
+    choice.map = mapOfTable();
+    const auto read = readAs({{"table.csv", std::string(kTable) + "30;0;0;1000;1e30;0;0\n"}}, choice);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_FALSE(read->sensors[0].samples.gyro_rad_per_s[3].allFinite());
+    EXPECT_TRUE(mentions(read->warnings, "beyond any sensor's range"));
+}
+
+TEST(Markers, SixKindsOfC3dAgree) {
+    for (const int processor : {84, 85, 86})
+        for (const bool floats : {false, true}) {
+            const auto read = parseC3d(C3dExample(processor, floats).bytes(), "x.c3d", {});
+            ASSERT_TRUE(read) << read.error().text();
+            EXPECT_EQ(read->names, (std::vector<std::string>{"LASI", "Hips"}));
+            EXPECT_EQ(read->rate_hz, 200);
+            EXPECT_EQ(read->up, "Z");
+            ASSERT_EQ(read->rows(), 3u);
+            EXPECT_LT((read->at(2, 0) - Vector3d(0.102, -0.2, 0.3)).norm(), 1e-6) << processor << floats;
+            EXPECT_FALSE(read->at(1, 1).allFinite());
+            EXPECT_TRUE(read->warnings.empty()) << read->warnings.front();
+        }
+}
+
+TEST(Markers, TrcKeepsRowsWhateverItsHeaderCounts) {
+    const auto read = parseTrc(trcExample(), "x.trc", {});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->names, (std::vector<std::string>{"Hips", "LASI"}));
+    ASSERT_EQ(read->rows(), 3u);
+    EXPECT_LT((read->at(2, 0) - Vector3d(1.002, 0.5, 0.25)).norm(), 1e-12);
+    EXPECT_FALSE(read->at(1, 1).allFinite());
+    EXPECT_TRUE(mentions(read->warnings, "states 99 rows"));
+    const auto unknown = jointsOfMarkers(*read, {}, "", "x.trc");
+    ASSERT_FALSE(unknown);
+    EXPECT_NE(unknown.error().text().find("--up"), std::string::npos);
+    const auto joints = jointsOfMarkers(*read, {{"Hips", {"Hips", "LASI"}}}, "Z", "x.trc");
+    ASSERT_TRUE(joints) << joints.error().text();
+    EXPECT_EQ(joints->time_s.size(), 2u) << "the row in which LASI is not seen is left out";
+    EXPECT_LT((joints->at(0, 0) - Vector3d(0.251, 0.1265, 0.5005)).norm(), 1e-9) << "Z up becomes Y up";
+    EXPECT_FALSE(jointsOfMarkers(*read, {{"Hips", {"RASI"}}}, "Z", "x.trc"));
+}
+
+TEST(ImportedTakes, HoldTheMakersAttitudesBesideTheReadings) {
+    const Folder folder;
+    auto read = readAs({{"walk.mvnx", mvnxExample()}});
+    ASSERT_TRUE(read);
+    const std::string path = folder.file("walk.noctule");
+    const auto summary =
+        writeImportedTake(*read, {path, "walk", "2026-01-01T00:00:00Z", "test", "u", false}, {});
+    ASSERT_TRUE(summary) << summary.error().text();
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"walk.noctule"});
+    const auto take = Take::open(path);
+    ASSERT_TRUE(take) << take.error().text();
+    EXPECT_EQ(take->suit()->boards[1].segment, "RightUpLeg");
+    EXPECT_EQ(take->suit()->boards[1].rate_hz, 60);
+    const auto runs = take->derivedRuns();
+    ASSERT_TRUE(runs);
+    ASSERT_EQ(runs->size(), 1u);
+    const auto rows = take->orientations((*runs)[0].run, 1);
+    ASSERT_TRUE(rows);
+    ASSERT_EQ(rows->size(), 20u);
+    EXPECT_LT((*rows)[10].q_world_board.angularDistance(read->sensors[1].q_world_sensor[10]), 1e-9);
+    const auto reference = take->reference();
+    ASSERT_TRUE(reference) << reference.error().text();
+    EXPECT_EQ(reference->frames.size(), 20u);
+    EXPECT_EQ(reference->skeleton.joint(2).name, "LeftUpLeg");
+    EXPECT_FALSE(writeImportedTake(*read, {path, "walk", "2026-01-01T00:00:00Z", "test", "u", false}, {}));
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"walk.noctule"});
+}
+
+TEST(SegmentNames, WordsOfSeveralMakersAreKnown) {
+    for (const auto& [name, segment] :
+         std::vector<std::pair<std::string, std::string>>{{"calcn_r_imu", "RightFoot"},
+                                                          {"lower_back", "Spine"},
+                                                          {"upper_arm_left", "LeftArm"},
+                                                          {"RightUpperLeg", "RightUpLeg"},
+                                                          {"pelvis 64F0EDBF (UDP)", "Hips"},
+                                                          {"T8", "Chest"},
+                                                          {"hip", "Hips"},
+                                                          {"00B42D4B", ""},
+                                                          {"foot", ""}})
+        EXPECT_EQ(segmentByName(name).value_or(""), segment) << name;
+}
+
+}  // namespace
+}  // namespace noctule::test
