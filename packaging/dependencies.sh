@@ -19,6 +19,7 @@ jobs_need=(
     qtbase5-dev          # Qt5
     libqt5serialport5-dev # Qt5: SerialPort
     libepoxy-dev         # epoxy
+    liburdfdom-dev       # urdfdom: robots; brings tinyxml and console_bridge
     libegl-dev           # epoxy: pictures without a screen
     libgl1-mesa-dri      # OpenGL without a graphics card
     libassimp-dev        # assimp
