@@ -11,7 +11,9 @@
 namespace noctule::ui {
 namespace {
 
-TEST(HelpWindowTest, EveryDocumentOpensWithItsPicturesAndLinks) {
+using HelpWindowTest = test::StudioWindow;
+
+TEST_F(HelpWindowTest, EveryDocumentOpensWithItsPicturesAndLinks) {
     HelpWindow help;
     for (int row = 0; row < help.contents().count(); ++row) {
         const QString name = help.contents().item(row)->data(Qt::UserRole).toString();
@@ -33,7 +35,7 @@ TEST(HelpWindowTest, EveryDocumentOpensWithItsPicturesAndLinks) {
         << "a document is missing in the list";
 }
 
-TEST(HelpWindowTest, ALinkLeadsToTheOtherDocument) {
+TEST_F(HelpWindowTest, ALinkLeadsToTheOtherDocument) {
     HelpWindow help;
     help.show("guide");
     emit help.page().anchorClicked(QUrl("glossary.md"));
@@ -50,9 +52,7 @@ TEST(DiagnosisTest, NamesAndFoldersAreTakenOut) {
     EXPECT_TRUE(text.contains("is missing")) << text.toStdString();
 }
 
-using DiagnosisOfStudio = test::StudioWindow;
-
-TEST_F(DiagnosisOfStudio, SaysWhatHappenedAndNotToWhom) {
+TEST_F(HelpWindowTest, ADiagnosisSaysWhatHappenedAndNotToWhom) {
     LogFile log(folder_.filePath("state"));
     const StudioLog follows(*studio_, log);
     openSampleTake();
