@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QSlider>
 
 #include "core/body/bone_names.h"
@@ -23,13 +24,27 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kMotionDialogWidth = 1000, kFactsWidth = 430, kFactLabels = 110, kJointWidth = 200;
+constexpr int kMotionDialogWidth = 1000, kFactsWidth = 430, kFactLabels = 110, kJointWidth = 200,
+              kFactsHeight = 262;
 constexpr double kLeastHeight_m = 0.3, kMostHeight_m = 3, kAsShown_m = 0.29;
 constexpr const char* kScenarioKey = "motions/scenario";
 constexpr const char* kMapsFolderKey = "folders/bone_maps";
 
 int rowOf(const QComboBox& box, int value) {
     return std::max(0, box.findData(value));
+}
+
+/// Warnings name the option that helps on the command line; here the fields beside them do.
+QString withoutOptions(const QString& warning) {
+    static const QRegularExpression kEndOfClause("(?<=[.;]) ");
+    QStringList kept;
+    for (const QString& clause : warning.split(kEndOfClause))
+        if (!clause.contains("--"))
+            kept.append(clause);
+    QString text = kept.isEmpty() ? warning : kept.join(' ');
+    if (text.endsWith(';'))
+        text.chop(1);
+    return text.endsWith('.') ? text : text + '.';
 }
 
 /// What core says of a zero pose, in the language of the studio.
@@ -87,6 +102,7 @@ MotionDialog::MotionDialog(Studio& studio, const QString& path, QWidget* parent)
 QWidget* MotionDialog::makePicture() {
     auto* side = new QWidget;
     auto* column = makeColumn(side, {}, 8);
+    keepMinimumHeight(*picture_, 380);  // as high as the fields beside it need
     column->addWidget(picture_, 1);
     frame->setAccessibleName(tr("Frame of the motion"));
     column->addWidget(frame);
@@ -133,6 +149,9 @@ QWidget* MotionDialog::makeFacts() {
     height->setSpecialValueText(tr("as the file shows"));
     form->addRow(tr("Height"), height);
     form->addControl(exchange_sides);
+    for (QWidget* field : std::initializer_list<QWidget*>{up, unit, height, exchange_sides})
+        keepMinimumHeight(*field, 30);
+    keepMinimumHeight(*form, kFactsHeight);  // a wrapped label's height is not asked for in time
     column->addWidget(form);
     auto* head = addRow(column, 8);
     head->addWidget(matched_, 1);
@@ -226,6 +245,7 @@ void MotionDialog::present(const Result<MotionFile>& file) {
     showFacts();
     showRows();
     refresh();
+    fitHeight();
 }
 
 void MotionDialog::makeRows() {
@@ -338,7 +358,7 @@ void MotionDialog::showFacts() {
     for (const std::string& warning : file_.reader_warnings)
         warnings.append(QString::fromStdString(warning));
     for (const auto& said : motion ? motion->warnings : std::vector<std::string>())
-        warnings.append(QString::fromStdString(said) + ".");
+        warnings.append(withoutOptions(QString::fromStdString(said) + "."));
     warnings_->setText(warnings.join('\n'));
     warnings_->setVisible(!warnings.isEmpty());
     fills_ = false;
