@@ -22,6 +22,29 @@ Result<MotionClip> sampleMotion() {
     return toClip(*document);
 }
 
+struct Header {
+    std::string path, created_utc, software;
+};
+
+Status writeStaged(const simulation::StageRequest& request, simulation::Level level, const Header& header,
+                   const JobContext& job) {
+    job.progress(0, "Preparing the motion");
+    const auto stage = simulation::prepareStage(request);
+    if (!stage)
+        return stage.error();
+    if (job.cancelled())
+        return JobContext::cancelledError();
+    simulation::TakeRequest take;
+    take.out_path = header.path;
+    take.level = level;
+    take.name = batch::takeName(header.path);
+    take.created_utc = header.created_utc;
+    take.software = header.software;
+    if (const auto summary = simulation::writeTake(*stage, take, job); !summary)
+        return summary.error();
+    return Done{};
+}
+
 }  // namespace
 
 Status makeSampleTake(const std::string& path, const std::string& created_utc, const std::string& software,
@@ -29,24 +52,24 @@ Status makeSampleTake(const std::string& path, const std::string& created_utc, c
     auto clip = sampleMotion();
     if (!clip)
         return clip.error();
-    job.progress(0, "Preparing the motion");
     simulation::StageRequest request;
     request.suit = defaultSuit();
     request.clip = std::move(*clip);
     request.scenario = simulation::Scenario::nominal();
-    const auto stage = simulation::prepareStage(request);
-    if (!stage)
-        return stage.error();
-    if (job.cancelled())
-        return JobContext::cancelledError();
-    simulation::TakeRequest take;
-    take.out_path = path;
-    take.name = batch::takeName(path);
-    take.created_utc = created_utc;
-    take.software = software;
-    if (const auto summary = simulation::writeTake(*stage, take, job); !summary)
-        return summary.error();
-    return Done{};
+    return writeStaged(request, simulation::Level::kSignal, {path, created_utc, software}, job);
+}
+
+Status makeMotionTake(const MotionTake& wanted, const JobContext& job) {
+    const auto scenario = simulation::Scenario::named(wanted.scenario);
+    if (!scenario)
+        return scenario.error();
+    simulation::StageRequest request;
+    request.suit = defaultSuit();
+    request.clip = wanted.motion.clip;
+    request.joints = wanted.motion.joints;
+    request.scenario = *scenario;
+    return writeStaged(request, simulation::Level::kReadings,
+                       {wanted.path, wanted.created_utc, wanted.software}, job);
 }
 
 }  // namespace noctule::studio

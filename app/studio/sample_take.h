@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "core/figure/understood_motion.h"
 #include "core/job/job.h"
 #include "core/job/result.h"
 
@@ -17,5 +18,12 @@ constexpr const char* kSampleMotion = ":/noctule/motions/sample.bvh";
 /// Writes a new file; `created_utc` and `software` go into its header.
 Status makeSampleTake(const std::string& path, const std::string& created_utc, const std::string& software,
                       const JobContext& job);
+
+/// A suit on the person of a motion, straight to inertial and range rows. `scenario`: as `--scenario` has it.
+struct MotionTake {
+    const figure::UnderstoodMotion& motion;
+    std::string scenario, path, created_utc, software;
+};
+Status makeMotionTake(const MotionTake& wanted, const JobContext& job);
 
 }  // namespace noctule::studio

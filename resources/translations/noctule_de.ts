@@ -1256,6 +1256,14 @@
         <source>Takes (*.noctule)</source>
         <translation>Aufnahmen (*.noctule)</translation>
     </message>
+    <message>
+        <source>Choose a motion</source>
+        <translation>Eine Bewegung auswählen</translation>
+    </message>
+    <message>
+        <source>Motions (*.bvh)</source>
+        <translation>Bewegungen (*.bvh)</translation>
+    </message>
 </context>
 <context>
     <name>TransportBar</name>
@@ -4046,6 +4054,226 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>M sets a marker at the cursor.</source>
         <translation>M setzt eine Marke am Zeitzeiger.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MotionDialog</name>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>The motion becomes a take of this session: a simulated suit is worn by the person that it shows.</source>
+        <translation>Die Bewegung wird ein Take dieser Sitzung: Die Person, die sie zeigt, trägt einen simulierten Anzug.</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Exchange left and right</source>
+        <translation>Links und rechts vertauschen</translation>
+    </message>
+    <message>
+        <source>Find again</source>
+        <translation>Neu finden</translation>
+    </message>
+    <message>
+        <source>Save as bone map</source>
+        <translation>Als Knochenzuordnung speichern</translation>
+    </message>
+    <message>
+        <source>Frame of the motion</source>
+        <translation>Bild der Bewegung</translation>
+    </message>
+    <message>
+        <source>Ideal: no noise at all</source>
+        <translation>Ideal: ganz ohne Rauschen</translation>
+    </message>
+    <message>
+        <source>Nominal: as in a good room</source>
+        <translation>Nominal: wie in einem guten Raum</translation>
+    </message>
+    <message>
+        <source>Realistic: slipping boards, soft tissue</source>
+        <translation>Realistisch: rutschende Platinen, Weichteile</translation>
+    </message>
+    <message>
+        <source>Suit and room</source>
+        <translation>Anzug und Raum</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Figur</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Zero pose</source>
+        <translation>Nullpose</translation>
+    </message>
+    <message>
+        <source>Found by itself</source>
+        <translation>Selbst gefunden</translation>
+    </message>
+    <message>
+        <source>Y is up</source>
+        <translation>Y zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>Z is up</source>
+        <translation>Z zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Hochachse</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Decimetres (MakeHuman)</source>
+        <translation>Dezimeter (MakeHuman)</translation>
+    </message>
+    <message>
+        <source>CMU&apos;s unit, 5.64 cm</source>
+        <translation>Einheit der CMU, 5,64 cm</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>as the file shows</source>
+        <translation>wie die Datei zeigt</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Corrections of an earlier import with the same joints are in force.</source>
+        <translation>Korrekturen eines früheren Imports mit denselben Gelenken gelten.</translation>
+    </message>
+    <message>
+        <source>Understanding %1</source>
+        <translation>%1 wird gedeutet</translation>
+    </message>
+    <message>
+        <source>not in the file</source>
+        <translation>nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>Joint of %1</source>
+        <translation>Gelenk für: %1</translation>
+    </message>
+    <message>
+        <source>Bone maps (*.json)</source>
+        <translation>Knochenzuordnungen (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 m tall, %2 points up, 1 unit is %3 m</source>
+        <comment>height, axis, length</comment>
+        <translation>%1 m groß, %2 zeigt nach oben, 1 Einheit ist %3 m</translation>
+    </message>
+    <message>
+        <source>no person was found</source>
+        <translation>keine Person gefunden</translation>
+    </message>
+    <message>
+        <source>%1 at %2 per second</source>
+        <comment>frames, rate</comment>
+        <translation>%1 mit %2 je Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 of %2 joints matched</source>
+        <translation>%1 von %2 Gelenken zugeordnet</translation>
+    </message>
+    <message>
+        <source>No person was found yet.</source>
+        <translation>Noch wurde keine Person gefunden.</translation>
+    </message>
+    <message>
+        <source>The motion is being read.</source>
+        <translation>Die Bewegung wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read.</source>
+        <translation>Die Datei ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>Say which joints are which first.</source>
+        <translation>Zuerst die Gelenke zuordnen.</translation>
+    </message>
+    <message>
+        <source>T pose</source>
+        <translation>T-Pose</translation>
+    </message>
+    <message>
+        <source>A pose</source>
+        <translation>A-Pose</translation>
+    </message>
+    <message>
+        <source>arms down</source>
+        <translation>Arme hängen</translation>
+    </message>
+    <message>
+        <source>sitting</source>
+        <translation>sitzend</translation>
+    </message>
+    <message>
+        <source>bent trunk</source>
+        <translation>Rumpf gebeugt</translation>
+    </message>
+    <message>
+        <source>bones along one axis</source>
+        <translation>Knochen entlang einer Achse</translation>
+    </message>
+    <message>
+        <source>not a standing pose</source>
+        <translation>keine stehende Pose</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::MotionPicture</name>
+    <message>
+        <source>The figure from the front and from its left</source>
+        <translation>Die Figur von vorn und von ihrer linken Seite</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>From its left</source>
+        <translation>Von seiner Linken</translation>
+    </message>
+    <message>
+        <source>its left</source>
+        <translation>seine Linke</translation>
     </message>
 </context>
 <context>
@@ -7781,6 +8009,14 @@ Drehen, beide Richtungen x3</translation>
         <source>Take %1 broke off</source>
         <translation>Aufnahme %1 brach ab</translation>
     </message>
+    <message>
+        <source>Import motion</source>
+        <translation>Bewegung importieren</translation>
+    </message>
+    <message>
+        <source>A BVH file, worn by a simulated suit</source>
+        <translation>Eine BVH-Datei mit simuliertem Anzug</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::StatusLine</name>
@@ -7936,6 +8172,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Loading the body</source>
         <translation>Der Körper wird geladen</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 wird importiert</translation>
     </message>
 </context>
 <context>
@@ -8570,6 +8810,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Save diagnosis</source>
         <translation>Diagnose speichern</translation>
+    </message>
+    <message>
+        <source>Import motion</source>
+        <translation>Bewegung importieren</translation>
     </message>
 </context>
 <context>

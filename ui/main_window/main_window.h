@@ -47,6 +47,8 @@ public slots:
     void goTo(noctule::ui::Step step);
     /// A session's folder, its session.json, or a take. A take of a session opens with its session.
     void open(const QString& path);
+    /// Shows what the file was understood to be, and makes a take of it.
+    void importMotion(const QString& path);
     /// Opens the take's session and finishes its recording.
     void recoverTake(const QString& path);
     void showPreferences();

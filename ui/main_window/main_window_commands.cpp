@@ -23,6 +23,7 @@
 #include "ui/style/theme.h"
 #include "ui/views/body_dialog.h"
 #include "ui/views/connect_page.h"
+#include "ui/views/motion_dialog.h"
 #include "ui/views/session_commands.h"
 #include "ui/views/show_folder.h"
 #include "ui/views/start_page.h"
@@ -41,6 +42,10 @@ void MainWindow::connectActions() {
             open(takes.first());
     });
     on(Command::kImportTakes, [this] { SessionCommands::askForImport(this, studio_); });
+    on(Command::kImportMotion, [this] {
+        if (const QString path = SessionCommands::askForMotion(this, studio_); !path.isEmpty())
+            importMotion(path);
+    });
     on(Command::kShowFolder,
        [this] { showFolder(studio_, QString::fromStdString(studio_.session().session().folder.string())); });
     on(Command::kCloseSession, [this] { studio_.session().close(); });
@@ -116,6 +121,8 @@ Page* MainWindow::makePage(Step step) {
         connect(start, &StartPage::newSessionRequested, (*actions_)[Command::kNewSession], &QAction::trigger);
         connect(start, &StartPage::openSessionRequested, (*actions_)[Command::kOpenSession],
                 &QAction::trigger);
+        connect(start, &StartPage::importMotionRequested, (*actions_)[Command::kImportMotion],
+                &QAction::trigger);
         connect(start, &StartPage::openRequested, this, &MainWindow::open);
         connect(start, &StartPage::recoverRequested, this, &MainWindow::recoverTake);
         connect(start, &StartPage::rebuildRequested, &studio_.session(), &SessionModel::rebuild);
@@ -127,6 +134,10 @@ Page* MainWindow::makePage(Step step) {
         connect(connecting, &ConnectPage::putSuitOnRequested, (*actions_)[Command::kPutSuitOn],
                 &QAction::trigger);
     return page;
+}
+
+void MainWindow::importMotion(const QString& path) {
+    MotionDialog(studio_, path, this).exec();
 }
 
 void MainWindow::showPreferences() {

@@ -28,6 +28,10 @@ bool isTake(const QString& path) {
     return path.endsWith(".noctule", Qt::CaseInsensitive);
 }
 
+bool isMotion(const QString& path) {
+    return path.endsWith(".bvh", Qt::CaseInsensitive);
+}
+
 int endOfFirstSentence(const QString& text) {
     const int end = text.indexOf(". ");
     return end < 0 ? text.size() : end;
@@ -42,8 +46,8 @@ QString otherSentences(const QString& text) {
 QStringList localPaths(const QMimeData& data) {
     QStringList paths;
     for (const QUrl& url : data.urls())
-        if (url.isLocalFile() &&
-            (isTake(url.toLocalFile()) || SessionCommands::canBeOpened(url.toLocalFile())))
+        if (url.isLocalFile() && (isTake(url.toLocalFile()) || isMotion(url.toLocalFile()) ||
+                                  SessionCommands::canBeOpened(url.toLocalFile())))
             paths.append(url.toLocalFile());
     return paths;
 }
@@ -99,6 +103,8 @@ void MainWindow::open(const QString& path) {
             onFailure(tr("%1 holds no session").arg(file.fileName()),
                       tr("A session is a folder with a session.json in it. Choose that folder, or make a new "
                          "session."));
+    } else if (isMotion(path)) {
+        importMotion(path);
     } else if (file.fileName() == "session.json") {
         studio_.session().open(file.path());
     } else {

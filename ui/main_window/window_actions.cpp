@@ -19,6 +19,7 @@ void WindowActions::addFileActions() {
     add(Command::kOpenSession, tr("Open session"), {}, "open");
     add(Command::kOpenTake, tr("Open take"), {}, "");
     add(Command::kImportTakes, tr("Import takes into this session"), {}, "");
+    add(Command::kImportMotion, tr("Import motion"), {QKeySequence("Ctrl+Shift+M")}, "skeleton");
     add(Command::kShowFolder, tr("Show session folder"), {}, "folder");
     add(Command::kCloseSession, tr("Close session"), {}, "");
     add(Command::kExport, tr("Export"), {QKeySequence("Ctrl+E")}, "export");

@@ -14,6 +14,7 @@ enum class Command {
     kOpenSession,
     kOpenTake,
     kImportTakes,
+    kImportMotion,
     kShowFolder,
     kCloseSession,
     kExport,

@@ -33,8 +33,8 @@ void WindowMenus::buildFile() {
     connect(recent_menu_, &QMenu::aboutToShow, this, &WindowMenus::fillRecent);
     file_->addAction(actions_[Command::kOpenTake]);
     file_->addSeparator();
-    file_->addActions(
-        {actions_[Command::kImportTakes], actions_[Command::kExport], actions_[Command::kShowFolder]});
+    file_->addActions({actions_[Command::kImportTakes], actions_[Command::kImportMotion],
+                       actions_[Command::kExport], actions_[Command::kShowFolder]});
     file_->addSeparator();
     file_->addActions({actions_[Command::kCloseSession], actions_[Command::kQuit]});
 }

@@ -202,6 +202,38 @@ Job* Studio::tryVirtualSuit() {
     return trying_;
 }
 
+Job* Studio::importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion,
+                          const std::string& scenario) {
+    if (!makeSureOfSession())
+        return nullptr;
+    VirtualSessionRequest request;
+    request.take_base = motion->clip.name;
+    request.software = parts_.software;
+    request.created_utc = parts_.utc_now();
+    request.make_take = [make = parts_.make_motion_take, motion, scenario](const std::string& path,
+                                                                           const JobContext& job) {
+        return make(*motion, scenario, path, job);
+    };
+    return jobs_.start<std::string>(
+        tr("Importing %1").arg(words(motion->clip.name)),
+        [request, session = session_.session()](const JobContext& job) {
+            return makeSimulatedTake(request, session, job);
+        },
+        [this, folder = session_.session().folder](Result<std::string> made) -> QString {
+            if (!made) {
+                if (made.error().kind != ErrorKind::kCancelled)
+                    emit failed(words(made.error().message), words(made.error().remedy));
+                return {};
+            }
+            if (session_.isOpen() && session_.session().folder == folder) {
+                session_.refresh(words((session_.session().takesFolder() / (*made + ".noctule")).string()));
+                session_.setCurrentTake(session_.session().findTake(*made));
+                goTo(Step::kReview);
+            }
+            return tr("%1 is ready").arg(words(*made));
+        });
+}
+
 ProcessRequest Studio::accurateRequest(const std::string& take_path) {
     ProcessRequest request;
     request.take_path = take_path;

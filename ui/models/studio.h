@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 
+#include "core/figure/understood_motion.h"
 #include "core/mesh/skinned_mesh.h"
 #include "core/processing/process_take.h"
 #include "ui/jobs/jobs.h"
@@ -40,6 +41,10 @@ struct StudioParts {
     std::function<std::string()> utc_now;  ///< ISO 8601
     /// Writes a take of the virtual suit on a sample motion, not yet processed.
     std::function<Status(const std::string& path, const JobContext&)> make_sample_take;
+    /// Writes a take of the suit worn by the person of a motion, not yet processed. `scenario`: "nominal".
+    std::function<Status(const figure::UnderstoodMotion& motion, const std::string& scenario,
+                         const std::string& path, const JobContext&)>
+        make_motion_take{};
     /// Path of noctule-virtual-suit; empty: there is none.
     std::string virtual_suit_program{};
     /// Outlives the studio; null: nothing is logged.
@@ -87,6 +92,10 @@ public:
     /// A session with a sample take, processed and open in Review. The one made earlier is used again. A job;
     /// cancelled, nothing of it stays.
     Job* tryVirtualSuit();
+    /// A take of the open session (one by date when none is open) with a simulated suit on the motion's
+    /// person, processed and open in Review. A job; cancelled, nothing of it stays. Null: no session, and
+    /// session().failed() said why.
+    Job* importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion, const std::string& scenario);
     /// Makes one by date when none is open; false: it could not be made, and session().failed() said why.
     bool makeSureOfSession() { return suit_.makeSureOfSession(); }
     /// Starts the virtual suit's program and connects it.

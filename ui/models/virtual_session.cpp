@@ -7,7 +7,6 @@
 #include "core/job/atomic_file.h"
 #include "core/job/staged_progress.h"
 #include "core/processing/process_take.h"
-#include "core/session/session.h"
 
 namespace noctule::ui {
 namespace {
@@ -93,9 +92,11 @@ Status process(const std::string& path, const VirtualSessionRequest& request, co
     return summary ? Status(Done{}) : Status(summary.error());
 }
 
-/// Makes and processes the take in a hidden folder of the session; it comes into takes/ when it is whole.
-Result<std::string> makeTake(const VirtualSessionRequest& request, const Session& session,
-                             const JobContext& job) {
+}  // namespace
+
+/// In a hidden folder of the session; the take comes into takes/ when it is whole.
+Result<std::string> makeSimulatedTake(const VirtualSessionRequest& request, const Session& session,
+                                      const JobContext& job) {
     const std::string name = nextTakeName(session, request.take_base);
     const NewFolder workshop(asidePath((session.folder / kWorkshop).string()));
     std::error_code error;
@@ -116,8 +117,6 @@ Result<std::string> makeTake(const VirtualSessionRequest& request, const Session
     return name;
 }
 
-}  // namespace
-
 Result<VirtualSession> makeVirtualSession(const VirtualSessionRequest& request, const JobContext& job) {
     std::optional<Session> existing;
     const fs::path folder = chooseFolder(request, job, existing);
@@ -131,7 +130,7 @@ Result<VirtualSession> makeVirtualSession(const VirtualSessionRequest& request, 
     auto session = existing ? Result<Session>(*existing) : newSession(request, folder);
     if (!session)
         return session.error();
-    const auto take = makeTake(request, *session, job);
+    const auto take = makeSimulatedTake(request, *session, job);
     if (!take)
         return take.error();
     made.keep();

@@ -9,6 +9,7 @@
 
 #include "core/job/job.h"
 #include "core/job/result.h"
+#include "core/session/session.h"
 
 namespace noctule::ui {
 
@@ -24,6 +25,11 @@ struct VirtualSession {
     std::filesystem::path folder;
     std::string take;  ///< its name, processed
 };
+
+/// Makes a take, processes it and puts it into the session's takes; its name. Failed or cancelled, the disk
+/// is as it was. Of the request: names, maker and header.
+Result<std::string> makeSimulatedTake(const VirtualSessionRequest& request, const Session& session,
+                                      const JobContext& job);
 
 /// Failed or cancelled, the disk is as it was.
 Result<VirtualSession> makeVirtualSession(const VirtualSessionRequest& request, const JobContext& job);

@@ -54,6 +54,15 @@ QStringList SessionCommands::askForTakes(QWidget* parent, Studio& studio) {
     return paths;
 }
 
+QString SessionCommands::askForMotion(QWidget* parent, Studio& studio) {
+    const QString path = QFileDialog::getOpenFileName(parent, tr("Choose a motion"),
+                                                      studio.settings().value("folders/motions").toString(),
+                                                      tr("Motions (*.bvh)"));
+    if (!path.isEmpty())
+        studio.settings().setValue("folders/motions", QFileInfo(path).path());
+    return path;
+}
+
 void SessionCommands::import(QWidget* parent, Studio& studio, const QStringList& paths) {
     if (!paths.isEmpty() && !studio.session().isOpen())
         askForNew(parent, studio);

@@ -88,13 +88,16 @@ QWidget* StartPage::makeChoices() {
                          QKeySequence("Ctrl+N"), true);
     open_ = new BigButton("open", tr("Open session"), tr("Any folder with a session.json"),
                           QKeySequence("Ctrl+O"), false);
+    motion_ = new BigButton("skeleton", tr("Import motion"), tr("A BVH file, worn by a simulated suit"),
+                            QKeySequence("Ctrl+Shift+M"), false);
     try_ = new BigButton("play", tr("Try it with the virtual suit"),
                          tr("A simulated performer, nothing to plug in"), {}, false);
     progress_ = new JobProgress;
-    for (QWidget* widget : std::initializer_list<QWidget*>{new_, open_, try_, progress_})
+    for (QWidget* widget : std::initializer_list<QWidget*>{new_, open_, motion_, try_, progress_})
         column->addWidget(widget);
     connect(new_, &QAbstractButton::clicked, this, &StartPage::newSessionRequested);
     connect(open_, &QAbstractButton::clicked, this, &StartPage::openSessionRequested);
+    connect(motion_, &QAbstractButton::clicked, this, &StartPage::importMotionRequested);
     connect(try_, &QAbstractButton::clicked, this, &StartPage::tryVirtualSuit);
     connect(progress_, &JobProgress::ended, this, [this] { try_->setEnabled(true); });
     return choices;

@@ -40,6 +40,7 @@ public:
 signals:
     void newSessionRequested();
     void openSessionRequested();
+    void importMotionRequested();
     void openRequested(const QString& path);  ///< a session's folder or a take
     void recoverRequested(const QString& take_path);
     void rebuildRequested(const QString& session_folder);
@@ -75,7 +76,7 @@ private:
     QVBoxLayout* suit_cards_ = nullptr;
     Button* connect_other_ = nullptr;
     QList<Button*> suit_buttons_;
-    BigButton *new_, *open_, *try_;
+    BigButton *new_, *open_, *motion_, *try_;
     JobProgress* progress_;
     Label* nothing_found_;
     QVBoxLayout* cards_;

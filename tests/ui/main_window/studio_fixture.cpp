@@ -48,6 +48,14 @@ StudioParts StudioWindow::parts() const {
     parts.software = "noctule 0.1.0";
     parts.utc_now = [] { return std::string("2026-01-01T00:00:00Z"); };
     parts.make_sample_take = makeQuickTake;
+    parts.make_motion_take = [](const figure::UnderstoodMotion& motion, const std::string& scenario,
+                                const std::string& path, const JobContext& job) -> Status {
+        const auto world = simulation::Scenario::named(scenario);
+        if (!world)
+            return world.error();
+        return noctule::test::writeSimulatedTake(
+            path, {.clip = motion.clip, .duration_s = 3, .rest_seconds = 0.5, .scenario = *world}, job);
+    };
     parts.virtual_suit_program = NOCTULE_PROGRAM "-virtual-suit";
     return parts;
 }
