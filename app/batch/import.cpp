@@ -7,6 +7,7 @@
 #include "app/batch/program.h"
 #include "app/batch/signals.h"
 #include "app/batch/verb.h"
+#include "core/assignment/assign_segments.h"
 #include "core/import/import_format.h"
 #include "core/import/import_take.h"
 #include "devices/device/clock.h"
@@ -69,6 +70,29 @@ Result<ImportedRecording> readRecording(const VerbContext& context) {
     if (!format)
         return unknownKind(*files);
     return readImport(*format, *files, *choice, context.job());
+}
+
+/// Segments by movement, with a confidence for each.
+Result<nlohmann::json> assignByMovement(ImportedRecording& recording, const JobContext& job) {
+    std::vector<ImuSamples> samples;
+    for (const ImportedSensor& sensor : recording.sensors)
+        samples.push_back(sensor.samples);
+    const auto found = assignment::assignSegments(samples, job);
+    if (!found)
+        return found.error();
+    nlohmann::json sensors = nlohmann::json::array();
+    for (size_t s = 0; s < found->sensors.size(); ++s) {
+        const auto& [segment, confidence] = found->sensors[s];
+        recording.sensors[s].segment = segment;
+        char note[120];
+        std::snprintf(note, sizeof note, " by movement, confidence %.2f", confidence);
+        recording.notes.push_back(recording.sensors[s].id + " sits on " + segment + note);
+        sensors.push_back(
+            {{"id", recording.sensors[s].id}, {"segment", segment}, {"confidence", confidence}});
+    }
+    recording.warnings.insert(recording.warnings.end(), found->warnings.begin(), found->warnings.end());
+    return nlohmann::json{
+        {"sensors", sensors}, {"legs_side", found->legs_side}, {"arms_side", found->arms_side}};
 }
 
 std::string partsOf(const ImportedSensor& sensor) {
@@ -142,12 +166,21 @@ Result<Outcome> runImport(const VerbContext& context) {
     if (arguments.text("assign") == "none")
         for (ImportedSensor& sensor : recording->sensors)
             sensor.segment.clear();
+    nlohmann::json assigned;
+    if (arguments.text("assign") == "auto") {
+        auto found = assignByMovement(*recording, context.job());
+        if (!found)
+            return found.error();
+        assigned = std::move(*found);
+    }
     for (const std::string& warning : recording->warnings)
         context.console.warn(path + ": " + warning);
     nlohmann::json found = {{"format", recording->format},
                             {"sensors", nlohmann::json::array()},
                             {"notes", recording->notes},
                             {"warnings", recording->warnings}};
+    if (!assigned.is_null())
+        found["assigned"] = std::move(assigned);
     for (const ImportedSensor& sensor : recording->sensors)
         found["sensors"].push_back(sensorJson(sensor));
     if (list)
@@ -178,22 +211,25 @@ Verb importVerb() {
     verb.min_operands = 1;
     verb.max_operands = kAnyNumber;
     verb.example = "noctule --batch import walk/MT_*.txt --out walk_001.noctule";
-    verb.options = {
-        text("out", "T.noctule", "the take to make"),
-        flag("list", "show what was found and make no take"),
-        choice("as", formatNames(), "the kind of recording; auto: by its content").orElse("auto"),
-        number("rate", "HZ", 1, 10000, "rows a second, in place of what the file says"),
-        choice("world", worldFrameNames(),
-               "axes of the recording's attitudes, in place of what the file says"),
-        text("map", "MAP.json", "columns, units and axes of a table of any program"),
-        choice("assign", {"names", "none"}, "segments of the sensors: by their names or left open")
-            .orElse("names")};
+    verb.options = {text("out", "T.noctule", "the take to make"),
+                    flag("list", "show what was found and make no take"),
+                    choice("as", formatNames(), "the kind of recording; auto: by its content").orElse("auto"),
+                    number("rate", "HZ", 1, 10000, "rows a second, in place of what the file says"),
+                    choice("world", worldFrameNames(),
+                           "axes of the recording's attitudes, in place of what the file says"),
+                    text("map", "MAP.json", "columns, units and axes of a table of any program"),
+                    choice("assign", {"names", "auto", "none"},
+                           "segments of the sensors: by their names, by movement or left open")
+                        .orElse("names")};
     verb.remarks = {
         "Kinds: MATLAB level 5 (BROAD, qmt), MVNX, MT Manager's text (one file per sensor), x-IMU3 (folders "
         "or "
         ".ximu3), OpenSense .sto, and any table with --map.",
         "Sensors, rates, units, axes and gaps are shown before the take is made. Units are checked by what "
         "gravity shows; every conversion and assumption is said.",
+        "--assign auto tells by walking or free movement of ten seconds and more which of 7, 8 or 16 sensors "
+        "sits "
+        "where, however it is mounted and turned.",
         "The maker's own attitudes become a run of kind orientation; an optical system's or MVN's result "
         "becomes "
         "the reference."};
