@@ -6,7 +6,7 @@
 #include "app/batch/verb.h"
 #include "core/formats/text_file.h"
 #include "core/job/atomic_file.h"
-#include "core/processing/calibrate_takes.h"
+#include "core/processing/calibrate_sensors.h"
 #include "devices/device/clock.h"
 
 namespace noctule::batch {
@@ -23,6 +23,7 @@ struct Plan {
     bool knows_performer = false;  ///< --actor
     bool measures = false;         ///< --actor-out
     bool checks_only = false;      ///< --calibration, and nothing but a report is written
+    bool stores = false;           ///< --store
 };
 
 Result<CalibrateRequest> requestOf(const Arguments& arguments, const Plan& plan) {
@@ -101,6 +102,10 @@ Result<Outcome> run(const VerbContext& context, const Plan& plan) {
     const bool refused = result->grade() == Grade::kNotUsable && !outputs.force;
     if (Status written = write(*result, outputs, refused); !written)
         return written.error();
+    const bool stored = plan.stores && context.arguments.given("store") && !refused;
+    if (stored)
+        if (Status done = storeCalibration(request->take_paths, result->calibration); !done)
+            return done.error();
     Outcome outcome{result->json, calibrationText(result->document), std::nullopt};
     if (refused) {
         outcome.failure = refusal(*result, plan);
@@ -109,6 +114,8 @@ Result<Outcome> run(const VerbContext& context, const Plan& plan) {
     } else if (!outputs.calibration.empty()) {
         outcome.json["calibration"] = outputs.calibration;
         outcome.text += "\nWritten: " + outputs.calibration + "\n";
+        if (stored)
+            outcome.text += "In force in the takes now\n";
     }
     return outcome;
 }
@@ -237,6 +244,44 @@ Verb calibrateGyroscopesVerb() {
             return calibrateGyroscopes(request, arguments.number("rpm").value_or(0), job);
         };
         return run(context, {.verb = "calibrate gyroscopes", .solve = solve});
+    };
+    return verb;
+}
+
+Verb calibrateMagnetometersVerb() {
+    Verb verb = calibrationVerb(
+        "magnetometers", "find hard and soft iron from boards turned through all directions", "M.noctule...",
+        "turned_001.noctule --out suit.json --store",
+        {number("strength", "UT", 10, 100,
+                "strength of the field there in microtesla; as the readings have it when not given"),
+         flag("store", "put the calibration in force in these takes too")});
+    verb.remarks.push_back(
+        "Turn each board, or the whole suit in a bag, slowly through all directions in one "
+        "place; directions that are missing are named. Stretches in which the field is bent "
+        "stand in --json.");
+    verb.run = [](const VerbContext& context) {
+        const auto solve = [](const CalibrateRequest& request, const Arguments& arguments,
+                              const JobContext& job) {
+            return calibrateMagnetometers(request, arguments.number("strength"), job);
+        };
+        return run(context, {.verb = "calibrate magnetometers", .solve = solve, .stores = true});
+    };
+    return verb;
+}
+
+Verb calibrateInertialVerb() {
+    Verb verb =
+        calibrationVerb("inertial", "calibrate gyroscopes and accelerometers by hand, without a turntable",
+                        "H.noctule...", "by_hand_001.noctule --out suit.json --store",
+                        {flag("store", "put the calibration in force in these takes too")});
+    verb.remarks.push_back(
+        "Lay the sensor down still for two seconds in 12 positions and more, and turn it about "
+        "all axes between them (Tedaldi 2014).");
+    verb.run = [](const VerbContext& context) {
+        const auto solve = [](const CalibrateRequest& request, const Arguments&, const JobContext& job) {
+            return calibrateInertial(request, job);
+        };
+        return run(context, {.verb = "calibrate inertial", .solve = solve, .stores = true});
     };
     return verb;
 }

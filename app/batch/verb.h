@@ -59,6 +59,8 @@ Verb orientVerb();
 Verb calibrateSourcesVerb();
 Verb calibrateAccelerometersVerb();
 Verb calibrateGyroscopesVerb();
+Verb calibrateMagnetometersVerb();
+Verb calibrateInertialVerb();
 Verb calibrateRestPoseVerb();
 Verb calibrateMotionVerb();
 Verb checkVerb();

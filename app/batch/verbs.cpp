@@ -24,6 +24,8 @@ const std::vector<Verb>& verbs() {
                                           calibrateSourcesVerb(),
                                           calibrateAccelerometersVerb(),
                                           calibrateGyroscopesVerb(),
+                                          calibrateMagnetometersVerb(),
+                                          calibrateInertialVerb(),
                                           calibrateRestPoseVerb(),
                                           calibrateMotionVerb(),
                                           checkVerb()};

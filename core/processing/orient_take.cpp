@@ -77,6 +77,8 @@ private:
             for (Eigen::Index axis = 0; axis < 3 && !samples.mag.empty(); ++axis)
                 if (row.magnetometer_counts[size_t(axis)])
                     samples.mag[i][axis] = *row.magnetometer_counts[size_t(axis)];
+            if (values->mag && !samples.mag.empty())
+                samples.mag[i] = values->mag->apply(samples.mag[i]);
         }
         for (size_t i = 0; i < count; ++i) {
             out.missing += !samples.gyro_rad_per_s[i].allFinite() || !samples.accel_m_per_s2[i].allFinite();

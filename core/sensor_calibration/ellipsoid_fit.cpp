@@ -18,7 +18,7 @@ namespace {
 using Unknowns = Eigen::Matrix<double, 9, 1>;
 using Normal = Eigen::Matrix<double, 9, 9>;
 
-constexpr int kMostSteps = 100;
+constexpr int kMostSteps = 30, kMostRounds = 40;
 constexpr double kTukey = 4.685;  ///< keeps 95 % efficiency on Gaussian residuals
 constexpr double kSigmaOfMad = 1.4826;
 
@@ -124,6 +124,31 @@ double conditionOf(const Normal& N) {
     return values[8] / std::max(values[0], 1e-300);
 }
 
+/// Steps until the cost falls no further; how many.
+int descend(const LengthResiduals& problem, const Eigen::VectorXd& weights, Unknowns& x,
+            Eigen::VectorXd& residuals) {
+    double damping = 1e-3;
+    Unknowns right;
+    for (int steps = 0; steps < kMostSteps; ++steps) {
+        Normal N = normalOf(problem, x, residuals, weights, right);
+        N.diagonal() *= 1 + damping;
+        const Unknowns step = N.ldlt().solve(right);
+        const Eigen::VectorXd tried = problem.values(x + step);
+        if (!step.allFinite() || !(costOf(tried, weights) < costOf(residuals, weights))) {
+            damping *= 10;
+            if (damping > 1e3)
+                return steps;
+            continue;
+        }
+        x += step;
+        residuals = tried;
+        damping = std::max(damping / 10, 1e-9);
+        if (step.norm() < 1e-9 * x.norm())
+            return steps;
+    }
+    return kMostSteps;
+}
+
 }  // namespace
 
 EllipsoidFit fitEllipsoid(const std::vector<Vector3d>& readings, double length, EllipsoidForm form) {
@@ -142,28 +167,13 @@ EllipsoidFit fitEllipsoid(const std::vector<Vector3d>& readings, double length, 
     const LengthResiduals problem(scaled, form);
     Unknowns x = sphereStart(scaled), right;
     EllipsoidFit fit;
-    double damping = 1e-3;
-    Eigen::VectorXd residuals = problem.values(x), weights = tukeyWeights(residuals);
-    weights.setOnes();  // the start is a sphere: nothing is doubted before the shape is known
-    for (fit.iterations = 0; fit.iterations < kMostSteps; ++fit.iterations) {
-        Normal N = normalOf(problem, x, residuals, weights, right);
-        N.diagonal() *= 1 + damping;
-        const Unknowns step = N.ldlt().solve(right);
-        const Eigen::VectorXd tried = problem.values(x + step);
-        if (!step.allFinite() || costOf(tried, weights) > costOf(residuals, weights)) {
-            damping *= 10;
-            if (damping > 1e8)
-                break;
-            continue;
-        }
-        x += step;
-        residuals = tried;
-        damping = std::max(damping / 10, 1e-9);
-        if (fit.iterations >= 8)
-            weights = tukeyWeights(residuals);
-        fit.converged = step.norm() < 1e-6 * x.norm();
-        if (fit.converged && fit.iterations > 12)
-            break;
+    Eigen::VectorXd residuals = problem.values(x), weights = Eigen::VectorXd::Ones(residuals.size());
+    // Nothing is doubted in the first round, before the shape is known.
+    for (int round = 0; round < kMostRounds && !fit.converged; ++round) {
+        const Unknowns before = x;
+        fit.iterations += descend(problem, weights, x, residuals);
+        weights = tukeyWeights(residuals);
+        fit.converged = round > 1 && (x - before).norm() < 1e-6 * x.norm();
     }
     const Normal N = normalOf(problem, x, residuals, weights, right);
     fit.condition = conditionOf(N);

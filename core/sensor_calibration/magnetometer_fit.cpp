@@ -77,6 +77,23 @@ std::string wordsOf(const std::vector<std::string>& names, size_t most) {
     return list + (names.size() > most ? " and " + std::to_string(names.size() - most) + " more" : "");
 }
 
+bool isDetermined(const MagnetometerFit& fit) {
+    const EllipsoidFit& e = fit.ellipsoid;
+    return e.converged && e.condition < kMostCondition &&
+           (e.matrix * e.sigma_zero).cwiseAbs().maxCoeff() < kMostZeroSigma * fit.strength_ut;
+}
+
+/// From the middle of the readings' box: what a fit that is not determined says of directions means nothing.
+DirectionCoverage coverageAsRead(const std::vector<Vector3d>& points) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& point : points)
+        box.extend(point);
+    std::vector<Vector3d> directions;
+    for (const Vector3d& point : points)
+        directions.push_back(point - box.center());
+    return coverageOf(directions);
+}
+
 void judge(MagnetometerFit& fit) {
     const EllipsoidFit& e = fit.ellipsoid;
     const Eigen::Vector3d axes =
@@ -87,8 +104,7 @@ void judge(MagnetometerFit& fit) {
         fit.problem = "the field was seen along " + std::to_string(fit.coverage.covered) + " of " +
                       std::to_string(DirectionCoverage::kDirections) + " directions";
         fit.remedy = turn;
-    } else if (!e.converged || !(e.condition < kMostCondition) ||
-               !((e.matrix * e.sigma_zero).cwiseAbs().maxCoeff() < kMostZeroSigma * fit.strength_ut)) {
+    } else if (!isDetermined(fit)) {
         fit.problem = "the turns do not determine the fit";
         fit.remedy =
             fit.coverage.missing.empty() ? "Turn the board about all its axes, slowly, in one place" : turn;
@@ -122,7 +138,7 @@ MagnetometerFit fitMagnetometer(const std::vector<Vector3d>& readings, std::opti
     std::vector<Vector3d> calibrated;
     for (const Vector3d& point : points)
         calibrated.push_back(matrix * (point - fit.ellipsoid.zero));
-    fit.coverage = coverageOf(calibrated);
+    fit.coverage = isDetermined(fit) ? coverageOf(calibrated) : coverageAsRead(points);
     fit.before_percent = spreadPercent(points, Vector3d::Zero(), Matrix3d::Identity());
     fit.after_percent = spreadPercent(points, fit.ellipsoid.zero, matrix);
     judge(fit);

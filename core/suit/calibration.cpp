@@ -51,6 +51,8 @@ CalibrationHistory readHistory(JsonObject& json, std::optional<Error>& error) {
 nlohmann::json toJson(const BoardCalibration& board) {
     nlohmann::json members{{"id", board.id}, {"gyro", toJson(board.gyro)}, {"accel", toJson(board.accel)}};
     addOrigin(members, board.serial, board.made);
+    if (board.mag)
+        members["mag"] = toJson(*board.mag);
     if (board.mic_delay_s != 0)
         members["mic_delay_s"] = board.mic_delay_s;
     if (board.p_segment_board_m)
@@ -145,6 +147,8 @@ BoardCalibration readBoardCalibration(JsonObject& json, std::optional<Error>& er
     board.made = readHistory(json, error);
     board.gyro = readAxes(json, "gyro", error);
     board.accel = readAxes(json, "accel", error);
+    if (!json.objectOrEmpty("mag").empty())
+        board.mag = readAxes(json, "mag", error);
     board.mic_delay_s = json.numberOr("mic_delay_s", 0);
     board.p_segment_board_m = json.optionalVector("p_segment_board_m");
     board.q_segment_board = json.optionalQuaternion("q_segment_board");

@@ -32,13 +32,15 @@ struct CalibrationMade {
 
     bool operator==(const CalibrationMade&) const = default;
 };
-/// Keys are those of `noctule --batch calibrate`: sources, accelerometers, gyroscopes, rest-pose, motion.
+/// Keys are those of `noctule --batch calibrate`: sources, accelerometers, gyroscopes, magnetometers,
+/// inertial, rest-pose, motion.
 using CalibrationHistory = std::map<std::string, CalibrationMade>;
 
 struct BoardCalibration {
     std::string id;
-    AxisCalibration gyro;   ///< rad/s
-    AxisCalibration accel;  ///< m/s^2
+    AxisCalibration gyro;                  ///< rad/s
+    AxisCalibration accel;                 ///< m/s^2
+    std::optional<AxisCalibration> mag{};  ///< microtesla; none: readings are taken as they are
     double mic_delay_s = 0;
     std::optional<Vector3d> p_segment_board_m;  ///< corrected mounting, replaces the suit's
     std::optional<Quaterniond> q_segment_board;

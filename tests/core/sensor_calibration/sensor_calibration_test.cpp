@@ -43,7 +43,8 @@ struct SimulatedField {
     Matrix3d soft;
 };
 
-/// A share of the readings is taken near a magnet that the fit does not know.
+/// A share of the readings is taken near a magnet that the fit does not know. `reach` below 1: the board is
+/// turned about its z axis and tilted by that much at most.
 SimulatedField turnedBoard(unsigned seed, double disturbed_share, double reach) {
     Simulator simulate(seed);
     SimulatedField field;
@@ -53,7 +54,10 @@ SimulatedField turnedBoard(unsigned seed, double disturbed_share, double reach) 
     field.soft = Matrix3d::Identity() + 0.5 * (part + part.transpose());
     for (int i = 0; i < 3000; ++i) {
         Vector3d direction = simulate.direction();
-        direction.z() *= reach;
+        if (reach < 1) {
+            const double turn = 2 * std::numbers::pi * simulate.uniform();
+            direction = Vector3d(std::cos(turn), std::sin(turn), reach * (2 * simulate.uniform() - 1));
+        }
         const Vector3d truth = kEarth_ut * direction.normalized();
         Vector3d reading = field.soft * truth + field.hard + simulate.noise(0.5);
         if (simulate.uniform() < disturbed_share)
