@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a robot's arms answer to a performer's: which joints are shoulder, elbow and wrist, how the robot's
+// base stands to a chest, the limits of motion. Saved per robot as JSON (README.md); made from the URDF by
+// names and shape where there is none.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "core/robot/chain.h"
+#include "core/robot/performer_arms.h"
+
+namespace noctule::robot {
+
+struct ArmProfile {
+    std::string name;          ///< "right"
+    Side side = Side::kRight;  ///< which arm of the performer moves it
+    std::string base, tip;     ///< links; the base carries the shoulders
+    /// Joints whose origins stand for the performer's; no wrist joint: a point of the elbow's link.
+    std::string shoulder_joint, elbow_joint, wrist_joint;
+    Vector3d p_elbow_wrist_m = Vector3d::Zero();
+    /// Axes of the performer's chest (x left, y up, z forward) in the base link's frame.
+    Matrix3d R_base_body = Matrix3d::Identity();
+    /// Joint values in the reference posture: upper arm down, forearm ahead.
+    std::vector<double> reference_rad;
+    std::vector<double> max_speed;  ///< rad/s, per joint of the chain
+};
+
+struct MappingWeights {
+    double posture = 0.09;  ///< of the squared chord of upper arm and forearm
+    double wrist_per_arm =
+        0.3;             ///< the scaled wrist's sigma as a part of the scale; smaller: place before posture
+    double hand = 0.01;  ///< of the squared turn of the hand; 0: the wrist's joints keep still
+    double stay = 1e-4;  ///< of the squared way of each joint in a frame
+};
+
+struct RobotProfile {
+    std::string robot;
+    std::vector<ArmProfile> arms;
+    std::vector<std::string> trunk_joints;      ///< from the root up to the arms' base; followed by the chest
+    std::string trunk_base, trunk_tip;          ///< links around them
+    double max_acceleration = 0, max_jerk = 0;  ///< rad/s^2 and rad/s^3; 0: not limited
+    double capsule_radius_m = 0.04;             ///< of links without a primitive shape
+    double clearance_m = 0.01;  ///< between capsules of different parts; 0: they are not watched
+    MappingWeights weights;
+};
+
+/// Speed of joints whose file states none that means anything.
+inline constexpr double kUsualSpeed_rad_per_s = 2.5;
+
+/// An arm with its joints looked up in the robot.
+struct RobotArm {
+    ArmProfile profile;
+    Chain chain;
+    int shoulder = 0, elbow = 0, wrist = -1;
+    JointVector reference;
+    double length_m = 0;                         ///< shoulder to elbow to wrist
+    Matrix3d R_body_tip = Matrix3d::Identity();  ///< in the reference posture
+
+    struct Points {
+        Vector3d shoulder, elbow, wrist;  ///< in the base's frame
+    };
+    Points points(const ChainState& state) const;
+};
+
+/// kUnusable names the joint or link that the robot has not.
+Result<RobotArm> makeArm(const RobotModel& model, const ArmProfile& profile);
+
+/// kUnusable when no arm is found; the remedy says what to write.
+Result<RobotProfile> makeProfile(const RobotModel& model);
+
+nlohmann::json toJson(const RobotProfile& profile);
+/// `where` names the file in errors (kUnreadable).
+Result<RobotProfile> profileFromJson(const nlohmann::json& json, const std::string& where);
+
+}  // namespace noctule::robot

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/formats/bvh.h"
+#include "core/math/rotation.h"
+#include "core/robot/arm_follower.h"
+#include "core/robot/motion_mapping.h"
+#include "tests/core/robot/robots.h"
+
+namespace noctule::robot {
+namespace {
+
+const std::string kHandshake = "/../shared/data/bvh/cmu/pair_handshake/18_01.bvh";
+const std::string kDance = "/../shared/data/bvh/cmu/pair_salsa/60_05_scaled.bvh";
+
+class RobotMapping : public WithRobots {
+protected:
+    void SetUp() override {
+        WithRobots::SetUp();
+        if (!std::filesystem::exists(NOCTULE_SOURCE_DIR + kDance))
+            GTEST_SKIP() << "needs ../shared/data/bvh";
+    }
+
+    static MotionClip motion(const std::string& file, double frame_time_s = 0) {
+        const auto document = readBvh(NOCTULE_SOURCE_DIR + file);
+        EXPECT_TRUE(document);
+        auto clip = toClip(*document);
+        EXPECT_TRUE(clip);
+        if (frame_time_s > 0)
+            clip->frame_time_s = frame_time_s;
+        return std::move(*clip);
+    }
+    /// Its size does not matter to directions and scaled places. It is declared at 120 Hz, at which its
+    /// pelvis spins at 1270 deg/s; it is one of 60 Hz.
+    static MotionClip dance() { return motion(kDance, 1.0 / 60); }
+};
+
+struct Figures {
+    double upper_deg = 0, forearm_deg = 0, wrist_mm = 0;
+};
+
+Figures meanOf(const RobotTrajectory& trajectory) {
+    Figures mean;
+    for (const ArmFigures& arm : trajectory.arms) {
+        const double share = 1.0 / static_cast<double>(trajectory.arms.size());
+        mean.upper_deg += share * arm.upper_mean_deg;
+        mean.forearm_deg += share * arm.forearm_mean_deg;
+        mean.wrist_mm += share * arm.wrist_mean_mm;
+    }
+    return mean;
+}
+
+RobotProfile profileFor(const RobotModel& model, double speed) {
+    auto profile = makeProfile(model);
+    EXPECT_TRUE(profile) << (profile ? "" : profile.error().text());
+    for (ArmProfile& arm : profile->arms)
+        for (double& one : arm.max_speed)
+            one = speed > 0 ? speed : one;
+    return std::move(*profile);
+}
+
+/// Self-collision is left out where figures are compared with those of a bare arm.
+enum class Parts { kWatched, kIgnored };
+
+Figures run(const std::string& robot, const MotionClip& clip, double speed, Mapping mapping, const char* what,
+            Parts parts = Parts::kIgnored) {
+    const auto model = readUrdf(kRobots + robot);
+    EXPECT_TRUE(model);
+    RobotProfile profile = profileFor(*model, speed);
+    if (parts == Parts::kIgnored)
+        profile.clearance_m = 0;
+    const auto mapped = mapMotion(clip, *model, profile, {mapping, true, true, false});
+    EXPECT_TRUE(mapped) << (mapped ? "" : mapped.error().text());
+    if (!mapped)
+        return {};
+    const auto limits = limitsOf(*model, profile, *mapped);
+    EXPECT_TRUE(limits);
+    const LimitUse use = limitUse(*mapped, *limits);
+    EXPECT_LE(std::max({use.place, use.speed, use.acceleration, use.jerk}), 1 + 1e-6) << what << use.joint;
+    const Figures mean = meanOf(*mapped);
+    std::printf("%-34s %5.2f %5.2f deg %6.2f mm, held %d", what, mean.upper_deg, mean.forearm_deg,
+                mean.wrist_mm, mapped->held_frames);
+    for (const ArmFigures& arm : mapped->arms)
+        std::printf(" | %s %.1f %.1f %.1f max %.0f %.0f %.0f lim %d", arm.arm.c_str(), arm.upper_mean_deg,
+                    arm.forearm_mean_deg, arm.wrist_mean_mm, arm.upper_max_deg, arm.forearm_max_deg,
+                    arm.wrist_max_mm, arm.limited_frames);
+    std::printf(" of %zu, nearest %.0f mm %s\n", mapped->frames.size(), 1e3 * mapped->nearest_m,
+                mapped->nearest_parts.c_str());
+    return mean;
+}
+
+constexpr const char* kG1 = "unitree_g1/g1_29dof_rev_1_0.urdf";
+constexpr const char* kR2 = "robonaut2/r2.urdf";
+
+TEST_F(RobotMapping, FollowsAHandshakeWithinTheTargets) {
+    const MotionClip clip = motion(kHandshake);
+    const Figures g1 = run(kG1, clip, 6, Mapping::kPosture, "G1 handshake");
+    EXPECT_LE(g1.upper_deg, 3);
+    EXPECT_LE(g1.forearm_deg, 3);
+    EXPECT_LE(g1.wrist_mm, 3);
+    const Figures r2 = run(kR2, clip, 2.5, Mapping::kPosture, "R2 handshake");
+    EXPECT_LE(r2.upper_deg, 6.5);
+    EXPECT_LE(r2.forearm_deg, 6.5);
+    EXPECT_LE(r2.wrist_mm, 6);
+}
+
+// The targets of place and posture are not reached on the dance; run() proves that no limit is broken.
+TEST_F(RobotMapping, FollowsADanceWithinTheLimits) {
+    run(kG1, dance(), 6, Mapping::kPosture, "G1 dance");
+    run(kR2, dance(), 50, Mapping::kPosture, "R2 dance");
+}
+
+TEST_F(RobotMapping, TheBaselineIsFaithfulInPostureOnly) {
+    const MotionClip clip = motion(kHandshake);
+    for (const char* robot : {kG1, kR2}) {
+        const Figures ours = run(robot, clip, 6, Mapping::kPosture, robot);
+        const Figures miller = run(robot, clip, 6, Mapping::kMillerTrunk, "  Miller with a trunk sensor");
+        run(robot, clip, 6, Mapping::kMiller, "  Miller to the letter");
+        EXPECT_LT(ours.wrist_mm, miller.wrist_mm);
+    }
+}
+
+TEST_F(RobotMapping, EveryRobotGetsAProfileFromItsUrdf) {
+    for (const char* file : {kR2, kG1, "unitree_g1/g1_dual_arm.urdf", "unitree_h1/h1.urdf",
+                             "baxter/baxter.urdf", "panda/panda.urdf", "ur5/ur5.urdf"}) {
+        const RobotModel model = read(file);
+        const auto profile = makeProfile(model);
+        ASSERT_TRUE(profile) << file << profile.error().text();
+        const bool single = std::string(file).starts_with("panda") || std::string(file).starts_with("ur5");
+        EXPECT_EQ(profile->arms.size(), single ? 1u : 2u) << file;
+        const nlohmann::json saved = toJson(*profile);
+        const auto again = profileFromJson(saved, "again");
+        ASSERT_TRUE(again) << again.error().text();
+        EXPECT_EQ(toJson(*again), saved) << file;
+        for (const ArmProfile& arm : profile->arms) {
+            const auto made = makeArm(model, arm);
+            ASSERT_TRUE(made);
+            ArmPose pose;
+            const Vector3d outwards = Vector3d::UnitX() * (arm.side == Side::kLeft ? 1 : -1);
+            pose.upper = PerformerArms::referenceUpper(arm.side) * outwards;
+            pose.forearm = PerformerArms::referenceForearm(arm.side) * outwards;
+            pose.wrist_m = made->length_m / 2 * (pose.upper + pose.forearm);
+            const ArmCommand at = measured(*made, 1, made->reference, pose);
+            std::printf("%-34s %-5s %5.1f %5.1f deg reference\n", file, arm.name.c_str(), at.upper_deg,
+                        at.forearm_deg);
+            // Baxter, Panda and UR5 cannot hang their upper arms: their limits or their mount forbid it.
+            const std::string name = file;
+            const bool can = name.starts_with("robonaut2") || name.starts_with("unitree");
+            EXPECT_LT(at.upper_deg + at.forearm_deg, can ? 20 : 180) << file;
+        }
+    }
+}
+
+TEST_F(RobotMapping, OtherRobotsFollowWithoutBreakingALimit) {
+    const MotionClip clip = motion(kHandshake);
+    run(kG1, clip, 6, Mapping::kPosture, "G1 handshake, parts watched", Parts::kWatched);
+    run(kG1, dance(), 6, Mapping::kPosture, "G1 dance, parts watched", Parts::kWatched);
+    for (const char* file : {"unitree_h1/h1.urdf", "baxter/baxter.urdf", "panda/panda.urdf", "ur5/ur5.urdf"})
+        run(file, clip, 0, Mapping::kPosture, file);
+}
+
+TEST_F(RobotMapping, AccelerationAndJerkStayWithinTheirLimits) {
+    const RobotModel model = read(kG1);
+    RobotProfile profile = profileFor(model, 6);
+    profile.max_acceleration = 60;
+    profile.max_jerk = 3000;
+    const auto mapped = mapMotion(dance(), model, profile, {Mapping::kPosture, true, true, true});
+    ASSERT_TRUE(mapped) << mapped.error().text();
+    const LimitUse use = limitUse(*mapped, *limitsOf(model, profile, *mapped));
+    EXPECT_LE(use.place, 1 + 1e-9);
+    EXPECT_LE(use.speed, 1 + 1e-6) << use.joint;
+    EXPECT_LE(use.acceleration, 1 + 1e-6) << use.joint;
+    EXPECT_LE(use.jerk, 1 + 1e-6) << use.joint;
+    const Figures mean = meanOf(*mapped);
+    std::printf("G1 dance, 60 rad/s2, 3000 rad/s3: %.2f %.2f deg %.1f mm\n", mean.upper_deg, mean.forearm_deg,
+                mean.wrist_mm);
+}
+
+TEST_F(RobotMapping, ALoopMeetsItsBeginningWithinTheLimits) {
+    const RobotModel model = read(kG1);
+    const RobotProfile profile = profileFor(model, 3);
+    auto mapped = mapMotion(motion(kHandshake), model, profile, {});
+    ASSERT_TRUE(mapped);
+    const auto limits = limitsOf(model, profile, *mapped);
+    const size_t before = mapped->frames.size();
+    ASSERT_TRUE(closeLoop(*mapped, *limits));
+    EXPECT_GT(mapped->frames.size(), before + 10);
+    RobotTrajectory twice = *mapped;
+    twice.frames.insert(twice.frames.end(), mapped->frames.begin(), mapped->frames.end());
+    EXPECT_LE(limitUse(twice, *limits).speed, 1 + 1e-6);
+}
+
+}  // namespace
+}  // namespace noctule::robot
