@@ -55,6 +55,7 @@ Verb recordVerb();
 Verb recoverVerb();
 Verb importVerb();
 Verb orientVerb();
+Verb robotVerb();
 // app/batch/calibrate.cpp
 Verb calibrateSourcesVerb();
 Verb calibrateAccelerometersVerb();

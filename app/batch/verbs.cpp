@@ -21,6 +21,7 @@ const std::vector<Verb>& verbs() {
                                           recoverVerb(),
                                           importVerb(),
                                           orientVerb(),
+                                          robotVerb(),
                                           calibrateSourcesVerb(),
                                           calibrateAccelerometersVerb(),
                                           calibrateGyroscopesVerb(),

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <filesystem>
+
+#include "app/batch/files.h"
+#include "app/batch/verb.h"
+#include "core/job/atomic_file.h"
+#include "core/motion/timed_poses.h"
+#include "core/processing/pose_runs.h"
+#include "core/robot/command_files.h"
+#include "core/robot/urdf_reader.h"
+
+namespace noctule::batch {
+namespace {
+
+/// A take's poses without a rate of their own become commands so many times a second.
+constexpr double kUsualRate_hz = 140;
+
+bool isBvh(const std::string& path) {
+    const std::string ending = std::filesystem::path(path).extension().string();
+    return ending == ".bvh" || ending == ".BVH";
+}
+
+TimedMotion timed(const MotionClip& clip) {
+    TimedMotion motion{clip.skeleton, {}};
+    for (size_t i = 0; i < clip.frames.size(); ++i)
+        motion.frames.push_back(
+            {std::llround(static_cast<double>(i) * clip.frame_time_s * 1e9), clip.frames[i], {}});
+    return motion;
+}
+
+Result<MotionClip> motionOfTake(const std::string& path, const std::string& run_name, double rate_hz) {
+    const auto take = Take::open(path);
+    if (!take)
+        return take.error();
+    const auto run = choosePoseRun(*take, run_name);
+    if (!run)
+        return run.error();
+    const auto poses = take->poses(run->run);
+    if (!poses)
+        return poses.error();
+    return toClip(takeName(path), *poses, rate_hz);
+}
+
+Result<MotionClip> motionFor(const VerbContext& context, const std::string& path) {
+    const Arguments& arguments = context.arguments;
+    const auto rate_hz = arguments.number("rate");
+    if (!isBvh(path))
+        return motionOfTake(path, arguments.text("run"), rate_hz.value_or(kUsualRate_hz));
+    auto clip = readMotion(path, arguments.text("bvh-unit"), context.console);
+    if (!clip || !rate_hz || !clip->p_parent_joint_m.empty())
+        return clip;
+    return toClip(clip->name, timed(*clip), *rate_hz);
+}
+
+robot::MappingChoice choiceFor(const Arguments& arguments) {
+    robot::MappingChoice choice;
+    const std::string mapping = arguments.text("mapping"), arms = arguments.text("arms");
+    choice.mapping = mapping == "miller"         ? robot::Mapping::kMiller
+                     : mapping == "miller-trunk" ? robot::Mapping::kMillerTrunk
+                                                 : robot::Mapping::kPosture;
+    choice.left = arms != "right";
+    choice.right = arms != "left";
+    choice.trunk = arguments.given("trunk");
+    return choice;
+}
+
+Result<robot::RobotProfile> profileFor(const VerbContext& context, const robot::RobotModel& model) {
+    const std::string path = context.arguments.text("profile");
+    if (path.empty())
+        return robot::makeProfile(model);
+    const auto json = readJson(path);
+    if (!json)
+        return json.error();
+    return robot::profileFromJson(*json, path);
+}
+
+/// Many joints say the same; the first few tell it.
+void tellNotices(Console& console, const std::string& path, const std::vector<std::string>& notices) {
+    constexpr size_t kTold = 3;
+    for (size_t i = 0; i < std::min(kTold, notices.size()); ++i)
+        console.warn(path + ": " + notices[i]);
+    if (notices.size() > kTold)
+        console.warn(path + ": so for " + std::to_string(notices.size() - kTold) + " more; --json lists all");
+}
+
+nlohmann::json figuresJson(const robot::RobotTrajectory& trajectory) {
+    nlohmann::json arms = nlohmann::json::array();
+    for (const robot::ArmFigures& arm : trajectory.arms)
+        arms.push_back({{"arm", arm.arm},
+                        {"upper_mean_deg", arm.upper_mean_deg},
+                        {"upper_max_deg", arm.upper_max_deg},
+                        {"forearm_mean_deg", arm.forearm_mean_deg},
+                        {"forearm_max_deg", arm.forearm_max_deg},
+                        {"wrist_mean_mm", arm.wrist_mean_mm},
+                        {"wrist_max_mm", arm.wrist_max_mm},
+                        {"limited_frames", arm.limited_frames}});
+    return arms;
+}
+
+Outcome outcomeOf(const std::string& input, const robot::RobotModel& model,
+                  const robot::RobotTrajectory& trajectory, const robot::LimitUse& use) {
+    Outcome outcome{
+        {{"motion", input},
+         {"robot", model.name},
+         {"joints", trajectory.joints},
+         {"frames", trajectory.frames.size()},
+         {"frame_time_s", trajectory.frame_time_s},
+         {"arms", figuresJson(trajectory)},
+         {"held_frames", trajectory.held_frames},
+         {"limit_use", {{"speed", use.speed}, {"acceleration", use.acceleration}, {"jerk", use.jerk}}},
+         {"notices", model.notices}},
+        input + " on robot " + model.name + ": " + std::to_string(trajectory.frames.size()) +
+            " commands of " + std::to_string(trajectory.joints.size()) + " joints\n",
+        std::nullopt};
+    char line[300];
+    for (const robot::ArmFigures& arm : trajectory.arms) {
+        std::snprintf(
+            line, sizeof line,
+            "  %-6s upper arm %.1f deg, forearm %.1f deg, wrist %.1f mm in the mean; %d frames at a "
+            "limit\n",
+            arm.arm.c_str(), arm.upper_mean_deg, arm.forearm_mean_deg, arm.wrist_mean_mm, arm.limited_frames);
+        outcome.text += line;
+    }
+    if (trajectory.held_frames > 0)
+        outcome.text += "  " + std::to_string(trajectory.held_frames) +
+                        " frames held: " + trajectory.nearest_parts + " would have come too near\n";
+    if (!trajectory.loop_start_s.empty())
+        outcome.json["loop_from_s"] = trajectory.loop_start_s.front();
+    return outcome;
+}
+
+/// No command leaves this program that breaks a limit.
+Status checkLimits(const robot::LimitUse& use) {
+    if (use.place <= 1 && use.speed <= 1 + 1e-6 && use.acceleration <= 1 + 1e-6 && use.jerk <= 1 + 1e-6)
+        return Done{};
+    return Error{ErrorKind::kInternal, "the commands of joint \"" + use.joint + "\" break a limit",
+                 "Report this with the URDF, the profile and the motion; nothing was written"};
+}
+
+Status writeCommands(const Arguments& arguments, const robot::RobotProfile& profile,
+                     const robot::RobotTrajectory& trajectory) {
+    const bool overwrite = arguments.given("overwrite");
+    if (const std::string path = arguments.text("profile-out"); !path.empty())
+        if (Status written = writeJson(path, robot::toJson(profile), overwrite); !written)
+            return written;
+    if (const std::string path = arguments.text("trajectory"); !path.empty())
+        if (Status written = writeJson(path, robot::jointTrajectory(trajectory), overwrite); !written)
+            return written;
+    return writeFileAtomically(arguments.text("out"), robot::commandTable(trajectory), overwrite);
+}
+
+Result<Outcome> runRobot(const VerbContext& context) {
+    const Arguments& arguments = context.arguments;
+    const std::string input = arguments.operands().front(), urdf = arguments.text("robot");
+    if (Status fits =
+            checkOutputs({arguments.text("out"), arguments.text("trajectory"), arguments.text("profile-out")},
+                         arguments.given("overwrite"), {input, urdf, arguments.text("profile")});
+        !fits)
+        return fits.error();
+    const auto model = robot::readUrdf(urdf, &context.cancel);
+    if (!model)
+        return model.error();
+    tellNotices(context.console, urdf, model->notices);
+    const auto profile = profileFor(context, *model);
+    if (!profile)
+        return profile.error();
+    const auto clip = motionFor(context, input);
+    if (!clip)
+        return clip.error();
+    auto trajectory = robot::mapMotion(*clip, *model, *profile, choiceFor(arguments), context.job());
+    if (!trajectory)
+        return trajectory.error();
+    const auto limits = robot::limitsOf(*model, *profile, *trajectory);
+    if (!limits)
+        return limits.error();
+    if (arguments.given("loop"))
+        if (Status closed = robot::closeLoop(*trajectory, *limits); !closed)
+            return closed.error();
+    const robot::LimitUse use = robot::limitUse(*trajectory, *limits);
+    if (Status kept = checkLimits(use); !kept)
+        return kept.error();
+    if (Status written = writeCommands(arguments, *profile, *trajectory); !written)
+        return written.error();
+    return outcomeOf(input, *model, *trajectory, use);
+}
+
+}  // namespace
+
+Verb robotVerb() {
+    Verb verb;
+    verb.name = "robot";
+    verb.summary = "commands for a robot's arms that follow a motion within the robot's limits";
+    verb.operands = "T.noctule|M.bvh";
+    verb.min_operands = verb.max_operands = 1;
+    verb.example = "noctule --batch robot wave.noctule --robot g1.urdf --out wave.csv";
+    verb.options = {
+        text("robot", "R.urdf", "the robot; a xacro file has to be expanded first").needed(),
+        text("out", "C.csv", "the commands, a column per joint in rad or m").needed(),
+        text("profile", "P.json", "how its arms answer to a performer's; else made from the URDF"),
+        text("profile-out", "P.json", "writes the profile that was used"),
+        text("trajectory", "T.json", "the commands as a JointTrajectory of ROS"),
+        choice("mapping", {"posture", "miller", "miller-trunk"},
+               "posture and scaled wrist, or the angles of Miller 2004")
+            .orElse("posture"),
+        choice("arms", {"both", "left", "right"}, "which of the profile's arms move").orElse("both"),
+        flag("trunk", "the robot's waist follows the performer's chest"),
+        flag("loop", "goes back to the beginning, for playback without end"),
+        number("rate", "HZ", 1, 1000, "commands a second; else 140, of BVH the file's rate"),
+        text("run", "NAME", "which run of the take; else the last"),
+        bvhUnitOption()};
+    verb.remarks = {
+        "Commands keep the limits of place and speed, and those of acceleration and jerk that the profile "
+        "names. "
+        "A limit that the URDF leaves out is assumed and said: check it before a robot moves.",
+        "Arms brake when capsules around the robot's own parts come nearer than the profile's clearance."};
+    verb.run = runRobot;
+    return verb;
+}
+
+}  // namespace noctule::batch
