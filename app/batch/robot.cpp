@@ -3,7 +3,10 @@
 #include <filesystem>
 
 #include "app/batch/files.h"
+#include "app/batch/motion_file.h"
 #include "app/batch/verb.h"
+#include "core/body/actor.h"
+#include "core/figure/our_frames.h"
 #include "core/job/atomic_file.h"
 #include "core/motion/timed_poses.h"
 #include "core/processing/pose_runs.h"
@@ -47,10 +50,14 @@ Result<MotionClip> motionFor(const VerbContext& context, const std::string& path
     const auto rate_hz = arguments.number("rate");
     if (!isBvh(path))
         return motionOfTake(path, arguments.text("run"), rate_hz.value_or(kUsualRate_hz));
-    auto clip = readMotion(path, arguments.text("bvh-unit"), context.console);
-    if (!clip || !rate_hz || !clip->p_parent_joint_m.empty())
+    const auto understood = readUnderstood(path, arguments, context.console);
+    if (!understood)
+        return understood.error();
+    const MotionClip clip =
+        figure::inOurFrames(understood->clip, understood->joints, defaultActor().skeleton);
+    if (!rate_hz || !clip.p_parent_joint_m.empty())
         return clip;
-    return toClip(clip->name, timed(*clip), *rate_hz);
+    return toClip(clip.name, timed(clip), *rate_hz);
 }
 
 robot::MappingChoice choiceFor(const Arguments& arguments) {
@@ -207,8 +214,9 @@ Verb robotVerb() {
         flag("trunk", "the robot's waist follows the performer's chest"),
         flag("loop", "goes back to the beginning, for playback without end"),
         number("rate", "HZ", 1, 1000, "commands a second; else 140, of BVH the file's rate"),
-        text("run", "NAME", "which run of the take; else the last"),
-        bvhUnitOption()};
+        text("run", "NAME", "which run of the take; else the last")};
+    for (Option& option : motionOptions("motion"))
+        verb.options.push_back(std::move(option));
     verb.remarks = {
         "Commands keep the limits of place and speed, and those of acceleration and jerk that the profile "
         "names. "
