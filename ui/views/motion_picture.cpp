@@ -9,7 +9,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kPictureWidth = 400, kPictureHeight = 300, kEdge_px = 12;
+constexpr int kFigureWidth = 400, kFigureHeight = 300, kEdge_px = 12;
 constexpr double kHeadroom = 1.12;  ///< of the figure's height, with arms raised
 
 bool isOfSide(const std::string& joint, const char* side) {
@@ -57,7 +57,7 @@ void MotionPicture::findFloor() {
 }
 
 QSize MotionPicture::sizeHint() const {
-    return {Theme::get().px(kPictureWidth), Theme::get().px(kPictureHeight)};
+    return {Theme::get().px(kFigureWidth), Theme::get().px(kFigureHeight)};
 }
 
 QSize MotionPicture::minimumSizeHint() const {
