@@ -39,7 +39,6 @@ private:
     /// Slope of a standing foot and its spread.
     using Stance = std::optional<std::pair<double, double>>;
     void alignFoot(const std::string& side);
-    void alignFootByZero(const std::string& side, double zero_slope_rad, const Stance& stance);
     void alignFootByMotion(const std::string& side, const Stance& stance);
     bool hasLength(const std::string& from, const std::string& to) const;
     bool zeroFootStands(const std::string& side, double stance_rad, double spread_rad) const;

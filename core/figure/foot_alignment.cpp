@@ -105,17 +105,6 @@ double Aligner::drawnSlope(const std::string& side, const Vector3d& left, const 
     return std::atan2(-usual_bone.y(), usual_bone.z());
 }
 
-/// As in the zero pose. A foot that plainly stands in the motion is flat there instead: zero poses are drawn
-/// by hand, and a foot of CMU's stands 4 to 7 degrees steeper than in its own.
-void Aligner::alignFootByZero(const std::string& side, double zero_slope_rad, const Stance& stance) {
-    constexpr double kPlain = radians(2.5);
-    const bool is_plain = stance && stance->second < kPlain;
-    const double steeper_rad = is_plain ? stance->first - zero_slope_rad : 0;
-    q_[side + "Foot"] = q_zero_body_ * axisAngle(Vector3d::UnitX(), -steeper_rad);
-    if (has(side + "ToeBase"))
-        q_[side + "ToeBase"] = q_zero_body_;
-}
-
 /// The sideways axis of the shin, and forward along the foot.
 void Aligner::alignFootByMotion(const std::string& side, const Stance& stance) {
     const std::string foot = side + "Foot", toe = side + "ToeBase", shin = side + "Leg";
@@ -146,10 +135,11 @@ void Aligner::alignFoot(const std::string& side) {
     const bool has_toe = hasLength(foot, toe);
     const Stance stance = has_toe ? stanceSlope(at(foot), at(toe)) : std::nullopt;
     const double zero_slope = has_toe ? slopeOf(zero(toe) - zero(foot), q_zero_body_ * Vector3d::UnitY()) : 0;
-    if (zeroFootStands(side, stance ? stance->first : zero_slope, stance ? stance->second : 0))
-        alignFootByZero(side, zero_slope, stance);
-    else
-        alignFootByMotion(side, stance);
+    if (!zeroFootStands(side, stance ? stance->first : zero_slope, stance ? stance->second : 0))
+        return alignFootByMotion(side, stance);
+    for (const std::string& joint : {foot, toe})
+        if (has(joint))
+            q_[joint] = q_zero_body_;
 }
 
 /// Whether there is a bone from the one joint to the other.

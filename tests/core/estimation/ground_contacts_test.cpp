@@ -198,7 +198,7 @@ TEST(GroundContacts, updatesStopTheFootAndPutItOnTheFloor) {
     body.state.motion.rate[0] = 0.2;
     body.state.motion.p_world_root.y() += 0.04;
     const int n = body.layout.freedoms;
-    for (int k = 0; k < 240; ++k) {
+    for (int k = 0; k < 480; ++k) {  // a slip lasts: each counts as a seventh of white noise's
         const Eigen::VectorXd delta = body.P.update(body.observe());
         body.tree.retract(body.state.motion, delta.head(n));
         body.state.motion.rate += delta.segment(n, n);
