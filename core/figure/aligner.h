@@ -36,16 +36,11 @@ private:
     void alignHand(const std::string& side);
 
     // foot_alignment.cpp
-    /// Slope of a standing foot and its spread.
-    using Stance = std::optional<std::pair<double, double>>;
     void alignFoot(const std::string& side);
-    void alignFootByMotion(const std::string& side, const Stance& stance);
-    bool hasLength(const std::string& from, const std::string& to) const;
     bool zeroFootStands(const std::string& side, double stance_rad, double spread_rad) const;
-    Stance stanceSlope(int foot, int toe) const;
+    std::optional<std::pair<double, double>> stanceSlope(int foot, int toe) const;
     double slopeBelowAnkle(const std::string& side, const Vector3d& left, const Vector3d& ahead,
-                           const Stance& stance) const;
-    double drawnSlope(const std::string& side, const Vector3d& left, const Vector3d& ahead) const;
+                           const std::optional<std::pair<double, double>>& stance) const;
 
     bool has(const std::string& joint) const { return mapping_.contains(joint); }
     int at(const std::string& joint) const { return mapping_.at(joint); }

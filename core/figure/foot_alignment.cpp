@@ -18,7 +18,7 @@ double slopeOf(const Vector3d& direction, const Vector3d& up) {
 
 /// Slope of the line from ankle to toe while the foot stands, and its spread (half of the middle half's
 /// width); nothing when it hardly ever stands. Standing: as low as it ever comes, and slow.
-Aligner::Stance Aligner::stanceSlope(int foot, int toe) const {
+std::optional<std::pair<double, double>> Aligner::stanceSlope(int foot, int toe) const {
     constexpr double kSlow_m_per_s = 0.3, kLow = 0.06;
     struct Instant {
         double low, speed, slope;
@@ -78,21 +78,11 @@ bool Aligner::zeroFootStands(const std::string& side, double stance_rad, double 
            std::abs(slope - stance_rad) <= std::max(kAgrees, spread_rad);
 }
 
-/// Angle between the sole and the line from ankle to toe: as the toes' tip shows it, else as feet usually
-/// are; and as the foot stands. The mean, by how far each is usually off: skeletons are drawn by hand, and
-/// feet of CMU's stand 4 to 24 degrees steeper than their toes show.
+/// Angle between the sole and the line from ankle to toe: shown by the toes' tip, else between how feet
+/// usually are and how this one stands, whichever is surer.
 double Aligner::slopeBelowAnkle(const std::string& side, const Vector3d& left, const Vector3d& ahead,
-                                const Stance& stance) const {
-    constexpr double kDrawn = radians(8), kStanding = radians(4);
-    const double drawn = drawnSlope(side, left, ahead);
-    if (!stance || stance->first < radians(-5) || stance->first > radians(60))
-        return drawn;
-    const double drawn_weight = 1 / (kDrawn * kDrawn);
-    const double stance_weight = 1 / (kStanding * kStanding + 4 * stance->second * stance->second);
-    return (drawn_weight * drawn + stance_weight * stance->first) / (drawn_weight + stance_weight);
-}
-
-double Aligner::drawnSlope(const std::string& side, const Vector3d& left, const Vector3d& ahead) const {
+                                const std::optional<std::pair<double, double>>& stance) const {
+    constexpr double kUsual = radians(8), kStanding = radians(4);
     const std::string toe = side + "ToeBase";
     const auto tip = has(toe) ? clip_.skeleton.joint(at(toe)).end_m : std::nullopt;
     if (tip && tip->norm() > 1e-3) {
@@ -102,49 +92,44 @@ double Aligner::drawnSlope(const std::string& side, const Vector3d& left, const 
             return slope;
     }
     const Vector3d usual_bone = boneOf(target_, side + "Foot", side + "ToeBase");
-    return std::atan2(-usual_bone.y(), usual_bone.z());
+    const double usual = std::atan2(-usual_bone.y(), usual_bone.z());
+    if (!stance || stance->first < radians(-5) || stance->first > radians(60))
+        return usual;
+    const double usual_weight = 1 / (kUsual * kUsual);
+    const double stance_weight = 1 / (kStanding * kStanding + 4 * stance->second * stance->second);
+    return (usual_weight * usual + stance_weight * stance->first) / (usual_weight + stance_weight);
 }
 
-/// The sideways axis of the shin, and forward along the foot.
-void Aligner::alignFootByMotion(const std::string& side, const Stance& stance) {
+/// From the zero pose where the foot is flat in it; else the sideways axis of the shin, and forward along the
+/// foot.
+void Aligner::alignFoot(const std::string& side) {
     const std::string foot = side + "Foot", toe = side + "ToeBase", shin = side + "Leg";
-    q_[foot] = q_.at(shin);
-    const Vector3d seen_left = meanIn(
-        foot, [&](const GlobalPose& pose) { return Vector3d(canonical(pose, shin) * Vector3d::UnitX()); });
-    constexpr double kFar = radians(25);
-    Vector3d left = q_[foot] * Vector3d::UnitX();
-    if (angleOf(left, seen_left) > kFar)
-        left = seen_left;
-    const bool has_toe = hasLength(foot, toe);
-    const auto& tip = clip_.skeleton.joint(at(foot)).end_m;
-    if (has_toe || (tip && tip->norm() > 1e-3)) {
-        const Vector3d ahead = (has_toe ? bone(foot, toe) : *tip).normalized();
-        left = (left - ahead * ahead.dot(left)).normalized();
-        const Vector3d forward = axisAngle(left, -slopeBelowAnkle(side, left, ahead, stance)) * ahead;
-        setAxes(foot, left, forward.cross(left));
+    if (!has(foot))
+        return;
+    const bool has_toe = has(toe) && seen_.distance(at(foot), at(toe)) > 1e-3;
+    const auto stance = has_toe ? stanceSlope(at(foot), at(toe)) : std::nullopt;
+    const double zero_slope = has_toe ? slopeOf(zero(toe) - zero(foot), q_zero_body_ * Vector3d::UnitY()) : 0;
+    if (zeroFootStands(side, stance ? stance->first : zero_slope, stance ? stance->second : 0)) {
+        q_[foot] = q_zero_body_;
+    } else {
+        q_[foot] = q_.at(shin);
+        const Vector3d seen_left = meanIn(foot, [&](const GlobalPose& pose) {
+            return Vector3d(canonical(pose, shin) * Vector3d::UnitX());
+        });
+        constexpr double kFar = radians(25);
+        Vector3d left = q_[foot] * Vector3d::UnitX();
+        if (angleOf(left, seen_left) > kFar)
+            left = seen_left;
+        const auto& tip = clip_.skeleton.joint(at(foot)).end_m;
+        if (has_toe || (tip && tip->norm() > 1e-3)) {
+            const Vector3d ahead = (has_toe ? bone(foot, toe) : *tip).normalized();
+            left = (left - ahead * ahead.dot(left)).normalized();
+            const Vector3d forward = axisAngle(left, -slopeBelowAnkle(side, left, ahead, stance)) * ahead;
+            setAxes(foot, left, forward.cross(left));
+        }
     }
     if (has(toe))
         q_[toe] = q_[foot];
-}
-
-/// From the zero pose where the foot is flat in it, else from the motion.
-void Aligner::alignFoot(const std::string& side) {
-    const std::string foot = side + "Foot", toe = side + "ToeBase";
-    if (!has(foot))
-        return;
-    const bool has_toe = hasLength(foot, toe);
-    const Stance stance = has_toe ? stanceSlope(at(foot), at(toe)) : std::nullopt;
-    const double zero_slope = has_toe ? slopeOf(zero(toe) - zero(foot), q_zero_body_ * Vector3d::UnitY()) : 0;
-    if (!zeroFootStands(side, stance ? stance->first : zero_slope, stance ? stance->second : 0))
-        return alignFootByMotion(side, stance);
-    for (const std::string& joint : {foot, toe})
-        if (has(joint))
-            q_[joint] = q_zero_body_;
-}
-
-/// Whether there is a bone from the one joint to the other.
-bool Aligner::hasLength(const std::string& from, const std::string& to) const {
-    return has(to) && seen_.distance(at(from), at(to)) > 1e-3;
 }
 
 }  // namespace noctule::figure
