@@ -24,6 +24,12 @@ bool isOurs(const Skeleton& clip, const Skeleton& target) {
     return known && isSameFigure(*known);
 }
 
+/// Not so where a name says nothing and the joint was found by the figure's shape.
+bool areFoundByName(const Skeleton& theirs, const figure::JointMapping& joints) {
+    return std::ranges::all_of(
+        joints, [&](const auto& mapped) { return findByAnyName(theirs, mapped.first) == mapped.second; });
+}
+
 }  // namespace
 
 Skeleton skeletonOfClip(const MotionClip& clip) {
@@ -75,7 +81,8 @@ OutsideMotion::OutsideMotion(figure::UnderstoodMotion motion)
 ReferenceMotion referenceFrom(const OutsideMotion& outside, const Skeleton& target) {
     ReferenceMotion reference;
     const Skeleton theirs = skeletonOfClip(outside.clip);
-    reference.in_our_frames = outside.joints && !isOurs(theirs, target);
+    reference.in_our_frames =
+        outside.joints && (!isOurs(theirs, target) || !areFoundByName(theirs, *outside.joints));
     if (reference.in_our_frames) {
         const MotionClip ours = figure::inOurFrames(outside.clip, *outside.joints, target);
         reference.motion = timedMotion(ours);

@@ -85,7 +85,9 @@ TEST(Usage, UnknownWordsNameTheNearestKnownOne) {
     expectRefusal({"evalute"}, 2, {"evalute", "evaluate"});
     expectRefusal({"simulate", "--mtion", "x"}, 2, {"--mtion", "--motion"});
     expectRefusal({"evaluate", "-x", "t"}, 2, {"-x"});
-    expectRefusal({"calibrate"}, 2, {"sources, accelerometers, gyroscopes, rest-pose or motion"});
+    expectRefusal({"calibrate"}, 2,
+                  {"sources, accelerometers, gyroscopes, magnetometers, inertial, "
+                   "rest-pose or motion"});
     expectRefusal({"calibrate", "sorces", "t"}, 2, {"rest-pose"});
     expectRefusal({"calibrate", "sources", "t"}, 2, {"--out"});
     expectRefusal({"calibrate", "sources", "t", "--out", "c.json"}, 2,
