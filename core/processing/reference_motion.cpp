@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/body/bone_names.h"
+#include "core/body/joint_names.h"
 #include "core/figure/our_frames.h"
 #include "core/motion/common_joints.h"
 #include "core/motion/segment_match.h"
