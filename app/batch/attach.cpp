@@ -25,6 +25,16 @@ Result<std::optional<double>> shiftSeconds(const std::string& text) {
     return std::optional(ms / 1000);
 }
 
+/// Options of motions with what is none.
+Status refuseOptions(const VerbContext& context, std::initializer_list<const char*> options,
+                     const std::string& what_it_is) {
+    for (const char* option : options)
+        if (context.arguments.given(option))
+            return Error{ErrorKind::kUsage, "--" + std::string(option) + " is for motions, and " + what_it_is,
+                         "Leave it out"};
+    return Done{};
+}
+
 Status readMarkerSource(const VerbContext& context, AttachRequest& request) {
     const auto markers = readMarkers(request.source_name, context.job());
     if (!markers)
@@ -36,12 +46,9 @@ Status readMarkerSource(const VerbContext& context, AttachRequest& request) {
             return given.error();
         map = std::move(*given);
     }
-    for (const char* option : {"height", "bones"})
-        if (context.arguments.given(option))
-            return Error{
-                ErrorKind::kUsage,
-                "--" + std::string(option) + " is for motions, and " + request.source_name + " holds markers",
-                "Leave it out"};
+    if (Status fits = refuseOptions(context, {"height", "bones"}, request.source_name + " holds markers");
+        !fits)
+        return fits;
     const std::string up = context.arguments.text("up");
     auto table = jointsOfMarkers(*markers, map,
                                  up == "auto" ? ""
@@ -59,12 +66,10 @@ Status readMarkerSource(const VerbContext& context, AttachRequest& request) {
 Status readSource(const VerbContext& context, AttachRequest& request, nlohmann::json& understood) {
     request.source_name = context.arguments.text("reference");
     if (isPositionsFile(request.source_name)) {
-        for (const char* option : {"up", "height", "bones"})
-            if (context.arguments.given(option))
-                return Error{ErrorKind::kUsage,
-                             "--" + std::string(option) + " is for motions, and " + request.source_name +
-                                 " is a table of positions",
-                             "Leave it out"};
+        if (Status fits = refuseOptions(context, {"up", "height", "bones"},
+                                        request.source_name + " is a table of positions");
+            !fits)
+            return fits;
         auto table = readPositionsCsv(request.source_name, &context.cancel);
         if (!table)
             return table.error();

@@ -49,7 +49,7 @@ double stoppingDistance(double speed, double acceleration, const JointLimits& li
     return speed * time_s + a * time_s * time_s / 2 + J * time_s * time_s * time_s / 6;
 }
 
-Interval StepLimiter::accelerations(const JointMotion& now) const {
+MotionRange StepLimiter::accelerations(const JointMotion& now) const {
     const double change = limits_.jerk * dt_s_;
     return {std::max(-limits_.acceleration, now.acceleration - change),
             std::min(limits_.acceleration, now.acceleration + change)};
@@ -58,7 +58,7 @@ Interval StepLimiter::accelerations(const JointMotion& now) const {
 /// Of the accelerations the largest from which a stop below `upper` is possible, in a frame that moves at
 /// `frame_speed`; `upper` is a place at the next step. The smallest when none is.
 double StepLimiter::highest(const JointMotion& now, double upper, double frame_speed,
-                            const Interval& range) const {
+                            const MotionRange& range) const {
     const auto fits = [&](double acceleration) {
         const double speed = now.speed + acceleration * dt_s_;
         const double peak = speed + (acceleration > 0 && !std::isinf(limits_.jerk)
@@ -77,13 +77,13 @@ double StepLimiter::highest(const JointMotion& now, double upper, double frame_s
     return good;
 }
 
-Interval StepLimiter::reachable(const JointMotion& now) const {
+MotionRange StepLimiter::reachable(const JointMotion& now) const {
     if (std::isinf(limits_.acceleration)) {
         const double step = limits_.speed * dt_s_;
         const double from = std::max(limits_.lower, now.place - step);
         return {from, std::max(from, std::min(limits_.upper, now.place + step))};
     }
-    const Interval range = accelerations(now);
+    const MotionRange range = accelerations(now);
     const double up = highest(now, limits_.upper, 0, range);
     const double down = -highest(mirrored(now), -limits_.lower, 0, {-range.to, -range.from});
     const auto placeAfter = [&](double acceleration) {
@@ -93,10 +93,10 @@ Interval StepLimiter::reachable(const JointMotion& now) const {
 }
 
 double StepLimiter::approach(const JointMotion& now, double wish, double wish_speed) const {
-    const Interval can = reachable(now);
+    const MotionRange can = reachable(now);
     if (std::isinf(limits_.acceleration))
         return can.nearest(wish);
-    const Interval range = accelerations(now);
+    const MotionRange range = accelerations(now);
     const double relative = now.speed - wish_speed;
     const bool rises = relative > 0 || (relative == 0 && now.acceleration > 0);
     const double stop = now.place + (rises ? stoppingDistance(relative, now.acceleration, limits_)

@@ -16,7 +16,7 @@ struct JointMotion {
     double place = 0, speed = 0, acceleration = 0;
 };
 
-struct Interval {
+struct MotionRange {
     double from = 0, to = 0;
 
     double nearest(double value) const { return value < from ? from : value > to ? to : value; }
@@ -27,7 +27,7 @@ public:
     StepLimiter(const JointLimits& limits, double dt_s) : limits_(limits), dt_s_(dt_s) {}
 
     /// Places that may be commanded next.
-    Interval reachable(const JointMotion& now) const;
+    MotionRange reachable(const JointMotion& now) const;
     /// The command nearest to the wish that does not overshoot it: the joint slows down before it arrives.
     /// `wish_speed`: how fast the wish itself moves.
     double approach(const JointMotion& now, double wish, double wish_speed) const;
@@ -37,8 +37,8 @@ public:
     double brake(const JointMotion& now) const { return approach(now, now.place, 0); }
 
 private:
-    Interval accelerations(const JointMotion& now) const;
-    double highest(const JointMotion& now, double upper, double frame_speed, const Interval& range) const;
+    MotionRange accelerations(const JointMotion& now) const;
+    double highest(const JointMotion& now, double upper, double frame_speed, const MotionRange& range) const;
 
     JointLimits limits_;
     double dt_s_;

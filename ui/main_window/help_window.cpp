@@ -68,11 +68,11 @@ HelpWindow::HelpWindow(QWidget* parent)
     resize(Theme::get().px(1000), Theme::get().px(720));
 }
 
-void HelpWindow::show(const QString& name) {
+void HelpWindow::showDocument(const QString& name) {
     for (int row = 0; row < contents_->count(); ++row)
         if (contents_->item(row)->data(Qt::UserRole).toString() == name)
             contents_->setCurrentRow(row);
-    QDialog::show();
+    show();
 }
 
 void HelpWindow::follow(const QUrl& link) {

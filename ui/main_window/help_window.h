@@ -15,7 +15,7 @@ public:
     explicit HelpWindow(QWidget* parent = nullptr);
 
     /// "guide": the document of that name.
-    void show(const QString& name);
+    void showDocument(const QString& name);
     QTextBrowser& page() { return *page_; }
     QListWidget& contents() { return *contents_; }
 

@@ -68,7 +68,7 @@ void MainWindow::connectActions() {
     on(Command::kDocuments, [this] {
         if (!help_)
             help_ = new HelpWindow(this);
-        help_->show("guide");
+        help_->showDocument("guide");
     });
     on(Command::kSaveDiagnosis, [this] { saveDiagnosis(); });
     on(Command::kAbout, [this] { AboutDialog(studio_.parts().software, this).exec(); });

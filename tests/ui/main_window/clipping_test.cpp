@@ -7,6 +7,7 @@
 
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/about_dialog.h"
+#include "ui/main_window/help_window.h"
 #include "ui/main_window/language.h"
 #include "ui/main_window/news_dialog.h"
 #include "ui/main_window/preferences_dialog.h"
@@ -17,6 +18,7 @@
 #include "ui/style/theme.h"
 #include "ui/views/attach_dialog.h"
 #include "ui/views/body_dialog.h"
+#include "ui/views/motion_dialog.h"
 #include "ui/views/new_session_dialog.h"
 #include "ui/views/process_takes_dialog.h"
 #include "ui/views/reprocess_dialog.h"
@@ -121,6 +123,9 @@ TEST_P(ClippingTest, Dialogs) {
     dialogIsWhole<PutOnDialog>("put on", *studio_);
     dialogIsWhole<AboutDialog>("about", "noctule 0.1.0");
     dialogIsWhole<NewsDialog>("news");
+    dialogIsWhole<HelpWindow>("documents");
+    dialogIsWhole<MotionDialog>("import motion", *studio_,
+                                QStringLiteral(NOCTULE_SOURCE_DIR "/resources/motions/sample.bvh"));
     dialogIsWhole<ShotListDialog>("shot list", "Walk, straight line x2\nTurn, both ways x3", true);
     dialogIsWhole<ShortcutsDialog>("shortcuts", QList<ShortcutGroup>{{"Anywhere", window_->actions().all()}});
 }

@@ -17,7 +17,7 @@ TEST_F(HelpWindowTest, EveryDocumentOpensWithItsPicturesAndLinks) {
     HelpWindow help;
     for (int row = 0; row < help.contents().count(); ++row) {
         const QString name = help.contents().item(row)->data(Qt::UserRole).toString();
-        help.show(name);
+        help.showDocument(name);
         const QString markdown = help.page().document()->toMarkdown();
         EXPECT_GT(help.page().toPlainText().size(), 500) << name.toStdString();
         QRegularExpression link(R"(\]\(([^)#\s]+)(#[^)]*)?\))");
@@ -37,7 +37,7 @@ TEST_F(HelpWindowTest, EveryDocumentOpensWithItsPicturesAndLinks) {
 
 TEST_F(HelpWindowTest, ALinkLeadsToTheOtherDocument) {
     HelpWindow help;
-    help.show("guide");
+    help.showDocument("guide");
     emit help.page().anchorClicked(QUrl("glossary.md"));
     EXPECT_EQ(help.contents().currentItem()->data(Qt::UserRole).toString(), "glossary");
     EXPECT_TRUE(help.page().source().path().endsWith("/glossary.md"));
