@@ -4080,7 +4080,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Save as bone map</source>
-        <translation>Als Knochenzuordnung speichern</translation>
+        <translation>Zuordnung speichern</translation>
     </message>
     <message>
         <source>Frame of the motion</source>
