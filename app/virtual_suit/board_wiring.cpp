@@ -25,7 +25,7 @@ bool BoardWiring::connect(int board, bool connected) {
     return std::exchange(connected_[board], connected) != static_cast<char>(connected);
 }
 
-void BoardWiring::exchange(link::AdcBlock& block) {
+void BoardWiring::exchange(link::SoundBlock& block) {
     const size_t boards = heard_on_.size();
     for (size_t at = 0; at < block.values.size(); at += boards) {
         std::copy_n(block.values.data() + at, boards, sample_.data());
@@ -36,14 +36,14 @@ void BoardWiring::exchange(link::AdcBlock& block) {
     }
 }
 
-void BoardWiring::noteClipping(const link::AdcBlock& block) {
+void BoardWiring::noteClipping(const link::SoundBlock& block) {
     const size_t boards = heard_on_.size();
     for (size_t i = 0; i < block.values.size(); ++i)
         if (std::abs(block.values[i]) >= kFullScale)
             last_clipping_[i % boards] = block.first_sample + static_cast<int64_t>(i / boards);
 }
 
-void BoardWiring::apply(link::AdcBlock& block) {
+void BoardWiring::apply(link::SoundBlock& block) {
     const bool as_made = std::is_sorted(heard_on_.begin(), heard_on_.end()) &&
                          std::find(connected_.begin(), connected_.end(), 0) == connected_.end();
     if (!as_made)

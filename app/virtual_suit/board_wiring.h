@@ -23,15 +23,15 @@ public:
     void restart() { last_clipping_.assign(last_clipping_.size(), kNever); }
 
     /// What the boards put out becomes what the channels convert. An open channel sees a count of noise.
-    void apply(link::AdcBlock& block);
+    void apply(link::SoundBlock& block);
     /// Of STATUS, after all that was applied.
     uint16_t flags(int board) const;
 
 private:
     static constexpr int64_t kNever = INT64_MIN / 2;
     bool connect(int board, bool connected);
-    void exchange(link::AdcBlock& block);
-    void noteClipping(const link::AdcBlock& block);
+    void exchange(link::SoundBlock& block);
+    void noteClipping(const link::SoundBlock& block);
 
     int64_t second_samples_, next_sample_ = 0;
     std::vector<char> connected_;

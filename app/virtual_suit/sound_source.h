@@ -16,8 +16,8 @@ namespace noctule::virtual_suit {
 
 /// At most kUsualBlockSamples, and the pulses that are sent before its end and were not in the one before.
 struct SoundBlock {
-    link::AdcBlock adc;
-    std::vector<link::Pulse> pulses;
+    link::SoundBlock adc;
+    std::vector<link::EmittedPulse> pulses;
 
     int64_t end() const { return adc.first_sample + adc.sampleCount(); }
 };

@@ -19,7 +19,7 @@ struct TakeContent {
     int suit_id = 1;
     int board_count = 0;
     int64_t sample_count = 0, read_ahead_samples = 0;
-    std::vector<link::Pulse> pulses;
+    std::vector<link::EmittedPulse> pulses;
 };
 
 class TakeSource : public SoundSource {
@@ -48,7 +48,7 @@ public:
         ++played_in_lap_;
         for (; next_pulse_ < content_.pulses.size() && content_.pulses[next_pulse_].sample < block.end();
              ++next_pulse_) {
-            const link::Pulse& pulse = content_.pulses[next_pulse_];
+            const link::EmittedPulse& pulse = content_.pulses[next_pulse_];
             block.pulses.push_back({lap_start_ + pulse.sample, pulse.source});
         }
         block.adc.first_sample += lap_start_;

@@ -185,7 +185,8 @@ Result<CheckedTake> checkedTake(const ExportRequest& request) {
     auto take = Take::open(request.take_path);
     if (!take)
         return take.error();
-    take->view(request.suit);
+    if (request.suit)
+        take->view(*request.suit);
     CheckedTake checked;
     auto expected = expectedMotion(*take, request, checked.run);
     if (!expected)

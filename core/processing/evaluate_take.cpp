@@ -277,7 +277,8 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
     auto opened = Take::open(request.take_path, Access::kRead, {job.cancel});
     if (!opened)
         return opened.error();
-    opened->view(request.suit);
+    if (request.suit)
+        opened->view(*request.suit);
     const Take& take = *opened;
     const auto shown =
         request.run_number ? poseRun(take, *request.run_number) : choosePoseRun(take, request.run);

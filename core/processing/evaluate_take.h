@@ -18,7 +18,7 @@ struct EvaluateRequest {
     std::optional<int64_t> run_number;       ///< instead of the name, which several runs may share
     std::optional<OutsideMotion> reference;  ///< on a clock of its own; none: the reference in the take
     std::string reference_name;              ///< its file
-    int suit = 1;                            ///< whose poses, by the subject's first suit
+    std::optional<int> suit;                 ///< whose poses, by the first suit; none: the first subject
     bool all_runs = false;                   ///< compare every run, for the report; else only the shown one
 };
 

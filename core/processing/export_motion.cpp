@@ -89,7 +89,8 @@ Result<ExportedMotion> exportedMotion(const ExportRequest& request) {
     auto take = Take::open(request.take_path);
     if (!take)
         return take.error();
-    take->view(request.suit);
+    if (request.suit)
+        take->view(*request.suit);
     const auto run = choosePoseRun(*take, request.run);
     if (!run)
         return run.error();

@@ -27,8 +27,8 @@ enum class ExportFormat { kBvh, kCsv, kFbx, kGlb, kMot, kSto, kPng, kVideo };
 
 struct ExportRequest {
     std::string take_path;
-    std::string run;  ///< empty: the last pose run
-    int suit = 1;     ///< whose poses, by the subject's first suit
+    std::string run;          ///< empty: the last pose run
+    std::optional<int> suit;  ///< whose poses, by the subject's first suit; none: the first subject's
     double frames_per_second = 120;
     std::optional<double> from_s, to_s;  ///< of the take's clock; the first frame stands at from_s
     RootMotion root = RootMotion::kMoving;

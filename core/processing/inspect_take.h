@@ -29,7 +29,7 @@ struct PairSummary {
 
 /// One suit of several.
 struct SuitSummary {
-    int suit = 1;
+    int suit = 0;               ///< counts from 1
     std::string name, subject;  ///< subject empty: nobody's
     bool room = false;
     size_t boards = 0, sources = 0;

@@ -43,7 +43,7 @@ struct ProcessSummary {
     std::vector<std::string> warnings;  ///< whole sentences
     struct Subject {
         std::string name;
-        int suit = 1;
+        int suit = 0;  ///< counts from 1
         int64_t poses = 0, ranges = 0, ranges_used = 0;
     };
     std::vector<Subject> subjects;  ///< in the order of the take

@@ -38,7 +38,7 @@ public:
 private:
     /// What one subject yields; poses and contacts on the take's time.
     struct Part {
-        int suit = 1;
+        int suit = 0;  ///< counts from 1
         SuitClock clock;
         ResultSpool spool;
         std::vector<FootContacts> contacts;

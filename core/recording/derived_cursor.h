@@ -21,7 +21,7 @@ struct RunOfTake {
     const TakeSchema* schema = nullptr;
     SkipLog* log = nullptr;
     int64_t run = 0;
-    int suit = 1;
+    int suit = 0;  ///< counts from 1
     int board_count = 0;
     int source_count = 0;
     std::optional<std::pair<int64_t, int64_t>> pulses{};  ///< only ranges of pulses with these ids

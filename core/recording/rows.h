@@ -113,7 +113,7 @@ struct SampleInterval {
 /// A calibration or an actor as stored: several of a suit stand side by side, the highest id is in force.
 struct DocumentRow {
     int64_t id = 0;
-    int suit = 1;
+    int suit = 0;  ///< counts from 1
     std::string created_utc;
 };
 

@@ -35,7 +35,7 @@ public:
 
     /// `values` holds whole samples of all boards of the suit, at most 65536 samples; compressed with zstd on
     /// request. Blocks must not overlap.
-    Status addBlock(const AdcBlock& block, int board_count, int suit = 1, bool compress = false);
+    Status addBlock(const AdcBlock& block, int board_count, int suit, bool compress = false);
 
     /// Makes everything so far safe (kWal); a recorder calls it at least every 200 ms.
     Status commit();

@@ -55,7 +55,7 @@ Status TakePlayer::load() {
             pulses_.push_back({pulse.sample, pulse.source});
     statuses_ = std::move(*statuses);
     loadGaps(*gaps);
-    std::ranges::stable_sort(pulses_, {}, &link::Pulse::sample);
+    std::ranges::stable_sort(pulses_, {}, &link::EmittedPulse::sample);
     std::ranges::stable_sort(statuses_, {}, &StatusRow::sample);
     return Done{};
 }
@@ -133,7 +133,7 @@ public:
             const auto end = first + static_cast<int64_t>(values.size() / boards);
             jumpTo(first);
             announceUntil(end);
-            send(link::AdcBlock{first, static_cast<int>(boards), {values.begin(), values.end()}}, end);
+            send(link::SoundBlock{first, static_cast<int>(boards), {values.begin(), values.end()}}, end);
             next_sample_ = end;
         }
     }

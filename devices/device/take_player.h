@@ -42,7 +42,7 @@ private:
     int suit_ = 1;
     link::Hello hello_;
     int64_t end_sample_ = 0;
-    std::vector<link::Pulse> pulses_;  ///< these three rise
+    std::vector<link::EmittedPulse> pulses_;  ///< these three rise
     std::vector<StatusRow> statuses_;
     std::vector<BoardGap> board_gaps_;
     std::vector<GapRow> gaps_;  ///< of all boards

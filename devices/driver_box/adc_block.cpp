@@ -33,7 +33,7 @@ bool copyPlain(ByteView data, std::vector<int16_t>& values) {
 
 }  // namespace
 
-Bytes toPayload(const AdcBlock& block, AdcFormat format) {
+Bytes toPayload(const SoundBlock& block, AdcFormat format) {
     require(block.board_count >= 1 && block.board_count <= kMaxBoards, "ADC: no board, or too many");
     const int64_t samples = block.sampleCount();
     require(samples >= 1 && samples <= kMaxBlockSamples &&
@@ -58,7 +58,7 @@ Bytes toPayload(const AdcBlock& block, AdcFormat format) {
     return payload;
 }
 
-std::optional<AdcBlock> readAdcBlock(ByteView payload) {
+std::optional<SoundBlock> readSoundBlock(ByteView payload) {
     WireReader reader(payload);
     const auto first_sample = reader.number<uint64_t>();
     const auto samples = reader.number<uint32_t>();
@@ -67,7 +67,7 @@ std::optional<AdcBlock> readAdcBlock(ByteView payload) {
     if (!reader.ok() || first_sample > static_cast<uint64_t>(kHighestSample) || samples < 1 ||
         samples > kMaxBlockSamples || boards < 1 || boards > kMaxBoards)
         return std::nullopt;
-    AdcBlock block{static_cast<int64_t>(first_sample), boards, std::vector<int16_t>(samples * boards)};
+    SoundBlock block{static_cast<int64_t>(first_sample), boards, std::vector<int16_t>(samples * boards)};
     const bool whole = format == AdcFormat::kPlain  ? copyPlain(reader.rest(), block.values)
                        : format == AdcFormat::kZstd ? unpack(reader.rest(), block.values)
                                                     : false;

@@ -41,7 +41,7 @@ void BoxConversation::receive(ByteView bytes, int64_t now_ns) {
     if (!has_client_)
         return;
     heard_ns_ = now_ns;
-    reader_.push(bytes, now_ns, [&](const Frame& frame) { handle(frame); });
+    reader_.push(bytes, now_ns, [&](const LinkFrame& frame) { handle(frame); });
     answerStops();
 }
 
@@ -53,7 +53,7 @@ void BoxConversation::tick(int64_t now_ns) {
         }
         return;
     }
-    reader_.idle(now_ns, [&](const Frame& frame) { handle(frame); });
+    reader_.idle(now_ns, [&](const LinkFrame& frame) { handle(frame); });
     if (now_ns - status_ns_ >= kStatusEvery_ns) {
         status_ns_ += (now_ns - status_ns_) / kStatusEvery_ns * kStatusEvery_ns;
         sendStatus();
@@ -69,7 +69,7 @@ void BoxConversation::dropClient(const std::string& why, int64_t now_ns) {
     disconnected(now_ns);
 }
 
-void BoxConversation::handle(const Frame& frame) {
+void BoxConversation::handle(const LinkFrame& frame) {
     const uint32_t request = frame.header.sequence;
     switch (static_cast<Type>(frame.header.type)) {
         case Type::kQuery:
@@ -85,7 +85,7 @@ void BoxConversation::handle(const Frame& frame) {
     }
 }
 
-Code BoxConversation::handleRequest(const Frame& frame) {
+Code BoxConversation::handleRequest(const LinkFrame& frame) {
     switch (static_cast<Type>(frame.header.type)) {
         case Type::kStart:
             return start(frame.payload);
@@ -181,12 +181,12 @@ void BoxConversation::sendStatus() {
     queue_.pushControl(Type::kStatus, toPayload(status));
 }
 
-void BoxConversation::offer(const std::vector<Pulse>& pulses) {
+void BoxConversation::offer(const std::vector<EmittedPulse>& pulses) {
     if (streaming_ && !pulses.empty())
         queue_.pushPulses(pulses);
 }
 
-void BoxConversation::offer(AdcBlock block) {
+void BoxConversation::offer(SoundBlock block) {
     if (!streaming_)
         return;
     require(block.board_count == hello_.boardCount() && block.first_sample >= next_sample_ &&

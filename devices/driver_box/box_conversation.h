@@ -39,8 +39,8 @@ public:
 
     /// Pulses before the block that contains them; blocks of up to kMaxBlockSamples in rising order, all
     /// boards. Ignored unless streaming().
-    void offer(const std::vector<Pulse>& pulses);
-    void offer(AdcBlock block);
+    void offer(const std::vector<EmittedPulse>& pulses);
+    void offer(SoundBlock block);
     /// For the next STATUS; `sample` and `dropped_samples` are filled in.
     void setConditions(const BoxStatus& conditions) { conditions_ = conditions; }
     void report(const BoxError& error);
@@ -56,8 +56,8 @@ public:
     const FrameStatistics& statistics() const { return reader_.statistics(); }
 
 private:
-    void handle(const Frame& frame);
-    Code handleRequest(const Frame& frame);
+    void handle(const LinkFrame& frame);
+    Code handleRequest(const LinkFrame& frame);
     Code start(ByteView payload);
     Code identify(ByteView payload);
     Code set(ByteView payload);

@@ -11,17 +11,17 @@ void BoxQueue::pushControl(Type type, Bytes payload) {
     control_.push_back({type, std::move(payload)});
 }
 
-void BoxQueue::pushPulses(const std::vector<Pulse>& pulses) {
+void BoxQueue::pushPulses(const std::vector<EmittedPulse>& pulses) {
     pulses_.push_back({Type::kPulses, toPayload(pulses)});
     small_bytes_ += pulses_.back().payload.size() + kHeaderBytes + kTailBytes;
 }
 
-std::optional<BoxQueue::Dropped> BoxQueue::pushSound(AdcBlock block) {
+std::optional<BoxQueue::Dropped> BoxQueue::pushSound(SoundBlock block) {
     held_samples_ += block.sampleCount();
     sound_.push_back(std::move(block));
     std::optional<Dropped> dropped;
     while (held_samples_ - sound_.front().sampleCount() >= most_samples_) {
-        const AdcBlock& oldest = sound_.front();
+        const SoundBlock& oldest = sound_.front();
         if (!dropped)
             dropped = Dropped{oldest.first_sample, 0};
         dropped->sample_count += oldest.sampleCount();

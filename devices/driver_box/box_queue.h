@@ -17,13 +17,13 @@ public:
     BoxQueue(int64_t most_samples, AdcFormat format) : most_samples_(most_samples), format_(format) {}
 
     void pushControl(Type type, Bytes payload);
-    void pushPulses(const std::vector<Pulse>& pulses);
+    void pushPulses(const std::vector<EmittedPulse>& pulses);
     /// What had to go: its first sample and how many.
     struct Dropped {
         int64_t first_sample = 0;
         int64_t sample_count = 0;
     };
-    std::optional<Dropped> pushSound(AdcBlock block);
+    std::optional<Dropped> pushSound(SoundBlock block);
 
     /// A new client: sequence numbers begin at 0, what the last one got only half of is sent again whole.
     void restart();
@@ -52,7 +52,7 @@ private:
     int64_t most_samples_;
     AdcFormat format_;
     std::deque<Message> control_, pulses_;
-    std::deque<AdcBlock> sound_;
+    std::deque<SoundBlock> sound_;
     std::optional<Message> resend_;  ///< data begun for a client that is gone
     int64_t held_samples_ = 0;
     size_t small_bytes_ = 0;

@@ -19,7 +19,7 @@ Bytes announcementDatagram(const Announcement& announcement) {
 std::optional<Announcement> readAnnouncementDatagram(ByteView datagram, const std::string& where) {
     std::optional<Announcement> announcement;
     FrameReader reader;
-    reader.push(datagram, 0, [&](const Frame& frame) {
+    reader.push(datagram, 0, [&](const LinkFrame& frame) {
         const bool is_whole = frame.payload.size() + kHeaderBytes + kTailBytes == datagram.size();
         if (!is_whole || frame.header.type != static_cast<uint8_t>(Type::kAnnounce))
             return;

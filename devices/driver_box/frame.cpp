@@ -134,7 +134,7 @@ bool FrameReader::readHeader() {
 
 void FrameReader::finishFrame(const Sink& sink) {
     const ByteView bytes = held().first(neededBytes());
-    const Frame frame{*header_, bytes.subspan(kHeaderBytes, header_->payload_bytes)};
+    const LinkFrame frame{*header_, bytes.subspan(kHeaderBytes, header_->payload_bytes)};
     const uint32_t crc = WireReader(bytes.last(kTailBytes)).number<uint32_t>();
     header_.reset();
     begin_ += bytes.size();

@@ -27,7 +27,7 @@ struct FrameHeader {
 };
 
 /// The payload is only valid while the sink of FrameReader runs. A sink must not call its reader.
-struct Frame {
+struct LinkFrame {
     FrameHeader header;
     ByteView payload;
 };
@@ -51,7 +51,7 @@ struct FrameStatistics {
 
 class FrameReader {
 public:
-    using Sink = std::function<void(const Frame&)>;
+    using Sink = std::function<void(const LinkFrame&)>;
 
     /// After this long without a byte what is held of a frame is given up, one byte at a time.
     static constexpr int64_t kPatience_ns = 1'000'000'000;

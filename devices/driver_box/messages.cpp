@@ -122,11 +122,11 @@ std::optional<Ack> readAck(ByteView payload) {
     return reader.ok() ? std::optional(ack) : std::nullopt;
 }
 
-Bytes toPayload(const std::vector<Pulse>& pulses) {
+Bytes toPayload(const std::vector<EmittedPulse>& pulses) {
     Bytes payload;
     WireWriter writer(payload);
     writer.number(static_cast<uint32_t>(pulses.size()));
-    for (const Pulse& pulse : pulses) {
+    for (const EmittedPulse& pulse : pulses) {
         writer.number(static_cast<uint64_t>(pulse.sample));
         writer.number(static_cast<uint16_t>(pulse.source));
         writer.number(uint16_t{0});
@@ -134,13 +134,13 @@ Bytes toPayload(const std::vector<Pulse>& pulses) {
     return payload;
 }
 
-std::optional<std::vector<Pulse>> readPulses(ByteView payload) {
+std::optional<std::vector<EmittedPulse>> readPulses(ByteView payload) {
     WireReader reader(payload);
     const uint64_t count = reader.number<uint32_t>();
     if (!reader.ok() || reader.rest().size() != count * kPulseBytes)
         return std::nullopt;
-    std::vector<Pulse> pulses(count);
-    for (Pulse& pulse : pulses) {
+    std::vector<EmittedPulse> pulses(count);
+    for (EmittedPulse& pulse : pulses) {
         const auto sample = reader.number<uint64_t>();
         if (!isSample(sample))
             return std::nullopt;

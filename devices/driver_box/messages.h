@@ -64,21 +64,21 @@ struct Ack {
 };
 
 /// `values`: sample by sample, in each the boards in the order of HELLO.
-struct AdcBlock {
+struct SoundBlock {
     int64_t first_sample = 0;
     int board_count = 0;
     std::vector<int16_t> values;
 
     int64_t sampleCount() const { return static_cast<int64_t>(values.size()) / board_count; }
-    bool operator==(const AdcBlock&) const = default;
+    bool operator==(const SoundBlock&) const = default;
 };
 
 enum class AdcFormat : uint16_t { kPlain = 0, kZstd = 1 };
 
-struct Pulse {
+struct EmittedPulse {
     int64_t sample = 0;  ///< start of the electrical drive
     int source = 0;
-    bool operator==(const Pulse&) const = default;
+    bool operator==(const EmittedPulse&) const = default;
 };
 
 inline constexpr uint16_t kBoardConnected = 1, kBoardClipping = 2, kBoardLowSupply = 4;
@@ -106,16 +106,16 @@ struct Identify {
 };
 
 Bytes toPayload(const Ack& ack);
-Bytes toPayload(const AdcBlock& block, AdcFormat format = AdcFormat::kPlain);
-Bytes toPayload(const std::vector<Pulse>& pulses);
+Bytes toPayload(const SoundBlock& block, AdcFormat format = AdcFormat::kPlain);
+Bytes toPayload(const std::vector<EmittedPulse>& pulses);
 Bytes toPayload(const BoxStatus& status);
 Bytes toPayload(const BoxError& error);
 Bytes toPayload(const Identify& identify);
 Bytes startPayload();
 
 std::optional<Ack> readAck(ByteView payload);
-std::optional<AdcBlock> readAdcBlock(ByteView payload);
-std::optional<std::vector<Pulse>> readPulses(ByteView payload);
+std::optional<SoundBlock> readSoundBlock(ByteView payload);
+std::optional<std::vector<EmittedPulse>> readPulses(ByteView payload);
 std::optional<BoxStatus> readStatus(ByteView payload);
 std::optional<BoxError> readError(ByteView payload);
 std::optional<Identify> readIdentify(ByteView payload);

@@ -18,7 +18,7 @@ void SampleSequence::expectReconnection() {
     reconnecting_ = true;
 }
 
-SampleSequence::Placement SampleSequence::place(AdcBlock& block, bool link_lost_frames) {
+SampleSequence::Placement SampleSequence::place(SoundBlock& block, bool link_lost_frames) {
     if (block.board_count != board_count_ || !isPlausible(block.first_sample))
         return {Verdict::kDamaged, std::nullopt};
     const int64_t end = block.first_sample + block.sampleCount();

@@ -40,7 +40,7 @@ public:
     };
     /// Cuts a kNew block to its new part. `link_lost_frames`: frames were lost or damaged since the last kNew
     /// block; then a gap is the link's, otherwise the box's.
-    Placement place(AdcBlock& block, bool link_lost_frames);
+    Placement place(SoundBlock& block, bool link_lost_frames);
 
     /// Of pulses and status: no farther ahead than a block may be.
     bool isPlausible(int64_t sample) const { return sample <= next_sample_ - 1 + farthest_; }

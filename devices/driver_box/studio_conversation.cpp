@@ -52,7 +52,7 @@ void StudioConversation::receive(ByteView bytes, int64_t now_ns) {
     if (!isOpen())
         return;
     // A frame may end the connection; what follows it in the same piece is not looked at.
-    reader_.push(bytes, now_ns, [&](const Frame& frame) {
+    reader_.push(bytes, now_ns, [&](const LinkFrame& frame) {
         if (isOpen())
             handle(frame, now_ns);
     });
@@ -71,7 +71,7 @@ void StudioConversation::tick(int64_t now_ns) {
     }
     if (!isOpen())
         return;
-    reader_.idle(now_ns, [&](const Frame& frame) {
+    reader_.idle(now_ns, [&](const LinkFrame& frame) {
         if (isOpen())
             handle(frame, now_ns);
     });

@@ -76,7 +76,7 @@ private:
         int sample_rate_hz = 0;
     };
 
-    void handle(const Frame& frame, int64_t now_ns);
+    void handle(const LinkFrame& frame, int64_t now_ns);
     void handleHello(ByteView payload, int64_t now_ns);
     void greet(Hello hello, int64_t now_ns);
     void handleAck(const Ack& ack, int64_t now_ns);

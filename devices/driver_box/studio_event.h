@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the studio's side of the link tells its owner, in the order in which it happened. AdcBlock, pulses,
+// What the studio's side of the link tells its owner, in the order in which it happened. SoundBlock, pulses,
 // Gap, BoxStatus and BoxError are the data; the others say how the conversation goes. A take reaches from
 // Started to Stopped or TakeEnded, whichever comes; LinkLost and Resumed may lie between.
 #pragma once
@@ -50,9 +50,9 @@ struct Refused {
     Error why;
 };
 
-using Pulses = std::vector<Pulse>;
+using Pulses = std::vector<EmittedPulse>;
 using StudioEvent =
     std::variant<Greeted, Started, Stopped, TakeEnded, Stalled, Flowing, LinkLost, ConnectWanted, Resumed,
-                 RequestDone, RequestFailed, Refused, AdcBlock, Pulses, Gap, BoxStatus, BoxError>;
+                 RequestDone, RequestFailed, Refused, SoundBlock, Pulses, Gap, BoxStatus, BoxError>;
 
 }  // namespace noctule::link

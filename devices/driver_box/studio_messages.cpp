@@ -7,7 +7,7 @@
 
 namespace noctule::link {
 
-void StudioConversation::handle(const Frame& frame, int64_t now_ns) {
+void StudioConversation::handle(const LinkFrame& frame, int64_t now_ns) {
     last_frame_ns_ = now_ns;
     switch (static_cast<Type>(frame.header.type)) {
         case Type::kHello:
@@ -128,7 +128,7 @@ void StudioConversation::soundCame(int64_t now_ns) {
 void StudioConversation::handleAdc(ByteView payload, int64_t now_ns) {
     if (!takesSound())
         return;
-    auto block = readAdcBlock(payload);
+    auto block = readSoundBlock(payload);
     if (!block) {
         ++statistics_.bad_content;
         return;
@@ -151,7 +151,7 @@ void StudioConversation::handlePulses(ByteView payload, int64_t now_ns) {
     if (!takesSound())
         return;
     auto pulses = readPulses(payload);
-    const auto possible = [&](const Pulse& pulse) {
+    const auto possible = [&](const EmittedPulse& pulse) {
         return sequence_->isPlausible(pulse.sample) &&
                pulse.source < static_cast<int>(hello_->suit.sources.size());
     };

@@ -14,9 +14,9 @@
 namespace noctule {
 
 struct ArrivedBlock {
-    std::shared_ptr<const link::AdcBlock> sound;  ///< on the device's clock
-    int64_t arrived_ns = 0;                       ///< of its last byte, std::chrono::steady_clock
-    int64_t origin = 0;                           ///< the device's sample that is 0 here
+    std::shared_ptr<const link::SoundBlock> sound;  ///< on the device's clock
+    int64_t arrived_ns = 0;                         ///< of its last byte, std::chrono::steady_clock
+    int64_t origin = 0;                             ///< the device's sample that is 0 here
 
     int64_t firstSample() const { return sound->first_sample - origin; }
     int64_t sampleCount() const { return sound->sampleCount(); }

@@ -45,7 +45,7 @@ std::optional<RecorderBacklog::Stored> RecorderBacklog::store(const ArrivedBlock
     file_->putBytes(block.sound->values.data(), static_cast<size_t>(bytesOf(block)));
     if (!file_->good())
         return std::nullopt;
-    auto shell = std::make_shared<link::AdcBlock>();
+    auto shell = std::make_shared<link::SoundBlock>();
     shell->first_sample = block.sound->first_sample;
     shell->board_count = block.sound->board_count;
     Stored stored{{std::move(shell), block.arrived_ns, block.origin}, end_, block.sound->values.size()};
@@ -56,7 +56,7 @@ std::optional<RecorderBacklog::Stored> RecorderBacklog::store(const ArrivedBlock
 }
 
 LiveItem RecorderBacklog::fetch(const Stored& stored) {
-    auto sound = std::make_shared<link::AdcBlock>(*stored.shell.sound);
+    auto sound = std::make_shared<link::SoundBlock>(*stored.shell.sound);
     sound->values.resize(stored.values);
     const size_t bytes = stored.values * sizeof(int16_t);
     extent_.file_bytes -= static_cast<int64_t>(bytes);

@@ -4,10 +4,10 @@
 namespace noctule {
 
 std::optional<StreamEvent> streamEventOf(DeviceEvent&& event, int board_count) {
-    if (auto* block = std::get_if<link::AdcBlock>(&event.event)) {
+    if (auto* block = std::get_if<link::SoundBlock>(&event.event)) {
         if (block->values.empty() || block->board_count != board_count)
             return std::nullopt;
-        return ArrivedBlock{std::make_shared<const link::AdcBlock>(std::move(*block)), event.arrived_ns};
+        return ArrivedBlock{std::make_shared<const link::SoundBlock>(std::move(*block)), event.arrived_ns};
     }
     if (auto* pulses = std::get_if<link::Pulses>(&event.event))
         return std::move(*pulses);

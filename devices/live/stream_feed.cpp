@@ -16,7 +16,7 @@ namespace {
 /// file.)
 constexpr int64_t kFewestSilentSamples = 64;
 
-bool isSilent(const link::AdcBlock& block, size_t board) {
+bool isSilent(const link::SoundBlock& block, size_t board) {
     for (size_t i = board; i < block.values.size(); i += static_cast<size_t>(block.board_count))
         if (block.values[i] != 0)
             return false;
@@ -112,7 +112,7 @@ bool StreamFeed::Allowance::allow(int64_t sample, int64_t sample_rate_hz) {
 
 void StreamFeed::give(const link::Pulses& pulses) {
     std::vector<Pulse> numbered;
-    for (const link::Pulse& pulse : pulses)
+    for (const link::EmittedPulse& pulse : pulses)
         if (pulse.sample >= clock_.origin && pulse_rate_.allows(pulse.sample))
             numbered.push_back({++last_pulse_id_, pulse.sample - clock_.origin, pulse.source});
     if (!numbered.empty())

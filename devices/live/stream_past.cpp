@@ -46,7 +46,7 @@ void StreamPast::forgetOldestBlock() {
     for (; !isSound(events_.front()); events_.pop_front())
         forgotten_.note(events_.front());
     events_.pop_front();
-    std::erase_if(forgotten_.pulses, [first = oldestBlock().firstSample()](const link::Pulse& pulse) {
+    std::erase_if(forgotten_.pulses, [first = oldestBlock().firstSample()](const link::EmittedPulse& pulse) {
         return pulse.sample < first;
     });
 }

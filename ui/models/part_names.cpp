@@ -205,11 +205,11 @@ QString groupName(BodyGroup group) {
                                        "boards that sit on no known part of the body");
 }
 
-std::vector<BoardGroup> boardGroups(const Suit& suit) {
-    std::vector<BoardGroup> groups;
+std::vector<NamedBoards> boardGroups(const Suit& suit) {
+    std::vector<NamedBoards> groups;
     for (const BodyGroup group : {BodyGroup::kTrunk, BodyGroup::kLeftArm, BodyGroup::kRightArm,
                                   BodyGroup::kLeftLeg, BodyGroup::kRightLeg, BodyGroup::kElsewhere}) {
-        BoardGroup members{group, {}};
+        NamedBoards members{group, {}};
         for (size_t b = 0; b < suit.boards.size(); ++b)
             if (groupOfSegment(suit.boards[b].segment) == group)
                 members.boards.push_back(static_cast<int>(b));

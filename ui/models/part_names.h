@@ -51,10 +51,10 @@ QString groupName(BodyGroup group);
 
 /// Boards of the suit by group, trunk first, within a group in the order of the suit; empty groups are left
 /// out.
-struct BoardGroup {
+struct NamedBoards {
     BodyGroup group;
     std::vector<int> boards;
 };
-std::vector<BoardGroup> boardGroups(const Suit& suit);
+std::vector<NamedBoards> boardGroups(const Suit& suit);
 
 }  // namespace noctule::ui

@@ -54,12 +54,12 @@ Eigen::Isometry3d FigureScene::worldPose(SuitPart part) const {
     return segmentFrame(actor_.skeleton, places_.joints, segmentOf(part)) * T_segment_thing;
 }
 
-Placement FigureScene::place(const Eigen::Isometry3d& T_world_thing) {
+PartPlacement FigureScene::place(const Eigen::Isometry3d& T_world_thing) {
     const auto index = static_cast<size_t>(chosen_.index);
     const Eigen::Isometry3d T_segment_thing =
         segmentFrame(actor_.skeleton, places_.joints, segmentOf(chosen_)).inverse() * T_world_thing;
-    const Placement placement{T_segment_thing.translation(),
-                              Quaterniond(T_segment_thing.linear()).normalized()};
+    const PartPlacement placement{T_segment_thing.translation(),
+                                  Quaterniond(T_segment_thing.linear()).normalized()};
     if (chosen_.kind == SuitPart::Kind::kBoard) {
         suit_.boards[index].p_segment_board_m = placement.p_segment_m;
         suit_.boards[index].q_segment_board = placement.q_segment;
@@ -125,7 +125,7 @@ bool FigureScene::beginDrag(const ScreenView& view, const Eigen::Vector2d& at_px
     return true;
 }
 
-Placement FigureScene::dragTo(const ScreenView& view, const Eigen::Vector2d& at_px) {
+PartPlacement FigureScene::dragTo(const ScreenView& view, const Eigen::Vector2d& at_px) {
     return place(dragGizmo(drag_->T_world_thing, drag_->part, view, drag_->from_px, at_px));
 }
 
@@ -133,7 +133,7 @@ void FigureScene::endDrag() {
     drag_.reset();
 }
 
-Placement FigureScene::nudge(const Camera& camera, double right_m, double up_m) {
+PartPlacement FigureScene::nudge(const Camera& camera, double right_m, double up_m) {
     Eigen::Isometry3d T_world_thing = worldPose(chosen_);
     T_world_thing.translation() += camera.axes() * Vector3d(right_m, up_m, 0);
     return place(T_world_thing);

@@ -12,7 +12,7 @@
 namespace noctule::ui {
 
 /// Where a part sits, in its segment's frame. Of a source the rotation turns +Z onto its normal.
-struct Placement {
+struct PartPlacement {
     Vector3d p_segment_m = Vector3d::Zero();
     Quaterniond q_segment = Quaterniond::Identity();
 };
@@ -34,10 +34,10 @@ public:
     /// True when a handle was taken.
     bool beginDrag(const ScreenView& view, const Eigen::Vector2d& at_px);
     bool isDragging() const { return drag_.has_value(); }
-    Placement dragTo(const ScreenView& view, const Eigen::Vector2d& at_px);
+    PartPlacement dragTo(const ScreenView& view, const Eigen::Vector2d& at_px);
     void endDrag();
     /// Moves the chosen part along the picture.
-    Placement nudge(const Camera& camera, double right_m, double up_m);
+    PartPlacement nudge(const Camera& camera, double right_m, double up_m);
 
 private:
     struct Drag {
@@ -47,7 +47,7 @@ private:
     };
     const std::string& segmentOf(SuitPart part) const;
     Eigen::Isometry3d worldPose(SuitPart part) const;
-    Placement place(const Eigen::Isometry3d& T_world_thing);
+    PartPlacement place(const Eigen::Isometry3d& T_world_thing);
     std::optional<SceneGizmo> gizmo() const;
 
     Actor actor_;

@@ -88,7 +88,7 @@ bool SceneView::mouseMove(const QMouseEvent& event) {
         refresh();
         return false;
     }
-    const Placement placement = parts.figure->dragTo(parts.screen(), at_px);
+    const PartPlacement placement = parts.figure->dragTo(parts.screen(), at_px);
     refresh();
     emit placementDragged(parts.figure->chosen(), placement.p_segment_m, placement.q_segment);
     return true;
@@ -183,7 +183,7 @@ bool SceneView::nudge(const QKeyEvent& event) {
     const double up = key == Qt::Key_Up ? step : key == Qt::Key_Down ? -step : 0;
     if (right == 0 && up == 0)
         return false;
-    const Placement placement = parts.figure->nudge(parts.control->camera(), right, up);
+    const PartPlacement placement = parts.figure->nudge(parts.control->camera(), right, up);
     refresh();
     emit placementDragged(parts.figure->chosen(), placement.p_segment_m, placement.q_segment);
     emit dragEnded();

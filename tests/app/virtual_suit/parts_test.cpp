@@ -87,8 +87,8 @@ TEST(ByteFaults, PiecesOfAnySizeGiveTheSame) {
     }
 }
 
-link::AdcBlock threeBoards(int64_t first_sample) {
-    link::AdcBlock block{first_sample, 3, {}};
+link::SoundBlock threeBoards(int64_t first_sample) {
+    link::SoundBlock block{first_sample, 3, {}};
     for (int i = 0; i < 600; ++i)
         block.values.insert(block.values.end(), {100, 200, 300});
     return block;
@@ -99,7 +99,7 @@ TEST(BoardWiring, UnpluggedIsSilentAndSaysSo) {
     EXPECT_FALSE(wiring.plug(1));
     EXPECT_TRUE(wiring.unplug(1));
     EXPECT_FALSE(wiring.unplug(1));
-    link::AdcBlock block = threeBoards(0);
+    link::SoundBlock block = threeBoards(0);
     wiring.apply(block);
     for (size_t i = 0; i < block.values.size(); i += 3) {
         ASSERT_EQ(block.values[i], 100);
@@ -117,7 +117,7 @@ TEST(BoardWiring, UnpluggedIsSilentAndSaysSo) {
 TEST(BoardWiring, SwappedTwiceIsAsItWas) {
     BoardWiring wiring(3, 150000, 1);
     wiring.swap(0, 2);
-    link::AdcBlock block = threeBoards(0);
+    link::SoundBlock block = threeBoards(0);
     wiring.apply(block);
     EXPECT_EQ(block.values[0], 300);
     EXPECT_EQ(block.values[1], 200);
@@ -130,7 +130,7 @@ TEST(BoardWiring, SwappedTwiceIsAsItWas) {
 
 TEST(BoardWiring, ClippingIsToldForASecond) {
     BoardWiring wiring(3, 1200, 1);
-    link::AdcBlock block = threeBoards(0);
+    link::SoundBlock block = threeBoards(0);
     block.values[2] = -32767;
     wiring.apply(block);
     EXPECT_EQ(wiring.flags(1), link::kBoardConnected);

@@ -8,7 +8,7 @@ namespace {
 
 struct TinySound {
     std::vector<int16_t> values;
-    std::vector<link::Pulse> pulses;
+    std::vector<link::EmittedPulse> pulses;
     int64_t samples = 0;
 };
 
@@ -39,7 +39,7 @@ void expectTinyTake(const TestStudio& studio, bool loop = false) {
             ASSERT_EQ(gap->first_sample, next);
             next += gap->sample_count;
         }
-        const auto* block = std::get_if<link::AdcBlock>(&event);
+        const auto* block = std::get_if<link::SoundBlock>(&event);
         if (!block)
             continue;
         ASSERT_EQ(block->first_sample, next);
@@ -52,13 +52,13 @@ void expectTinyTake(const TestStudio& studio, bool loop = false) {
         next += block->sampleCount();
     }
     EXPECT_GT(next, 0);
-    const std::vector<link::Pulse> pulses = studio.pulses();
+    const std::vector<link::EmittedPulse> pulses = studio.pulses();
     for (size_t i = 0; i < pulses.size(); ++i) {
         const int64_t lap = loop ? pulses[i].sample / tiny.samples : 0;
-        const link::Pulse& wanted = tiny.pulses[i % tiny.pulses.size()];
-        ASSERT_EQ(pulses[i], (link::Pulse{lap * tiny.samples + wanted.sample, wanted.source})) << i;
+        const link::EmittedPulse& wanted = tiny.pulses[i % tiny.pulses.size()];
+        ASSERT_EQ(pulses[i], (link::EmittedPulse{lap * tiny.samples + wanted.sample, wanted.source})) << i;
     }
-    for (const link::Pulse& pulse : tiny.pulses)
+    for (const link::EmittedPulse& pulse : tiny.pulses)
         EXPECT_TRUE(pulse.sample >= next || std::find(pulses.begin(), pulses.end(), pulse) != pulses.end())
             << pulse.sample;
 }
@@ -115,7 +115,7 @@ TEST(VirtualSuit, BoardsCanBeUnpluggedAndSwapped) {
     TestStudio studio(tcp(suit));
     ASSERT_TRUE(studio.start());
     const auto isSilent = [&] {
-        const auto blocks = studio.all<link::AdcBlock>();
+        const auto blocks = studio.all<link::SoundBlock>();
         int loudest = 0;
         for (size_t i = 1; i < blocks.back().values.size(); i += 2)
             loudest = std::max<int>(loudest, std::abs(blocks.back().values[i]));
@@ -136,7 +136,7 @@ TEST(VirtualSuit, BoardsCanBeUnpluggedAndSwapped) {
     EXPECT_TRUE(studio.heard(link::Code::kBoardFound));
     EXPECT_EQ(suit.tell("swap 1 2"), "ok");
     studio.run(0.2);
-    const auto block = studio.all<link::AdcBlock>().back();
+    const auto block = studio.all<link::SoundBlock>().back();
     const TinySound tiny = tinySound();
     const int64_t at = block.first_sample % tiny.samples;
     EXPECT_EQ(block.values[0], tiny.values[at * 2 + 1]);
@@ -176,7 +176,7 @@ TEST(VirtualSuit, BadCablesCostSamplesButNoTime) {
     for (const link::StudioEvent& event : studio.events) {
         if (const auto* gap = std::get_if<link::Gap>(&event))
             next = gap->first_sample + gap->sample_count;
-        if (const auto* block = std::get_if<link::AdcBlock>(&event)) {
+        if (const auto* block = std::get_if<link::SoundBlock>(&event)) {
             EXPECT_EQ(block->first_sample, next);
             next = block->first_sample + block->sampleCount();
         }
@@ -216,7 +216,7 @@ TEST(VirtualSuit, AHoleInATakeTakesItsTime) {
     const auto gaps = studio.all<link::Gap>();
     ASSERT_EQ(gaps.size(), 1u);
     EXPECT_GE(gaps[0].sample_count, 140'000);
-    for (const link::Pulse& pulse : studio.pulses())
+    for (const link::EmittedPulse& pulse : studio.pulses())
         EXPECT_LT(pulse.source, 2) << "the suit has two sources";
 }
 
@@ -286,7 +286,7 @@ TEST(VirtualSuit, AnnouncesItself) {
     link::FrameReader reader;
     std::optional<link::Announcement> announcement;
     reader.push({reinterpret_cast<const uint8_t*>(answer.data()), answer.size()}, 0,
-                [&](const link::Frame& frame) {
+                [&](const link::LinkFrame& frame) {
                     EXPECT_EQ(frame.header.type, 0x08);
                     announcement = link::readAnnouncement(frame.payload, "test").value();
                 });
@@ -343,7 +343,7 @@ TEST(VirtualSuit, OnlyEnabledSourcesPulse) {
     ASSERT_TRUE(studio.runUntil([&] { return studio.pulses().size() > 20; }));
     const auto pulses = studio.pulses();
     for (size_t i = 0; i < pulses.size(); ++i)
-        EXPECT_EQ(pulses[i], (link::Pulse{static_cast<int64_t>(i) * 1200, i % 2 == 0 ? 6 : 1}));
+        EXPECT_EQ(pulses[i], (link::EmittedPulse{static_cast<int64_t>(i) * 1200, i % 2 == 0 ? 6 : 1}));
 }
 
 TEST(VirtualSuit, EndsOnCtrlCAndOnQuit) {

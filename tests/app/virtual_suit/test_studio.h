@@ -177,12 +177,12 @@ public:
     int64_t samples() const {
         int64_t samples = 0;
         for (const link::StudioEvent& event : events)
-            if (const auto* block = std::get_if<link::AdcBlock>(&event))
+            if (const auto* block = std::get_if<link::SoundBlock>(&event))
                 samples = block->first_sample + block->sampleCount();
         return samples;
     }
-    std::vector<link::Pulse> pulses() const {
-        std::vector<link::Pulse> pulses;
+    std::vector<link::EmittedPulse> pulses() const {
+        std::vector<link::EmittedPulse> pulses;
         for (const link::Pulses& some : all<link::Pulses>())
             pulses.insert(pulses.end(), some.begin(), some.end());
         return pulses;

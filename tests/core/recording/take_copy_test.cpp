@@ -37,7 +37,7 @@ protected:
         auto take = TakeWriter::create(path("writing.noctule"), header(), {false, TakeWriter::Journal::kWal});
         ASSERT_TRUE(take);
         for (int s = 0; s < 2; ++s)
-            ASSERT_TRUE(take->addBlock({s * 1000, second}, 1));
+            ASSERT_TRUE(take->addBlock({s * 1000, second}, 1, 1));
         ASSERT_TRUE(take->commit());
         fs::copy_file(path("writing.noctule"), path(as));
         fs::copy_file(path("writing.noctule-wal"), path(as) + "-wal");

@@ -49,7 +49,7 @@ TEST(TakeWriter, EverythingIsReadBack) {
         ASSERT_TRUE(writer->addCalibration(nominalCalibration(defaultSuit())));
         ASSERT_TRUE(writer->addActor(actor, "2026-01-01T00:00:00Z"));
         ASSERT_TRUE(writer->addBlock({600, values}, 18, 1, true));
-        ASSERT_TRUE(writer->addBlock({0, values}, 18));
+        ASSERT_TRUE(writer->addBlock({0, values}, 18, 1));
         EXPECT_EQ(*writer->addPulse(1200, 7), 1);
         ASSERT_TRUE(writer->addStatus({150000, 21.5, {}, 3.9, 55}));
         ASSERT_TRUE(writer->addGap({700, 10, 3, "board"}));
@@ -116,7 +116,7 @@ TEST(TakeWriter, LeavesNoHalfFile) {
     const std::string path = folder.file("t.noctule");
     {
         Result<TakeWriter> forgotten = TakeWriter::create(path, smallHeader());
-        ASSERT_TRUE(forgotten->addBlock({0, noise(18 * 5000)}, 18));
+        ASSERT_TRUE(forgotten->addBlock({0, noise(18 * 5000)}, 18, 1));
         Result<TakeWriter> abandoned = TakeWriter::create(path, smallHeader());
         abandoned->abandon();
         EXPECT_EQ(folder.names().size(), 1u);
@@ -159,9 +159,9 @@ TEST(TakeWriter, ARecordingShowsWhatWasCommitted) {
     Result<TakeWriter> writer = TakeWriter::create(path, smallHeader(), {false, TakeWriter::Journal::kWal});
     ASSERT_TRUE(writer) << writer.error().text();
     ASSERT_TRUE(writer->addSuit(defaultSuit()));
-    ASSERT_TRUE(writer->addBlock({0, values}, 18));
+    ASSERT_TRUE(writer->addBlock({0, values}, 18, 1));
     ASSERT_TRUE(writer->commit());
-    ASSERT_TRUE(writer->addBlock({100, values}, 18));
+    ASSERT_TRUE(writer->addBlock({100, values}, 18, 1));
 
     // As after a crash: both files as they are now.
     const std::string crashed = folder.file("crashed.noctule");
@@ -182,9 +182,9 @@ TEST(TakeWriter, TheSameBlockTwiceIsAnError) {
     const Folder folder;
     Result<TakeWriter> writer = TakeWriter::create(folder.file("t.noctule"), smallHeader());
     ASSERT_TRUE(writer->addSuit(defaultSuit()));
-    ASSERT_TRUE(writer->addBlock({0, noise(18)}, 18));
-    EXPECT_FALSE(writer->addBlock({0, noise(18)}, 18));
-    EXPECT_TRUE(writer->addBlock({1, noise(18)}, 18));
+    ASSERT_TRUE(writer->addBlock({0, noise(18)}, 18, 1));
+    EXPECT_FALSE(writer->addBlock({0, noise(18)}, 18, 1));
+    EXPECT_TRUE(writer->addBlock({1, noise(18)}, 18, 1));
     ASSERT_TRUE(writer->finish());
     EXPECT_EQ(*Take::open(folder.file("t.noctule"))->sampleCount(), 2);
 }

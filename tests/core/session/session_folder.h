@@ -52,7 +52,7 @@ public:
     }
     static void addSound(TakeWriter& take, int64_t first_sample, int samples) {
         const std::vector<int16_t> values(static_cast<size_t>(samples), 7);
-        ASSERT_TRUE(take.addBlock({first_sample, values}, 1));
+        ASSERT_TRUE(take.addBlock({first_sample, values}, 1, 1));
     }
 
     /// A finished take of two seconds, worn by `performer`.

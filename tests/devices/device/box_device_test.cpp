@@ -34,12 +34,12 @@ INSTANTIATE_TEST_SUITE_P(Wires, BoxDevice, testing::Bool(),
 TEST_P(BoxDevice, GoesOnAfterACutAndTheHoleIsAGap) {
     begin();
     ASSERT_TRUE(streams());
-    ASSERT_TRUE(log.waitFor<link::AdcBlock>(40));
+    ASSERT_TRUE(log.waitFor<link::SoundBlock>(40));
     box->cut();
     ASSERT_TRUE(log.waitFor<link::LinkLost>());
     ASSERT_TRUE(log.waitFor<link::Resumed>());
-    const size_t before = log.count<link::AdcBlock>();
-    ASSERT_TRUE(log.waitFor<link::AdcBlock>(before + 40));
+    const size_t before = log.count<link::SoundBlock>();
+    ASSERT_TRUE(log.waitFor<link::SoundBlock>(before + 40));
     device->stop();
     ASSERT_TRUE(log.waitFor<link::Stopped>());
     EXPECT_EQ(log.expectTinySound(), box->sampledSamples());
@@ -51,12 +51,12 @@ TEST_P(BoxDevice, GoesOnAfterACutAndTheHoleIsAGap) {
 TEST_P(BoxDevice, ARestartedBoxEndsTheTakeAndCanStartAnother) {
     begin();
     ASSERT_TRUE(streams());
-    ASSERT_TRUE(log.waitFor<link::AdcBlock>(20));
+    ASSERT_TRUE(log.waitFor<link::SoundBlock>(20));
     box->restart();
     ASSERT_TRUE(log.waitFor<link::TakeEnded>());
     EXPECT_NE(log.last<link::TakeEnded>().why.message.find(box->address()), std::string::npos);
     ASSERT_TRUE(streams());
-    ASSERT_TRUE(log.waitFor<link::AdcBlock>(40));
+    ASSERT_TRUE(log.waitFor<link::SoundBlock>(40));
 }
 
 TEST_P(BoxDevice, LooksThroughGarbage) {
@@ -66,7 +66,7 @@ TEST_P(BoxDevice, LooksThroughGarbage) {
     garbage.insert(garbage.end(), {'N', 'C', 'T', 'L', 1, 3});
     begin({.garbage = garbage});
     ASSERT_TRUE(streams());
-    ASSERT_TRUE(log.waitFor<link::AdcBlock>(20));
+    ASSERT_TRUE(log.waitFor<link::SoundBlock>(20));
     device->stop();
     ASSERT_TRUE(log.waitFor<link::Stopped>());
     EXPECT_EQ(log.expectTinySound(), box->sampledSamples());

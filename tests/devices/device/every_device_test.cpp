@@ -59,7 +59,7 @@ TEST_P(EveryDevice, GivesEverySampleBitForBitUntilItIsStopped) {
     Rig rig(GetParam());
     ASSERT_TRUE(rig.opens());
     ASSERT_TRUE(rig.starts());
-    ASSERT_TRUE(rig.log.waitFor<link::AdcBlock>(400));
+    ASSERT_TRUE(rig.log.waitFor<link::SoundBlock>(400));
     ASSERT_TRUE(rig.stops());
     EXPECT_GE(rig.log.expectTinySound(), 400 * 600);
     EXPECT_EQ(rig.log.lostSamples(), 0);
@@ -75,7 +75,7 @@ TEST_P(EveryDevice, BeginsAgainWithEveryStart) {
     ASSERT_TRUE(rig.opens());
     for (size_t take = 1; take <= 3; ++take) {
         ASSERT_TRUE(rig.starts(take));
-        ASSERT_TRUE(rig.log.waitFor<link::AdcBlock>(take * 20));
+        ASSERT_TRUE(rig.log.waitFor<link::SoundBlock>(take * 20));
         ASSERT_TRUE(rig.stops(take));
         EXPECT_GT(rig.log.expectTinySound(), 0);
     }
@@ -89,8 +89,8 @@ TEST_P(EveryDevice, ASecondStartFailsAndChangesNothing) {
     ASSERT_TRUE(rig.log.waitFor<link::RequestFailed>());
     EXPECT_EQ(rig.log.last<link::RequestFailed>().type, link::Type::kStart);
     EXPECT_FALSE(rig.log.last<link::RequestFailed>().why.remedy.empty());
-    const size_t before = rig.log.count<link::AdcBlock>();
-    ASSERT_TRUE(rig.log.waitFor<link::AdcBlock>(before + 20));
+    const size_t before = rig.log.count<link::SoundBlock>();
+    ASSERT_TRUE(rig.log.waitFor<link::SoundBlock>(before + 20));
     ASSERT_TRUE(rig.stops());
     rig.log.expectTinySound();
     EXPECT_EQ(rig.log.count<link::Started>(), 1u);

@@ -30,7 +30,7 @@ struct Client {
     void read(size_t most = kAll) {
         const Bytes bytes = box.read(most);
         EXPECT_LE(bytes.size(), most);
-        reader.push(bytes, 0, [&](const Frame& frame) {
+        reader.push(bytes, 0, [&](const LinkFrame& frame) {
             got.push_back({static_cast<Type>(frame.header.type),
                            frame.header.sequence,
                            {frame.payload.begin(), frame.payload.end()}});
@@ -57,7 +57,7 @@ struct Client {
         std::vector<int64_t> samples;
         for (const Got& one : got)
             if (one.type == Type::kAdc)
-                samples.push_back(readAdcBlock(one.payload)->first_sample);
+                samples.push_back(readSoundBlock(one.payload)->first_sample);
         return samples;
     }
     Code answer(Type type, const Bytes& payload) {
@@ -172,7 +172,7 @@ TEST(Box, DropsTheOldestSoundOnlyAndSaysSo) {
     client.say(Type::kStart, startPayload());
     client.offer(2);
     client.read(30 + 40);  // ACK; the first block has begun
-    client.box.offer(std::vector<Pulse>{{1200, 0}});
+    client.box.offer(std::vector<EmittedPulse>{{1200, 0}});
     client.offer(100);
     client.box.report({Code::kBatteryLow, 1200, "low"});
     client.now_ns += kSecond_ns;
@@ -209,7 +209,7 @@ TEST(Box, GoesOnWithoutAClientAndThenWithTheNext) {
     Client client;
     client.say(Type::kStart, startPayload());
     client.offer(2);
-    client.box.offer(std::vector<Pulse>{{1200, 0}});
+    client.box.offer(std::vector<EmittedPulse>{{1200, 0}});
     client.read(3000);
     client.say(Type::kPing);
     client.box.disconnected(client.now_ns);

@@ -8,11 +8,11 @@ namespace noctule::link {
 namespace {
 
 constexpr int64_t kOneSecond_ns = 1'000'000'000;
-const FrameReader::Sink kIgnore = [](const Frame&) {};
+const FrameReader::Sink kIgnore = [](const LinkFrame&) {};
 
 std::vector<uint32_t> sequencesOf(FrameReader& reader, const Bytes& bytes, int64_t now_ns = 0) {
     std::vector<uint32_t> sequences;
-    reader.push(bytes, now_ns, [&](const Frame& frame) { sequences.push_back(frame.header.sequence); });
+    reader.push(bytes, now_ns, [&](const LinkFrame& frame) { sequences.push_back(frame.header.sequence); });
     return sequences;
 }
 
@@ -32,7 +32,7 @@ TEST(Frame, ReadsEveryGoldenFrame) {
     for (const GoldenFrame& golden : goldenFrames()) {
         FrameReader reader;
         int found = 0;
-        reader.push(golden.bytes, 0, [&](const Frame& frame) {
+        reader.push(golden.bytes, 0, [&](const LinkFrame& frame) {
             ++found;
             EXPECT_EQ(frame.header.type, static_cast<uint8_t>(golden.type()));
             EXPECT_EQ(frame.header.sequence, golden.sequence);
@@ -165,7 +165,7 @@ TEST(FrameReader, FramesInsideAFrameThatNeverEndsComeOutAfterASecond) {
     FrameReader reader;
     EXPECT_TRUE(sequencesOf(reader, cut).empty());
     int found = 0;
-    const FrameReader::Sink count = [&](const Frame&) { ++found; };
+    const FrameReader::Sink count = [&](const LinkFrame&) { ++found; };
     reader.idle(kOneSecond_ns - 1, count);
     EXPECT_EQ(found, 0);
     reader.idle(kOneSecond_ns, count);
@@ -213,7 +213,7 @@ TEST(FrameReader, HundredThousandMutations) {
         const Bytes stream = mutatedStream(random, frames);
         pushed += static_cast<int64_t>(stream.size());
         now_ns += random() % 20 == 0 ? kOneSecond_ns : 1000;
-        reader.push(stream, now_ns, [&](const Frame& frame) {
+        reader.push(stream, now_ns, [&](const LinkFrame& frame) {
             ++found;
             ASSERT_LE(frame.payload.size(), kMaxPayloadBytes);
         });

@@ -39,7 +39,7 @@ void readAsEverything(ByteView payload) {
     readIdentify(payload);
     (void)readAnnouncement(payload, "fuzz");
     (void)readSettings(payload);
-    if (const auto block = readAdcBlock(payload)) {
+    if (const auto block = readSoundBlock(payload)) {
         EXPECT_GE(block->first_sample, 0);
         EXPECT_LE(block->first_sample, kHighestSample);
         EXPECT_TRUE(block->board_count > 0 && block->board_count <= kMaxBoards);
@@ -57,7 +57,7 @@ TEST(FuzzLink, BytesOfAStream) {
     examples.push_back(textOf(damagedStream()));
     test::feedDamaged(examples, kFewInputs, kMostGrowth_kb, [](const std::string& stream, int64_t number) {
         FrameReader reader;
-        const FrameReader::Sink sink = [](const Frame& frame) { readAsEverything(frame.payload); };
+        const FrameReader::Sink sink = [](const LinkFrame& frame) { readAsEverything(frame.payload); };
         const size_t piece = 1 + static_cast<size_t>(number) % 700;
         for (size_t at = 0; at < stream.size(); at += piece)
             reader.push(viewOf(stream).subspan(at, std::min(piece, stream.size() - at)), 0, sink);
@@ -101,7 +101,7 @@ TEST(FuzzLink, PayloadsToTheStudio) {
             studio.tick(now_ns += 10 * kFuzzStep_ns);
         int64_t next = 0;
         for (const StudioEvent& event : studio.takeEvents())
-            if (const auto* block = std::get_if<AdcBlock>(&event)) {
+            if (const auto* block = std::get_if<SoundBlock>(&event)) {
                 EXPECT_GE(block->first_sample, next);
                 next = block->first_sample + block->sampleCount();
             }
@@ -124,14 +124,14 @@ TEST(FuzzLink, PayloadsToTheBox) {
         for (uint32_t i = 0; i < 2 * types.size(); ++i) {
             const Type type = types[(i + static_cast<size_t>(number)) % types.size()];
             box.receive(encodeFrame(static_cast<uint8_t>(type), i, bytes), i);
-            box.offer(AdcBlock{box.nextSample(), hello.boardCount(),
-                               std::vector<int16_t>(static_cast<size_t>(hello.boardCount()) * 60)});
+            box.offer(SoundBlock{box.nextSample(), hello.boardCount(),
+                                 std::vector<int16_t>(static_cast<size_t>(hello.boardCount()) * 60)});
             box.tick(i * kFuzzStep_ns);
         }
         FrameReader studio;
         int frames = 0;
         for (Bytes out = box.read(4096); !out.empty(); out = box.read(4096))
-            studio.push(out, 0, [&](const Frame&) { ++frames; });
+            studio.push(out, 0, [&](const LinkFrame&) { ++frames; });
         EXPECT_GT(frames, 0) << "every request is answered";
         EXPECT_EQ(studio.statistics().losses(), 0);
     });

@@ -87,7 +87,7 @@ inline Bytes randomBytes(std::mt19937& random, size_t count) {
 /// Everything a stream turned into, one line a frame, and the counts.
 inline std::string readAll(FrameReader& reader, ByteView bytes, size_t piece) {
     std::ostringstream text;
-    const FrameReader::Sink sink = [&](const Frame& frame) {
+    const FrameReader::Sink sink = [&](const LinkFrame& frame) {
         text << int{frame.header.type} << ' ' << frame.header.sequence << ':';
         for (const uint8_t byte : frame.payload)
             text << ' ' << int{byte};

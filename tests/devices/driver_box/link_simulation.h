@@ -17,8 +17,8 @@ inline int16_t soundAt(int64_t sample, int board) {
     return static_cast<int16_t>((sample * 31 + board * 1000) % 30000);
 }
 
-inline AdcBlock soundBlock(int64_t first_sample, int samples, int boards) {
-    AdcBlock block{first_sample, boards, {}};
+inline SoundBlock soundBlock(int64_t first_sample, int samples, int boards) {
+    SoundBlock block{first_sample, boards, {}};
     for (int i = 0; i < samples; ++i)
         for (int board = 0; board < boards; ++board)
             block.values.push_back(soundAt(first_sample + i, board));
@@ -108,7 +108,7 @@ public:
                 EXPECT_EQ(gap->first_sample, next);
                 EXPECT_GT(gap->sample_count, 0);
                 next += gap->sample_count;
-            } else if (const auto* block = std::get_if<AdcBlock>(&event)) {
+            } else if (const auto* block = std::get_if<SoundBlock>(&event)) {
                 EXPECT_EQ(block->first_sample, next);
                 EXPECT_EQ(*block, soundBlock(next, static_cast<int>(block->sampleCount()), 2));
                 next += block->sampleCount();
@@ -120,7 +120,7 @@ public:
         int64_t last = -1;
         size_t count = 0;
         for (const Pulses& pulses : eventsOf<Pulses>(events))
-            for (const Pulse& pulse : pulses) {
+            for (const EmittedPulse& pulse : pulses) {
                 EXPECT_GT(pulse.sample, last);
                 EXPECT_EQ(pulse.sample % 1200, 0);
                 last = pulse.sample;
@@ -135,7 +135,7 @@ private:
             return;
         const int64_t first = box->nextSample();
         if (first % 1200 == 0)
-            box->offer(std::vector<Pulse>{{first, 0}});
+            box->offer(std::vector<EmittedPulse>{{first, 0}});
         box->offer(soundBlock(first, 600, 2));
     }
     void move() {

@@ -44,10 +44,10 @@ TEST(Link, APulseComesBeforeItsSound) {
     link.run(2);
     int64_t sound_end = 0;
     for (const StudioEvent& event : link.events) {
-        if (const auto* block = std::get_if<AdcBlock>(&event))
+        if (const auto* block = std::get_if<SoundBlock>(&event))
             sound_end = block->first_sample + block->sampleCount();
         if (const auto* pulses = std::get_if<Pulses>(&event)) {
-            for (const Pulse& pulse : *pulses)
+            for (const EmittedPulse& pulse : *pulses)
                 EXPECT_GE(pulse.sample, sound_end);
         }
     }

@@ -9,8 +9,8 @@
 namespace noctule::link {
 namespace {
 
-AdcBlock rampBlock(int64_t first_sample, int samples, int boards) {
-    AdcBlock block{first_sample, boards, {}};
+SoundBlock rampBlock(int64_t first_sample, int samples, int boards) {
+    SoundBlock block{first_sample, boards, {}};
     for (int i = 0; i < samples * boards; ++i)
         block.values.push_back(static_cast<int16_t>(i * 7 - 300));
     return block;
@@ -26,8 +26,8 @@ void expectRoundTrip(const T& value, std::optional<T> (*read)(ByteView)) {
 TEST(Messages, WriteReadEqual) {
     expectRoundTrip(Ack{0xFFFFFFFF, Code::kNotNow, "schon unterwegs"}, readAck);
     expectRoundTrip(Ack{}, readAck);
-    expectRoundTrip(std::vector<Pulse>{}, readPulses);
-    expectRoundTrip(std::vector<Pulse>{{0, 0}, {1200, 31}, {kHighestSample, 65535}}, readPulses);
+    expectRoundTrip(std::vector<EmittedPulse>{}, readPulses);
+    expectRoundTrip(std::vector<EmittedPulse>{{0, 0}, {1200, 31}, {kHighestSample, 65535}}, readPulses);
     expectRoundTrip(BoxStatus{}, readStatus);
     expectRoundTrip(BoxStatus{1234567890123, 21.5f, std::nullopt, 3.7f, 0.f, 4000000000u, {1, 0, 7, 0xFFFF}},
                     readStatus);
@@ -39,11 +39,11 @@ TEST(Messages, WriteReadEqual) {
 
 TEST(Messages, AdcBlocksOfBothFormats) {
     for (const AdcFormat format : {AdcFormat::kPlain, AdcFormat::kZstd})
-        for (const AdcBlock& block :
+        for (const SoundBlock& block :
              {rampBlock(0, 1, 1), rampBlock(123456, 600, 18), rampBlock(kHighestSample, 4096, 32)}) {
             const Bytes payload = toPayload(block, format);
             ASSERT_LE(payload.size(), kMaxPayloadBytes);
-            const auto again = readAdcBlock(payload);
+            const auto again = readSoundBlock(payload);
             ASSERT_TRUE(again);
             EXPECT_EQ(*again, block);
         }
@@ -52,14 +52,14 @@ TEST(Messages, AdcBlocksOfBothFormats) {
 }
 
 TEST(Messages, GoldenPayloads) {
-    const auto adc = readAdcBlock(goldenFrame(Type::kAdc).payload());
+    const auto adc = readSoundBlock(goldenFrame(Type::kAdc).payload());
     ASSERT_TRUE(adc);
     EXPECT_EQ(adc->first_sample, 0);
     EXPECT_EQ(adc->sampleCount(), 8);
     EXPECT_EQ(adc->values[0], -15000);
     EXPECT_EQ(toPayload(*adc), goldenFrame(Type::kAdc).payload());
     const auto pulses = readPulses(goldenFrame(Type::kPulses).payload());
-    EXPECT_EQ(pulses, (std::vector<Pulse>{{1200, 0}, {2400, 0}}));
+    EXPECT_EQ(pulses, (std::vector<EmittedPulse>{{1200, 0}, {2400, 0}}));
     EXPECT_EQ(toPayload(*pulses), goldenFrame(Type::kPulses).payload());
     const auto status = readStatus(goldenFrame(Type::kStatus).payload());
     ASSERT_TRUE(status);
@@ -93,9 +93,9 @@ void expectEveryLengthIsChecked(const Bytes& payload, std::optional<T> (*read)(B
 }
 
 TEST(Messages, ALengthThatDoesNotFitTheCountIsDamage) {
-    expectEveryLengthIsChecked(toPayload(rampBlock(8, 3, 2)), readAdcBlock);
-    expectEveryLengthIsChecked(toPayload(rampBlock(8, 300, 2), AdcFormat::kZstd), readAdcBlock);
-    expectEveryLengthIsChecked(toPayload(std::vector<Pulse>{{1, 2}, {3, 4}}), readPulses);
+    expectEveryLengthIsChecked(toPayload(rampBlock(8, 3, 2)), readSoundBlock);
+    expectEveryLengthIsChecked(toPayload(rampBlock(8, 300, 2), AdcFormat::kZstd), readSoundBlock);
+    expectEveryLengthIsChecked(toPayload(std::vector<EmittedPulse>{{1, 2}, {3, 4}}), readPulses);
     expectEveryLengthIsChecked(toPayload(BoxStatus{1, 2.f, 3.f, 4.f, 5.f, 6, {1, 2, 3}}), readStatus);
     expectEveryLengthIsChecked(toPayload(Identify{1, 2}), readIdentify);
     for (size_t length = 0; length < 6; ++length)
@@ -111,16 +111,16 @@ Bytes withByte(Bytes payload, size_t at, uint8_t value) {
 
 TEST(Messages, NumbersOutOfRangeAreDamage) {
     const Bytes block = toPayload(rampBlock(0, 1, 1));
-    EXPECT_FALSE(readAdcBlock(withByte(block, 7, 0x80)));  // first sample
-    EXPECT_FALSE(readAdcBlock(withByte(block, 11, 1)));    // sample count
-    EXPECT_FALSE(readAdcBlock(withByte(block, 14, 2)));    // format
+    EXPECT_FALSE(readSoundBlock(withByte(block, 7, 0x80)));  // first sample
+    EXPECT_FALSE(readSoundBlock(withByte(block, 11, 1)));    // sample count
+    EXPECT_FALSE(readSoundBlock(withByte(block, 14, 2)));    // format
     Bytes none = withByte(block, 8, 0);
     none.resize(16);
-    EXPECT_FALSE(readAdcBlock(none));
-    EXPECT_FALSE(readAdcBlock(withByte(toPayload(rampBlock(0, 33, 1)), 8, 1)));
-    EXPECT_FALSE(readPulses(withByte(toPayload(std::vector<Pulse>{{1, 0}}), 11, 0xFF)));
+    EXPECT_FALSE(readSoundBlock(none));
+    EXPECT_FALSE(readSoundBlock(withByte(toPayload(rampBlock(0, 33, 1)), 8, 1)));
+    EXPECT_FALSE(readPulses(withByte(toPayload(std::vector<EmittedPulse>{{1, 0}}), 11, 0xFF)));
     // A count whose bytes overflow 32 bits.
-    Bytes many = toPayload(std::vector<Pulse>{{1, 0}, {1, 0}, {1, 0}, {1, 0}});
+    Bytes many = toPayload(std::vector<EmittedPulse>{{1, 0}, {1, 0}, {1, 0}, {1, 0}});
     EXPECT_FALSE(readPulses(withByte(many, 3, 0x40)));
     EXPECT_FALSE(readStatus(withByte(toPayload(BoxStatus{}), 7, 0xFF)));
     EXPECT_FALSE(readError(withByte(toPayload(BoxError{}), 11, 0xFF)));
@@ -128,17 +128,17 @@ TEST(Messages, NumbersOutOfRangeAreDamage) {
 
 TEST(Messages, ZstdNeverUnpacksMoreThanTheBlockHolds) {
     // 32 boards of silence are a few bytes packed; a block that says it is smaller gets none of them.
-    AdcBlock silence{0, 32, std::vector<int16_t>(4096 * 32)};
+    SoundBlock silence{0, 32, std::vector<int16_t>(4096 * 32)};
     const Bytes payload = toPayload(silence, AdcFormat::kZstd);
     EXPECT_LT(payload.size(), 200u);
-    EXPECT_TRUE(readAdcBlock(payload));
-    EXPECT_FALSE(readAdcBlock(withByte(payload, 9, 0x0F)));
-    EXPECT_FALSE(readAdcBlock(withByte(payload, 12, 31)));
+    EXPECT_TRUE(readSoundBlock(payload));
+    EXPECT_FALSE(readSoundBlock(withByte(payload, 9, 0x0F)));
+    EXPECT_FALSE(readSoundBlock(withByte(payload, 12, 31)));
     // Two zstd frames, together of the right size.
     Bytes two = toPayload(rampBlock(0, 10, 1), AdcFormat::kZstd);
     const Bytes half(two.begin() + 16, two.end());
     append(two, half);
-    EXPECT_FALSE(readAdcBlock(withByte(two, 8, 20)));
+    EXPECT_FALSE(readSoundBlock(withByte(two, 8, 20)));
 }
 
 TEST(Messages, WhatIsNoFiniteNumberIsUnknown) {
@@ -170,7 +170,7 @@ TEST(Messages, RandomPayloadsNeverBreakAReader) {
             i % 2 ? randomBytes(random, random() % 64) : toPayload(rampBlock(8, 3, 2), AdcFormat::kZstd);
         if (i % 2 == 0)
             payload[random() % payload.size()] ^= static_cast<uint8_t>(1 << (random() % 8));
-        accepted += readAdcBlock(payload) && readAdcBlock(payload)->values.empty();
+        accepted += readSoundBlock(payload) && readSoundBlock(payload)->values.empty();
         accepted += readPulses(payload) && readPulses(payload)->size() > 5;
         readStatus(payload), readError(payload), readAck(payload), readIdentify(payload);
     }

@@ -11,7 +11,7 @@ constexpr int kSlowRate_hz = 1000;
 
 struct Placed {
     SampleSequence::Placement placement;
-    AdcBlock block;
+    SoundBlock block;
 };
 
 Placed place(SampleSequence& sequence, int64_t first_sample, int samples, bool lossy = false,

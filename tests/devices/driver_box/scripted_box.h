@@ -19,7 +19,7 @@ struct Scripted {
         for (StudioEvent& event : studio.takeEvents())
             events.push_back(std::move(event));
         const Bytes bytes = studio.takeBytes();
-        reader.push(bytes, now_ns, [&](const Frame& frame) {
+        reader.push(bytes, now_ns, [&](const LinkFrame& frame) {
             sent.emplace_back(static_cast<Type>(frame.header.type), frame.header.sequence);
         });
     }

@@ -159,7 +159,7 @@ TEST(Studio, SoundBeforeALostAckCounts) {
     link.studio.start(link.now_ns);
     link.adc(0);
     EXPECT_EQ(countOf<Started>(link.events), 1u);
-    EXPECT_EQ(countOf<AdcBlock>(link.events), 1u);
+    EXPECT_EQ(countOf<SoundBlock>(link.events), 1u);
     link.wait_ms(400);
     EXPECT_EQ(link.sentOf(Type::kStart), 1u);
     EXPECT_EQ(link.studio.state(), State::kStreaming);
@@ -185,7 +185,7 @@ TEST(Studio, StopsAForeignStreamBeforeStart) {
     link.open();
     link.hello(true);
     link.adc(1'000'000);
-    EXPECT_EQ(countOf<AdcBlock>(link.events), 0u);
+    EXPECT_EQ(countOf<SoundBlock>(link.events), 0u);
     link.studio.start(link.now_ns);
     link.collect();
     EXPECT_EQ(link.sent.back().first, Type::kStop);
@@ -193,7 +193,7 @@ TEST(Studio, StopsAForeignStreamBeforeStart) {
     link.ack(link.sent.back().second);
     EXPECT_EQ(link.sent.back().first, Type::kStart);
     link.adc(0);
-    EXPECT_EQ(countOf<AdcBlock>(link.events), 1u);
+    EXPECT_EQ(countOf<SoundBlock>(link.events), 1u);
     EXPECT_EQ(countOf<Gap>(link.events), 0u);
 }
 
@@ -217,7 +217,7 @@ TEST(Studio, AStopBeforeTheForeignStreamHasEndedStartsNothing) {
     EXPECT_EQ(countOf<Stopped>(link.events), 1u);
     EXPECT_EQ(link.sentOf(Type::kStart), 0u);
     EXPECT_EQ(link.sentOf(Type::kStop), 1u);
-    EXPECT_EQ(countOf<AdcBlock>(link.events), 0u);
+    EXPECT_EQ(countOf<SoundBlock>(link.events), 0u);
     EXPECT_EQ(link.studio.state(), State::kIdle);
     link.studio.start(link.now_ns);
     link.collect();
@@ -249,7 +249,7 @@ TEST(Studio, StopWaitsWhileTheBoxSendsWhatItHolds) {
     EXPECT_EQ(link.sentOf(Type::kStop), 1u);
     link.ack(stop);
     EXPECT_EQ(countOf<Stopped>(link.events), 1u);
-    EXPECT_EQ(countOf<AdcBlock>(link.events), 8u);
+    EXPECT_EQ(countOf<SoundBlock>(link.events), 8u);
 }
 
 TEST(Studio, AnUnansweredStopEndsTheTakeAllTheSame) {
@@ -301,7 +301,7 @@ TEST(Studio, GoldenDamage) {
                                 link.now_ns);
         link.collect();
         std::vector<std::pair<int64_t, int64_t>> blocks;
-        for (const AdcBlock& block : eventsOf<AdcBlock>(link.events))
+        for (const SoundBlock& block : eventsOf<SoundBlock>(link.events))
             blocks.emplace_back(block.first_sample, block.sampleCount());
         EXPECT_EQ(blocks,
                   (std::vector<std::pair<int64_t, int64_t>>{{0, 8}, {16, 8}, {32, 8}, {56, 8}, {64, 12}}));

@@ -66,7 +66,7 @@ private:
     void play() {
         const auto begin = std::chrono::steady_clock::now();
         for (const link::StudioEvent& event : script_.events) {
-            const auto* block = std::get_if<link::AdcBlock>(&event);
+            const auto* block = std::get_if<link::SoundBlock>(&event);
             if (block && script_.speed > 0)
                 std::this_thread::sleep_until(
                     begin + std::chrono::nanoseconds(static_cast<int64_t>(
@@ -136,7 +136,7 @@ inline FakeDevice::Script tinyTakeScript(int64_t block_samples) {
         if (!due.empty())
             script.events.push_back(due);
         script.events.push_back(
-            link::AdcBlock{at, boards, {sound.begin() + at * boards, sound.begin() + end * boards}});
+            link::SoundBlock{at, boards, {sound.begin() + at * boards, sound.begin() + end * boards}});
     }
     script.waits_for_stop = false;
     script.speed = 4;  // as fast as possible would be too fast for queues of two seconds

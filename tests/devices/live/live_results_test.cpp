@@ -68,7 +68,7 @@ TEST_P(LiveResults, AlsoWithHolesAndAnUnpluggedBoard) {
     FakeDevice::Script script = test::tinyTakeScript(GetParam());
     std::vector<link::StudioEvent> holed;
     for (link::StudioEvent& event : script.events) {
-        auto* block = std::get_if<link::AdcBlock>(&event);
+        auto* block = std::get_if<link::SoundBlock>(&event);
         if (block && block->first_sample >= 120000 && block->first_sample < 126000) {
             holed.push_back(link::Gap{block->first_sample, block->sampleCount(), link::GapReason::kLink});
             continue;

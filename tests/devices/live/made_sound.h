@@ -21,12 +21,12 @@ inline int16_t madeValue(int64_t sample, int board) {
 }
 
 inline ArrivedBlock madeBlock(int64_t first, int64_t count, int boards) {
-    link::AdcBlock block{first, boards, {}};
+    link::SoundBlock block{first, boards, {}};
     block.values.reserve(static_cast<size_t>(count * boards));
     for (int64_t sample = first; sample < first + count; ++sample)
         for (int board = 0; board < boards; ++board)
             block.values.push_back(madeValue(sample, board));
-    return {std::make_shared<const link::AdcBlock>(std::move(block)), 0};
+    return {std::make_shared<const link::SoundBlock>(std::move(block)), 0};
 }
 
 inline TakeHeader madeHeader(int boards) {

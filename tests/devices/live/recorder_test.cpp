@@ -257,9 +257,9 @@ TEST(Recorder, MemoryDoesNotGrowWithTheTakeNorWithADiskThatHangs) {
     const ArrivedBlock model = madeBlock(0, 600, kBoards);
     const auto pushMinute = [&](int64_t minute) {
         for (int64_t at = 0; at < 60 * kMadeRate_hz; at += 600) {
-            link::AdcBlock block = *model.sound;
+            link::SoundBlock block = *model.sound;
             block.first_sample = minute * 60 * kMadeRate_hz + at;
-            recorder.push(ArrivedBlock{std::make_shared<const link::AdcBlock>(std::move(block)), 0});
+            recorder.push(ArrivedBlock{std::make_shared<const link::SoundBlock>(std::move(block)), 0});
         }
     };
     pushMinute(0);

@@ -30,7 +30,7 @@ std::string told(const std::vector<StreamEvent>& events) {
         if (const auto* gap = std::get_if<link::Gap>(&event))
             text += "g" + std::to_string(gap->first_sample) + "+" + std::to_string(gap->sample_count) + " ";
         if (const auto* pulses = std::get_if<link::Pulses>(&event))
-            for (const link::Pulse& pulse : *pulses)
+            for (const link::EmittedPulse& pulse : *pulses)
                 text += "p" + std::to_string(pulse.sample) + " ";
         if (const auto* status = std::get_if<link::BoxStatus>(&event))
             text += "b" + std::to_string(static_cast<int>(*status->battery_percent)) + " ";
@@ -84,7 +84,7 @@ TEST(StreamPast, ForgetsWhatIsOldAndStillKnowsWhatItMeans) {
     StreamPast past(2 * kPiece);
     past.add(batteryAt(0, 90));
     past.add(link::Pulses{{0, 0}, {6100, 1}});
-    std::weak_ptr<const link::AdcBlock> first_sound;
+    std::weak_ptr<const link::SoundBlock> first_sound;
     for (int64_t first = 0; first < 6600; first += kPiece) {
         const StreamEvent block = soundAt(first);
         if (first == 0)

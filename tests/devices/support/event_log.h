@@ -63,14 +63,14 @@ public:
                 EXPECT_EQ(gap->first_sample, next);
                 next += gap->sample_count;
                 gaps += gap->sample_count;
-            } else if (const auto* block = std::get_if<link::AdcBlock>(&event)) {
+            } else if (const auto* block = std::get_if<link::SoundBlock>(&event)) {
                 EXPECT_EQ(block->first_sample, next);
                 EXPECT_TRUE(*block == sound.block(next, block->sampleCount())) << "block at " << next;
                 next += block->sampleCount();
                 EXPECT_TRUE(link_was_lost || pulse >= sound.pulses.size() ||
                             sound.pulses[pulse].sample >= next);
             } else if (const auto* pulses = std::get_if<link::Pulses>(&event)) {
-                for (const link::Pulse& one : *pulses) {
+                for (const link::EmittedPulse& one : *pulses) {
                     while (link_was_lost && pulse < sound.pulses.size() &&
                            sound.pulses[pulse].sample < one.sample)
                         ++pulse;

@@ -47,10 +47,10 @@ struct TakeSound {
         static const TakeSound kSound = of(kTinyTake);
         return kSound;
     }
-    link::AdcBlock block(int64_t first, int64_t samples) const {
+    link::SoundBlock block(int64_t first, int64_t samples) const {
         const auto boards = static_cast<size_t>(hello.boardCount());
-        link::AdcBlock block{first, hello.boardCount(),
-                             std::vector<int16_t>(static_cast<size_t>(samples) * boards)};
+        link::SoundBlock block{first, hello.boardCount(),
+                               std::vector<int16_t>(static_cast<size_t>(samples) * boards)};
         for (size_t i = 0; i < block.values.size(); ++i) {
             const size_t at = static_cast<size_t>(first) * boards + i;
             block.values[i] = at < values.size() ? values[at] : int16_t{0};
@@ -164,10 +164,10 @@ private:
             const int64_t first = options_.loops ? now % sound_.sampleCount() : now;
             const int64_t end = first + link::kUsualBlockSamples;
             link::Pulses pulses;
-            for (const link::Pulse& pulse : sound_.pulses)
+            for (const link::EmittedPulse& pulse : sound_.pulses)
                 if (pulse.sample >= first && pulse.sample < end)
                     pulses.push_back({pulse.sample + now - first, pulse.source});
-            link::AdcBlock block = sound_.block(first, link::kUsualBlockSamples);
+            link::SoundBlock block = sound_.block(first, link::kUsualBlockSamples);
             block.first_sample = now;
             box_->offer(pulses);
             box_->offer(block);

@@ -46,7 +46,7 @@ TEST(PartNames, GroupsHoldEveryBoardOnce) {
     Suit suit = defaultSuit();
     suit.boards.push_back(Board{"room", "", "", {}, {}, {}, false, 1, 1});
     std::set<int> seen;
-    for (const BoardGroup& group : boardGroups(suit)) {
+    for (const NamedBoards& group : boardGroups(suit)) {
         EXPECT_FALSE(groupName(group.group).isEmpty());
         EXPECT_FALSE(group.boards.empty());
         for (const int board : group.boards) {
