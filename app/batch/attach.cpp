@@ -156,7 +156,7 @@ Verb attachVerb() {
     verb.min_operands = verb.max_operands = 1;
     verb.example = "noctule --batch attach hops_001.noctule --reference optical.bvh --align auto";
     verb.options = {
-        text("reference", "M.bvh|P.csv|M.c3d|M.trc",
+        text("reference", "M.bvh|M.fbx|M.glb|P.csv|M.c3d|M.trc",
              "the recording; CSV: time_s or time_ms, and JOINT.x, .y, .z in metres")
             .needed(),
         text("markers", "MAP.json",

@@ -3,6 +3,7 @@
 
 #include "app/batch/files.h"
 #include "app/batch/signals.h"
+#include "core/formats/motion_document.h"
 #include "core/mesh/bone_map.h"
 
 namespace noctule::batch {
@@ -17,10 +18,10 @@ void sayUnderstood(const figure::UnderstoodMotion& motion, Console& console) {
 }
 
 Result<BvhDocument> readDocumentOf(const std::string& path, Console& console) {
-    auto document = readBvh(path, &signalFlag());
+    auto document = readMotionDocument(path, {nullptr, &signalFlag()});
     if (document)
         for (const BvhWarning& warning : document->warnings)
-            console.warn(path + ": line " + std::to_string(warning.line) + ": " + warning.text);
+            console.warn(path + ": " + toText(warning));
     return document;
 }
 

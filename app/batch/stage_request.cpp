@@ -32,7 +32,7 @@ std::optional<RigKind> rigNamed(const std::string& name) {
 
 std::vector<Option> stageOptions() {
     std::vector<Option> options = {
-        text("motion", "M.bvh", "the motion, with any human hierarchy"),
+        text("motion", "M.bvh|M.fbx|M.glb", "the motion, with any human hierarchy"),
         choice("rig", {"rest", "jig", "level", "turntable"},
                "no motion: the performer stands in the rest pose, or nobody wears the suit, it is on a "
                "rig of calibration"),

@@ -38,9 +38,11 @@ struct BvhJoint {
 
 /// Something odd in a file that could be read nevertheless.
 struct BvhWarning {
-    size_t line = 0;  ///< from 1
+    size_t line = 0;  ///< from 1; 0: of the whole file
     std::string text;
 };
+/// "line 12: ..." where it has a line.
+std::string toText(const BvhWarning& warning);
 
 struct BvhDocument {
     std::string name;  ///< of the file, without folder and extension

@@ -35,6 +35,10 @@ Result<BvhDocument> parseBvh(std::string_view text, const std::string& where) {
     return BvhReader(withoutByteOrderMark(text), where).read();
 }
 
+std::string toText(const BvhWarning& warning) {
+    return (warning.line ? "line " + std::to_string(warning.line) + ": " : "") + warning.text;
+}
+
 Result<BvhDocument> readBvh(const std::string& path, const CancelFlag* cancel) {
     const Result<std::string> text = readTextFile(path, cancel);
     if (!text)

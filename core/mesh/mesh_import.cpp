@@ -94,6 +94,9 @@ Result<RiggedMesh> fromScene(SceneImport import, const MeshImportSettings& setti
         return clips.error();
     if (const Status checked = checkRiggedMesh(import.mesh, import.path); !checked)
         return checked.error();
+    if (settings.needs_surface && import.mesh.skin.triangles.empty())
+        return Error{ErrorKind::kUnusable, import.path + ": there is no triangle in it",
+                     "Export the body's surface as a mesh"};
     mendNormals(import.mesh.skin);
     weld(import.mesh.skin);
     return std::move(import.mesh);

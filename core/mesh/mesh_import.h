@@ -20,6 +20,7 @@ struct MeshImportSettings {
     /// that makes the figure as tall as a person, metres when none does.
     std::optional<double> unit_m;
     TextureDecoder decode = nullptr;  ///< null: textures are carried, but cannot be drawn
+    bool needs_surface = true;        ///< false: nodes and their animations alone will do
 };
 
 /// Checked by checkRiggedMesh(). At most four weights per vertex, normalised; vertices without weights in a

@@ -24,6 +24,8 @@ namespace {
 
 constexpr int kOutOfMemory = 12;  ///< exit code of the reader
 constexpr int kLook_ms = 50;      ///< at a cancel while nothing comes
+constexpr const char* kSurface = "surface";
+constexpr const char* kMotion = "motion";
 
 class Descriptor {
 public:
@@ -143,10 +145,11 @@ Result<RiggedMesh> importMeshApart(const std::string& path, const MeshImportSett
                      "Close other programs and try again"};
     Descriptor from_reader(ends[0]), to_us(ends[1]);
     pid_t pid = 0;
-    const int failed = startReader(program,
-                                   {path, std::to_string(settings.unit_m.value_or(0)),
-                                    std::to_string(limits.seconds), std::to_string(limits.memory_mb)},
-                                   to_us.number(), pid);
+    const int failed =
+        startReader(program,
+                    {path, std::to_string(settings.unit_m.value_or(0)), std::to_string(limits.seconds),
+                     std::to_string(limits.memory_mb), settings.needs_surface ? kSurface : kMotion},
+                    to_us.number(), pid);
     if (failed)
         return Error{ErrorKind::kInternal, program + " cannot be started: " + std::strerror(failed),
                      "Install the program again; this one belongs beside it"};
@@ -168,13 +171,14 @@ int runMeshReader(const std::vector<std::string>& arguments, TextureDecoder deco
     double unit_m = 0;
     unsigned seconds = 0;
     size_t memory_mb = 0;
-    if (arguments.size() != 4 || !parsed(arguments[1], unit_m) || !parsed(arguments[2], seconds) ||
+    if (arguments.size() != 5 || !parsed(arguments[1], unit_m) || !parsed(arguments[2], seconds) ||
         !parsed(arguments[3], memory_mb) || seconds == 0)
         return static_cast<int>(ErrorKind::kUsage);
     limitMyself(seconds, memory_mb);
     try {
         MeshImportSettings settings;
         settings.decode = decode;
+        settings.needs_surface = arguments[4] == kSurface;
         if (unit_m > 0)
             settings.unit_m = unit_m;
         const std::string bytes = toBytes(importMesh(arguments[0], settings));

@@ -49,9 +49,6 @@ Status checkSizes(const RiggedMesh& mesh, const std::string& where) {
     for (const auto& [what, count, limit] : sizes)
         if (count > limit)
             return tooLarge(where, what, count, limit);
-    if (skin.triangles.empty())
-        return Error{ErrorKind::kUnusable, where + ": there is no triangle in it",
-                     "Export the body's surface as a mesh"};
     return Done{};
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/formats/bvh.h"
+#include "core/formats/motion_document.h"
 #include "core/formats/number_text.h"
 #include "core/job/atomic_file.h"
 #include "core/math/json.h"
@@ -15,8 +15,7 @@ namespace noctule {
 namespace {
 
 std::string sentence(const std::string& path, const BvhWarning& warning) {
-    return std::filesystem::path(path).filename().string() + ", line " + std::to_string(warning.line) + ": " +
-           warning.text + ".";
+    return std::filesystem::path(path).filename().string() + ", " + toText(warning) + ".";
 }
 
 }  // namespace
@@ -37,7 +36,7 @@ Result<AttachRequest> readAttachment(const std::string& path, std::vector<std::s
         request.positions = std::move(*table);
         return request;
     }
-    const auto document = readBvh(path);
+    const auto document = readMotionDocument(path);
     if (!document)
         return document.error();
     for (const BvhWarning& warning : document->warnings)

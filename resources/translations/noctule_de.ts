@@ -1261,8 +1261,8 @@
         <translation>Eine Bewegung auswählen</translation>
     </message>
     <message>
-        <source>Motions (*.bvh)</source>
-        <translation>Bewegungen (*.bvh)</translation>
+        <source>Motions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae)</source>
+        <translation>Bewegungen (*.bvh *.fbx *.glb *.gltf *.vrm *.dae)</translation>
     </message>
 </context>
 <context>
@@ -6205,8 +6205,8 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Aufzeichnung derselben Darbietung wählen</translation>
     </message>
     <message>
-        <source>Motions and positions (*.bvh *.csv)</source>
-        <translation>Bewegungen und Positionen (*.bvh *.csv)</translation>
+        <source>Motions and positions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.csv)</source>
+        <translation>Bewegungen und Positionen (*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.csv)</translation>
     </message>
     <message>
         <source>Attaching %1 to %2</source>

@@ -10,6 +10,7 @@
 #include <QMimeData>
 #include <QPushButton>
 
+#include "core/formats/motion_document.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/session_notices.h"
 #include "ui/main_window/side_docks.h"
@@ -29,7 +30,7 @@ bool isTake(const QString& path) {
 }
 
 bool isMotion(const QString& path) {
-    return path.endsWith(".bvh", Qt::CaseInsensitive);
+    return isMotionFileName(path.toStdString());
 }
 
 int endOfFirstSentence(const QString& text) {

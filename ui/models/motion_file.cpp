@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/body/actor.h"
+#include "core/formats/motion_document.h"
 #include "core/math/json.h"
 
 namespace noctule::ui {
@@ -25,12 +26,12 @@ QString keyOf(const BvhDocument& document) {
 
 Result<MotionFile> readMotionFile(const std::string& path, const figure::MotionHints& hints,
                                   const JobContext& job) {
-    auto document = readBvh(path, job.cancel);
+    auto document = readMotionDocument(path, job);
     if (!document)
         return document.error();
     MotionFile file;
     for (const BvhWarning& warning : document->warnings)
-        file.reader_warnings.push_back("line " + std::to_string(warning.line) + ": " + warning.text);
+        file.reader_warnings.push_back(toText(warning));
     file.document = std::make_shared<const BvhDocument>(std::move(*document));
     return understoodAnew(file, hints);
 }

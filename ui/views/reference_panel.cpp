@@ -118,7 +118,7 @@ void ReferencePanel::showFacts() {
 
 void ReferencePanel::chooseFile() {
     const QString path = QFileDialog::getOpenFileName(this, tr("Choose a recording of the same performance"),
-                                                      {}, tr("Motions and positions (*.bvh *.csv)"));
+                                                      {}, tr("Motions and positions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.csv)"));
     if (!path.isEmpty())
         ask(path);
 }

@@ -57,7 +57,7 @@ QStringList SessionCommands::askForTakes(QWidget* parent, Studio& studio) {
 QString SessionCommands::askForMotion(QWidget* parent, Studio& studio) {
     const QString path = QFileDialog::getOpenFileName(parent, tr("Choose a motion"),
                                                       studio.settings().value("folders/motions").toString(),
-                                                      tr("Motions (*.bvh)"));
+                                                      tr("Motions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae)"));
     if (!path.isEmpty())
         studio.settings().setValue("folders/motions", QFileInfo(path).path());
     return path;
