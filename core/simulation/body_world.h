@@ -39,6 +39,9 @@ public:
     /// The performer, who has no motion to follow, goes into another pose within kPosing_s.
     void takePose(const Pose& pose, double t_s);
     void beginAgain() override;
+    /// Before anything is asked: see Performance.
+    void standAt(const StandingPlace& place);
+    void lastFor(double duration_s);
     const Performance& performance() const { return performance_; }
     const WornSuit& worn() const { return worn_; }
 
