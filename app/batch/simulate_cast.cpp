@@ -69,9 +69,6 @@ Status checkCastOptions(const Arguments& arguments) {
                 ErrorKind::kUsage,
                 "--" + std::string(name) + " does not go with --cast, which speaks of several performers",
                 "Leave it out; what a subject has stands in the cast"};
-    if (arguments.text("level") != "readings")
-        return Error{ErrorKind::kUsage, "A cast is simulated at level readings, not as sampled sound",
-                     "Add --level readings"};
     return Done{};
 }
 
@@ -98,7 +95,7 @@ Result<Outcome> runSimulateCast(const VerbContext& context) {
         return JobContext::cancelledError();
     simulation::TakeRequest take;
     take.out_path = out;
-    take.level = Level::kReadings;
+    take.level = arguments.text("level") == "readings" ? Level::kReadings : Level::kSignal;
     take.overwrite = overwrite;
     take.name = takeName(out);
     take.created_utc = utcNow();

@@ -25,6 +25,7 @@ public:
     }
     int boardSegment(int) const override { return -1; }
     int sourceSegment(int) const override { return -1; }
+    int sourceBoard(int source) const override { return anchors_.sources[source].board; }
     void capsules(double, std::vector<WorldCapsule>& capsules) const override { capsules.clear(); }
     BoardMotion boardMotion(int board, double) const override {
         BoardMotion motion;

@@ -29,6 +29,7 @@ public:
     Vector3d sourceNormal(int source, double t_s) const override;
     int boardSegment(int board) const override { return worn_.boards[board].segment; }
     int sourceSegment(int source) const override { return worn_.sources[source].segment; }
+    int sourceBoard(int source) const override { return worn_.sources[source].board; }
     void capsules(double t_s, std::vector<WorldCapsule>& capsules) const override;
 
     BoardMotion boardMotion(int board, double t_s) const override;

@@ -52,7 +52,6 @@ struct Cast {
 /// does not make.
 Result<Cast> prepareCast(const CastRequest& request);
 
-/// Level readings alone.
 Result<SimulationSummary> writeTake(const Cast& cast, const TakeRequest& request, const JobContext& job);
 
 /// The carriers that suits get, in this order; neighbours are 5 kHz apart, the first five as usual.

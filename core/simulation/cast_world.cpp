@@ -12,10 +12,10 @@ int segmentOfCast(size_t suit, int segment) {
 
 }  // namespace
 
-CastWorld::CastWorld(std::vector<const World*> suits, size_t speaker)
+CastWorld::CastWorld(std::vector<const World*> suits, size_t speaker, std::optional<size_t> listener)
     : suits_(std::move(suits)), speaker_(speaker) {
     for (size_t suit = 0; suit < suits_.size(); ++suit)
-        for (int board = 0; board < suits_[suit]->boardCount(); ++board)
+        for (int board = 0; board < suits_[suit]->boardCount() && suit == listener.value_or(suit); ++board)
             boards_.push_back({suit, board});
 }
 
@@ -30,6 +30,14 @@ int CastWorld::boardSegment(int board) const {
 
 int CastWorld::sourceSegment(int source) const {
     return segmentOfCast(speaker_, suits_[speaker_]->sourceSegment(source));
+}
+
+int CastWorld::sourceBoard(int source) const {
+    const int housing = suits_[speaker_]->sourceBoard(source);
+    for (size_t board = 0; board < boards_.size() && housing >= 0; ++board)
+        if (boards_[board].suit == speaker_ && boards_[board].board == housing)
+            return static_cast<int>(board);
+    return -1;
 }
 
 void CastWorld::capsules(double t_s, std::vector<WorldCapsule>& capsules) const {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Several suits in one world. CastWorld is that world as one suit's pulses meet it: the sources are that
-// suit's, the boards those of all suits in their order, and every body stands in the way. ClockedWorld is a
-// world as a box sees it whose clock differs: times are that box's.
+// suit's, the boards those of all suits in their order or of one, and every body stands in the way.
+// ClockedWorld is a world as a box sees it whose clock differs: times are that box's.
 #pragma once
+
+#include <optional>
 
 #include "core/simulation/box_clock.h"
 #include "core/simulation/suit_world.h"
@@ -17,8 +19,9 @@ struct BoardOfCast {
 
 class CastWorld : public World {
 public:
-    /// The suits must outlive the object. `speaker`: whose sources these are.
-    CastWorld(std::vector<const World*> suits, size_t speaker);
+    /// The suits must outlive the object. `speaker`: whose sources these are; `listener`: whose boards, none:
+    /// all.
+    CastWorld(std::vector<const World*> suits, size_t speaker, std::optional<size_t> listener = {});
 
     BoardOfCast ownerOf(int board) const { return boards_[board]; }
 
@@ -33,6 +36,7 @@ public:
     /// Segments of different bodies differ, here and in capsules().
     int boardSegment(int board) const override;
     int sourceSegment(int source) const override;
+    int sourceBoard(int source) const override;
     void capsules(double t_s, std::vector<WorldCapsule>& capsules) const override;
 
 private:
@@ -57,6 +61,7 @@ public:
     }
     int boardSegment(int board) const override { return world_.boardSegment(board); }
     int sourceSegment(int source) const override { return world_.sourceSegment(source); }
+    int sourceBoard(int source) const override { return world_.sourceBoard(source); }
     void capsules(double t_s, std::vector<WorldCapsule>& capsules) const override {
         world_.capsules(taken(t_s), capsules);
     }

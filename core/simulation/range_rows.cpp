@@ -117,16 +117,11 @@ Result<bool> RangeRows::writeNext(TakeWriter& take, SimulationSummary& summary) 
     return true;
 }
 
-bool RangeRows::inOneHousing(size_t speaker, int source, const BoardOfCast& board) const {
-    const Suit& suit = suits_[speaker].stage->suit;
-    const std::string& housing = suit.sources[source].board;
-    return board.suit == speaker && !housing.empty() && housing == suit.boards[board.board].id;
-}
-
 std::optional<RangeMeasurement> RangeRows::rangeOf(size_t speaker, PulseDetection detection, double drive_s) {
-    const BoardOfCast owner = speakers_[speaker]->world.ownerOf(detection.board);
-    if (inOneHousing(speaker, detection.pulse.source, owner))
-        return std::nullopt;
+    const CastWorld& world = speakers_[speaker]->world;
+    const BoardOfCast owner = world.ownerOf(detection.board);
+    if (world.sourceBoard(detection.pulse.source) == detection.board)
+        return std::nullopt;  // a housing's own pulse
     detection.board = owner.board;
     RangeFinder& finder = speakers_[speaker]->listeners[owner.suit];
     auto range = finder.process(detection);

@@ -43,7 +43,6 @@ private:
                       const std::optional<Room>& chamber);
     bool hasPulse(const Speaker& speaker) const;
     std::optional<RangeMeasurement> rangeOf(size_t speaker, PulseDetection detection, double drive_s);
-    bool inOneHousing(size_t speaker, int source, const BoardOfCast& board) const;
 
     const std::vector<StagedSuit>& suits_;
     std::vector<std::unique_ptr<Speaker>> speakers_;

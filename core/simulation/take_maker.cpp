@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "core/simulation/signal_sampler.h"
+#include "core/simulation/cast_sampler.h"
 
 namespace noctule::simulation {
 namespace {
@@ -83,27 +83,67 @@ private:
     }
 
     Status writeSound() {
-        SignalSampler sampler(*first().world, first().scenario, first().truth);
-        for (int64_t sample = 0; sample < summary_.samples; sample += kBlockSamples) {
+        for (size_t suit = 0; suit < content_.suits.size(); ++suit)
+            if (Status done = writeSoundOf(suit); !done)
+                return done;
+        return Done{};
+    }
+
+    Status writeSoundOf(size_t suit) {
+        const StagedSuit& staged = content_.suits[suit];
+        if (staged.stage->suit.boards.empty())
+            return Done{};
+        if (content_.chamber) {
+            CastSampler sampler(content_.suits, suit, *content_.chamber);
+            return writeBlocks(sampler, suit);
+        }
+        SignalSampler sampler(*staged.stage->world, staged.stage->scenario, staged.stage->truth);
+        return writeBlocks(sampler, suit);
+    }
+
+    template <class Sampler>
+    Status writeBlocks(Sampler& sampler, size_t suit) {
+        const StagedSuit& staged = content_.suits[suit];
+        const int64_t samples = staged.sampleCount();
+        for (int64_t sample = 0; sample < samples; sample += kBlockSamples) {
             if (job_.cancelled())
                 return JobContext::cancelledError();
-            const AdcBlock block{sample, sampler.next(std::min(kBlockSamples, summary_.samples - sample))};
-            if (Status done = take_.addBlock(block, first().world->boardCount(), 1, request_.compress); !done)
+            const AdcBlock block{sample, sampler.next(std::min(kBlockSamples, samples - sample))};
+            if (Status done =
+                    take_.addBlock(block, staged.stage->world->boardCount(), staged.id, request_.compress);
+                !done)
                 return done;
-            job_.progress(static_cast<double>(sample) / static_cast<double>(summary_.samples), "Sampling");
+            const double part = static_cast<double>(sample) / static_cast<double>(samples);
+            job_.progress((static_cast<double>(suit) + part) / static_cast<double>(content_.suits.size()),
+                          "Sampling");
         }
         return Done{};
     }
 
+    /// Of all suits, in the order of time.
     Status writePulses() {
-        const PulseSchedule schedule = first().scenario.schedule();
-        if (schedule.isSilent(first().world->sourceCount()))
-            return Done{};
-        for (int64_t k = 0;; ++k) {
-            const Pulse pulse = schedule.pulse(k, first().world->sourceCount());
-            if (pulse.sample >= summary_.samples)
+        std::vector<int64_t> next(content_.suits.size(), 0);
+        while (true) {
+            std::optional<size_t> first;
+            double first_s = 0;
+            for (size_t s = 0; s < next.size(); ++s) {
+                const StagedSuit& suit = content_.suits[s];
+                const PulseSchedule schedule = suit.stage->scenario.schedule();
+                const int64_t sample = next[s] * schedule.interval_samples;
+                if (schedule.isSilent(suit.stage->world->sourceCount()) || sample >= suit.sampleCount())
+                    continue;
+                const double drive_s = suit.takeTimeOf_s(static_cast<double>(sample));
+                if (!first || drive_s < first_s) {
+                    first = s;
+                    first_s = drive_s;
+                }
+            }
+            if (!first)
                 return Done{};
-            if (auto id = take_.addPulse(pulse.sample, pulse.source); !id)
+            const StagedSuit& suit = content_.suits[*first];
+            const Pulse pulse =
+                suit.stage->scenario.schedule().pulse(next[*first]++, suit.stage->world->sourceCount());
+            if (auto id = take_.addPulse(pulse.sample, pulse.source, suit.id); !id)
                 return id.error();
             ++summary_.pulses;
         }

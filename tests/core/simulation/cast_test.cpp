@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/acoustics/pulse_receiver.h"
 #include "core/recording/take.h"
 #include "core/simulation/cast_file.h"
 #include "tests/core/simulation/simulated_body.h"
@@ -69,10 +70,10 @@ CastRequest twoPeople(const Scenario& scenario) {
     return request;
 }
 
-std::string written(const Cast& cast, const std::string& name) {
+std::string written(const Cast& cast, const std::string& name, Level level = Level::kReadings) {
     const std::string path = testing::TempDir() + "cast_" + name + ".noctule";
     const TakeRequest request{.out_path = path,
-                              .level = Level::kReadings,
+                              .level = level,
                               .overwrite = true,
                               .name = name,
                               .created_utc = "2026-01-02T03:04:05Z",
@@ -153,6 +154,85 @@ TEST(Cast, NoiseAndEchoesAreThoseOfOneSuit) {
     EXPECT_LT(std::sqrt(sum2 / count), 0.004);
     EXPECT_GT(std::sqrt(sum2 / count), 0.0003);
     EXPECT_GT(within_sigmas / count, 0.8);
+}
+
+TEST(Cast, ASuitReadsItsOwnRangesAlone) {
+    Scenario scenario = Scenario::ideal();
+    scenario.sound.occlusion = false;
+    const std::string path = written(prepareCast(twoPeople(scenario)).value(), "own");
+    const Take take = Take::open(path).value();
+    const std::vector<Row> rows = rangesOf(path);
+    for (const int suit : {1, 2, 3}) {
+        auto cursor = take.ranges(0, suit).value();
+        int64_t read = 0;
+        while (cursor.next().value())
+            ++read;
+        EXPECT_EQ(read, std::ranges::count_if(
+                            rows, [&](const Row& row) { return row.from == suit && row.to == suit; }));
+    }
+    EXPECT_TRUE(take.skippedRows().empty());
+}
+
+/// What a receiver that knows all clocks and about where everybody is makes of one suit's pulses in another
+/// one's sound: where the direct way is hidden, another carrier's pulse leaks in and must be gated.
+std::vector<double> errorsInSound(const Take& take, const Cast& cast, int from, int to) {
+    const CastSuit &speaker = cast.suits[size_t(from - 1)], &listener = cast.suits[size_t(to - 1)];
+    const PulseSchedule schedule = speaker.stage.scenario.schedule();
+    const PulseTrain train{150000, schedule.interval_samples, schedule.drive_hz, schedule.cycles};
+    auto receiver =
+        PulseReceiver::create(Detector::kInflection, train, listener.stage.world->boardCount()).value();
+    std::vector<PulseDetection> detections;
+    std::vector<Pulse> pulses;
+    const std::vector<Pulse> logged = take.pulses(from).value();
+    for (Pulse pulse : logged) {
+        const double drive_s = speaker.clock.takeTime_s(double(pulse.sample) / 150000);
+        pulses.push_back(pulse);
+        pulse.id = int64_t(pulses.size()) - 1;
+        pulse.sample = std::llround(listener.clock.suitTime_s(drive_s) * 150000);
+        if (pulse.sample >= 0)
+            receiver.pushPulse(pulse);
+    }
+    EXPECT_TRUE(take.forEachBlock(to,
+                                  [&](const AdcBlock& block) {
+                                      receiver.pushBlock(block.first_sample, block.values);
+                                      receiver.advance(receiver.samplesEnd(), detections);
+                                      return true;
+                                  })
+                    .ok());
+    std::vector<double> errors;
+    for (const PulseDetection& heard : detections) {
+        const Row row{from,
+                      heard.pulse.source,
+                      to,
+                      heard.board,
+                      double(pulses[size_t(heard.pulse.id)].sample),
+                      heard.arrival_sample};
+        if (heard.gap || heard.clipped || heard.snr() < 12 || (from == to && row.source == row.board))
+            continue;
+        if (const double error_m = std::abs(errorOf(row, cast)); error_m < 0.1)
+            errors.push_back(error_m);
+    }
+    std::ranges::sort(errors);
+    return errors;
+}
+
+TEST(Cast, EverySuitIsHeardInTheSoundOfEvery) {
+    Scenario scenario = Scenario::ideal();
+    scenario.sound.acoustic_noise_counts = 8;
+    CastRequest request = twoPeople(scenario);
+    request.rest_seconds = request.duration_s = 1;
+    const Cast cast = prepareCast(request).value();
+    const Take take = Take::open(written(cast, "sound", Level::kSignal)).value();
+    EXPECT_EQ(take.level(), TakeLevel::kSignal);
+    for (int from = 1; from <= 3; ++from)
+        for (int to = 1; to <= 3; ++to) {
+            if (from == 3 && to == 3)
+                continue;  // anchors are behind each other
+            const std::vector<double> errors = errorsInSound(take, cast, from, to);
+            ASSERT_GT(errors.size(), 20U) << from << " to " << to;
+            EXPECT_LT(errors[errors.size() / 2], 0.0025) << from << " to " << to;
+            EXPECT_LT(errors[errors.size() * 4 / 5], 0.006) << from << " to " << to;
+        }
 }
 
 TEST(Cast, DistancesBelieveTheRecordersClocks) {
