@@ -3,6 +3,7 @@
 
 #include "app/batch/files.h"
 #include "app/batch/program.h"
+#include "app/batch/simulate_cast.h"
 #include "app/batch/stage_request.h"
 #include "app/batch/verb.h"
 #include "core/job/atomic_file.h"
@@ -50,6 +51,8 @@ Outcome outcome(const VerbContext& context, const Stage& stage, const Simulation
 
 Result<Outcome> runSimulate(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
+    if (arguments.given("cast"))
+        return runSimulateCast(context);
     const bool overwrite = arguments.given("overwrite");
     const std::string out = arguments.text("out"), calibration_out = arguments.text("calibration-out"),
                       truth_out = arguments.text("truth-out"),
@@ -60,7 +63,8 @@ Result<Outcome> runSimulate(const VerbContext& context) {
         return Error{ErrorKind::kUsage,
                      std::string("simulate needs ") +
                          (arguments.given("rig") ? "one of --motion and --rig, not both"
-                                                 : "--motion M.bvh or --rig rest, jig, level or turntable"),
+                                                 : "--motion M.bvh, --cast CAST.json or --rig rest, jig, "
+                                                   "level or turntable"),
                      "`noctule --batch simulate --help` shows an example"};
     if (!digitizer_out.empty() && arguments.text("rig") != nameOf(RigKind::kJig))
         return Error{ErrorKind::kUsage, "--digitizer-out is for the jig", "Give --rig jig, or leave it out"};
@@ -116,6 +120,7 @@ Verb simulateVerb() {
         "noctule --batch simulate --motion /usr/share/assimp/models/BVH/01_01.bvh --out hops_001.noctule";
     verb.options = {
         text("out", "T.noctule", "the take to write").needed(),
+        text("cast", "CAST.json", "several performers in one room, each with motion and suit, in one take"),
         choice("level", {"signal", "readings"}, "sampled sound, or inertial and range rows at once (quick)")
             .orElse("signal"),
         number("duration", "S", 0.1, 86400, "of the whole take; a longer one repeats the motion"),

@@ -109,6 +109,16 @@ void BodyWorld::takePose(const Pose& pose, double t_s) {
     forgetRowsAfter(t_s);
 }
 
+void BodyWorld::standAt(const StandingPlace& place) {
+    performance_.standAt(place);
+    forgetRowsAfter(-1);
+}
+
+void BodyWorld::lastFor(double duration_s) {
+    performance_.lastFor(duration_s);
+    forgetRowsAfter(-1);
+}
+
 void BodyWorld::forgetRowsAfter(double t_s) {
     for (Row& row : window_)
         if (static_cast<double>(row.index) * kRowStep_s > t_s)
@@ -225,6 +235,7 @@ void BodyWorld::makeRow(int64_t index, bool settled) const {
     row.index = index;
     row.points.clear();
     const auto add = [&](const Vector3<Jet>& p) { row.points.push_back({values(p), rates(p)}); };
+    std::vector<Frame<Jet>> boards;
     for (int b = 0; b < boardCount(); ++b) {
         const Wobble& w = wobbles[b];
         Vector3<Jet> wobble_m;
@@ -233,16 +244,20 @@ void BodyWorld::makeRow(int64_t index, bool settled) const {
             wobble_m[i] = Jet(w.x_m[i], w.rate[i], a[i]);
         const Frame<Jet> board = boardFrame(b, {t_s, coordinates, frames}, wobble_m);
         add(board.p + rotate(board.r, worn_.boards[b].p_board_mic_m));
+        boards.push_back(board);
     }
     const auto onSegment = [&](int segment, const Vector3d& p) {
         return segment < 0 ? Vector3<Jet>(p.cast<Jet>())
                            : Vector3<Jet>(frames[segment].p + rotate(frames[segment].r, p));
     };
     for (const WornSource& source : worn_.sources)
-        add(onSegment(source.segment, source.p_segment_source_m));
+        add(source.board < 0 ? onSegment(source.segment, source.p_segment_source_m)
+                             : Vector3<Jet>(boards[source.board].p +
+                                            rotate(boards[source.board].r, source.p_board_source_m)));
     for (const WornSource& source : worn_.sources)
-        add(source.segment < 0 ? Vector3<Jet>(source.normal_segment.cast<Jet>())
-                               : rotate(frames[source.segment].r, source.normal_segment));
+        add(source.board >= 0    ? rotate(boards[source.board].r, source.normal_board)
+            : source.segment < 0 ? Vector3<Jet>(source.normal_segment.cast<Jet>())
+                                 : rotate(frames[source.segment].r, source.normal_segment));
     for (const WornCapsule& capsule : capsules_) {
         add(onSegment(capsule.segment, capsule.a_m));
         add(onSegment(capsule.segment, capsule.b_m));

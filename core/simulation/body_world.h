@@ -29,6 +29,7 @@ public:
     Vector3d sourceNormal(int source, double t_s) const override;
     int boardSegment(int board) const override { return worn_.boards[board].segment; }
     int sourceSegment(int source) const override { return worn_.sources[source].segment; }
+    int sourceBoard(int source) const override { return worn_.sources[source].board; }
     void capsules(double t_s, std::vector<WorldCapsule>& capsules) const override;
 
     BoardMotion boardMotion(int board, double t_s) const override;
@@ -39,6 +40,9 @@ public:
     /// The performer, who has no motion to follow, goes into another pose within kPosing_s.
     void takePose(const Pose& pose, double t_s);
     void beginAgain() override;
+    /// Before anything is asked: see Performance.
+    void standAt(const StandingPlace& place);
+    void lastFor(double duration_s);
     const Performance& performance() const { return performance_; }
     const WornSuit& worn() const { return worn_; }
 

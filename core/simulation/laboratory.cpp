@@ -124,7 +124,7 @@ nlohmann::json toJson(const HiddenTruth& truth, const Suit& suit, const Scenario
             {"sources", sources}};
 }
 
-void addWorn(nlohmann::json& truth, const WornSuit& worn, const Actor& moving_actor) {
+void addWorn(nlohmann::json& truth, const WornSuit& worn) {
     for (size_t b = 0; b < worn.boards.size(); ++b) {
         truth["boards"][b]["p_segment_board_m"] = json::fromVector(worn.boards[b].p_segment_board_m);
         truth["boards"][b]["q_segment_board"] = json::fromQuaternion(worn.boards[b].q_segment_board);
@@ -133,7 +133,6 @@ void addWorn(nlohmann::json& truth, const WornSuit& worn, const Actor& moving_ac
     }
     for (size_t s = 0; s < worn.sources.size(); ++s)
         truth["sources"][s]["p_segment_source_m"] = json::fromVector(worn.sources[s].p_segment_source_m);
-    truth["actor"] = noctule::toJson(moving_actor);
 }
 
 }  // namespace noctule::simulation

@@ -25,7 +25,7 @@ Calibration laboratoryCalibration(const Suit& suit, const Scenario& scenario, co
 
 /// Every hidden value of suit and air, named as in scenarios.json and in the calibration JSON.
 nlohmann::json toJson(const HiddenTruth& truth, const Suit& suit, const Scenario& scenario);
-/// Where boards and sources really sit on whom.
-void addWorn(nlohmann::json& truth, const WornSuit& worn, const Actor& moving_actor);
+/// Where boards and sources really sit.
+void addWorn(nlohmann::json& truth, const WornSuit& worn);
 
 }  // namespace noctule::simulation

@@ -93,6 +93,16 @@ Quaterniond towardsFront(const Coordinates& coordinates, const std::vector<doubl
     return axisAngle(Vector3d::UnitY(), -std::atan2(forward.x(), forward.z()));
 }
 
+/// Notes where the file has its figure: the fitted root stands beside the hips that were scaled with the
+/// legs.
+void noteStart(const Coordinates& coordinates, const Vector3d& hips_m, double scale, FittedMotion& fitted) {
+    const Pose first = coordinates.toPose(fitted.rows[0]);
+    const Vector3d forward = first.q_parent_joint[0] * Vector3d::UnitZ();
+    fitted.start_yaw_rad = std::atan2(forward.x(), forward.z());
+    fitted.start_m = first.p_world_root + (1 - scale) * hips_m;
+    fitted.start_m.y() = 0;
+}
+
 /// Turns and shifts all rows: first frame above the origin facing +Z, feet on the floor. The floor is where
 /// the lowest point is in the lowest twentieth of the frames: a figure that hops or falls still stands on it.
 void placeOnFloor(const Coordinates& coordinates, std::vector<std::vector<double>>& rows) {
@@ -185,7 +195,10 @@ Result<FittedMotion> fitMotion(const MotionClip& clip, const FitRequest& request
     const Coordinates coordinates(request.mover);
     FrameFitter fitter(figure, request.mover, clip.frame_time_s);
     const double scale = legLength(request.mover) / figure.legLength_m();
-    FittedMotion fitted{clip.frame_time_s, {}, {}, cleaned->repaired_frames, cleaned->dropped_first_frame};
+    FittedMotion fitted;
+    fitted.step_s = clip.frame_time_s;
+    fitted.repaired_frames = cleaned->repaired_frames;
+    fitted.dropped_first_frame = cleaned->dropped_first_frame;
     for (size_t f = 0; f < cleaned->clip.frames.size(); ++f) {
         const GlobalPose source = globalPose(cleaned->clip, f);
         Pose pose = fitter.fit(source);
@@ -201,6 +214,7 @@ Result<FittedMotion> fitMotion(const MotionClip& clip, const FitRequest& request
     lowPassZeroPhase(fitted.rows, 1 / fitted.step_s, request.low_pass_hz);
     for (std::vector<double>& row : fitted.rows)
         coordinates.normalise(row);
+    noteStart(coordinates, figure.hipCentre(globalPose(cleaned->clip, 0)), scale, fitted);
     placeOnFloor(coordinates, fitted.rows);
     makeContinuous(coordinates, fitted.rows);
     return fitted;

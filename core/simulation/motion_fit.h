@@ -32,6 +32,8 @@ struct FittedMotion {
     std::vector<FitQuality> quality;        ///< joints with freedom that the file has, the root excepted
     int repaired_frames = 0;                ///< single frames that jumped and were replaced
     bool dropped_first_frame = false;       ///< a calibration pose before the motion
+    Vector3d start_m = Vector3d::Zero();    ///< where the file's figure stands in its first frame, y = 0
+    double start_yaw_rad = 0;               ///< where its root faces then: 0 is +Z
 };
 
 struct FitRequest {

@@ -65,9 +65,12 @@ void Performance::placeRepetitions() {
 template <class T>
 void Performance::repetitionAt(size_t repetition, double t_s, std::vector<T>& row) const {
     motion_.at(t_s, row);
-    if (repetition == 0)
-        return;
-    const Placement& placement = repetitions_[repetition];
+    if (repetition > 0)
+        placeRoot(repetitions_[repetition], row);
+}
+
+template <class T>
+void Performance::placeRoot(const Placement& placement, std::vector<T>& row) {
     const double c = 1 - 2 * placement.q.y() * placement.q.y(), s = 2 * placement.q.w() * placement.q.y();
     const T x = row[0], z = row[2];
     row[0] = x * c + z * s + placement.p.x();
@@ -120,8 +123,27 @@ void Performance::keepPose() {
     posings_.clear();
 }
 
+void Performance::standAt(const StandingPlace& place) {
+    place_ = {axisAngle(Vector3d::UnitY(), place.yaw_rad), Vector3d(place.x_m, 0, place.z_m)};
+}
+
+void Performance::lastFor(double duration_s) {
+    duration_s_ = duration_s;
+    if (motion_.columns() > 0)
+        placeRepetitions();
+    else
+        rest_seconds_ = duration_s;
+}
+
 template <class T>
 void Performance::at(double t_s, std::vector<T>& row) const {
+    performedAt(t_s, row);
+    if (place_)
+        placeRoot(*place_, row);
+}
+
+template <class T>
+void Performance::performedAt(double t_s, std::vector<T>& row) const {
     const double moving_s = t_s - rest_seconds_;
     if (motion_.columns() == 0) {
         posedAt(t_s, row);

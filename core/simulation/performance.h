@@ -5,6 +5,8 @@
 // parts.
 #pragma once
 
+#include <optional>
+
 #include "core/simulation/coordinates.h"
 #include "core/simulation/motion_fit.h"
 #include "core/simulation/spline.h"
@@ -14,6 +16,11 @@ namespace noctule::simulation {
 struct Timing {
     double rest_seconds = 3;
     double duration_s = 0;  ///< of the whole take; 0: rest and the motion once
+};
+
+/// Where on the floor a performer begins: +Z is ahead, a positive yaw turns to the left.
+struct StandingPlace {
+    double x_m = 0, z_m = 0, yaw_rad = 0;
 };
 
 class Performance {
@@ -36,6 +43,11 @@ public:
 
     Pose pose(double t_s) const;
 
+    /// All of it is turned and shifted: without, it begins above the origin facing +Z.
+    void standAt(const StandingPlace& place);
+    /// Of the whole take, instead of what the timing says.
+    void lastFor(double duration_s);
+
     /// Without a motion: from the pose of the moment into another one within kPosing_s, standing where the
     /// performer stands, lowest point on the floor.
     void takePose(const Pose& pose, double t_s);
@@ -57,6 +69,10 @@ private:
     };
 
     template <class T>
+    static void placeRoot(const Placement& placement, std::vector<T>& row);
+    template <class T>
+    void performedAt(double t_s, std::vector<T>& row) const;
+    template <class T>
     void posedAt(double t_s, std::vector<T>& row) const;
     void placeRepetitions();
     template <class T>
@@ -69,6 +85,7 @@ private:
     std::vector<Posing> posings_;
     Spline motion_;
     std::vector<Placement> repetitions_;
+    std::optional<Placement> place_;
     double rest_seconds_ = 0, duration_s_ = 0;
     double transition_s_ = 1;  ///< from the rest pose into the motion
     double seam_s_ = 0;        ///< cross-fade between repetitions

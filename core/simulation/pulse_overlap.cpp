@@ -69,7 +69,8 @@ PulseOverlap::PulseOverlap(double drive_hz, int cycles, double resonance_hz, dou
     const auto count = static_cast<size_t>((kLead_s + kLength_s) / kFineStep_s);
     for (size_t i = 0; i < count; ++i)
         envelope_.push_back(analyticValue(tones, static_cast<double>(i) * kFineStep_s - kLead_s));
-    const std::vector<Biquad> band_pass = butterworthBandPass(2, 37500, 42500, 1 / kFineStep_s);
+    const std::vector<Biquad> band_pass =
+        butterworthBandPass(2, drive_hz - 2500, drive_hz + 2500, 1 / kFineStep_s);
     for (int way = 0; way < 2; ++way) {
         filter(band_pass, envelope_);
         std::reverse(envelope_.begin(), envelope_.end());

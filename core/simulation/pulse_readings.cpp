@@ -19,12 +19,13 @@ double astrayShare(double snr) {
 
 }  // namespace
 
-PulseReadings::PulseReadings(const World& world, const Scenario& scenario, const HiddenTruth& truth)
+PulseReadings::PulseReadings(const World& world, const Scenario& scenario, const HiddenTruth& truth,
+                             const std::optional<Room>& room)
     : world_(world),
       scenario_(scenario),
       truth_(truth),
       medium_(mediumOf(scenario.sound, truth.air.speedOfSound_m_per_s())),
-      room_(world, scenario.sound, truth.seed),
+      room_(room ? *room : Room(world, scenario.sound, truth.seed)),
       speed_of_sound_m_per_s_(truth.air.speedOfSound_m_per_s()) {
     for (const SourceTruth& source : truth.sound.sources)
         overlaps_.emplace_back(scenario.drive_hz, scenario.pulse_cycles, source.resonance_hz, source.q);
@@ -32,9 +33,8 @@ PulseReadings::PulseReadings(const World& world, const Scenario& scenario, const
         random_.emplace_back(truth.seed, "detection", static_cast<uint64_t>(b));
 }
 
-void PulseReadings::listWays(const Pulse& pulse, int board, std::vector<SoundWay>& ways) {
-    const double t_s = static_cast<double>(pulse.sample) / scenario_.sample_rate_hz +
-                       truth_.sound.sources[pulse.source].start_delay_s;
+void PulseReadings::listWays(const Pulse& pulse, double drive_s, int board, std::vector<SoundWay>& ways) {
+    const double t_s = drive_s + truth_.sound.sources[pulse.source].start_delay_s;
     const double ka = truth_.sound.sources[pulse.source].ka;
     const PathEnds ends{world_.source(pulse.source, t_s), world_.sourceNormal(pulse.source, t_s),
                         world_.microphone(board, t_s)};
@@ -97,11 +97,15 @@ PulseDetection PulseReadings::detect(const Pulse& pulse, int board, const std::v
 }
 
 void PulseReadings::hear(const Pulse& pulse, std::vector<PulseDetection>& detections) {
-    world_.capsules(static_cast<double>(pulse.sample) / scenario_.sample_rate_hz, capsules_);
+    hear(pulse, static_cast<double>(pulse.sample) / scenario_.sample_rate_hz, detections);
+}
+
+void PulseReadings::hear(const Pulse& pulse, double drive_s, std::vector<PulseDetection>& detections) {
+    world_.capsules(drive_s, capsules_);
     detections.clear();
     std::vector<SoundWay> ways;
     for (int b = 0; b < world_.boardCount(); ++b) {
-        listWays(pulse, b, ways);
+        listWays(pulse, drive_s, b, ways);
         detections.push_back(detect(pulse, b, ways));
     }
 }

@@ -23,15 +23,19 @@ namespace noctule::simulation {
 
 class PulseReadings {
 public:
-    /// `world` must outlive the object.
-    PulseReadings(const World& world, const Scenario& scenario, const HiddenTruth& truth);
+    /// `world` must outlive the object. Its sources are those of `truth`, its boards may be more than one
+    /// suit's. `room`: instead of the one that a suit alone is in.
+    PulseReadings(const World& world, const Scenario& scenario, const HiddenTruth& truth,
+                  const std::optional<Room>& room = {});
 
     /// Detections of one pulse by all boards, in their order; pulses are asked for in ascending order.
     /// Clears `detections`.
     void hear(const Pulse& pulse, std::vector<PulseDetection>& detections);
+    /// The drive starts at that instant of the world. Arrivals still count from the pulse's sample.
+    void hear(const Pulse& pulse, double drive_s, std::vector<PulseDetection>& detections);
 
 private:
-    void listWays(const Pulse& pulse, int board, std::vector<SoundWay>& ways);
+    void listWays(const Pulse& pulse, double drive_s, int board, std::vector<SoundWay>& ways);
     PulseDetection detect(const Pulse& pulse, int board, const std::vector<SoundWay>& ways);
 
     const World& world_;

@@ -37,6 +37,10 @@ Scenario Scenario::nominal() {
     s.temperature_c = {18, 29};
     s.temperature_error_c = 0.5;
     s.initial_pose_rad = 0.0087;
+    s.cast.clock_rate_error = {-20e-6, 20e-6};
+    s.cast.clock_wander_s_per_sqrt_s = 0.5e-6;
+    s.cast.survey_m = 0.003;
+    s.cast.housing_m = 0.0005;
     return s;
 }
 
@@ -54,6 +58,9 @@ Scenario Scenario::realistic() {
     s.gyro_bias_walk_rad_per_s_per_sqrt_s = 0.0005;
     s.sound.impulses_per_s = 1;
     s.sound.acoustic_noise_counts = 15;
+    s.cast.clock_rate_wander_per_sqrt_s = 0.05e-6;
+    s.cast.survey_m = 0.01;
+    s.cast.housing_m = 0.001;
     return s;
 }
 

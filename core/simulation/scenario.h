@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/job/result.h"
+#include "core/simulation/cast_scenario.h"
 #include "core/simulation/sound_scenario.h"
 
 namespace noctule::simulation {
@@ -82,6 +83,7 @@ struct Scenario {
     double external_root_sigma_position_m = 0.0005, external_root_sigma_rotation_rad = 0.0017;
 
     RigScenario rigs;
+    CastScenario cast;
 
     static Scenario ideal();
     static Scenario nominal();

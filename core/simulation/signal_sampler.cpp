@@ -12,6 +12,22 @@ SignalSampler::SignalSampler(const SuitWorld& world, const Scenario& scenario, c
              {static_cast<double>(scenario.sample_rate_hz), truth.air.speedOfSound_m_per_s(),
               scenario.schedule()},
              truth.seed, room) {
+    addLines(world, scenario, truth);
+}
+
+SignalSampler::SignalSampler(const SuitWorld& world, const World& heard, const Scenario& scenario,
+                             const HiddenTruth& truth, const Room& room,
+                             const std::vector<OtherVoice>& others)
+    : sound_(heard, scenario.sound,
+             {static_cast<double>(scenario.sample_rate_hz), truth.air.speedOfSound_m_per_s(),
+              scenario.schedule()},
+             truth.seed, room) {
+    for (const OtherVoice& other : others)
+        sound_.add(other);
+    addLines(world, scenario, truth);
+}
+
+void SignalSampler::addLines(const SuitWorld& world, const Scenario& scenario, const HiddenTruth& truth) {
     for (int b = 0; b < world.boardCount(); ++b) {
         const InertialTruth& inertia = truth.inertia[b];
         auto stream = std::make_shared<BoardStream>(world, b, inertia, scenario.sample_rate_hz, truth.seed);

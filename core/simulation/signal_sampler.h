@@ -14,6 +14,9 @@ public:
     /// `world` must outlive the sampler. `room`: of another sampler of the same, for a quicker beginning.
     SignalSampler(const SuitWorld& world, const Scenario& scenario, const HiddenTruth& truth,
                   const std::optional<Room>& room = {});
+    /// Of one of several suits: `heard` is its world with all bodies in it, `others` are the other suits.
+    SignalSampler(const SuitWorld& world, const World& heard, const Scenario& scenario,
+                  const HiddenTruth& truth, const Room& room, const std::vector<OtherVoice>& others);
 
     const Room& room() const { return sound_.room(); }
 
@@ -21,6 +24,8 @@ public:
     std::span<const int16_t> next(int64_t count);
 
 private:
+    void addLines(const SuitWorld& world, const Scenario& scenario, const HiddenTruth& truth);
+
     SoundSynthesizer sound_;
     std::vector<LineShaper> lines_;
     int64_t next_sample_ = 0;

@@ -147,8 +147,28 @@ Room::Room(const World& world, const SoundScenario& scenario, uint64_t seed) {
         planes_.push_back({-outward, -(reach(world, outward) + distance_m), planeGain()});
         azimuth_rad += random.uniform(std::numbers::pi / 3, std::numbers::pi);
     }
-    const Vector3d middle = middleOfSuit(world, 0);
-    for (int i = 0; i < scenario.scattering_points; ++i) {
+    scatter(middleOfSuit(world, 0), scenario.scattering_points, random);
+}
+
+Room Room::chamber(const ChamberScenario& chamber, const SoundScenario& scenario, uint64_t seed) {
+    Room room;
+    if (!scenario.reflections)
+        return room;
+    Random random(seed, "room");
+    room.planes_ = {{Vector3d::UnitY(), 0, gainFromDb(chamber.floor_gain_db)},
+                    {-Vector3d::UnitY(), -chamber.height_m, gainFromDb(chamber.ceiling_gain_db)}};
+    for (const Vector3d& outward :
+         {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 0, 1), Vector3d(0, 0, -1)}) {
+        const double distance_m = (outward.x() != 0 ? chamber.width_m : chamber.depth_m) / 2;
+        const double gain_db = random.uniform(scenario.wall_gain_db[0], scenario.wall_gain_db[1]);
+        room.planes_.push_back({-outward, -distance_m, gainFromDb(gain_db)});
+    }
+    room.scatter(Vector3d::Zero(), scenario.scattering_points, random);
+    return room;
+}
+
+void Room::scatter(const Vector3d& middle, int count, Random& random) {
+    for (int i = 0; i < count; ++i) {
         const double point_azimuth_rad = random.uniform(0, 2 * std::numbers::pi);
         Vector3d center = middle + random.uniform(0.6, 2.5) * horizontal(point_azimuth_rad);
         center.y() = random.uniform(0.2, 2.2);

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/simulation/cast_scenario.h"
 #include "core/simulation/propagation.h"
+#include "core/simulation/random.h"
 #include "core/simulation/sound_scenario.h"
 
 namespace noctule::simulation {
@@ -28,6 +30,8 @@ struct EchoPath {
 class Room {
 public:
     Room(const World& world, const SoundScenario& scenario, uint64_t seed);
+    /// Of a cast: floor, ceiling and four walls where the chamber has them.
+    static Room chamber(const ChamberScenario& chamber, const SoundScenario& scenario, uint64_t seed);
 
     struct Query {
         PathEnds ends;
@@ -54,6 +58,9 @@ public:
     const std::vector<Sphere>& spheres() const { return spheres_; }
 
 private:
+    Room() = default;
+    void scatter(const Vector3d& middle, int count, Random& random);
+
     std::vector<Plane> planes_;
     std::vector<Sphere> spheres_;
 };

@@ -13,6 +13,8 @@ namespace {
 constexpr double kFaintest_counts = 0.2;
 /// Apart from the pulse's beginning, the flight is solved for what is emitted this much later.
 constexpr double kLater_s = 5e-4;
+/// A microphone hears the source of its own housing through the housing's wall.
+constexpr double kHousing_db = -20;
 
 /// Drops the first `count` values of what is under way.
 void advance(std::vector<float>& samples, size_t count) {
@@ -24,9 +26,10 @@ void advance(std::vector<float>& samples, size_t count) {
 
 /// One pulse as it leaves.
 struct SoundSynthesizer::Emission {
+    const Voice& voice;
     int source = 0;
     double t_s = 0;  ///< the sound's beginning
-    Vector3d source_m, source_later_m, normal;
+    Vector3d source_m{}, source_later_m{}, normal{};
     double gain_counts = 0;  ///< peak on the axis at 1 m
 };
 
@@ -48,10 +51,29 @@ SoundSynthesizer::SoundSynthesizer(const World& world, const SoundScenario& scen
     const PulseSchedule& schedule = conditions_.schedule;
     require(conditions_.sample_rate_hz > 0 && schedule.interval_samples > 0 && schedule.drive_hz > 0,
             "SoundSynthesizer: the clock does not run");
-    for (const SourceTruth& source : truth_.sources)
-        pulses_.push_back(receivedPulse(schedule.drive_hz, schedule.cycles, source.resonance_hz, source.q));
+    const auto drive_s = [rate_hz = conditions_.sample_rate_hz](int64_t sample) {
+        return static_cast<double>(sample) / rate_hz;
+    };
+    voices_.push_back(voiceOf({&world_, scenario_, schedule, truth_, drive_s}));
     for (const BoardTruth& board : truth_.boards)
         board_gains_.push_back(gainFromDb(board.gain_db));
+}
+
+SoundSynthesizer::Voice SoundSynthesizer::voiceOf(const OtherVoice& of) const {
+    Voice voice{of, mediumOf(of.scenario, conditions_.speed_of_sound_m_per_s), {}};
+    for (const SourceTruth& source : of.truth.sources)
+        voice.pulses.push_back(
+            receivedPulse(of.schedule.drive_hz, of.schedule.cycles, source.resonance_hz, source.q));
+    return voice;
+}
+
+void SoundSynthesizer::add(const OtherVoice& other) {
+    require(next_sample_ == 0, "SoundSynthesizer: a voice comes too late");
+    voices_.push_back(voiceOf(other));
+    Voice& voice = voices_.back();
+    while (!other.schedule.isSilent(other.world->sourceCount()) &&
+           other.drive_s(voice.next * other.schedule.interval_samples) < 0)
+        ++voice.next;
 }
 
 void SoundSynthesizer::render(int64_t first_sample, int64_t count, float* interleaved) {
@@ -73,8 +95,8 @@ void SoundSynthesizer::renderInterval() {
     const auto boards = static_cast<size_t>(world_.boardCount());
     const auto length = static_cast<size_t>(conditions_.schedule.interval_samples);
     microphones_.forgetBefore(static_cast<double>(next_sample_) / conditions_.sample_rate_hz);
-    if (!conditions_.schedule.isSilent(world_.sourceCount()))
-        addPulse(conditions_.schedule.pulse(intervals_, world_.sourceCount()));
+    for (Voice& voice : voices_)
+        addPulses(voice);
     addClicks();
     interval_.resize(length * boards);
     for (size_t b = 0; b < boards; ++b) {
@@ -90,20 +112,35 @@ void SoundSynthesizer::renderInterval() {
     ++intervals_;
 }
 
-void SoundSynthesizer::addPulse(const Pulse& pulse) {
-    const SourceTruth& source = truth_.sources[static_cast<size_t>(pulse.source)];
-    Emission emission;
+/// All that leave within the present interval.
+void SoundSynthesizer::addPulses(Voice& voice) {
+    const PulseSchedule& schedule = voice.of.schedule;
+    const int sources = voice.of.world->sourceCount();
+    if (schedule.isSilent(sources))
+        return;
+    const double end_s = static_cast<double>((intervals_ + 1) * conditions_.schedule.interval_samples) /
+                         conditions_.sample_rate_hz;
+    for (; voice.of.drive_s(voice.next * schedule.interval_samples) < end_s; ++voice.next)
+        addPulse(voice, schedule.pulse(voice.next, sources));
+}
+
+void SoundSynthesizer::addPulse(const Voice& voice, const Pulse& pulse) {
+    const World& world = *voice.of.world;
+    const SourceTruth& source = voice.of.truth.sources[static_cast<size_t>(pulse.source)];
+    Emission emission{voice};
     emission.source = pulse.source;
-    emission.t_s = static_cast<double>(pulse.sample) / conditions_.sample_rate_hz + source.start_delay_s;
-    emission.source_m = world_.source(pulse.source, std::min(emission.t_s, world_.duration_s()));
+    emission.t_s = voice.of.drive_s(pulse.sample) + source.start_delay_s;
+    emission.source_m = world.source(pulse.source, std::min(emission.t_s, world_.duration_s()));
     emission.source_later_m =
-        world_.source(pulse.source, std::min(emission.t_s + kLater_s, world_.duration_s()));
-    emission.normal = world_.sourceNormal(pulse.source, std::min(emission.t_s, world_.duration_s()));
-    emission.gain_counts = scenario_.amplitude_counts_at_1m * gainFromDb(source.gain_db);
-    world_.capsules(std::min(emission.t_s, world_.duration_s()), capsules_);
+        world.source(pulse.source, std::min(emission.t_s + kLater_s, world_.duration_s()));
+    emission.normal = world.sourceNormal(pulse.source, std::min(emission.t_s, world_.duration_s()));
+    emission.gain_counts = voice.of.scenario.amplitude_counts_at_1m * gainFromDb(source.gain_db);
+    world.capsules(std::min(emission.t_s, world_.duration_s()), capsules_);
     for (int board = 0; board < world_.boardCount(); ++board) {
         const PathEnds ends{emission.source_m, emission.normal, microphones_.position(board, emission.t_s)};
-        const DirectPath direct = directPath(ends, capsules_, source.ka, medium_);
+        DirectPath direct = directPath(ends, capsules_, source.ka, voice.medium);
+        if (world.sourceBoard(pulse.source) == board)
+            direct.gain *= gainFromDb(kHousing_db);
         addPath(
             {{emission.source_m, direct.detour_m}, {emission.source_later_m, direct.detour_m}, direct.gain},
             emission, board);
@@ -116,12 +153,12 @@ void SoundSynthesizer::addEchoes(const Emission& emission, int board) {
     Room::Query query;
     query.ends = {emission.source_m, emission.normal, microphones_.position(board, emission.t_s)};
     query.source_later_m = emission.source_later_m;
-    query.source_segment = world_.sourceSegment(emission.source);
-    query.board_segment = world_.boardSegment(board);
-    query.ka = truth_.sources[static_cast<size_t>(emission.source)].ka;
+    query.source_segment = emission.voice.of.world->sourceSegment(emission.source);
+    query.board_segment = emission.voice.of.world->boardSegment(board);
+    query.ka = emission.voice.of.truth.sources[static_cast<size_t>(emission.source)].ka;
     query.least_gain =
         kFaintest_counts / (emission.gain_counts * board_gains_[static_cast<size_t>(board)] + 1e-12);
-    room_.echoes(query, capsules_, medium_, echoes_);
+    room_.echoes(query, capsules_, emission.voice.medium, echoes_);
     for (const EchoPath& echo : echoes_)
         addPath(echo, emission, board);
 }
@@ -130,8 +167,8 @@ void SoundSynthesizer::addPath(const EchoPath& path, const Emission& emission, i
     const auto b = static_cast<size_t>(board);
     const double gain = path.gain * emission.gain_counts * board_gains_[b];
     if (std::abs(gain) >= kFaintest_counts)
-        addTones(pulses_[static_cast<size_t>(emission.source)], arrival(path, emission.t_s, gain, board),
-                 pulse_sound_[b]);
+        addTones(emission.voice.pulses[static_cast<size_t>(emission.source)],
+                 arrival(path, emission.t_s, gain, board), pulse_sound_[b]);
 }
 
 void SoundSynthesizer::addClicks() {

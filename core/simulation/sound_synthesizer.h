@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -29,11 +30,23 @@ struct SoundConditions {
     PulseSchedule schedule;
 };
 
+/// The pulses of another suit that the same boards hear, on its own carrier.
+struct OtherVoice {
+    const World* world = nullptr;  ///< its sources and the same boards; must outlive the synthesizer
+    SoundScenario scenario;
+    PulseSchedule schedule;
+    SoundTruth truth;                                 ///< of its sources
+    std::function<double(int64_t sample)> drive_s{};  ///< when the listening boards' clock shows its sample
+};
+
 class SoundSynthesizer {
 public:
-    /// `world` must outlive the synthesizer. `room`: of another one with the same world, scenario and seed.
+    /// `world` must outlive the synthesizer. `room`: of another one with the same world, scenario and seed,
+    /// or the one that several suits are in.
     SoundSynthesizer(const World& world, const SoundScenario& scenario, const SoundConditions& conditions,
                      uint64_t seed, const std::optional<Room>& room = {});
+    /// Before anything is rendered. Its pulses from time 0 on are heard.
+    void add(const OtherVoice& other);
 
     /// Adds the sound of `count` samples from `first_sample` to `interleaved` (count x boards). Calls follow
     /// each other without a hole from sample 0 on; the result does not depend on how they divide the time.
@@ -43,9 +56,18 @@ public:
     const Room& room() const { return room_; }
 
 private:
+    /// Whose pulses are heard: the first is the suit's own.
+    struct Voice {
+        OtherVoice of;
+        Medium medium;
+        std::vector<ToneSum> pulses;  ///< per source, peak 1
+        int64_t next = 0;
+    };
     struct Emission;
+    Voice voiceOf(const OtherVoice& of) const;
     void renderInterval();
-    void addPulse(const Pulse& pulse);
+    void addPulses(Voice& voice);
+    void addPulse(const Voice& voice, const Pulse& pulse);
     void addEchoes(const Emission& emission, int board);
     void addClicks();
     void addPath(const EchoPath& path, const Emission& emission, int board);
@@ -61,7 +83,7 @@ private:
     MicrophoneTrack microphones_;
     AmbientNoise noise_;
     ClickProcess clicks_;
-    std::vector<ToneSum> pulses_;  ///< per source, peak 1
+    std::vector<Voice> voices_;
     std::vector<double> board_gains_;
 
     // Sounds under way: per board, from the beginning of the present interval. Pulses, clicks and noise are

@@ -63,8 +63,10 @@ Result<Stage> prepareRig(const StageRequest& request) {
 
 nlohmann::json Stage::truthJson() const {
     nlohmann::json json = toJson(truth, suit, scenario);
-    if (body)
-        addWorn(json, body->worn(), mover);
+    if (body) {
+        addWorn(json, body->worn());
+        json["actor"] = noctule::toJson(mover);
+    }
     if (rig)
         json.update(rig->truthJson(scenario.rigs, suit));
     return json;

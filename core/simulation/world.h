@@ -27,6 +27,8 @@ public:
     /// Index of the joint that carries it, -1 when fixed in the room.
     virtual int boardSegment(int board) const = 0;
     virtual int sourceSegment(int source) const = 0;
+    /// The board in the same housing, -1 when there is none.
+    virtual int sourceBoard(int) const { return -1; }
     /// All capsules of all performers at time t; clears and fills `capsules`.
     virtual void capsules(double t_s, std::vector<WorldCapsule>& capsules) const = 0;
 };

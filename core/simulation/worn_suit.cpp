@@ -26,6 +26,20 @@ void drawFlesh(WornBoard& worn, const Board& board, const SoftTissue& tissue, Ra
     worn.twist_lag = twists ? tissue.axial_twist_lag : 0;
 }
 
+/// A transceiver: its source sits where the board really is, up to the housing's error.
+WornSource inHousing(const Source& source, const Board& board, const WornBoard& worn,
+                     const Vector3d& housing_error_m) {
+    WornSource w;
+    w.segment = worn.segment;
+    w.p_board_source_m =
+        board.q_segment_board.conjugate() * (source.p_segment_source_m - board.p_segment_board_m) +
+        housing_error_m;
+    w.normal_board = board.q_segment_board.conjugate() * source.normal_segment;
+    w.p_segment_source_m = worn.p_segment_board_m + worn.q_segment_board * w.p_board_source_m;
+    w.normal_segment = worn.q_segment_board * w.normal_board;
+    return w;
+}
+
 }  // namespace
 
 Result<WornSuit> wear(const Suit& suit, const Skeleton& skeleton, const Scenario& scenario, uint64_t seed) {
@@ -52,6 +66,19 @@ Result<WornSuit> wear(const Suit& suit, const Skeleton& skeleton, const Scenario
     }
     for (size_t s = 0; s < suit.sources.size(); ++s) {
         const Source& source = suit.sources[s];
+        if (const int b = suit.findBoard(source.board); !source.board.empty() && b >= 0) {
+            if (suit.boards[b].segment != source.segment)
+                return Error{ErrorKind::kUnusable,
+                             "suit " + suit.name + ": source '" + source.id +
+                                 "' sits on another segment than board '" + source.board +
+                                 "', with which it shares a housing",
+                             "Give both the same segment in the suit's description"};
+            worn.sources.push_back(
+                inHousing(source, suit.boards[b], worn.boards[b],
+                          Random(seed, "housing", s).gaussianVector(scenario.cast.housing_m)));
+            worn.sources.back().board = b;
+            continue;
+        }
         Random random(seed, "source mounting", s);
         worn.sources.push_back({source.segment.empty() ? -1 : skeleton.find(source.segment),
                                 source.p_segment_source_m + random.gaussianVector(scenario.source_position_m),

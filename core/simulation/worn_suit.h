@@ -35,6 +35,8 @@ struct WornSource {
     int segment = -1;
     Vector3d p_segment_source_m = Vector3d::Zero();
     Vector3d normal_segment = Vector3d::UnitZ();
+    int board = -1;  ///< in the same housing: it moves with that board, soft tissue included
+    Vector3d p_board_source_m = Vector3d::Zero(), normal_board = Vector3d::UnitZ();
 };
 
 struct WornSuit {
@@ -42,7 +44,8 @@ struct WornSuit {
     std::vector<WornSource> sources;
 };
 
-/// Fails (kUnusable) when the suit names a segment that the skeleton does not have.
+/// Fails (kUnusable) when the suit names a segment that the skeleton does not have, or when a source sits on
+/// another segment than the board of its housing.
 Result<WornSuit> wear(const Suit& suit, const Skeleton& skeleton, const Scenario& scenario, uint64_t seed);
 
 /// The actor whose every bone is longer or shorter by scenario.bone_scale.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/simulation/cast_sampler.h"
+
+namespace noctule::simulation {
+
+CastSampler::CastSampler(const std::vector<StagedSuit>& suits, size_t listener, const Room& chamber) {
+    const BoxClock& clock = *suits[listener].clock;
+    std::vector<const World*> worlds;
+    for (const StagedSuit& suit : suits) {
+        clocked_.push_back(std::make_unique<ClockedWorld>(*suit.stage->world, clock));
+        worlds.push_back(clocked_.back().get());
+    }
+    std::vector<OtherVoice> others;
+    for (size_t speaker = 0; speaker < suits.size(); ++speaker) {
+        heard_.push_back(std::make_unique<CastWorld>(worlds, speaker, listener));
+        if (speaker == listener)
+            continue;
+        const Stage& stage = *suits[speaker].stage;
+        const auto drive_s = [suit = suits[speaker], &clock](int64_t sample) {
+            return clock.suitTime_s(suit.takeTimeOf_s(static_cast<double>(sample)));
+        };
+        others.push_back({heard_.back().get(), stage.scenario.sound, stage.scenario.schedule(),
+                          stage.truth.sound, drive_s});
+    }
+    const Stage& stage = *suits[listener].stage;
+    sampler_ = std::make_unique<SignalSampler>(*clocked_[listener], *heard_[listener], stage.scenario,
+                                               stage.truth, chamber, others);
+}
+
+}  // namespace noctule::simulation
