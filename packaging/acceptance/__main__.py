@@ -14,6 +14,7 @@ import benchmarks
 import blender
 import bounds
 import calibration
+import cast
 import drift
 import fuzz
 import ground
@@ -47,6 +48,7 @@ FIGURES = {
     "accessibility": ("The studio over AT-SPI", accessibility.figure),
     "blender": ("Exports opened in Blender", blender.figure),
     "calibration": ("Calibration", calibration.figure),
+    "cast": ("Several people as free points: Welch 2018, section 4", cast.figure),
     "kills": ("Recordings that are killed, without power, with every fault", kills.figure),
     "motions": ("Public motions and bodies: read, right or refused", motions.figure),
     "hostile": ("Takes, boxes, announcements and clients made to do harm", hostile.figure),
