@@ -18,6 +18,7 @@ jobs_need=(
     libexpat1-dev        # EXPAT
     qtbase5-dev          # Qt5
     libqt5serialport5-dev # Qt5: SerialPort
+    libqt5websockets5-dev # Qt5: WebSockets
     libepoxy-dev         # epoxy
     liburdfdom-dev       # urdfdom: robots; brings tinyxml and console_bridge
     libegl-dev           # epoxy: pictures without a screen

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QHostInfo>
+#include <QUrl>
+
+#include "devices/robot/rosbridge_interface.h"
+#include "devices/robot/udp_interface.h"
+
+namespace noctule::robot_link {
+namespace {
+
+constexpr const char* kRemedy = "Give udp://HOST:PORT or ws://HOST:PORT, such as ws://127.0.0.1:9090";
+
+using Made = Result<std::unique_ptr<RobotInterface>>;
+
+Made makeUdp(const QUrl& url, const std::string& address, const LinkOptions& options) {
+    QHostAddress host(url.host());
+    if (host.isNull()) {
+        const QHostInfo found = QHostInfo::fromName(url.host());
+        if (found.addresses().isEmpty())
+            return Error{ErrorKind::kDevice, address + ": the network knows no computer of this name",
+                         "Give its address in numbers"};
+        host = found.addresses().first();
+    }
+    return std::unique_ptr<RobotInterface>(
+        new UdpInterface(address, host, static_cast<uint16_t>(url.port()), options));
+}
+
+Made makeRosbridge(const QUrl& url, const std::string& address, const LinkOptions& options) {
+    return std::unique_ptr<RobotInterface>(new RosbridgeInterface(address, url, options));
+}
+
+/// The registry of interfaces.
+struct InterfaceKind {
+    const char* scheme;
+    Made (*make)(const QUrl&, const std::string&, const LinkOptions&);
+};
+constexpr InterfaceKind kKinds[] = {{"udp", makeUdp}, {"ws", makeRosbridge}};
+
+}  // namespace
+
+Result<std::unique_ptr<RobotInterface>> makeInterface(const std::string& address,
+                                                      const LinkOptions& options) {
+    if (options.joints.empty() || options.joints.size() > kMostJoints)
+        return Error{ErrorKind::kUsage,
+                     address + ": " + std::to_string(options.joints.size()) + " joints cannot be driven",
+                     "Drive 1 to " + std::to_string(kMostJoints) + " joints"};
+    const QUrl url(QString::fromStdString(address), QUrl::StrictMode);
+    if (!url.isValid() || url.host().isEmpty() || url.port() <= 0)
+        return Error{ErrorKind::kUsage, "'" + address + "' is not the address of a robot", kRemedy};
+    for (const InterfaceKind& kind : kKinds)
+        if (url.scheme() == kind.scheme)
+            return kind.make(url, address, options);
+    return Error{ErrorKind::kUsage, "'" + address + "': no interface is called " + url.scheme().toStdString(),
+                 kRemedy};
+}
+
+}  // namespace noctule::robot_link
