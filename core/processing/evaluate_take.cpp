@@ -9,6 +9,7 @@
 #include "core/math/rotation.h"
 #include "core/processing/ingredients.h"
 #include "core/processing/pose_runs.h"
+#include "core/processing/run_command.h"
 #include "core/processing/take_quality.h"
 #include "core/report/joint_support.h"
 
@@ -158,6 +159,8 @@ ReportRun describeRun(const Take& take, const DerivedRun& run, const RunSettings
     if (settings.process_sigma_rad_per_s2)
         described.settings.emplace_back("Process sigma",
                                         shortNumber(*settings.process_sigma_rad_per_s2) + " rad/s²");
+    if (const std::string command = commandOfRun(run, take.path()); !command.empty())
+        described.settings.emplace_back("Made again by", command);
     return described;
 }
 
