@@ -9,6 +9,7 @@
 #include "core/processing/run_subjects.h"
 #include "core/report/evaluation_json.h"
 #include "core/report/html_report.h"
+#include "core/report/joints_csv.h"
 #include "core/report/verdict.h"
 
 namespace noctule::batch {
@@ -135,7 +136,8 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     const bool overwrite = arguments.given("overwrite");
     const std::string report_path = arguments.text("report");
-    if (Status free = checkOutputs({report_path}, overwrite); !free)
+    const std::string csv_path = arguments.text("csv");
+    if (Status free = checkOutputs({report_path, csv_path}, overwrite); !free)
         return free.error();
     const auto oriented = evaluateOrientation(arguments.operands()[0], arguments.text("run"));
     if (!oriented)
@@ -145,7 +147,7 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
     EvaluateRequest request;
     request.take_path = arguments.operands()[0];
     request.run = arguments.text("run");
-    request.all_runs = !report_path.empty();
+    request.all_runs = !report_path.empty() || !csv_path.empty();
     request.reference_name = arguments.text("reference");
     nlohmann::json understood;
     if (Status fits = checkMotionOptions(arguments, "reference"); !fits)
@@ -183,6 +185,12 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
         outcome.json["report"] = report_path;
         outcome.text += "report                " + report_path + "\n";
     }
+    if (!csv_path.empty()) {
+        if (Status written = writeFileAtomically(csv_path, jointsCsv(*data), overwrite); !written)
+            return written.error();
+        outcome.json["csv"] = csv_path;
+        outcome.text += "joints as CSV         " + csv_path + "\n";
+    }
     return outcome;
 }
 
@@ -198,7 +206,8 @@ Verb evaluateVerb() {
     verb.options = {text("run", "NAME", "the run to judge; the last one when not given"),
                     text("reference", "M.bvh|M.fbx|M.glb",
                          "another system's motion, aligned in time; else the take's own"),
-                    text("report", "R.html", "write the whole report, with every run of the take")};
+                    text("report", "R.html", "write the whole report, with every run of the take"),
+                    text("csv", "J.csv", "write the joints of every run as a table")};
     for (Option& option : motionOptions("reference"))
         verb.options.push_back(std::move(option));
     verb.remarks = {
