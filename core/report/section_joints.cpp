@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/body/text.h"
+#include "core/report/angle_names.h"
 #include "core/report/html.h"
 #include "core/report/sections.h"
 #include "core/report/svg_plot.h"
@@ -55,7 +56,9 @@ std::string jointTable(const Comparison& c) {
 /// One angle of figure 6.
 std::string anglePlot(const JointCurve& curve, size_t axis, const Comparison& c, const ReportData& data) {
     LinePlot plot;
-    plot.title = text::jointLabel(curve.name) + ", angle " + kAngleNames[axis];
+    const std::string name = anatomicalAngle(curve.name, axis);
+    plot.title = text::jointLabel(curve.name) + ", " + (name.empty() ? "angle " : name + ", angle ") +
+                 kAngleNames[axis];
     plot.description = "Estimate and reference over time; the band is two sigma of the estimate";
     plot.time_s = takeInterval(data);
     plot.values = niceInterval({curve.estimate_deg[axis], curve.reference_deg[axis]}, 10);
@@ -109,10 +112,13 @@ std::string jointsSection(const ReportData& data) {
             body += anglePlot(curve, axis, c, data);
         body += differencePlot(curve, c, data) + "</div>";
     }
-    return html::section(
-        "joints", title,
-        "Angle between the estimated and the reference rotation of each joint, of run " + run->name + ".",
-        body);
+    return html::section("joints", title,
+                         "Angle between the estimated and the reference rotation of each joint, of run " +
+                             run->name +
+                             ". Curves are Cardan angles in the order Z, X, Y from the T pose, named as the "
+                             "ISB names them; an "
+                             "angle is positive in the direction of its name.",
+                         body);
 }
 
 std::string rootSection(const ReportData& data) {
