@@ -62,7 +62,8 @@ Result<CastSubject> readSubject(const std::string& cast, const CastFileSubject& 
 
 }  // namespace
 
-Result<CastRequest> castRequest(const std::string& path, const Arguments& arguments, Console& console) {
+Result<CastRequest> castRequest(const std::string& path, const Arguments& arguments, Console& console,
+                                double duration_s) {
     const auto json = readJson(path);
     if (!json)
         return json.error();
@@ -84,7 +85,7 @@ Result<CastRequest> castRequest(const std::string& path, const Arguments& argume
         return scenario.error();
     request.scenario = *scenario;
     request.rest_seconds = arguments.number("rest-seconds");
-    request.duration_s = arguments.number("duration").value_or(0);
+    request.duration_s = duration_s;
     request.seed = static_cast<uint64_t>(*arguments.whole("seed"));
     return request;
 }

@@ -9,8 +9,9 @@
 namespace noctule::batch {
 
 /// Reads CAST.json and the files beside it: paths are relative to the cast. Wants scenario, rest-seconds,
-/// duration and seed in the table. What was understood of each motion goes to the console.
+/// seed and those of motions in the table. `duration_s`: 0 is the longest motion once. What was understood of
+/// each motion goes to the console.
 Result<simulation::CastRequest> castRequest(const std::string& path, const Arguments& arguments,
-                                            Console& console);
+                                            Console& console, double duration_s);
 
 }  // namespace noctule::batch

@@ -83,7 +83,8 @@ Result<Outcome> runSimulateCast(const VerbContext& context) {
     if (Status free = checkOutputs({out, truth_out}, overwrite, {arguments.text("cast")}); !free)
         return free.error();
     context.console.progress(0, "Preparing the motions");
-    const auto request = castRequest(arguments.text("cast"), arguments, context.console);
+    const auto request = castRequest(arguments.text("cast"), arguments, context.console,
+                                     arguments.number("duration").value_or(0));
     if (!request)
         return request.error();
     const auto cast = prepareCast(*request);

@@ -17,6 +17,11 @@ const std::vector<batch::Option>& table() {
         std::vector<Option> all = stageOptions();
         for (Option& option : std::vector<Option>{
                  text("take", "T.noctule", "stream a take made before instead of a simulation"),
+                 text("cast", "CAST.json",
+                      "be the box of one of several performers, as in `simulate --cast`"),
+                 text("subject", "NAME", "whose box of the cast; room: the one of its anchors"),
+                 text("start-at", "UTC",
+                      "when the cast begins, as 2026-05-01T10:00:00Z, the same for all of its boxes; or now"),
                  flag("loop", "after the end begin again; else silence follows"),
                  text("tcp", "HOST:PORT",
                       "listen there, port 0 for any free one (127.0.0.1:41941 when there is no --pty)"),
@@ -44,14 +49,14 @@ Status checkSource(const batch::Arguments& arguments) {
         return usage("'" + arguments.operands()[0] + "' is no option",
                      "Write --take " + arguments.operands()[0] + " or --motion " + arguments.operands()[0]);
     std::vector<std::string> given;
-    for (const char* name : {"motion", "rig", "take"})
+    for (const char* name : {"motion", "rig", "take", "cast"})
         if (arguments.given(name))
             given.push_back("--" + std::string(name));
     if (given.empty())
         return usage(
             "nothing to play is given",
-            std::string("Give --motion M.bvh, --rig rest, jig, level or turntable, or --take T.noctule, for "
-                        "example: ") +
+            std::string("Give --motion M.bvh, --rig rest, jig, level or turntable, --cast CAST.json or "
+                        "--take T.noctule, for example: ") +
                 kExample);
     if (given.size() > 1)
         return usage(given[0] + " and " + given[1] + " exclude each other", "Give one of them");
@@ -60,6 +65,17 @@ Status checkSource(const batch::Arguments& arguments) {
             if (arguments.given(name))
                 return usage("--" + std::string(name) + " does not go with --take, which is recorded already",
                              "Leave it out, or play a --motion");
+    for (const char* name : {"subject", "start-at"})
+        if (arguments.given(name) != arguments.given("cast"))
+            return arguments.given("cast")
+                       ? usage("--cast without --" + std::string(name),
+                               "Give --subject NAME and --start-at UTC, the same instant for all boxes")
+                       : usage("--" + std::string(name) + " without --cast", "Give --cast CAST.json too");
+    if (arguments.given("cast"))
+        for (const char* name : {"suit", "actor", "up", "height", "bones"})
+            if (arguments.given(name))
+                return usage("--" + std::string(name) + " does not go with --cast, which says it of each",
+                             "Leave it out");
     if (arguments.given("announce-port") && !arguments.given("announce"))
         return usage("--announce-port without --announce", "Give --announce too");
     return Done{};
@@ -125,7 +141,8 @@ Result<Options> parseOptions(const std::vector<std::string>& words) {
 
 std::string helpText() {
     return "noctule-virtual-suit: a driver box without hardware, for studios that have none at hand.\n\n"
-           "usage: noctule-virtual-suit --motion M.bvh | --rig RIG | --take T.noctule [OPTIONS]\n\n"
+           "usage: noctule-virtual-suit --motion M.bvh | --rig RIG | --cast CAST.json | --take T.noctule "
+           "[OPTIONS]\n\n"
            "options:\n" +
            batch::optionList(table()) +
            "\nIt prints the addresses that `noctule --batch record --device` takes, then serves one studio "

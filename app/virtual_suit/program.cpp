@@ -10,6 +10,7 @@
 
 #include "app/batch/stage_request.h"
 #include "app/virtual_suit/announcer.h"
+#include "app/virtual_suit/cast_box.h"
 #include "app/virtual_suit/control_port.h"
 #include "app/virtual_suit/driver_box.h"
 #include "app/virtual_suit/options.h"
@@ -45,6 +46,8 @@ void tellLine(const std::string& text) {
 Result<SoundOfSuit> openSound(const Options& options) {
     if (!options.take().empty())
         return openTakeSource(options.take(), options.loop());
+    if (options.arguments.given("cast"))
+        return openCastBox(options);
     batch::Console console(false, false);
     auto request = batch::stageRequest(options.arguments, console);
     if (!request)

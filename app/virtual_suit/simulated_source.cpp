@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/math/rotation.h"
-#include "core/simulation/signal_sampler.h"
+#include "core/simulation/cast_sampler.h"
 
 namespace noctule::virtual_suit {
 namespace {
@@ -72,22 +72,15 @@ Pose poseNamed(const std::string& name, const Actor& actor) {
 
 class SimulatedSource : public SoundSource {
 public:
-    explicit SimulatedSource(Stage stage) : stage_(std::move(stage)) {}
-
-    Status restart() override {
-        stage_.world->beginAgain();
-        sampler_ = std::make_unique<SignalSampler>(*stage_.world, stage_.scenario, stage_.truth, room_);
-        room_ = sampler_->room();
-        next_sample_ = next_pulse_ = 0;
-        return Done{};
-    }
+    /// The stage must outlive the source.
+    explicit SimulatedSource(Stage& stage) : stage_(stage) {}
 
     Result<std::optional<SoundBlock>> next() override {
         const int64_t count =
-            std::min<int64_t>(link::kUsualBlockSamples, stage_.sampleCount() - next_sample_);
+            std::min<int64_t>(link::kUsualBlockSamples, stage_.sampleCount() - first_sample_ - next_sample_);
         if (count <= 0)
             return std::optional<SoundBlock>();
-        const auto values = sampler_->next(count);
+        const auto values = sample(count);
         SoundBlock block{{next_sample_, stage_.world->boardCount(), {values.begin(), values.end()}}, {}};
         next_sample_ += count;
         addPulses(block);
@@ -99,7 +92,8 @@ public:
         return stage_.rig ? rigAccepts(command, *stage_.rig) : wornAccepts(command, stage_);
     }
     void obey(const ControlCommand& command) override {
-        const double soon_s = static_cast<double>(next_sample_) / stage_.scenario.sample_rate_hz + kSoon_s;
+        const double soon_s =
+            static_cast<double>(first_sample_ + next_sample_) / stage_.scenario.sample_rate_hz + kSoon_s;
         if (command.kind == ControlKind::kSlip)
             stage_.body->slip(command.board, radians(command.number), soon_s);
         else if (command.kind == ControlKind::kPose)
@@ -121,23 +115,84 @@ public:
             scenario.enabled_sources = settings.enabled_sources;
     }
 
+protected:
+    /// The first sample that is sent has that number on the suit's clock.
+    void beginAt(int64_t first_sample) {
+        first_sample_ = first_sample;
+        next_sample_ = 0;
+        const int64_t interval = stage_.scenario.schedule().interval_samples;
+        next_pulse_ = std::max<int64_t>(0, (first_sample + interval - 1) / interval);
+    }
+
 private:
+    virtual std::span<const int16_t> sample(int64_t count) = 0;
+
     void addPulses(SoundBlock& block) {
         const PulseSchedule schedule = stage_.scenario.schedule();
         if (schedule.isSilent(stage_.world->sourceCount()))
             return;
         for (;; ++next_pulse_) {
             const Pulse pulse = schedule.pulse(next_pulse_, stage_.world->sourceCount());
-            if (pulse.sample >= block.end())
+            if (pulse.sample - first_sample_ >= block.end())
                 return;
-            block.pulses.push_back({pulse.sample, pulse.source});
+            block.pulses.push_back({pulse.sample - first_sample_, pulse.source});
         }
     }
 
-    Stage stage_;
+    Stage& stage_;
+    int64_t first_sample_ = 0, next_sample_ = 0, next_pulse_ = 0;
+};
+
+/// A suit that is alone.
+class LoneSource : public SimulatedSource {
+public:
+    explicit LoneSource(std::unique_ptr<Stage> stage) : SimulatedSource(*stage), own_(std::move(stage)) {}
+
+    Status restart() override {
+        own_->world->beginAgain();
+        sampler_ = std::make_unique<SignalSampler>(*own_->world, own_->scenario, own_->truth, room_);
+        room_ = sampler_->room();
+        beginAt(0);
+        return Done{};
+    }
+
+private:
+    std::span<const int16_t> sample(int64_t count) override { return sampler_->next(count); }
+
+    std::unique_ptr<Stage> own_;
     std::optional<Room> room_;  ///< takes seconds to find in a long performance
     std::unique_ptr<SignalSampler> sampler_;
-    int64_t next_sample_ = 0, next_pulse_ = 0;
+};
+
+/// One of several suits: it hears the others too.
+class CastSource : public SimulatedSource {
+public:
+    CastSource(std::unique_ptr<Cast> cast, size_t suit, std::function<double()> since_start_s)
+        : SimulatedSource(cast->suits[suit].stage),
+          cast_(std::move(cast)),
+          suit_(suit),
+          since_start_s_(std::move(since_start_s)) {}
+
+    Status restart() override {
+        const CastSuit& own = cast_->suits[suit_];
+        const double rate_hz = own.stage.scenario.sample_rate_hz;
+        const auto first =
+            static_cast<int64_t>(std::llround(own.clock.suitTime_s(since_start_s_()) * rate_hz));
+        own.stage.world->beginAgain();
+        staged_ = stagedSuits(*cast_);
+        sampler_ = std::make_unique<CastSampler>(staged_, suit_, cast_->chamber, first);
+        beginAt(first);
+        return Done{};
+    }
+
+private:
+    std::span<const int16_t> sample(int64_t count) override { return sampler_->next(count); }
+
+    std::unique_ptr<Cast> cast_;
+    size_t suit_;
+    std::function<double()> since_start_s_;
+    std::vector<StagedSuit> staged_;
+    std::unique_ptr<CastSampler> sampler_;
 };
 
 /// Six digits, another suit for another seed.
@@ -147,9 +202,8 @@ std::string serialOf(uint64_t seed) {
     return text;
 }
 
-}  // namespace
-
-SoundOfSuit makeSimulatedSource(Stage stage) {
+/// What the box says and measures; the source is still missing.
+SoundOfSuit boxOf(const Stage& stage) {
     const Scenario& scenario = stage.scenario;
     const PulseSchedule schedule = scenario.schedule();
     link::Hello hello;
@@ -164,7 +218,22 @@ SoundOfSuit makeSimulatedSource(Stage stage) {
         const AirInstruments::Values values = air->read();
         return Measurements{values.temperature_c, values.humidity_percent, {}, {}};
     };
-    return {std::make_unique<SimulatedSource>(std::move(stage)), std::move(hello), measurements};
+    return {nullptr, std::move(hello), measurements};
+}
+
+}  // namespace
+
+SoundOfSuit makeSimulatedSource(Stage stage) {
+    SoundOfSuit sound = boxOf(stage);
+    sound.source = std::make_unique<LoneSource>(std::make_unique<Stage>(std::move(stage)));
+    return sound;
+}
+
+SoundOfSuit makeCastSource(Cast cast, size_t suit, std::function<double()> since_start_s) {
+    SoundOfSuit sound = boxOf(cast.suits[suit].stage);
+    sound.source =
+        std::make_unique<CastSource>(std::make_unique<Cast>(std::move(cast)), suit, std::move(since_start_s));
+    return sound;
 }
 
 }  // namespace noctule::virtual_suit

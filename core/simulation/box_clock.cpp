@@ -29,7 +29,15 @@ BoxClock::BoxClock(const CastScenario& scenario, double duration_s, uint64_t see
     }
 }
 
+BoxClock BoxClock::startedAt(double suit_s) const {
+    BoxClock later = *this;
+    later.start_s_ += suit_s;
+    return later;
+}
+
 double BoxClock::wander_s(double suit_s) const {
+    if (wander_s_.empty())
+        return 0;
     const double last = static_cast<double>(wander_s_.size() - 1);
     const double place = std::clamp(suit_s / kClockStep_s, 0.0, last);
     const auto i = std::min(static_cast<size_t>(place), wander_s_.size() - 2);
@@ -38,16 +46,19 @@ double BoxClock::wander_s(double suit_s) const {
 }
 
 double BoxClock::takeTime_s(double suit_s) const {
-    return isTakeTime() ? suit_s : offset_s_ + rate_ * suit_s + wander_s(suit_s);
+    if (isTakeTime())
+        return suit_s;
+    const double counted_s = suit_s + start_s_;
+    return offset_s_ + rate_ * counted_s + wander_s(counted_s);
 }
 
 double BoxClock::suitTime_s(double take_s) const {
     if (isTakeTime())
         return take_s;
-    double suit_s = (take_s - offset_s_) / rate_;
+    double counted_s = (take_s - offset_s_) / rate_;
     for (int round = 0; round < 3; ++round)  // each shrinks the error by the wander's slope, below 1e-4
-        suit_s = (take_s - offset_s_ - wander_s(suit_s)) / rate_;
-    return suit_s;
+        counted_s = (take_s - offset_s_ - wander_s(counted_s)) / rate_;
+    return counted_s - start_s_;
 }
 
 SuitClock firstGuess(const BoxClock& clock, const CastScenario& scenario, uint64_t seed) {

@@ -18,7 +18,10 @@ public:
     /// Drawn for a take of that length; beyond it the wander stays what it is at the end.
     BoxClock(const CastScenario& scenario, double duration_s, uint64_t seed);
 
-    bool isTakeTime() const { return wander_s_.empty(); }
+    /// The same clock of a box that begins to count when this one shows `suit_s`.
+    BoxClock startedAt(double suit_s) const;
+
+    bool isTakeTime() const { return wander_s_.empty() && start_s_ == 0; }
     double takeTime_s(double suit_s) const;
     double suitTime_s(double take_s) const;
     double offset_s() const { return offset_s_; }  ///< without the wander
@@ -27,7 +30,7 @@ public:
 private:
     double wander_s(double suit_s) const;
 
-    double offset_s_ = 0, rate_ = 1;
+    double offset_s_ = 0, rate_ = 1, start_s_ = 0;
     std::vector<double> wander_s_;  ///< at steps of kStep_s from suit time 0 on, linear between them
 };
 

@@ -262,6 +262,9 @@ Status checkNames(const CastRequest& request) {
         if (subject.name.empty() || !names.insert(subject.name).second)
             return Error{ErrorKind::kUsage, "Two subjects are called \"" + subject.name + "\"",
                          "Give every subject a name of its own"};
+        if (request.room && subject.name == "room")
+            return Error{ErrorKind::kUsage, "A subject is called \"room\" beside the room",
+                         "Give the subject another name"};
         if (!subject.stage.clip)
             return Error{ErrorKind::kUsage, "subject " + subject.name + " has no motion",
                          "Give it one with \"motion\""};
@@ -348,15 +351,27 @@ nlohmann::json Cast::truthJson() const {
     return {{"format", "noctule-truth"}, {"version", 1}, {"suits", list}};
 }
 
+int Cast::find(const std::string& name) const {
+    const auto found = std::ranges::find_if(
+        suits, [&](const CastSuit& suit) { return (suit.isRoom() ? "room" : suit.name) == name; });
+    return found == suits.end() ? -1 : static_cast<int>(found - suits.begin());
+}
+
+std::vector<StagedSuit> stagedSuits(const Cast& cast) {
+    std::vector<StagedSuit> staged;
+    for (const CastSuit& suit : cast.suits)
+        staged.push_back({&suit.stage, &suit.clock, suit.first_guess, static_cast<int>(staged.size()) + 1});
+    return staged;
+}
+
 Result<SimulationSummary> writeTake(const Cast& cast, const TakeRequest& request, const JobContext& job) {
     TakeContent content;
+    content.suits = stagedSuits(cast);
     content.chamber = cast.chamber;
     nlohmann::json subjects = nlohmann::json::array();
     for (size_t i = 0; i < cast.suits.size(); ++i) {
         const CastSuit& suit = cast.suits[i];
-        const int id = static_cast<int>(i) + 1;
-        content.suits.push_back({&suit.stage, &suit.clock, suit.first_guess, id});
-        nlohmann::json subject{{"suits", {id}}};
+        nlohmann::json subject{{"suits", {i + 1}}};
         if (suit.isRoom())
             subject["room"] = true;
         else

@@ -6,6 +6,7 @@
 #include "core/simulation/cast_world.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/sound_room.h"
+#include "core/simulation/suit_rows.h"
 
 namespace noctule::simulation {
 
@@ -46,7 +47,12 @@ struct Cast {
     std::vector<std::string> notes;     ///< what was decided, one sentence each
 
     nlohmann::json truthJson() const;
+    /// -1: nobody is called so; the room is called "room".
+    int find(const std::string& name) const;
 };
+
+/// As rows and sound are made of them; good as long as the cast stays where it is.
+std::vector<StagedSuit> stagedSuits(const Cast& cast);
 
 /// Fails (kUsage) when two suits have one carrier or two subjects one name, and for whatever prepareStage()
 /// does not make.

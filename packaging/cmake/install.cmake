@@ -13,6 +13,7 @@ install(FILES ${NOCTULE_HELP_DIR}/_noctule DESTINATION ${share}/zsh/vendor-compl
 install(DIRECTORY resources/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(DIRECTORY resources/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY resources/suits DESTINATION ${share}/noctule)
+install(DIRECTORY resources/casts DESTINATION ${share}/noctule)
 install(FILES resources/motions/sample.bvh DESTINATION ${share}/noctule/motions)
 install(DIRECTORY resources/motions/trajectories DESTINATION ${share}/noctule/motions)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

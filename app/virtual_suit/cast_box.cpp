@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/virtual_suit/cast_box.h"
+
+#include <QDateTime>
+#include <cmath>
+
+#include "app/batch/cast_request.h"
+#include "app/virtual_suit/simulated_source.h"
+
+namespace noctule::virtual_suit {
+namespace {
+
+constexpr double kLongestCast_s = 86400;
+
+/// Milliseconds since 1970.
+Result<qint64> startInstant(const std::string& text) {
+    const qint64 now_ms = QDateTime::currentMSecsSinceEpoch();
+    if (text == "now")
+        return now_ms;
+    const QDateTime instant = QDateTime::fromString(QString::fromStdString(text), Qt::ISODateWithMs);
+    if (!instant.isValid() || instant.timeSpec() == Qt::LocalTime)
+        return Error{ErrorKind::kUsage, "--start-at " + text + " is no instant of UTC",
+                     "Write it as 2026-05-01T10:00:00Z"};
+    const qint64 start_ms = instant.toMSecsSinceEpoch();
+    if (std::abs(static_cast<double>(now_ms - start_ms)) > kLongestCast_s * 1e3)
+        return Error{ErrorKind::kUsage, "--start-at " + text + " is more than a day away",
+                     "Give an instant within a day of now, the same for all boxes"};
+    return start_ms;
+}
+
+std::string namesIn(const simulation::Cast& cast) {
+    std::vector<std::string> names;
+    for (const simulation::CastSuit& suit : cast.suits)
+        names.push_back(suit.isRoom() ? "room" : suit.name);
+    return batch::listed(names);
+}
+
+}  // namespace
+
+Result<SoundOfSuit> openCastBox(const Options& options) {
+    const auto start_ms = startInstant(options.arguments.text("start-at"));
+    if (!start_ms)
+        return start_ms.error();
+    batch::Console console(false, false);
+    auto request = batch::castRequest(options.arguments.text("cast"), options.arguments, console,
+                                      options.loop() ? kLongestCast_s : 0);
+    if (!request)
+        return request.error();
+    auto cast = prepareCast(*request);
+    if (!cast)
+        return cast.error();
+    const std::string name = options.arguments.text("subject");
+    const int suit = cast->find(name);
+    if (suit < 0)
+        return Error{ErrorKind::kUsage,
+                     options.arguments.text("cast") + ": nobody in the cast is called " + name,
+                     "Give --subject " + namesIn(*cast)};
+    const auto since_start_s = [start = *start_ms] {
+        return static_cast<double>(QDateTime::currentMSecsSinceEpoch() - start) / 1e3;
+    };
+    return makeCastSource(std::move(*cast), static_cast<size_t>(suit), since_start_s);
+}
+
+}  // namespace noctule::virtual_suit

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// A cast from the command line: simulate, inspect, process, evaluate, and what may be wrong with the file.
+#include "tests/support/program_run.h"
+
+namespace noctule::test {
+namespace {
+
+/// A cast of two on the installed motion, in a folder of its own.
+class CastOfTwo {
+public:
+    explicit CastOfTwo(const std::string& more = "") {
+        write(R"({"subjects":[{"motion":")" + kMotion +
+              R"(","place":{"z_m":-0.8}},{"name":"Bea","motion":")" + kMotion +
+              R"(","place":{"z_m":0.8,"yaw_deg":180}}])" + more + "}");
+    }
+    void write(const std::string& text) const { std::ofstream(cast()) << text; }
+    std::string cast() const { return folder_.file("cast.json"); }
+    std::string file(const std::string& name) const { return folder_.file(name); }
+
+private:
+    Folder folder_;
+};
+
+const std::string kAnchors = std::string(NOCTULE_SOURCE_DIR) + "/resources/casts/ceiling_4.json";
+
+TEST(CastProgram, ATakeOfTwoGoesAllTheWay) {
+    SKIP_WITHOUT_MOTION();
+    const CastOfTwo two(R"(,"room":")" + kAnchors + "\"");
+    const std::string take = two.file("two_001.noctule");
+    const Ran made = batch({"simulate", "--cast", two.cast(), "--out", take, "--level", "readings", "--json",
+                            "--duration", "3", "--rest-seconds", "1", "--truth-out", two.file("truth.json")});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const auto suits = made.json()["suits"];
+    ASSERT_EQ(suits.size(), 3U);
+    EXPECT_EQ(suits[0]["name"], "A");
+    EXPECT_EQ(suits[1]["carrier_hz"], 48000);
+    EXPECT_EQ(suits[2]["pulse_interval_samples"], 1260);
+    const auto truth = nlohmann::json::parse(readBytes(two.file("truth.json")));
+    EXPECT_GT(std::abs(truth["suits"][1]["clock"]["offset_ns"].get<double>()), 1000);
+
+    const Ran seen = batch({"inspect", take});
+    EXPECT_EQ(seen.exit_code, 0) << seen.err;
+    for (const std::string text : {"subject A", "subject Bea", "the room"})
+        EXPECT_NE(seen.out.find(text), std::string::npos) << text << " is not in " << seen.out;
+    const Ran processed = batch({"process", take});
+    EXPECT_EQ(processed.exit_code, 0) << processed.err;
+    const Ran judged = batch({"evaluate", take});
+    EXPECT_EQ(judged.exit_code, 0) << judged.err;
+    EXPECT_NE(judged.out.find("Bea"), std::string::npos) << judged.out;
+}
+
+TEST(CastProgram, AMistakeLeavesNoTake) {
+    SKIP_WITHOUT_MOTION();
+    const CastOfTwo two;
+    const std::string take = two.file("t.noctule");
+    const auto refused = [&](int exit_code, const std::vector<std::string>& named,
+                             const std::vector<std::string>& more = {}) {
+        std::vector<std::string> arguments{"simulate", "--cast", two.cast(), "--out", take};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        expectRefusal(arguments, exit_code, named);
+        EXPECT_FALSE(std::filesystem::exists(take));
+    };
+    refused(2, {"--suit", "--cast"}, {"--suit", kAnchors});
+    two.write(R"({"subjects":[{"motion":"nowhere.bvh"}]})");
+    refused(3, {"subject A", "nowhere.bvh"});
+    two.write(R"({"subjects":[{"motion":")" + kMotion + R"(","carrier_hz":40000},{"motion":")" + kMotion +
+              R"(","carrier_hz":40000}]})");
+    refused(2, {"subject A", "subject B", "40 kHz", "carrier_hz"});
+    two.write(R"({"subjects":[{"motion":")" + kMotion + R"(","motion_scale":1e9}]})");
+    refused(3, {"subject A", "motion_scale"});
+    two.write(R"({"subjects":[{"motion":")" + kMotion + R"(","motion_skip":100000}]})");
+    refused(4, {"subject A", "motion_skip"});
+    two.write(R"({"subjects":[{"motion":")" + kMotion + R"("}],"room":"nowhere.json"})");
+    refused(3, {"room", "nowhere.json"});
+    two.write("{");
+    refused(3, {"cast.json", "JSON"});
+    two.write(std::string(100000, '['));
+    refused(3, {"cast.json", "JSON"});
+}
+
+}  // namespace
+}  // namespace noctule::test
