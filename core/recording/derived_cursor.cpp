@@ -166,6 +166,8 @@ std::string RangeCursor::query(const RunOfTake& run) {
         sql += "," + schema.expression("range", column);
     sql += " FROM range LEFT JOIN pulse ON pulse.id=range.pulse" + whereRun(run, "range") + " AND +" +
            isOfSuit(run, "range");
+    // What the suit's boards heard of other suits has other sources and another clock.
+    sql += " AND (pulse.id IS NULL OR " + isOfSuit(run, "pulse") + ")";
     if (run.pulses)
         sql += " AND range.pulse BETWEEN " + std::to_string(run.pulses->first) + " AND " +
                std::to_string(run.pulses->second);
