@@ -307,28 +307,15 @@ private:
         std::vector<ClockTrack> tracks(guesses_.size());
         for (size_t suit = 1; suit < guesses_.size(); ++suit) {
             const auto i = static_cast<Eigen::Index>(2 * (suit - 1));
-            const double systematic = housingSigma_s(static_cast<int>(suit));
             const ClockGuess& guess = guesses_[suit];
             for (const ClockState& state : states) {
                 const double suit_s = (state.centre_s - guess.offset_s) / guess.rate;
                 tracks[suit].points.push_back(
                     {suit_s, guessed(suit, suit_s) + state.x[i] - suit_s, guess.rate + state.x[i + 1],
-                     std::hypot(std::sqrt(std::max(state.P(i, i), 0.0)), systematic)});
+                     std::hypot(std::sqrt(std::max(state.P(i, i), 0.0)), settings_.housing_s)});
             }
         }
         tracks_ = std::move(tracks);
-    }
-
-    /// A housing's two ends point somewhere, which lasts: it does not average over time, only over pairs.
-    double housingSigma_s(int suit) const {
-        std::set<Pair> pairs;
-        for (const Flight& flight : flights_)
-            if (flight.from_suit == suit || flight.to_suit == suit)
-                pairs.insert({std::min(flight.from_suit, flight.to_suit),
-                              flight.from_suit < flight.to_suit ? flight.from_housing : flight.to_housing,
-                              std::max(flight.from_suit, flight.to_suit),
-                              flight.from_suit < flight.to_suit ? flight.to_housing : flight.from_housing});
-        return pairs.empty() ? 0 : settings_.housing_s / std::sqrt(static_cast<double>(pairs.size()));
     }
 
     const std::vector<Flight>& flights_;

@@ -34,9 +34,10 @@ struct ClockSettings {
     /// units of the speed of sound: 0.5 m/s that lasts for a second, as if drawn anew in each window.
     double drift_of_pair = 0.85 / 344;
     double drift_of_housings = 0.3 / 344;  ///< the same, of one pair of housings against its bodies
-    /// Microphone and source of a housing are 10 mm apart in a direction that is not known here: what
-    /// remains of it for one pair of housings, s.
-    double housing_s = 4e-3 / 344;
+    /// Microphone and source of a housing are 10 mm apart: half of that, along a line of sight in any
+    /// direction (1 / sqrt 3). The housings of a suit often point alike and turn with their wearer, so it
+    /// averages neither over pairs nor over time; it is added to the stated sigma.
+    double housing_s = 2.9e-3 / 344;
 };
 
 struct ClockPoint {

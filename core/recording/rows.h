@@ -104,6 +104,14 @@ struct OrientationRow {
     double heading_sigma_rad = 0;
 };
 
+/// A suit's clock as a clock run found it: at suit time `time_ns`, take time is time_ns + offset_ns.
+struct ClockRow {
+    int64_t time_ns = 0;
+    double offset_ns = 0;
+    double rate = 1;  ///< d take time / d suit time
+    double sigma_ns = 0;
+};
+
 /// Both ends belong to it.
 struct SampleInterval {
     int64_t first = 0;

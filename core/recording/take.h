@@ -99,10 +99,20 @@ public:
 
     Result<std::vector<DerivedRun>> derivedRuns() const;
     Result<ReadingCursor> readings(int64_t run, int suit = kSuitInView) const;
+    /// Of the suit's own pulses.
     Result<RangeCursor> ranges(int64_t run, int suit = kSuitInView) const;
+    /// A pulse of another suit, as a board of `suit` heard it.
+    struct CrossRange {
+        int from_suit = 0;
+        RangeMeasurement range;  ///< pulse_sample on the clock of from_suit, arrival_sample on that of `suit`
+    };
+    /// In the order of the pulses' ids; false from the sink stops the walk.
+    Status forEachCrossRange(int64_t run, int suit, const std::function<bool(const CrossRange&)>& sink) const;
     /// Only those of the pulses with ids `first` to `last`.
     Result<RangeCursor> rangesOfPulses(int64_t run, int64_t first, int64_t last,
                                        int suit = kSuitInView) const;
+    /// Of a run of kind `clock`, in the order of time.
+    Result<std::vector<ClockRow>> clocks(int64_t run, int suit = kSuitInView) const;
     /// Attitudes of one sensor in the order of time, of a run of kind `orientation`.
     Result<std::vector<OrientationRow>> orientations(int64_t run, int board, int suit = kSuitInView) const;
 

@@ -49,6 +49,8 @@ public:
     Status addPose(int64_t run, const TimedPose& timed, int suit = kSuitInView);
     /// Of a run of kind `orientation`.
     Status addOrientation(int64_t run, const OrientationRow& row, int suit = kSuitInView);
+    /// Of a run of kind `clock`.
+    Status addClock(int64_t run, const ClockRow& row, int suit = kSuitInView);
 
 protected:
     TakeTables(const Database* database, TakeSchema schema)

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/take_clocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace noctule {
+namespace {
+
+/// Both directions of a way share its error, so a rough value serves.
+constexpr double kSoundOfFlights_m_per_s = 344;
+constexpr double kUnstatedFlight_m = 0.0025;  ///< sigma of a range that states none
+constexpr double kLeastConfidence = 0.5;
+constexpr size_t kMostFlights = 4'000'000;  ///< 400 MB; two people with four anchors fill it in an hour
+
+struct SuitOfFlights {
+    int id = 0;
+    double rate_hz = 0;
+    std::vector<int> housing_of_source;  ///< the board in the same housing; -1: none
+    std::vector<char> board_has_source;
+};
+
+bool isRoom(const Suit& suit) {
+    return std::ranges::all_of(suit.boards, [](const Board& board) { return board.segment.empty(); }) &&
+           std::ranges::all_of(suit.sources, [](const Source& source) { return source.segment.empty(); });
+}
+
+class FlightsOfTake {
+public:
+    explicit FlightsOfTake(const Take& take) : take_(take) {}
+
+    Status addSuits() {
+        for (const int id : take_.suitIds()) {
+            const auto suit = take_.suit(id);
+            const auto rate = take_.sampleRate_hz();
+            if (!suit)
+                return suit.error();
+            if (!rate)
+                return rate.error();
+            SuitOfFlights of{id, static_cast<double>(suit->sample_rate_hz.value_or(*rate)), {}, {}};
+            of.board_has_source.assign(suit->boards.size(), 0);
+            for (const Source& source : suit->sources) {
+                of.housing_of_source.push_back(source.board.empty() ? -1 : suit->findBoard(source.board));
+                if (of.housing_of_source.back() >= 0)
+                    of.board_has_source[static_cast<size_t>(of.housing_of_source.back())] = 1;
+            }
+            const SuitClock clock = take_.suitClock(id);
+            guesses.push_back({clock.offset_ns * 1e-9, clock.rate, isRoom(*suit)});
+            suits.push_back(std::move(of));
+        }
+        return Done{};
+    }
+
+    Status read(const JobContext& job) {
+        Status state = Done{};
+        for (size_t to = 0; to < suits.size() && state; ++to) {
+            const Status walked =
+                take_.forEachCrossRange(kPrimaryRun, suits[to].id, [&](const Take::CrossRange& cross) {
+                    if (job.cancelled())
+                        state = JobContext::cancelledError();
+                    heard = true;
+                    if (state && flights.size() < kMostFlights)
+                        add(to, cross);
+                    return state.ok();
+                });
+            if (state && !walked)
+                return walked;
+        }
+        return state;
+    }
+
+    std::vector<SuitOfFlights> suits;
+    std::vector<cooperative::ClockGuess> guesses;
+    std::vector<cooperative::Flight> flights;
+    bool heard = false;
+
+private:
+    void add(size_t to, const Take::CrossRange& cross) {
+        const auto from_suit = std::ranges::find(suits, cross.from_suit, &SuitOfFlights::id);
+        const auto from = static_cast<size_t>(from_suit - suits.begin());
+        const int housing = from_suit->housing_of_source[static_cast<size_t>(cross.range.source)];
+        if (housing < 0 || !suits[to].board_has_source[static_cast<size_t>(cross.range.board)] ||
+            cross.range.w_s * cross.range.w_t < kLeastConfidence)
+            return;
+        const double emission_s = static_cast<double>(cross.range.pulse_sample) / from_suit->rate_hz;
+        const double take_s = guesses[from].offset_s + guesses[from].rate * emission_s +
+                              cross.range.distance_m / kSoundOfFlights_m_per_s;
+        const double sigma_m = cross.range.sigma_m > 0 ? cross.range.sigma_m : kUnstatedFlight_m;
+        flights.push_back({static_cast<int>(from), static_cast<int>(to), housing, cross.range.board,
+                           emission_s, (take_s - guesses[to].offset_s) / guesses[to].rate,
+                           sigma_m / kSoundOfFlights_m_per_s});
+    }
+
+    const Take& take_;
+};
+
+SuitClock lineOf(const cooperative::ClockTrack& track) {
+    double n = 0, sum_t = 0, sum_o = 0, sum_tt = 0, sum_to = 0;
+    for (const cooperative::ClockPoint& point : track.points) {
+        n += 1, sum_t += point.suit_s, sum_o += point.offset_s;
+        sum_tt += point.suit_s * point.suit_s, sum_to += point.suit_s * point.offset_s;
+    }
+    const double spread = n * sum_tt - sum_t * sum_t;
+    const double slope = spread > 0 ? (n * sum_to - sum_t * sum_o) / spread : track.points.front().rate - 1;
+    return {(sum_o - slope * sum_t) / n * 1e9, 1 + slope};
+}
+
+}  // namespace
+
+Result<TakeClocks> joinClocks(const Take& take, const JobContext& job) {
+    TakeClocks clocks;
+    FlightsOfTake of(take);
+    if (take.suitIds().size() < 2)
+        return clocks;
+    if (const auto shared = take.meta().find("clock_shared");
+        shared != take.meta().end() && shared->second == "1") {
+        for (const int id : take.suitIds())
+            clocks.lines[id] = SuitClock{};
+        return clocks;
+    }
+    if (Status added = of.addSuits(); !added)
+        return added.error();
+    if (Status read = of.read(job); !read)
+        return read.error();
+    if (!of.heard)
+        return clocks;
+    if (of.flights.size() == kMostFlights)
+        clocks.warnings.push_back(
+            "The take has more ranges between suits than are used for its clocks: their last rates are "
+            "carried on to the end.");
+    const auto tracks = cooperative::estimateClocks(of.flights, of.guesses);
+    for (size_t i = 1; i < tracks.size(); ++i) {
+        const int id = of.suits[i].id;
+        if (tracks[i].joined) {
+            clocks.tracks[id] = tracks[i];
+            clocks.lines[id] = lineOf(tracks[i]);
+        } else {
+            clocks.warnings.push_back("The clock of suit " + std::to_string(id) +
+                                      " cannot be joined to that of suit " +
+                                      std::to_string(of.suits.front().id) +
+                                      ": no transceivers of both hear each other. It stands alone, at the "
+                                      "recorder's guess, which may be 5 ms off.");
+        }
+    }
+    return clocks;
+}
+
+std::vector<ClockRow> clockRows(const cooperative::ClockTrack& track) {
+    std::vector<ClockRow> rows;
+    for (const cooperative::ClockPoint& point : track.points)
+        rows.push_back(
+            {std::llround(point.suit_s * 1e9),
+             (point.suit_s + point.offset_s) * 1e9 - static_cast<double>(std::llround(point.suit_s * 1e9)),
+             point.rate, point.sigma_s * 1e9});
+    return rows;
+}
+
+}  // namespace noctule
