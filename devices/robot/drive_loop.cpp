@@ -13,6 +13,7 @@ namespace {
 
 constexpr int64_t kFirstState_ns = 5'000'000'000;
 constexpr std::chrono::milliseconds kLookForState{5};
+constexpr int64_t kSayAgain_ns = 2'000'000'000;
 
 std::chrono::steady_clock::time_point timeOf(int64_t steady_ns) {
     return std::chrono::steady_clock::time_point(std::chrono::nanoseconds(steady_ns));
@@ -110,7 +111,7 @@ private:
         }
         plan_.link.send(command);
         measure(before, input);
-        tellChange(before);
+        tellChange(before, now_ns);
         if (plan_.keeps_rows)
             table_.add({start_ns, now_ns, input, newest ? newest->time_ns : 0, link}, output_,
                        command.sequence, stateName(output_.state));
@@ -156,11 +157,17 @@ private:
             std::max(report_.longest_hold_s, static_cast<double>(input.now_ns - oldest_ns) * 1e-9);
     }
 
-    void tellChange(const robot::DriveOutput& before) {
+    /// A trouble that comes and goes with every step is said once.
+    void tellChange(const robot::DriveOutput& before, int64_t now_ns) {
         if (output_.state != before.state)
             plan_.tell(std::string("Now ") + stateName(output_.state) + ".");
-        if (output_.trouble != before.trouble && output_.trouble != robot::DriveTrouble::kNone)
-            plan_.tell(sentenceFor(output_));
+        const bool is_new =
+            output_.trouble != before.trouble && output_.trouble != robot::DriveTrouble::kNone;
+        if (!is_new || (output_.trouble == told_ && now_ns - told_ns_ < kSayAgain_ns))
+            return;
+        told_ = output_.trouble;
+        told_ns_ = now_ns;
+        plan_.tell(sentenceFor(output_));
     }
 
     const DrivePlan& plan_;
@@ -169,7 +176,8 @@ private:
     DriveTable table_;
     std::vector<double> speeds_;
     robot::DriveOutput output_;
-    int64_t last_pose_ = 0;
+    int64_t last_pose_ = 0, told_ns_ = 0;
+    robot::DriveTrouble told_ = robot::DriveTrouble::kNone;
     DriveReport report_;
 };
 

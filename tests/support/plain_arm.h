@@ -47,6 +47,7 @@ inline robot::RobotProfile plainArmProfile() {
     robot::RobotProfile profile;
     profile.robot = "arm";
     profile.arms = {arm};
+    profile.clearance_m = 0;  // it has no trunk that the arm could touch
     return profile;
 }
 

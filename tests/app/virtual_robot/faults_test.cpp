@@ -104,6 +104,13 @@ private:
         {"latency 60", "latency 0", DriveTrouble::kNone},
     };
 
+    /// A JointState cannot say that it refuses: it shows as joints that do not follow.
+    DriveTrouble noticeOf(const Act& act) const {
+        const bool is_silent_refusal =
+            act.notice == DriveTrouble::kRobotRefuses && robot_.address.startsWith("ws");
+        return is_silent_refusal ? DriveTrouble::kJointOff : act.notice;
+    }
+
     void play(const robot::DriveOutput& output) {
         const Act& act = kActs[at_];
         if (!begun_) {
@@ -115,7 +122,7 @@ private:
             const bool is_key = std::string(act.begin) == "key";
             noticed_ = is_key                              ? output.state == TeleopState::kHolding
                        : act.notice == DriveTrouble::kNone ? true
-                                                           : output.trouble == act.notice;
+                                                           : output.trouble == noticeOf(act);
             if (noticed_)
                 say(act.end);
         } else if (output.state == TeleopState::kFollowing) {
