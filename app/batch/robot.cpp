@@ -4,6 +4,7 @@
 
 #include "app/batch/files.h"
 #include "app/batch/motion_file.h"
+#include "app/batch/robot_profiles.h"
 #include "app/batch/verb.h"
 #include "core/body/actor.h"
 #include "core/figure/our_frames.h"
@@ -61,25 +62,13 @@ Result<MotionClip> motionFor(const VerbContext& context, const std::string& path
 }
 
 robot::MappingChoice choiceFor(const Arguments& arguments) {
-    robot::MappingChoice choice;
-    const std::string mapping = arguments.text("mapping"), arms = arguments.text("arms");
+    robot::MappingChoice choice = armChoice(arguments.text("arms"));
+    const std::string mapping = arguments.text("mapping");
     choice.mapping = mapping == "miller"         ? robot::Mapping::kMiller
                      : mapping == "miller-trunk" ? robot::Mapping::kMillerTrunk
                                                  : robot::Mapping::kPosture;
-    choice.left = arms != "right";
-    choice.right = arms != "left";
     choice.trunk = arguments.given("trunk");
     return choice;
-}
-
-Result<robot::RobotProfile> profileFor(const VerbContext& context, const robot::RobotModel& model) {
-    const std::string path = context.arguments.text("profile");
-    if (path.empty())
-        return robot::makeProfile(model);
-    const auto json = readJson(path);
-    if (!json)
-        return json.error();
-    return robot::profileFromJson(*json, path);
 }
 
 /// Many joints say the same; the first few tell it.
@@ -169,7 +158,7 @@ Result<Outcome> runRobot(const VerbContext& context) {
     if (!model)
         return model.error();
     tellNotices(context.console, urdf, model->notices);
-    const auto profile = profileFor(context, *model);
+    const auto profile = robotProfile(*model, arguments.text("profile"));
     if (!profile)
         return profile.error();
     const auto clip = motionFor(context, input);
@@ -204,7 +193,8 @@ Verb robotVerb() {
     verb.options = {
         text("robot", "R.urdf", "the robot; a xacro file has to be expanded first").needed(),
         text("out", "C.csv", "the commands, a column per joint in rad or m").needed(),
-        text("profile", "P.json", "how its arms answer to a performer's; else made from the URDF"),
+        text("profile", "P.json",
+             "how its arms answer to a performer's; else found by the robot's name, or made from the URDF"),
         text("profile-out", "P.json", "writes the profile that was used"),
         text("trajectory", "T.json", "the commands as a JointTrajectory of ROS"),
         choice("mapping", {"posture", "miller", "miller-trunk"},

@@ -56,6 +56,7 @@ Verb recoverVerb();
 Verb importVerb();
 Verb orientVerb();
 Verb robotVerb();
+Verb driveVerb();
 // app/batch/calibrate.cpp
 Verb calibrateSourcesVerb();
 Verb calibrateAccelerometersVerb();

@@ -22,6 +22,7 @@ const std::vector<Verb>& verbs() {
                                           importVerb(),
                                           orientVerb(),
                                           robotVerb(),
+                                          driveVerb(),
                                           calibrateSourcesVerb(),
                                           calibrateAccelerometersVerb(),
                                           calibrateGyroscopesVerb(),

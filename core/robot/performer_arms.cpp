@@ -106,6 +106,16 @@ PerformerFrame PerformerArms::at(const GlobalPose& pose) const {
     return frame;
 }
 
+double PerformerArms::worstSigma_rad(const std::vector<double>& sigma_rad) const {
+    double worst = 0;
+    for (const ArmBones& arm : arms_)
+        for (const int joint : {arm.upper, arm.forearm, arm.hand})
+            for (size_t axis = 0; axis < 3; ++axis)
+                if (const size_t at = 3 * static_cast<size_t>(joint) + axis; at < sigma_rad.size())
+                    worst = std::max(worst, sigma_rad[at]);
+    return worst;
+}
+
 Matrix3d PerformerArms::referenceUpper(Side side) {
     const double down = side == Side::kLeft ? -radians(90) : radians(90);
     return turn(axisAngle(Vector3d::UnitZ(), down));

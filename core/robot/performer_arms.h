@@ -35,6 +35,10 @@ public:
     PerformerFrame at(const GlobalPose& pose) const;
     double armLength_m(Side side) const { return arm_length_m_[static_cast<size_t>(side)]; }
 
+    /// The largest standard deviation of a joint of either arm. `sigma_rad`: 3 per joint of the skeleton;
+    /// empty or of another size: 0.
+    double worstSigma_rad(const std::vector<double>& sigma_rad) const;
+
     /// Turn from the T pose to the reference posture: upper arm down, elbow at a right angle, forearm and
     /// palm's edge ahead.
     static Matrix3d referenceUpper(Side side);

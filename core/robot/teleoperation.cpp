@@ -144,16 +144,30 @@ JointVector Teleoperator::askedFor(const TeleopPose& pose, bool& is_outside_box)
 }
 
 /// Without a wish the joints brake. Place, speed, acceleration and jerk stay inside their limits.
-void Teleoperator::move(const JointVector* wish, double speed_scale) {
+void Teleoperator::move(const JointVector* wish, double speed_scale, const JointVector* last_wish) {
     for (size_t i = 0; i < motion_.size(); ++i) {
         const ChainJoint& joint = arm_.chain.joint(static_cast<int>(i));
         // A stop from full speed may still need the whole limit.
         const double speed = wish ? speeds_[i] * speed_scale : speeds_[i];
         const StepLimiter limiter({joint.lower, joint.upper, speed, acceleration_, jerk_}, settings_.dt_s);
-        const double command = wish ? limiter.approach(motion_[i], (*wish)[static_cast<Eigen::Index>(i)], 0)
-                                    : limiter.brake(motion_[i]);
+        const auto at = static_cast<Eigen::Index>(i);
+        const double wish_speed = last_wish ? ((*wish)[at] - (*last_wish)[at]) / settings_.dt_s : 0;
+        const double command =
+            wish ? limiter.approach(motion_[i], (*wish)[at], wish_speed) : limiter.brake(motion_[i]);
         motion_[i] = limiter.after(motion_[i], command);
     }
+}
+
+void Teleoperator::brakeFrom(const std::vector<JointMotion>& before) {
+    motion_ = before;
+    last_ghost_.reset();
+    move(nullptr, 1);
+}
+
+/// The ghost's own speed is met, so that a robot that is fast enough has no lag.
+void Teleoperator::follow(const JointVector& ghost, double speed_scale) {
+    move(&ghost, speed_scale, last_ghost_ ? &*last_ghost_ : nullptr);
+    last_ghost_ = ghost;
 }
 
 TeleopCommand Teleoperator::step(int64_t now_ns, const std::optional<TeleopPose>& pose,
@@ -182,9 +196,10 @@ TeleopCommand Teleoperator::step(int64_t now_ns, const std::optional<TeleopPose>
         if (blended_s_ >= settings_.blend_s)
             take(TeleopEvent::kBlended);
     } else if (state_ == TeleopState::kFollowing) {
-        move(&ghost, scale);
+        follow(ghost, scale);
     } else {
-        move(nullptr, scale);
+        last_ghost_.reset();
+        move(retreat_ && !is_engaged ? &*retreat_ : nullptr, scale);
     }
     command.q = places();
     command.ghost = ghost;

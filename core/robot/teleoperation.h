@@ -58,6 +58,12 @@ public:
     TeleopCommand step(int64_t now_ns, const std::optional<TeleopPose>& pose, const TeleopKeys& keys);
     TeleopState state() const { return state_; }
 
+    /// Where the joints go, within their limits, while nobody drives; none: they stay.
+    void setRetreat(const std::optional<JointVector>& q) { retreat_ = q; }
+    const std::vector<JointMotion>& motion() const { return motion_; }
+    /// Takes the last step back and brakes instead.
+    void brakeFrom(const std::vector<JointMotion>& before);
+
 private:
     struct Index {
         Vector3d p_world_hand, p_base_tip;
@@ -70,7 +76,8 @@ private:
     JointVector askedFor(const TeleopPose& pose, bool& is_outside_box) const;
     JointVector tipAt(const Matrix3d& R_base_tip, const Vector3d& p_base_tip, const JointVector& from) const;
     JointVector places() const;
-    void move(const JointVector* wish, double speed_scale);
+    void move(const JointVector* wish, double speed_scale, const JointVector* last_wish = nullptr);
+    void follow(const JointVector& ghost, double speed_scale);
 
     RobotArm arm_;
     std::vector<double> speeds_;
@@ -79,6 +86,7 @@ private:
     TeleopState state_ = TeleopState::kIdle;
     std::vector<JointMotion> motion_;
     std::optional<Index> index_;
+    std::optional<JointVector> retreat_, last_ghost_;
     JointVector blend_from_;
     double blended_s_ = 0;
     bool has_pose_ = false;

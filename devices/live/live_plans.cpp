@@ -134,8 +134,12 @@ Result<LivePlan> livePlanOf(const StreamRequest& request, const link::Hello& hel
         pipeline.tracker.sensors.distances = false;
     }
     pipeline.rest = restOf(request, hello.sample_rate_hz, pre_roll_samples);
-    return LivePlan{*suit, *calibration, *actor, pipeline,
-                    queueLength_s(pre_roll_samples, hello.sample_rate_hz)};
+    return LivePlan{*suit,
+                    *calibration,
+                    *actor,
+                    pipeline,
+                    queueLength_s(pre_roll_samples, hello.sample_rate_hz),
+                    request.pose_listener};
 }
 
 }  // namespace noctule

@@ -36,6 +36,7 @@ LiveProcessor::LiveProcessor(const LivePlan& plan, std::unique_ptr<LivePipeline>
       board_count_(plan.suit.boards.size()),
       pipeline_(std::move(pipeline)),
       spool_(std::move(spool)),
+      pose_listener_(plan.pose_listener),
       queue_(static_cast<int64_t>(plan.queue_s * sample_rate_hz_)),
       health_(plan.suit, sample_rate_hz_),
       latency_from_ns_(latencyFrom_ns(plan)) {
@@ -116,7 +117,9 @@ void LiveProcessor::collect() {
     const std::vector<InertialReading> readings = pipeline_->takeReadings();
     const std::vector<RangeMeasurement> ranges = pipeline_->takeRanges();
     const std::vector<TimedPose> poses = pipeline_->takePoses();
-    measureLatency(poses);
+    const int64_t arrived_ns = measureLatency(poses);
+    if (pose_listener_ && !poses.empty())
+        pose_listener_(poses.back(), arrived_ns > 0 ? arrived_ns : steadyNow_ns());
     for (const InertialReading& reading : readings) {
         health_.add(reading);
         frame_.readings[static_cast<size_t>(reading.board)] = reading;
@@ -136,8 +139,9 @@ void LiveProcessor::collect() {
     }
 }
 
-void LiveProcessor::measureLatency(const std::vector<TimedPose>& poses) {
+int64_t LiveProcessor::measureLatency(const std::vector<TimedPose>& poses) {
     const int64_t now_ns = steadyNow_ns();
+    int64_t newest_arrived_ns = 0;
     for (const TimedPose& timed : poses) {
         if (!caught_up_ || timed.time_ns < latency_from_ns_)
             continue;
@@ -146,12 +150,15 @@ void LiveProcessor::measureLatency(const std::vector<TimedPose>& poses) {
             std::llround(instant + static_cast<double>(sample_rate_hz_) / kInertialFramesPerSecond);
         while (arrivals_.size() > 1 && arrivals_.front().end_sample <= last_bit)
             arrivals_.pop_front();
-        if (!arrivals_.empty() && arrivals_.front().end_sample > last_bit)
-            latency_.add(now_ns - arrivals_.front().arrived_ns);
+        if (arrivals_.empty() || arrivals_.front().end_sample <= last_bit)
+            continue;
+        newest_arrived_ns = arrivals_.front().arrived_ns;
+        latency_.add(now_ns - newest_arrived_ns);
     }
     while (!arrivals_.empty() &&
            arrivals_.front().end_sample < frame_.sample - int64_t{kArrivalsKept_s} * sample_rate_hz_)
         arrivals_.pop_front();
+    return newest_arrived_ns;
 }
 
 void LiveProcessor::publish() {

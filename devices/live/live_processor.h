@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -31,12 +32,17 @@ struct LiveFrame {
     std::optional<Error> trouble;  ///< nothing moves any more, and why
 };
 
+/// Called on the processor's thread with the newest pose and when the data that made it came
+/// (std::chrono::steady_clock); returns at once.
+using PoseListener = std::function<void(const TimedPose&, int64_t arrived_ns)>;
+
 struct LivePlan {
     Suit suit;
     Calibration calibration;
     Actor actor;
     PipelineSettings pipeline;
     double queue_s = 2;  ///< of sound that may wait
+    PoseListener pose_listener = {};
 };
 
 class LiveProcessor {
@@ -71,7 +77,8 @@ private:
     template <class Other>
     void handle(const Other&) {}
     void collect();
-    void measureLatency(const std::vector<TimedPose>& poses);
+    /// When the data of the newest pose came; 0: not known.
+    int64_t measureLatency(const std::vector<TimedPose>& poses);
     void publish();
     void endWith(const char* why);
 
@@ -79,6 +86,7 @@ private:
     const size_t board_count_;
     std::unique_ptr<LivePipeline> pipeline_;
     std::optional<ResultSpool> spool_;
+    const PoseListener pose_listener_;
     LiveQueue queue_;
     Published<LiveFrame> published_;
     // Of the thread:

@@ -35,7 +35,8 @@ struct StreamRequest {
     TrackerSettings tracker;
     /// None: matched where the calibration knows the shape of every source's pulse, else inflection.
     std::optional<Detector> detector{};
-    double rest_s = 0;  ///< the performer begins in the rest pose and holds it so long
+    PoseListener pose_listener = {};  ///< of every pose, as soon as it is there
+    double rest_s = 0;                ///< the performer begins in the rest pose and holds it so long
     std::string software, created_utc;
 };
 

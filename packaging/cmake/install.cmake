@@ -3,7 +3,7 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 set(helpers ${CMAKE_INSTALL_LIBEXECDIR}/noctule)
 set(share ${CMAKE_INSTALL_DATADIR})
 
-install(TARGETS noctule noctule-virtual-suit RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS noctule noctule-virtual-suit noctule-virtual-robot RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS noctule-read-mesh RUNTIME DESTINATION ${helpers})
 install(TARGETS noctule_video LIBRARY DESTINATION ${helpers})
 install(FILES ${NOCTULE_HELP_DIR}/noctule.bash DESTINATION ${share}/bash-completion/completions RENAME noctule)
@@ -12,6 +12,7 @@ install(FILES ${NOCTULE_HELP_DIR}/noctule.bash DESTINATION ${share}/bash-complet
 install(FILES ${NOCTULE_HELP_DIR}/_noctule DESTINATION ${share}/zsh/vendor-completions)
 install(DIRECTORY resources/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(DIRECTORY resources/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY resources/robots DESTINATION ${share}/noctule)
 install(DIRECTORY resources/suits DESTINATION ${share}/noctule)
 install(DIRECTORY resources/casts DESTINATION ${share}/noctule)
 install(FILES resources/motions/sample.bvh DESTINATION ${share}/noctule/motions)
@@ -47,7 +48,7 @@ install(FILES ${CMAKE_BINARY_DIR}/packed/changelog.gz DESTINATION ${CMAKE_INSTAL
 
 # All that is installed: cmake --build DIR --target installed && cmake --install DIR --prefix /usr/local
 add_custom_target(installed)
-add_dependencies(installed noctule noctule-virtual-suit noctule-read-mesh noctule_video noctule_packed)
+add_dependencies(installed noctule noctule-virtual-suit noctule-virtual-robot noctule-read-mesh noctule_video noctule_packed)
 
 noctule_describe(version)
 set(CPACK_GENERATOR DEB)
