@@ -75,6 +75,13 @@ Result<ProcessRequest> requestOf(const Arguments& arguments) {
     request.tracker.estimator = arguments.text("estimator");
     const EstimatorEntry& estimator = *findEstimator(request.tracker.estimator);
     request.tracker.smoother = *smootherFromName(arguments.text("smooth"));
+    if (estimator.whole_take && !arguments.given("smooth"))
+        request.tracker.smoother = Smoother::kFull;
+    if (estimator.whole_take && request.tracker.smoother != Smoother::kFull &&
+        request.tracker.smoother != Smoother::kNone)
+        return Error{ErrorKind::kUsage,
+                     "--smooth " + arguments.text("smooth") + " does not go with estimator " + estimator.name,
+                     "Take --smooth full, which is its default, or none"};
     if (request.tracker.smoother != Smoother::kNone && !estimator.smooths)
         return Error{ErrorKind::kUsage,
                      "--smooth " + arguments.text("smooth") + " does not go with estimator " +
@@ -223,7 +230,9 @@ Verb processVerb() {
         choice("detector", {"matched", "inflection"},
                "what finds the pulses in the sound: matched, or the paper's inflection, which is the default "
                "with --estimator paper"),
-        choice("estimator", estimatorNames(), "paper: Vlasic 2007 to the letter").orElse(kManifoldEstimator),
+        choice("estimator", estimatorNames(),
+               "paper: Vlasic 2007 to the letter; orientation: poses of other makers' sensors")
+            .orElse(kManifoldEstimator),
         texts("param", "NAME=VALUE", "sets a parameter of the estimator; `estimators` lists them"),
         text("params", "F.json", "parameters by name, or the settings of a run"),
         number("paper-sigma", "X", 1e-6, 1e6,

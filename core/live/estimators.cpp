@@ -67,14 +67,27 @@ Result<std::unique_ptr<Estimator>> makePaper(const EstimatorWorld& world) {
         std::make_unique<PaperFilter>(world.actor.skeleton, std::move(*mounted), world.mounted, parameters));
 }
 
+Result<std::unique_ptr<Estimator>> refuseLive(const EstimatorWorld&) {
+    return Error{ErrorKind::kUsage, "estimator orientation needs a whole take",
+                 "Record first, then process the take with --estimator orientation"};
+}
+
 }  // namespace
 
 const std::vector<EstimatorEntry>& estimators() {
     static const std::vector<EstimatorEntry> kAll{
         {"manifold", "extended Kalman filter with rotations on the manifold, adaptive noise and smoothers",
-         describe(manifoldParameters()), true, true, Detector::kMatched, makeManifold},
+         describe(manifoldParameters()), true, true, Detector::kMatched, false, makeManifold},
         {"paper", "the Kalman filter of Vlasic 2007 to the letter, as a baseline",
-         describe(paperParameters()), false, false, Detector::kInflection, makePaper},
+         describe(paperParameters()), false, false, Detector::kInflection, false, makePaper},
+        {"orientation",
+         "suits of independent inertial sensors: each one's orientation, then the body's pose; whole takes",
+         {},
+         true,
+         true,
+         Detector::kMatched,
+         true,
+         refuseLive},
     };
     return kAll;
 }

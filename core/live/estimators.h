@@ -29,6 +29,7 @@ struct EstimatorEntry {
     std::vector<ParameterDescription> parameters;
     bool smooths = false, finds_contacts = false;
     Detector detector = Detector::kMatched;  ///< unless another one is asked for
+    bool whole_take = false;  ///< needs the whole take before the first pose; refuses to be made live
     Result<std::unique_ptr<Estimator>> (*make)(const EstimatorWorld& world) = nullptr;
 };
 

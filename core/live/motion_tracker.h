@@ -20,6 +20,7 @@ namespace noctule {
 /// Names in the registry of estimators (estimators.h), on the command line and in takes.
 inline constexpr const char* kManifoldEstimator = "manifold";
 inline constexpr const char* kPaperEstimator = "paper";
+inline constexpr const char* kOrientationEstimator = "orientation";
 
 /// Smoothing. kLag: fixed lag, 0.5 s. kFull: fixed interval. kBatch: relinearised MAP.
 enum class Smoother { kNone, kLag, kFull, kBatch };

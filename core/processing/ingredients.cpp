@@ -158,7 +158,7 @@ Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& re
         return rest.error();
     if (*rest)
         in.rest = {(*rest)->first, (*rest)->last};
-    else
+    else if (!(*estimator)->whole_take)
         warnings.push_back("No rest pose is marked: the motion is believed to begin in it.");
     if (request.tracker.root_given) {
         auto roots = take.externalRoot();

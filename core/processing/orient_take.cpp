@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/processing/board_readings.h"
 #include "core/recording/take_edit.h"
 
 namespace noctule {
@@ -12,113 +13,9 @@ namespace noctule {
 namespace {
 
 constexpr const char* kOrientationKind = "orientation";
-constexpr double kLowestRate_hz = 10, kHighestRate_hz = 10'000;
 
 Error orientationError(const Take& take, const std::string& what, const std::string& remedy) {
     return {ErrorKind::kUnusable, take.path() + ": " + what, remedy};
-}
-
-/// Readings of one board on an even grid: a lost frame is a row of NaN.
-struct BoardReadings {
-    ImuSamples samples;
-    std::vector<int64_t> time_ns;
-    size_t missing = 0;
-};
-
-Vector3d calibrated(const InertialReading& reading, size_t at, const AxisCalibration& calibration) {
-    Vector3d counts;
-    for (size_t axis = 0; axis < 3; ++axis)
-        counts[Eigen::Index(axis)] =
-            reading.counts[at + axis].value_or(std::numeric_limits<double>::quiet_NaN());
-    return calibration.apply(counts);
-}
-
-class ReadingsOfBoards {
-public:
-    ReadingsOfBoards(const Suit& suit, const Calibration& calibration, double sample_rate_hz)
-        : suit_(suit),
-          calibration_(calibration),
-          sample_rate_hz_(sample_rate_hz),
-          rows_(suit.boards.size()) {}
-
-    void add(const InertialReading& reading) { rows_[size_t(reading.board)].push_back(reading); }
-
-    Result<BoardReadings> of(size_t board, const Take& take) const {
-        const auto& rows = rows_[board];
-        BoardReadings out;
-        if (rows.size() < 2)
-            return out;
-        const double step =
-            double(rows.back().sample - rows.front().sample) / double(rows.back().frame - rows.front().frame);
-        out.samples.rate_hz = sample_rate_hz_ / step;
-        if (!(out.samples.rate_hz >= kLowestRate_hz && out.samples.rate_hz <= kHighestRate_hz))
-            return orientationError(take,
-                                    "board " + suit_.boards[board].id + " reads at " +
-                                        std::to_string(out.samples.rate_hz) + " Hz",
-                                    "Orientation needs 10 to 10000 readings a second");
-        fill(rows, board, step, out);
-        return out;
-    }
-
-private:
-    void fill(const std::vector<InertialReading>& rows, size_t board, double step, BoardReadings& out) const {
-        const Vector3d nothing = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-        const auto count = static_cast<size_t>(rows.back().frame - rows.front().frame + 1);
-        ImuSamples& samples = out.samples;
-        samples.gyro_rad_per_s.assign(count, nothing);
-        samples.accel_m_per_s2.assign(count, nothing);
-        if (suit_.boards[board].has_magnetometer)
-            samples.mag.assign(count, nothing);
-        const BoardCalibration* values = calibration_.findBoard(suit_.boards[board].id);
-        for (const InertialReading& row : rows) {
-            const auto i = static_cast<size_t>(row.frame - rows.front().frame);
-            samples.gyro_rad_per_s[i] = calibrated(row, 0, values->gyro);
-            samples.accel_m_per_s2[i] = calibrated(row, 3, values->accel);
-            for (Eigen::Index axis = 0; axis < 3 && !samples.mag.empty(); ++axis)
-                if (row.magnetometer_counts[size_t(axis)])
-                    samples.mag[i][axis] = *row.magnetometer_counts[size_t(axis)];
-            if (values->mag && !samples.mag.empty())
-                samples.mag[i] = values->mag->apply(samples.mag[i]);
-        }
-        for (size_t i = 0; i < count; ++i) {
-            out.missing += !samples.gyro_rad_per_s[i].allFinite() || !samples.accel_m_per_s2[i].allFinite();
-            out.time_ns.push_back(
-                std::llround((rows.front().sample + double(i) * step) * 1e9 / sample_rate_hz_));
-        }
-    }
-
-    const Suit& suit_;
-    const Calibration& calibration_;
-    double sample_rate_hz_;
-    std::vector<std::vector<InertialReading>> rows_;
-};
-
-Status gather(const Take& take, ReadingsOfBoards& boards, const JobContext& job) {
-    auto cursor = take.readings(kPrimaryRun);
-    if (!cursor)
-        return cursor.error();
-    for (size_t n = 0;; ++n) {
-        auto next = cursor->next();
-        if (!next)
-            return next.error();
-        if (!*next)
-            return Done{};
-        boards.add(**next);
-        if (n % 4096 == 0 && job.cancelled())
-            return JobContext::cancelledError();
-    }
-}
-
-/// Board by board; a calibration that names not all boards is completed by nominal values.
-Result<Calibration> calibrationOf(const Take& take, const Suit& suit) {
-    Calibration all = nominalCalibration(suit);
-    auto stored = take.calibrationInForce();
-    if (!stored)
-        return all;
-    for (BoardCalibration& board : all.boards)
-        if (const BoardCalibration* known = stored->value.findBoard(board.id))
-            board = *known;
-    return all;
 }
 
 Status writeRows(TakeEdit& edit, int64_t run, int board, const BoardReadings& readings,
@@ -222,9 +119,9 @@ Result<OrientSummary> orientTake(const OrientRequest& request, const JobContext&
     const auto rate = take->sampleRate_hz();
     if (!rate)
         return rate.error();
-    const auto calibration = calibrationOf(*take, *suit);
-    ReadingsOfBoards boards(*suit, *calibration, double(*rate));
-    if (Status read = gather(*take, boards, job); !read)
+    const Calibration calibration = completedCalibration(*suit, *take);
+    ReadingsOfBoards boards(*suit, calibration, double(*rate));
+    if (Status read = boards.gather(*take, job); !read)
         return read.error();
     auto edit = TakeEdit::begin(*take);
     if (!edit)

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/live/live_pipeline.h"
+#include "core/processing/pose_from_sensors.h"
 #include "core/processing/pulse_shapes.h"
 #include "core/processing/result_runs.h"
 #include "core/processing/sound_log.h"
@@ -176,6 +177,8 @@ Result<ProcessSummary> processTake(const ProcessRequest& request, const JobConte
             tracker.contacts = in.contacts;
             const std::filesystem::path folder = std::filesystem::path(request.take_path).parent_path();
             tracker.spool_folder = folder.empty() ? "." : folder.string();
+            if (tracker.estimator == kOrientationEstimator)
+                return poseFromSensors(take, in, tracker, results, job);
             return take.level() == TakeLevel::kSignal ? processSound(take, in, tracker, results, job)
                                                       : processReadings(take, in, tracker, results, job);
         },

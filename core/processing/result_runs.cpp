@@ -124,7 +124,8 @@ Status addDocuments(TakeEdit& edit, const ProcessRequest& request, Ingredients& 
             return id.error();
         in.calibration_id = *id;
     }
-    if (request.actor) {
+    // Poses of other makers' sensors: the actor that stood in for a missing one is what they are of.
+    if (request.actor || (!in.actor_id && estimatorOf(request).whole_take)) {
         auto id = edit.addActor(in.actor, request.created_utc);
         if (!id)
             return id.error();
