@@ -70,6 +70,8 @@ Result<CastRequest> castRequest(const std::string& path, const Arguments& argume
     const auto described = castFromJson(*json, path);
     if (!described)
         return described.error();
+    for (const std::string& warning : described->warnings)
+        console.warn(warning);
     CastRequest request;
     for (const CastFileSubject& one : described->subjects) {
         auto subject = readSubject(path, one, arguments, console);

@@ -131,8 +131,12 @@ Result<CastFile> castFromJson(const nlohmann::json& json, const std::string& whe
     else if (list->size() > limits::kSuitsOfTake)
         cast.fail("has more than " + std::to_string(limits::kSuitsOfTake) + " subjects");
     else
-        for (const Json& entry : *list)
+        for (const Json& entry : *list) {
             file.subjects.push_back(readSubject(entry, file.subjects.size(), where, error));
+            if (entry.is_object() && entry.contains("mag"))
+                file.warnings.push_back(where + ": subject " + file.subjects.back().name +
+                                        ": mag: magnetometers of a cast are not simulated; it is left out");
+        }
     for (size_t i = 0; i < file.subjects.size(); ++i)
         for (size_t other = 0; other < i; ++other)
             if (file.subjects[i].name == file.subjects[other].name)

@@ -28,6 +28,7 @@ struct CastFile {
     std::vector<CastFileSubject> subjects;
     std::string room;
     bool shared_clock = false;
+    std::vector<std::string> warnings;  ///< what it asks for and is not simulated
 };
 
 /// `where` names the file in errors. Subjects without a name are called A, B, C and so on. kUnreadable and

@@ -117,8 +117,9 @@ void ReferencePanel::showFacts() {
 }
 
 void ReferencePanel::chooseFile() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Choose a recording of the same performance"),
-                                                      {}, tr("Motions and positions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.csv)"));
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Choose a recording of the same performance"), {},
+        tr("Motions and positions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.csv)"));
     if (!path.isEmpty())
         ask(path);
 }
