@@ -3400,6 +3400,10 @@
         <translation>Wörterverzeichnis</translation>
     </message>
     <message>
+        <source>Robots</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
         <source>Files</source>
         <translation>Dateien</translation>
     </message>

@@ -44,10 +44,14 @@ HelpWindow::HelpWindow(QWidget* parent)
     columns->addWidget(page_, 1);
     page_->setOpenLinks(false);
     page_->setAccessibleName(tr("The document"));
-    const std::pair<const char*, QString> documents[] = {
-        {"tutorial", tr("Tutorial")}, {"guide", tr("Guide")},   {"how_it_works", tr("How it works")},
-        {"glossary", tr("Glossary")}, {"formats", tr("Files")}, {"architecture", tr("Architecture")},
-        {"security", tr("Security")}};
+    const std::pair<const char*, QString> documents[] = {{"tutorial", tr("Tutorial")},
+                                                         {"guide", tr("Guide")},
+                                                         {"how_it_works", tr("How it works")},
+                                                         {"glossary", tr("Glossary")},
+                                                         {"robots", tr("Robots")},
+                                                         {"formats", tr("Files")},
+                                                         {"architecture", tr("Architecture")},
+                                                         {"security", tr("Security")}};
     for (const auto& [name, title] : documents) {
         auto* item = new QListWidgetItem(title, contents_);
         item->setData(Qt::UserRole, QString(name));
