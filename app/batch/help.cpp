@@ -67,6 +67,17 @@ std::string exitCodeLine(const std::vector<ExitCode>& codes) {
     return wrapped(words + ".", 0);
 }
 
+const std::vector<ExitCode>& standInExitCodes() {
+    static const std::vector<ExitCode> codes = {{0, "ended by quit"},
+                                                {1, "internal error"},
+                                                {2, "usage"},
+                                                {3, "input unreadable"},
+                                                {4, "input readable but not usable"},
+                                                {5, "a port cannot be had"},
+                                                {130, "ended by Ctrl-C"}};
+    return codes;
+}
+
 const std::vector<ExitCode>& exitCodes() {
     static const std::vector<ExitCode> codes = {{0, "done"},
                                                 {1, "internal error"},

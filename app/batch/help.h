@@ -15,6 +15,8 @@ struct ExitCode {
 
 /// Of `noctule --batch`.
 const std::vector<ExitCode>& exitCodes();
+/// Of the programs that stand in for hardware: the virtual suit and the virtual robot.
+const std::vector<ExitCode>& standInExitCodes();
 /// "exit codes: 0 done, 1 ...", in lines.
 std::string exitCodeLine(const std::vector<ExitCode>& codes);
 

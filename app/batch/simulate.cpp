@@ -79,13 +79,7 @@ Result<Outcome> runSimulate(const VerbContext& context) {
         return stage.error();
     if (context.cancel.cancelled())
         return JobContext::cancelledError();
-    simulation::TakeRequest take;
-    take.out_path = out;
-    take.level = arguments.text("level") == "readings" ? Level::kReadings : Level::kSignal;
-    take.overwrite = overwrite;
-    take.name = takeName(out);
-    take.created_utc = utcNow();
-    take.software = softwareName();
+    const simulation::TakeRequest take = takeRequest(arguments);
     const auto summary = writeTake(*stage, take, context.job());
     if (!summary)
         return summary.error();

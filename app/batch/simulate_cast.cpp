@@ -3,9 +3,8 @@
 
 #include "app/batch/cast_request.h"
 #include "app/batch/files.h"
-#include "app/batch/program.h"
+#include "app/batch/stage_request.h"
 #include "core/math/conventions.h"
-#include "devices/device/clock.h"
 
 namespace noctule::batch {
 namespace {
@@ -94,13 +93,7 @@ Result<Outcome> runSimulateCast(const VerbContext& context) {
         context.console.tell(note);
     if (context.cancel.cancelled())
         return JobContext::cancelledError();
-    simulation::TakeRequest take;
-    take.out_path = out;
-    take.level = arguments.text("level") == "readings" ? Level::kReadings : Level::kSignal;
-    take.overwrite = overwrite;
-    take.name = takeName(out);
-    take.created_utc = utcNow();
-    take.software = softwareName();
+    const simulation::TakeRequest take = takeRequest(arguments);
     const auto summary = writeTake(*cast, take, context.job());
     if (!summary)
         return summary.error();

@@ -3,7 +3,9 @@
 
 #include "app/batch/files.h"
 #include "app/batch/motion_file.h"
+#include "app/batch/program.h"
 #include "core/suit/default_suit.h"
+#include "devices/device/clock.h"
 
 namespace noctule::batch {
 namespace {
@@ -81,6 +83,17 @@ Result<StageRequest> stageRequest(const Arguments& arguments, Console& console, 
     request.rest_seconds = arguments.number("rest-seconds");
     request.seed = static_cast<uint64_t>(*arguments.whole("seed"));
     return request;
+}
+
+simulation::TakeRequest takeRequest(const Arguments& arguments) {
+    simulation::TakeRequest take;
+    take.out_path = arguments.text("out");
+    take.level = arguments.text("level") == "readings" ? Level::kReadings : Level::kSignal;
+    take.overwrite = arguments.given("overwrite");
+    take.name = takeName(take.out_path);
+    take.created_utc = utcNow();
+    take.software = softwareName();
+    return take;
 }
 
 }  // namespace noctule::batch

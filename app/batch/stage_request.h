@@ -20,4 +20,7 @@ std::vector<Option> stageOptions();
 Result<simulation::StageRequest> stageRequest(const Arguments& arguments, Console& console,
                                               nlohmann::json* understood = nullptr);
 
+/// out, level, overwrite, and the take's name, date and program.
+simulation::TakeRequest takeRequest(const Arguments& arguments);
+
 }  // namespace noctule::batch

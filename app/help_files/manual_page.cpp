@@ -118,7 +118,7 @@ std::string virtualSuitManual() {
     text += heading("CONTROL PORT") +
             "With \\fB\\-\\-control\\fR it takes one command a line and answers ok or error.\n" +
             literal(virtual_suit::controlHelp());
-    text += exitStatus(virtual_suit::exitCodes());
+    text += exitStatus(batch::standInExitCodes());
     text += heading("EXAMPLE") + literal(virtual_suit::kExample);
     text += heading("SEE ALSO") + ".BR noctule (1)\n";
     return text;

@@ -24,17 +24,6 @@ const std::vector<batch::Option>& optionTable() {
     return options;
 }
 
-const std::vector<batch::ExitCode>& exitCodes() {
-    static const std::vector<batch::ExitCode> codes = {{0, "ended by quit"},
-                                                       {1, "internal error"},
-                                                       {2, "usage"},
-                                                       {3, "input unreadable"},
-                                                       {4, "input readable but not usable"},
-                                                       {5, "a port cannot be had"},
-                                                       {130, "ended by Ctrl-C"}};
-    return codes;
-}
-
 Result<Options> parseOptions(const std::vector<std::string>& words) {
     auto arguments = batch::Arguments::parse(words, optionTable());
     if (!arguments)
@@ -72,7 +61,8 @@ std::string helpText() {
            batch::optionList(optionTable()) +
            "\nIt prints the addresses that `noctule --batch drive --to` takes, then works until Ctrl-C. The\n"
            "control port takes one command a line and answers ok or error:\n" +
-           controlHelp() + "\n" + batch::exitCodeLine(exitCodes()) + "\nexample: " + kExample + "\n";
+           controlHelp() + "\n" + batch::exitCodeLine(batch::standInExitCodes()) + "\nexample: " + kExample +
+           "\n";
 }
 
 }  // namespace noctule::virtual_robot

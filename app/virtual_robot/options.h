@@ -22,6 +22,5 @@ inline constexpr const char* kExample = "noctule-virtual-robot --robot g1.urdf -
 
 std::string helpText();
 const std::vector<batch::Option>& optionTable();
-const std::vector<batch::ExitCode>& exitCodes();
 
 }  // namespace noctule::virtual_robot

@@ -116,17 +116,6 @@ std::string controlHelp() {
            "SIDE the boards' axis that points up: +x, -x, +y, -y, +z or -z.\n";
 }
 
-const std::vector<batch::ExitCode>& exitCodes() {
-    static const std::vector<batch::ExitCode> codes = {{0, "ended by quit"},
-                                                       {1, "internal error"},
-                                                       {2, "usage"},
-                                                       {3, "input unreadable"},
-                                                       {4, "input readable but not usable"},
-                                                       {5, "a port cannot be had"},
-                                                       {130, "ended by Ctrl-C"}};
-    return codes;
-}
-
 Result<Options> parseOptions(const std::vector<std::string>& words) {
     auto arguments = batch::Arguments::parse(words, table());
     if (!arguments)
@@ -148,7 +137,8 @@ std::string helpText() {
            "\nIt prints the addresses that `noctule --batch record --device` takes, then serves one studio "
            "at\n"
            "a time until Ctrl-C. The control port takes one command a line and answers ok or error:\n" +
-           controlHelp() + "\n" + batch::exitCodeLine(exitCodes()) + "\nexample: " + kExample + "\n";
+           controlHelp() + "\n" + batch::exitCodeLine(batch::standInExitCodes()) + "\nexample: " + kExample +
+           "\n";
 }
 
 }  // namespace noctule::virtual_suit

@@ -33,6 +33,5 @@ std::string helpText();
 // What the help is made of; manual page and completion are made of it too.
 const std::vector<batch::Option>& optionTable();
 std::string controlHelp();
-const std::vector<batch::ExitCode>& exitCodes();
 
 }  // namespace noctule::virtual_suit

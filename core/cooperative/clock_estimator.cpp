@@ -39,10 +39,10 @@ struct WindowInformation {
 
 class ClockProblem {
 public:
-    ClockProblem(const std::vector<Flight>& flights, const std::vector<ClockGuess>& guesses,
+    ClockProblem(const std::vector<TimedFlight>& flights, const std::vector<ClockGuess>& guesses,
                  const ClockSettings& settings)
         : flights_(flights), guesses_(guesses), settings_(settings), tracks_(guesses.size()) {
-        for (const Flight& flight : flights)
+        for (const TimedFlight& flight : flights)
             pairs_of_suits_.insert(std::minmax(flight.from_suit, flight.to_suit));
     }
 
@@ -114,10 +114,10 @@ private:
         return state;
     }
 
-    using Window = std::map<Pair, std::vector<const Flight*>>;
+    using Window = std::map<Pair, std::vector<const TimedFlight*>>;
     std::map<int64_t, Window> gather() const {
         std::map<int64_t, Window> windows;
-        for (const Flight& flight : flights_) {
+        for (const TimedFlight& flight : flights_) {
             const auto from = static_cast<size_t>(flight.from_suit);
             const double at = lineAt(from, guessed(from, flight.emission_s)).toTake(flight.emission_s);
             if (!std::isfinite(at))
@@ -131,7 +131,7 @@ private:
     }
 
     /// The instant of a flight to which its way belongs: that of the end that moves, else the middle.
-    double instantOf(const Flight& flight, double emission_s, double arrival_s) const {
+    double instantOf(const TimedFlight& flight, double emission_s, double arrival_s) const {
         if (guesses_[static_cast<size_t>(flight.from_suit)].stands_still)
             return arrival_s;
         if (guesses_[static_cast<size_t>(flight.to_suit)].stands_still)
@@ -139,13 +139,13 @@ private:
         return 0.5 * (emission_s + arrival_s);
     }
 
-    PairFlights linearise(const std::vector<const Flight*>& flights) const {
+    PairFlights linearise(const std::vector<const TimedFlight*>& flights) const {
         const auto n = static_cast<Eigen::Index>(flights.size());
         const Eigen::Index unknowns = clockUnknowns() + static_cast<Eigen::Index>(pairs_of_suits_.size());
         PairFlights pair{Eigen::MatrixXd::Zero(n, kWayTerms + 1), 1 / settings_.drift_of_housings,
                          Eigen::MatrixXd::Zero(n, unknowns), Eigen::VectorXd(n), Eigen::VectorXd(n)};
         for (Eigen::Index k = 0; k < n; ++k) {
-            const Flight& flight = *flights[static_cast<size_t>(k)];
+            const TimedFlight& flight = *flights[static_cast<size_t>(k)];
             const double emission_s = lines_[static_cast<size_t>(flight.from_suit)].toTake(flight.emission_s);
             const double arrival_s = lines_[static_cast<size_t>(flight.to_suit)].toTake(flight.arrival_s);
             const double u = (instantOf(flight, emission_s, arrival_s) - centre_s_) / settings_.window_s;
@@ -318,7 +318,7 @@ private:
         tracks_ = std::move(tracks);
     }
 
-    const std::vector<Flight>& flights_;
+    const std::vector<TimedFlight>& flights_;
     const std::vector<ClockGuess>& guesses_;
     ClockSettings settings_;
     std::vector<ClockTrack> tracks_;
@@ -329,7 +329,7 @@ private:
 
 }  // namespace
 
-std::vector<ClockTrack> estimateClocks(const std::vector<Flight>& flights,
+std::vector<ClockTrack> estimateClocks(const std::vector<TimedFlight>& flights,
                                        const std::vector<ClockGuess>& guesses,
                                        const ClockSettings& settings) {
     require(!guesses.empty(), "estimateClocks: no suit");

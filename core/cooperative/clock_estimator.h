@@ -13,7 +13,7 @@ namespace noctule::cooperative {
 
 /// Sound from a source in one suit to a microphone in another; both belong to housings that carry a source
 /// and a microphone each.
-struct Flight {
+struct TimedFlight {
     int from_suit = 0, to_suit = 0;        ///< indices of suits
     int from_housing = 0, to_housing = 0;  ///< within their suits
     double emission_s = 0, arrival_s = 0;  ///< each on its own suit's clock, delays of the parts taken off
@@ -53,7 +53,7 @@ struct ClockTrack {
 };
 
 /// One track per guess; the first suit is the reference, with offset 0 and rate 1.
-std::vector<ClockTrack> estimateClocks(const std::vector<Flight>& flights,
+std::vector<ClockTrack> estimateClocks(const std::vector<TimedFlight>& flights,
                                        const std::vector<ClockGuess>& guesses,
                                        const ClockSettings& settings = {});
 

@@ -71,7 +71,7 @@ public:
 
     std::vector<SuitOfFlights> suits;
     std::vector<cooperative::ClockGuess> guesses;
-    std::vector<cooperative::Flight> flights;
+    std::vector<cooperative::TimedFlight> flights;
     bool heard = false;
 
 private:

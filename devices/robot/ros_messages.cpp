@@ -101,7 +101,7 @@ int64_t readStamp(const json& msg) {
 }
 
 /// Places must be there, speeds may be left out.
-Result<NamedJoints> completed(NamedJoints named, const char* what) {
+Result<JointMessage> completed(JointMessage named, const char* what) {
     if (named.v.empty())
         named.v.assign(named.q.size(), 0);
     if (named.q.size() != named.names.size() || named.v.size() != named.names.size())
@@ -190,8 +190,8 @@ json poseStamped(const TipPose& tip, int64_t wall_ns) {
               {"orientation", {{"x", q.x()}, {"y", q.y()}, {"z", q.z()}, {"w", q.w()}}}}}};
 }
 
-Result<NamedJoints> readJointState(const json& msg) {
-    NamedJoints named;
+Result<JointMessage> readJointState(const json& msg) {
+    JointMessage named;
     if (!msg.is_object() || !readNames(msg, "name", named.names) || !readNumbers(msg, "position", named.q) ||
         !readNumbers(msg, "velocity", named.v))
         return wrong("a JointState has no names, or a value that is no number in range");
@@ -199,8 +199,8 @@ Result<NamedJoints> readJointState(const json& msg) {
     return completed(std::move(named), "JointState");
 }
 
-Result<NamedJoints> readJointTrajectory(const json& msg) {
-    NamedJoints named;
+Result<JointMessage> readJointTrajectory(const json& msg) {
+    JointMessage named;
     if (!msg.is_object() || !readNames(msg, "joint_names", named.names))
         return wrong("a JointTrajectory has no joint_names");
     const auto points = msg.find("points");
@@ -232,7 +232,7 @@ Result<TipPose> readPoseStamped(const json& msg) {
     return tip;
 }
 
-bool sortInto(const std::vector<std::string>& joints, const NamedJoints& named, std::vector<double>& q,
+bool sortInto(const std::vector<std::string>& joints, const JointMessage& named, std::vector<double>& q,
               std::vector<double>& v) {
     q.resize(joints.size());
     v.resize(joints.size());

@@ -44,19 +44,19 @@ nlohmann::json jointTrajectory(const std::vector<std::string>& joints, const Rob
 nlohmann::json poseStamped(const TipPose& tip, int64_t wall_ns);
 
 /// Values by name, as a message brings them.
-struct NamedJoints {
+struct JointMessage {
     std::vector<std::string> names;
     std::vector<double> q, v;  ///< v: zeros where the message has none
     int64_t wall_ns = 0;       ///< 0: no stamp
 };
-Result<NamedJoints> readJointState(const nlohmann::json& msg);
+Result<JointMessage> readJointState(const nlohmann::json& msg);
 /// The last point of a JointTrajectory.
-Result<NamedJoints> readJointTrajectory(const nlohmann::json& msg);
+Result<JointMessage> readJointTrajectory(const nlohmann::json& msg);
 Result<TipPose> readPoseStamped(const nlohmann::json& msg);
 
 /// Puts named values in the order of `joints`; others are ignored. False: one of ours is missing, and what
 /// was known of it stays.
-bool sortInto(const std::vector<std::string>& joints, const NamedJoints& named, std::vector<double>& q,
+bool sortInto(const std::vector<std::string>& joints, const JointMessage& named, std::vector<double>& q,
               std::vector<double>& v);
 
 }  // namespace noctule::robot_link

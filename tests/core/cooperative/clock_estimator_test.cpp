@@ -67,8 +67,8 @@ struct World {
         housings.push_back(places);
     }
 
-    std::vector<Flight> flights(double seconds, double sigma_s) {
-        std::vector<Flight> all;
+    std::vector<TimedFlight> flights(double seconds, double sigma_s) {
+        std::vector<TimedFlight> all;
         for (size_t from = 0; from < housings.size(); ++from) {
             const double interval = 0.008 * (1 + 0.025 * static_cast<double>(from));
             for (int pulse = 0; pulse * interval < seconds; ++pulse) {
@@ -167,7 +167,7 @@ TEST(ClockEstimator, OneDirectionAloneJoinsNothing) {
     world.addSuit({-0.6, 1.2, 0}, 4, false);
     world.addSuit({0.6, 1.2, 0}, 4, false);
     auto flights = world.flights(5, 6e-6);
-    std::erase_if(flights, [](const Flight& flight) { return flight.from_suit == 1; });
+    std::erase_if(flights, [](const TimedFlight& flight) { return flight.from_suit == 1; });
     const auto tracks = estimateClocks(flights, world.guesses);
     EXPECT_TRUE(tracks[0].joined);
     EXPECT_FALSE(tracks[1].joined);
