@@ -37,7 +37,11 @@ void LiveSession::startProcessor(Stream& stream, const link::Hello& hello, const
     }
     stream.request.tracker = plan->pipeline.tracker;  // results name what they were made with
     std::optional<ResultSpool> spool;
-    if (stream.request.keep_results && stream.request.take) {
+    if (stream.request.keep_results && stream.request.take && !plan->pipeline.tracks) {
+        stream.warnings.push_back(
+            "The suit is not calibrated: all of its sound is kept, but no poses. Process the take with a "
+            "calibration.");
+    } else if (stream.request.keep_results && stream.request.take) {
         auto made = ResultSpool::make(stream.request.take->folder);
         if (made)
             spool = std::move(*made);

@@ -13,10 +13,11 @@ constexpr std::chrono::milliseconds kLook{20};
 // The link gives up by itself after 3 s (greeting) and 1 s (STOP, three times); these are for devices that do
 // not keep their word.
 constexpr std::chrono::seconds kGreetingTimeout{10}, kStopTimeout{6};
+constexpr std::chrono::milliseconds kStopTimeoutOnceCancelled{500};  // a cancelled job ends within a second
 
 /// False when the time was over.
 template <class Condition>
-bool waitUntil(std::chrono::seconds timeout, Condition condition) {
+bool waitUntil(std::chrono::milliseconds timeout, Condition condition) {
     const auto end = std::chrono::steady_clock::now() + timeout;
     while (!condition()) {
         if (std::chrono::steady_clock::now() >= end)
@@ -69,12 +70,14 @@ bool watch(LiveSession& session, std::optional<double> seconds, const JobContext
     return false;
 }
 
-/// Until all has come that the box still held.
-void stopAndWait(LiveSession& session) {
-    if (!session.status()->stream_is_open)
+/// Until all has come that the box still held; not for long, once it is cancelled.
+void stopAndWait(LiveSession& session, const JobContext& job) {
+    const auto ended = [&] { return !session.status()->stream_is_open; };
+    if (ended())
         return;
     session.stop();
-    if (!waitUntil(kStopTimeout, [&] { return !session.status()->stream_is_open; }))
+    waitUntil(kStopTimeout, [&] { return ended() || job.cancelled(); });
+    if (!ended() && (!job.cancelled() || !waitUntil(kStopTimeoutOnceCancelled, ended)))
         session.addNote("The driver box did not confirm that it had sent everything.");
 }
 
@@ -146,7 +149,7 @@ Result<RecordReport> recordTake(std::unique_ptr<Device> device, const StreamRequ
     RecordReport report;
     report.sample_rate_hz = session.status()->hello->sample_rate_hz;
     report.interrupted = watch(session, seconds, job, [] { return false; }) && seconds.has_value();
-    stopAndWait(session);
+    stopAndWait(session, job);
     report.stream = session.finish();
     report.link = session.linkStatistics();
     return report;
@@ -177,7 +180,7 @@ Result<RecordReport> recordWhenTriggered(std::unique_ptr<Device> device, const S
     report.sample_rate_hz = session.status()->hello->sample_rate_hz;
     report.interrupted = watch(session, seconds, job, [&] { return wishes.ended(); }) && seconds.has_value();
     report.stream = session.finish();
-    stopAndWait(session);
+    stopAndWait(session, job);
     report.link = session.linkStatistics();
     return report;
 }

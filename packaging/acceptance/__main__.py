@@ -11,6 +11,7 @@ import time
 import accessibility
 import accuracy
 import benchmarks
+import beside
 import blender
 import bounds
 import calibration
@@ -50,8 +51,10 @@ FIGURES = {
     "calibration": ("Calibration", calibration.figure),
     "cast": ("Several people as free points: Welch 2018, section 4", cast.figure),
     "kills": ("Recordings that are killed, without power, with every fault", kills.figure),
+    "beside": ("A recording beside other programs", beside.figure),
     "motions": ("Public motions and bodies: read, right or refused", motions.figure),
     "hostile": ("Takes, boxes, announcements and clients made to do harm", hostile.figure),
+    "hostile-sanitized": ("The same under sanitizers", hostile.sanitized_figure),
     "fuzz": ("Damaged bytes into every reader", fuzz.figure),
     "sanitizers": ("Unit tests under sanitizers", sanitizers.figure),
     "long-fuzz": ("Damaged inputs", long_fuzz.figure),

@@ -137,6 +137,20 @@ TEST(LiveResultsOf, ATakeThatBeganInTheMidstAreThoseOfTheFile) {
     expectSameResults(live, processedFromFile(folder, live));
 }
 
+TEST(LiveResultsOf, ASuitWithoutCalibrationAreNotKeptAndThatIsSaid) {
+    const Folder folder;
+    StreamRequest request = requestOfTinyTake(folder);
+    request.calibration.reset();
+    request.rest_s = 0;
+    auto recorded =
+        recordTake(std::make_unique<FakeDevice>(test::tinyTakeScript(600)), request, std::nullopt, {});
+    ASSERT_TRUE(recorded) << recorded.error().text();
+    EXPECT_EQ(recorded->stream.recording->lost_samples, 0);
+    EXPECT_FALSE(recorded->stream.results);
+    ASSERT_EQ(recorded->stream.warnings.size(), 1U);
+    EXPECT_NE(recorded->stream.warnings[0].find("not calibrated"), std::string::npos);
+}
+
 TEST(LiveResultsOf, ATakeWithMissingSoundAreNotKept) {
     const Folder folder;
     StreamRequest request = requestOfTinyTake(folder);

@@ -4,6 +4,7 @@
 // machine with nothing else to do; NOCTULE_RECORD_TAKE: another take, with the calibration in it.
 #include <QAbstractButton>
 #include <QMessageBox>
+#include <QThread>
 #include <QUdpSocket>
 #include <cstdio>
 
@@ -33,6 +34,7 @@ using noctule::test::TestBox;
 
 constexpr int kMostClicks = 12;
 constexpr double kSampleToScreen_s = 0.1;
+constexpr unsigned kScreenStands_s = 3;
 
 class RecordFlow : public test::StudioWindow {
 protected:
@@ -191,6 +193,25 @@ TEST_F(RecordFlow, ClosingTheWindowAsksWhileATakeIsRecorded) {
     EXPECT_TRUE(waitFor([&] { return !window_->isVisible(); }));
     ASSERT_EQ(studio_->session().session().takes.size(), 1U);
     EXPECT_EQ(studio_->session().session().takes[0].state, TakeState::kComplete);
+}
+
+TEST_F(RecordFlow, AScreenThatStandsStillLosesNothing) {
+    ASSERT_TRUE(studio_->session().create(home() + "-live", "live"));
+    connectDirectly();
+    window_->goTo(Step::kRecord);
+    QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier);
+    ASSERT_TRUE(recordFor(0.3));
+    QThread::sleep(kScreenStands_s);
+    QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier);
+    ASSERT_TRUE(waitFor([&] { return studio_->session().session().takes.size() == 1; }));
+    const SessionTake& item = studio_->session().session().takes[0];
+    EXPECT_EQ(item.state, TakeState::kComplete);
+    EXPECT_GT(item.duration_s, kScreenStands_s);
+    const Result<Take> take = Take::open(studio_->session().session().pathOf(item).string());
+    ASSERT_TRUE(take) << take.error().text();
+    const auto gaps = take->gaps();
+    ASSERT_TRUE(gaps);
+    EXPECT_TRUE(gaps->empty()) << "sound was lost while the screen stood still";
 }
 
 TEST_F(RecordFlow, TheLiveBodyIsOnTheScreenSoonAndLeavesTheInterfaceFree) {
