@@ -3,11 +3,12 @@
 
   blender -b --factory-startup --python again_in_blender.py -- FILE.bvh|glb|fbx AGAIN.bvh|glb|fbx FPS
 """
+import pathlib
 import sys
 
-import numpy
-
-numpy.bool = bool  # Debian's Blender 3.4 is older than its numpy
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import repaired_blender  # noqa: E402, F401
 
 import bpy  # noqa: E402
 

@@ -7,7 +7,6 @@ numbers: joints from a CSV of positions, skin from a file of skin_points. Prints
 
 BONES: those of Head, LeftUpLeg and RightUpLeg, with commas. ACTION: how the motion's name ends, of a file of several.
 """
-import builtins
 import csv
 import json
 import pathlib
@@ -15,11 +14,9 @@ import sys
 
 import numpy
 
-# Two things in which Debian's Blender 3.4 is older than its Python: the mode "rU" in the import of BVH, numpy.bool in
-# that of glTF.
-plain_open = builtins.open
-builtins.open = lambda file, mode="r", *rest, **named: plain_open(file, mode.replace("U", ""), *rest, **named)
-numpy.bool = bool
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import repaired_blender  # noqa: E402, F401
 
 import bpy  # noqa: E402
 import mathutils  # noqa: E402

@@ -135,10 +135,15 @@ def body_rows(folder):
     studio.batch("process", take)
     rows = []
     for path in sorted((SETS / "fbx").glob("*.fbx")):
-        code, answer = run("export", take, "--glb", folder / "body.glb", "--mesh", path, "--overwrite")
-        rows.append([path.name, "read" if code == 0 else f"refused ({code})",
-                     "" if code == 0 else answer["error"]["message"].split(": ", 1)[-1]])
+        as_body = run("export", take, "--glb", folder / "body.glb", "--mesh", path, "--overwrite")
+        as_motion = run("simulate", "--motion", path, "--out", folder / "motion.noctule", "--level", "readings",
+                        "--duration", 2, "--rest-seconds", 0, "--scenario", "ideal", "--overwrite")
+        rows.append([path.name, *(outcome for each in (as_body, as_motion) for outcome in outcome_of(*each))])
     return rows
+
+
+def outcome_of(code, answer):
+    return (f"refused ({code})", answer["error"]["message"].split(": ", 1)[-1]) if code else ("read", "")
 
 
 def figure(_):
@@ -150,8 +155,8 @@ def figure(_):
     text = (f"Of {len(motions)} motions {counts['right']} are right, {counts['wrong']} wrong and "
             f"{counts['refused']} refused; {len(silent)} are wrong without a warning.\n\n"
             + studio.markdown_table(["motion", "verdict", "what was said"], motions)
-            + "\nBodies, and skeletons or props that are none, by `export --mesh`:\n\n"
-            + studio.markdown_table(["file", "verdict", "reason"], bodies))
+            + "\nFBX as bodies (`export --mesh`) and as motions (`simulate --motion`); some are props or skeletons alone:\n\n"
+            + studio.markdown_table(["file", "as a body", "reason", "as a motion", "reason"], bodies))
     if silent:
         raise studio.Missed([f"{name} is silently wrong" for name in silent], text)
     return text
