@@ -33,6 +33,7 @@ package_needs=(
     libqt5svg5-dev       # Qt5: Svg
     qttools5-dev         # Qt5: LinguistTools
     qttools5-dev-tools   # Qt5: lupdate, lrelease
+    libqt5texttospeech5-dev # Qt5: TextToSpeech, spoken cues
     libqwt-qt5-dev       # Qt5Qwt6
     libqt5opengl5-dev    # Qt5Qwt6 asks for it
     fonts-roboto-unhinted # the studio's type

@@ -13,6 +13,7 @@
 #include "app/batch/program.h"
 #include "app/batch/version.h"
 #include "app/studio/sample_take.h"
+#include "app/studio/speech.h"
 #include "app/studio/start_clock.h"
 #include "core/job/heap.h"
 #include "devices/device/clock.h"
@@ -22,6 +23,7 @@
 #include "ui/models/log_file.h"
 #include "ui/models/studio.h"
 #include "ui/models/studio_log.h"
+#include "ui/models/voice.h"
 #include "ui/style/theme.h"
 
 namespace noctule::studio {
@@ -112,6 +114,9 @@ int runStudio(int argc, char** argv) {
     StudioWindows windows(studio);
     MainWindow& window = windows.show(Step::kStart);
     logFirstFrame(window);
+    const std::unique_ptr<Speech> speech = Speech::make();
+    if (speech)
+        Voice::get().setSpeaker([&speech](const QString& words) { speech->say(words, QLocale()); });
     const EndSignals end_signals;
     QObject::connect(&end_signals, &EndSignals::endWanted, &windows,
                      [&windows] { windows.window()->endInGoodOrder(); });
@@ -124,6 +129,7 @@ int runStudio(int argc, char** argv) {
     if (const QString problem = studio.remoteStart().problem(); !problem.isEmpty())
         emit studio.warned(problem);
     const int code = QApplication::exec();
+    Voice::get().setSpeaker({});
     log.write("info", "ended in good order");
     the_log = nullptr;
     return code;

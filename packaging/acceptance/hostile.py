@@ -256,7 +256,7 @@ def figure(_):
 def sanitized_figure(options):
     if not CASES.exists():
         return f"Skipped: {CASES} is missing."
-    for command in (["cmake", "--preset", "asan-ubsan"],
+    for command in (["cmake", "--preset", "asan-ubsan", "-D", "NOCTULE_STUDIO=OFF"],
                     ["cmake", "--build", "--preset", "asan-ubsan", "--parallel", str(options.jobs), "--target", "noctule",
                      "noctule-virtual-suit"]):
         subprocess.run(command, cwd=studio.ROOT, check=True, stdout=subprocess.DEVNULL)

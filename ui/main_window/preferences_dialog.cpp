@@ -14,6 +14,7 @@
 
 #include "ui/main_window/language.h"
 #include "ui/main_window/look.h"
+#include "ui/models/voice.h"
 #include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -50,6 +51,7 @@ PreferencesDialog::PreferencesDialog(Studio& studio, QWidget* parent) : QDialog(
     addView3d(*column);
     addFolders(*column);
     addRecording(*column);
+    addSound(*column);
     addSaving(*column);
     column->addStretch();
     outer->addWidget(new ScrollArea(content), 1);
@@ -172,6 +174,24 @@ void PreferencesDialog::addRecording(QVBoxLayout& column) {
     connect(port, QOverload<int>::of(&QSpinBox::valueChanged), &remote, &RemoteStart::setPort);
     connect(&remote, &RemoteStart::changed, this, show);
     show();
+}
+
+void PreferencesDialog::addSound(QVBoxLayout& column) {
+    FormRows* rows = addSection(column, tr("Sound"));
+    Voice& voice = Voice::get();
+    auto* spoken = new QCheckBox(tr("Spoken cues"));
+    spoken->setToolTip(
+        tr("Countdown, start and stop of recordings, and the next step of a calibration are spoken."));
+    spoken->setChecked(voice.isOn());
+    spoken->setEnabled(voice.canSpeak());
+    rows->addControl(spoken);
+    if (!voice.canSpeak())
+        rows->addControl(
+            (new Label(tr("No speech is installed on this computer. On Debian: speech-dispatcher and "
+                          "qtspeech5-speechd-plugin."),
+                       TextRole::kSecondary, Ink::kHint))
+                ->wrapped());
+    connect(spoken, &QCheckBox::toggled, &voice, &Voice::setOn);
 }
 
 void PreferencesDialog::addSaving(QVBoxLayout& column) {

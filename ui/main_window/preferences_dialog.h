@@ -32,6 +32,7 @@ private:
     void addView3d(QVBoxLayout& column);
     void addFolders(QVBoxLayout& column);
     void addRecording(QVBoxLayout& column);
+    void addSound(QVBoxLayout& column);
     void addSaving(QVBoxLayout& column);
     void chooseSessionsFolder();
 

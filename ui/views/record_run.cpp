@@ -3,9 +3,11 @@
 
 #include <QApplication>
 #include <cmath>
+#include <utility>
 
 #include "core/session/shot_list.h"
 #include "core/session/take_folder.h"
+#include "ui/models/voice.h"
 #include "ui/style/words.h"
 #include "ui/views/readiness_words.h"
 
@@ -140,7 +142,7 @@ void RecordRun::beginOrCount() {
         return beginOwn();
     counting_.start();
     last_second_ = countdown_s_;
-    tone();
+    cue(QString::number(last_second_));
     follow();
 }
 
@@ -164,9 +166,8 @@ void RecordRun::count() {
     if (left_s <= 0)
         return beginOwn();
     const int second = static_cast<int>(std::ceil(left_s));
-    if (second != last_second_)
-        tone();
-    last_second_ = second;
+    if (std::exchange(last_second_, second) != second)
+        cue(QString::number(second));
 }
 
 void RecordRun::beginOwn() {
@@ -188,7 +189,7 @@ QString RecordRun::begin(const QString& base) {
 }
 
 void RecordRun::stop() {
-    tone();
+    cue(tr("Stopped"));
     studio_.suit().stopRecording();
 }
 
@@ -215,7 +216,7 @@ void RecordRun::onStarted(const QString& take) {
     running_ = take;
     marks_.clear();
     markers_ = 0;
-    tone();
+    cue(tr("Recording"));
     emit marksChanged();
     emit changed();
     addNote(std::exchange(told_notes_, {}));
@@ -223,8 +224,10 @@ void RecordRun::onStarted(const QString& take) {
 
 void RecordRun::onEnded(const QString& take, const QString& trouble) {
     running_.clear();
-    if (!trouble.isEmpty())
+    if (!trouble.isEmpty()) {
+        cue(tr("The recording has ended by itself"));
         emit studio_.failed(tr("%1 ended by itself", "name of a take").arg(take), trouble);
+    }
     chooseDueShot();
     emit changed();
     SessionModel& session = studio_.session();
@@ -260,10 +263,11 @@ void RecordRun::setOpensReview(bool opens) {
     emit changed();
 }
 
-/// The system's own bell: it needs no sound library, and the picture says the same.
-void RecordRun::tone() const {
+/// The system's own bell and the voice: the picture says the same.
+void RecordRun::cue(const QString& words) const {
     if (tones_)
         QApplication::beep();
+    Voice::get().say(words);
 }
 
 QString RecordRun::takeName() const {

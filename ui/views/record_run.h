@@ -98,7 +98,8 @@ private:
     void followSession();
     void chooseDueShot();
     void applyShot(int shot);
-    void tone() const;
+    /// Heard with one's back to the screen.
+    void cue(const QString& words) const;
 
     Studio& studio_;
     State state_ = State::kNoSuit;

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "ui/models/part_names.h"
+#include "ui/models/voice.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
@@ -77,6 +78,8 @@ void WizardPage::open(WizardTask task) {
     connect(run_.get(), &WizardRun::stepKept, this, [this] {
         if (run_->tones())
             QApplication::beep();
+        Voice::get().say(run_->guide()->isFinished() ? tr("Done")
+                                                     : run_->stepWords(run_->step()).instruction);
     });
     refresh();
 }
@@ -124,8 +127,11 @@ void WizardPage::refresh() {
 /// Heard with one's back to the screen: all is right, keep still.
 void WizardPage::followGuide() {
     const bool right = run_->guide() && run_->guide()->guidance().isRight();
-    if (right && !was_right_ && run_->tones())
-        QApplication::beep();
+    if (right && !was_right_) {
+        if (run_->tones())
+            QApplication::beep();
+        Voice::get().say(tr("Good"));
+    }
     was_right_ = right;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QRegularExpression>
@@ -16,6 +17,7 @@
 #include "core/session/shot_list.h"
 #include "tests/devices/support/test_box.h"
 #include "tests/ui/support/wait.h"
+#include "ui/models/voice.h"
 #include "ui/plots/level_meters.h"
 #include "ui/plots/pairs_heard.h"
 #include "ui/style/theme.h"
@@ -240,6 +242,27 @@ TEST_F(RecordPageTest, TheCountdownCountsAndEscEndsIt) {
     EXPECT_TRUE(reach(State::kRecording));
     run().stop();
     EXPECT_TRUE(waitFor([&] { return session().takes.size() == 1; }));
+}
+
+TEST_F(RecordPageTest, TheVoiceCountsAndSaysStartAndStopUnlessItIsOff) {
+    TestBox box(kLooping);
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    QStringList said;
+    Voice::get().setSpeaker([&said](const QString& words) { said += words; });
+    run().setOpensReview(false);
+    run().setCountdownSeconds(1);
+    ASSERT_TRUE(reach(State::kReady));
+    for (const bool on : {true, false}) {
+        Voice::get().setOn(on);
+        run().press();
+        EXPECT_TRUE(reach(State::kRecording));
+        run().stop();
+        EXPECT_TRUE(reach(State::kReady));
+        EXPECT_EQ(said, on ? QStringList({"1", "Recording", "Stopped"}) : QStringList());
+        said.clear();
+    }
+    Voice::get().setSpeaker({});
 }
 
 TEST_F(RecordPageTest, LeavingThePageEndsACountdownButNotATake) {
