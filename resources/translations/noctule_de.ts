@@ -4977,6 +4977,22 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Listening for other programs on this port.</source>
         <translation>Auf diesem Port empfangsbereit für andere Programme.</translation>
     </message>
+    <message>
+        <source>Sound</source>
+        <translation type="unfinished">Ton</translation>
+    </message>
+    <message>
+        <source>Spoken cues</source>
+        <translation>Gesprochene Hinweise</translation>
+    </message>
+    <message>
+        <source>Countdown, start and stop of recordings, and the next step of a calibration are spoken.</source>
+        <translation>Countdown, Beginn und Ende von Aufnahmen und der nächste Schritt einer Kalibrierung werden gesprochen.</translation>
+    </message>
+    <message>
+        <source>No speech is installed on this computer. On Debian: speech-dispatcher and qtspeech5-speechd-plugin.</source>
+        <translation>Auf diesem Rechner ist keine Sprachausgabe installiert. Unter Debian: speech-dispatcher und qtspeech5-speechd-plugin.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ProblemCard</name>
@@ -6121,6 +6137,18 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Another program asked for a recording, which did not begin</source>
         <translation>Ein anderes Programm wollte eine Aufnahme, die nicht begann</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Beendet</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation type="unfinished">Aufnahme</translation>
+    </message>
+    <message>
+        <source>The recording has ended by itself</source>
+        <translation>Die Aufnahme ist von selbst zu Ende gegangen</translation>
     </message>
 </context>
 <context>
@@ -9015,6 +9043,14 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Calibrating: %1</source>
         <translation>Kalibrierung läuft: %1</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished">Fertig</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation type="unfinished">Gut</translation>
     </message>
 </context>
 <context>
