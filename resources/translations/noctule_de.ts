@@ -4979,7 +4979,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Sound</source>
-        <translation type="unfinished">Ton</translation>
+        <translation>Ton</translation>
     </message>
     <message>
         <source>Spoken cues</source>
@@ -6144,7 +6144,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Recording</source>
-        <translation type="unfinished">Aufnahme</translation>
+        <translation>Aufnahme</translation>
     </message>
     <message>
         <source>The recording has ended by itself</source>
@@ -9046,11 +9046,11 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished">Fertig</translation>
+        <translation>Fertig</translation>
     </message>
     <message>
         <source>Good</source>
-        <translation type="unfinished">Gut</translation>
+        <translation>Gut</translation>
     </message>
 </context>
 <context>
