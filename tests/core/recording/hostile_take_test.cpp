@@ -166,7 +166,20 @@ TEST(OutsideText, CutsBetweenCharacters) {
     EXPECT_EQ(shortText("°°°°", 6), "°…");
 }
 
-/// Any value in any column of any table.
+constexpr int kRowsAtOnce = 20;
+
+/// Into any table, with any of the values in each column.
+std::string rowOf(const std::vector<std::string>& values, std::mt19937_64& random) {
+    const auto& tables = takeTables();
+    const TableDefinition& table = tables[random() % tables.size()];
+    std::string columns, list;
+    for (const ColumnDefinition& column : table.columns) {
+        columns += (columns.empty() ? "" : ",") + column.name;
+        list += (list.empty() ? "" : ",") + values[random() % values.size()];
+    }
+    return "INSERT OR REPLACE INTO " + table.name + "(" + columns + ") VALUES(" + list + ");";
+}
+
 TEST(FuzzRows, DamagedValues) {
     const Folder folder;
     const std::string path = tinyTake(folder);
@@ -187,23 +200,20 @@ TEST(FuzzRows, DamagedValues) {
                                              "0.5"};
     int64_t rows = 0;
     const int64_t count = countFromEnvironment("NOCTULE_FUZZ_INPUTS", 200);
-    for (int64_t i = 0; i < count; ++i) {
+    for (int64_t i = 0; i < count; i += kRowsAtOnce) {
         std::mt19937_64 random(static_cast<uint64_t>(i) + 1);
         if (i % 500 == 0)
             (void)tinyTake(folder);  // small again
-        const auto& tables = takeTables();
-        const TableDefinition& table = tables[random() % tables.size()];
-        std::string columns, list;
-        for (const ColumnDefinition& column : table.columns) {
-            columns += (columns.empty() ? "" : ",") + column.name;
-            list += (list.empty() ? "" : ",") + values[random() % values.size()];
-        }
         sqlite3* handle = nullptr;
         ASSERT_EQ(sqlite3_open(path.c_str(), &handle), SQLITE_OK);
-        sqlite3_exec(handle, "PRAGMA synchronous=OFF", nullptr, nullptr, nullptr);
-        const std::string sql =
-            "INSERT OR REPLACE INTO " + table.name + "(" + columns + ") VALUES(" + list + ")";
-        rows += sqlite3_exec(handle, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK;
+        sqlite3_exec(handle, "PRAGMA synchronous=OFF; BEGIN", nullptr, nullptr, nullptr);
+        std::string sql;
+        for (int row = 0; row < kRowsAtOnce; ++row) {
+            const std::string one = rowOf(values, random);
+            rows += sqlite3_exec(handle, one.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK;
+            sql += one;
+        }
+        sqlite3_exec(handle, "COMMIT", nullptr, nullptr, nullptr);
         sqlite3_close(handle);
         const auto take = Take::open(path);
         ASSERT_TRUE(take) << sql << ": " << take.error().text();
