@@ -16,6 +16,8 @@
 namespace noctule {
 namespace {
 
+constexpr size_t kMostRunsBeside = 7;  // as many as the report draws
+
 /// What all runs are compared with.
 struct Reference {
     TimedMotion motion;
@@ -274,6 +276,30 @@ Status addRun(const Take& take, const DerivedRun& run, const RunSettings& settin
     return Done{};
 }
 
+/// How far each of the newest other runs is from the shown one, which needs no reference.
+Status addDistances(const Take& take, const std::vector<DerivedRun>& runs, const DerivedRun& shown,
+                    const JobContext& job, ReportData& data) {
+    const auto motion = take.poses(shown.run);
+    if (!motion)
+        return motion.error();
+    ComparisonOptions options;
+    options.from_ns = std::llround(data.take.rest_s * 1e9);
+    options.match_segments = false;
+    options.curve_joints.clear();
+    for (size_t i = runs.size() - std::min(runs.size(), kMostRunsBeside); i < runs.size(); ++i) {
+        if (runs[i].run == shown.run)
+            continue;
+        if (job.cancelled())
+            return JobContext::cancelledError();
+        const auto other = take.poseSource(runs[i].run);
+        if (!other)
+            return other.error();
+        if (auto apart = compareMotions(*other, *motion, options))
+            data.runs[i].from_shown = std::move(*apart);
+    }
+    return Done{};
+}
+
 }  // namespace
 
 Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext& job) {
@@ -314,6 +340,9 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
         data.runs.back().is_shown = runs[i].run == shown->run;
     }
     reference->motion = {};  // not needed any more; an hour of it is some 500 MB
+    if (runs.size() > 1)
+        if (Status added = addDistances(take, runs, *shown, job, data); !added)
+            return added.error();
     if (Status added = addQuality(take, *shown, runSettings(*shown, *all_runs, take.level()), data, job);
         !added)
         return added.error();

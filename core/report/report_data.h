@@ -39,6 +39,7 @@ struct ReportRun {
     std::string created_utc, software, calibration;
     NamedValues settings;
     std::optional<Comparison> comparison;  ///< absent without a reference
+    std::optional<Comparison> from_shown;  ///< how far it is from the shown run; absent for that one
     bool is_shown = false;  ///< the run that the curves and verdict are about; else the last one
 };
 

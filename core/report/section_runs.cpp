@@ -105,6 +105,42 @@ std::string errorPlots(const std::vector<const ReportRun*>& runs, const ReportDa
            errorPlot(without, "Mean joint error over time, runs without gyroscopes", data);
 }
 
+/// Joint by joint, the runs that were held against the shown one.
+std::string distancesTable(const ReportData& data) {
+    const ReportRun* shown = data.shownRun();
+    std::vector<const ReportRun*> others;
+    for (const ReportRun& run : data.runs)
+        if (run.from_shown)
+            others.push_back(&run);
+    if (!shown || others.empty())
+        return "";
+    html::Table table{"How far other runs are from the shown run, in degrees", {{"Joint", false}}, {}};
+    for (const ReportRun* run : others)
+        for (const char* what : {"Mean", "95\u00A0%"})
+            table.columns.push_back({what, true, text::escaped(run->name) + "\u00A0°"});
+    for (const JointComparison& joint : others[0]->from_shown->joints) {
+        html::Row row{{text::escaped(joint.name)}, ""};
+        for (const ReportRun* run : others) {
+            const JointComparison* there = run->from_shown->find(joint.name);
+            row.cells_html.push_back(there ? text::number(there->angle.mean_deg, 2) : "–");
+            row.cells_html.push_back(there ? text::number(there->angle.p95_deg, 2) : "–");
+        }
+        table.rows.push_back(std::move(row));
+    }
+    html::Row all{{"All joints"}, "total"};
+    for (const ReportRun* run : others) {
+        all.cells_html.push_back(text::number(run->from_shown->mean_deg, 2));
+        all.cells_html.push_back("");
+    }
+    table.rows.push_back(std::move(all));
+    return html::table(table) +
+           html::note(
+               "The angle between a joint's two orientations, in the mean and below what it is for 95 % of "
+               "the "
+               "time. The shown run is " +
+               text::escaped(shown->name) + ". Which of two runs is right only a reference tells.");
+}
+
 }  // namespace
 
 std::string runsSection(const ReportData& data) {
@@ -121,6 +157,7 @@ std::string runsSection(const ReportData& data) {
                    "head joint.") +
                errorPlots(runs, data);
     }
+    body += distancesTable(data);
     return html::section("runs", "Sensors and runs",
                          "How each run of this take compares with the reference: the angle between the two "
                          "orientations of a joint, its mean and its standard deviation over the take.",

@@ -119,6 +119,20 @@ TEST_F(EvaluateTake, RunsAreChosenByName) {
     EXPECT_NE(refused.error().remedy.find("'first', 'second'"), std::string::npos);
 }
 
+TEST_F(EvaluateTake, OtherRunsAreHeldAgainstTheShownOneWithoutAReference) {
+    addRuns("first", radians(4));
+    addRuns("second");
+    EXPECT_FALSE(evaluate().runs[0].from_shown) << "one run alone";
+    EvaluateRequest request;
+    request.all_runs = true;
+    const ReportData data = evaluate(request);
+    ASSERT_EQ(data.runs.size(), 2u);
+    EXPECT_FALSE(data.shownRun()->from_shown);
+    ASSERT_TRUE(data.runs[0].from_shown);
+    EXPECT_NEAR(data.runs[0].from_shown->find("RightArm")->angle.mean_deg, 4, 1e-6);
+    EXPECT_NEAR(data.runs[0].from_shown->find("LeftArm")->angle.mean_deg, 0, 1e-6);
+}
+
 DerivedRun runOf(int64_t number, const std::string& kind, const std::string& settings = "") {
     DerivedRun run;
     run.run = number;

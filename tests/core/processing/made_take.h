@@ -77,7 +77,8 @@ protected:
 
     /// A pose run of our own with ranges of board 0: of five pulses two used, one gated, one unsure, one
     /// silent.
-    void addRuns(const std::string& name) {
+    /// Right arm off by an angle.
+    void addRuns(const std::string& name, double off_rad = 0) {
         auto take = Take::open(path(), Access::kReadWrite);
         ASSERT_TRUE(take) << take.error().text();
         const auto pulses = take->pulses();
@@ -107,9 +108,17 @@ protected:
             ASSERT_TRUE(edit->addRange(*range_run, range, "inflection"));
         }
         for (int frame = 0; frame < kFrames; ++frame)
-            ASSERT_TRUE(
-                edit->addPose(*pose_run, {std::llround(frame * 1e9 / 140), poseAt(frame / 140.0), {}}));
+            ASSERT_TRUE(edit->addPose(
+                *pose_run, {std::llround(frame * 1e9 / 140), withArmOff(frame / 140.0, off_rad), {}}));
         ASSERT_TRUE(edit->commit());
+    }
+
+    Pose withArmOff(double t_s, double off_rad) {
+        Pose pose = poseAt(t_s);
+        Quaterniond& q_parent_arm =
+            pose.q_parent_joint[static_cast<size_t>(actor_.skeleton.find("RightArm"))];
+        q_parent_arm = q_parent_arm * axisAngle(Vector3d::UnitY(), off_rad);
+        return pose;
     }
 
     /// The truth, from which the right arm of the runs is off by an angle; rest pose until 0.5 s.
@@ -121,12 +130,9 @@ protected:
         ASSERT_TRUE(edit->setMeta("reference_kind", "simulated"));
         ASSERT_TRUE(edit->addMarker({0, "rest", "begin"}));
         ASSERT_TRUE(edit->addMarker({kRate_hz / 2, "rest", "end"}));
-        const auto arm = static_cast<size_t>(actor_.skeleton.find("RightArm"));
-        for (int frame = 0; frame < kFrames; ++frame) {
-            Pose pose = poseAt(frame / 140.0);
-            pose.q_parent_joint[arm] = pose.q_parent_joint[arm] * axisAngle(Vector3d::UnitY(), off_rad);
-            ASSERT_TRUE(edit->addReference({std::llround(frame * 1e9 / 140), pose, {}}));
-        }
+        for (int frame = 0; frame < kFrames; ++frame)
+            ASSERT_TRUE(edit->addReference(
+                {std::llround(frame * 1e9 / 140), withArmOff(frame / 140.0, off_rad), {}}));
         ASSERT_TRUE(edit->commit());
     }
 

@@ -108,6 +108,22 @@ TEST(HtmlReport, HoldsTheNumbersItWasGiven) {
     EXPECT_TRUE(has(page, "345.5 m/s"));
 }
 
+TEST(HtmlReport, ShowsHowFarAnotherRunIsFromTheShownOne) {
+    ReportData data = madeReport(6);
+    const std::string caption = "How far other runs are from the shown run";
+    EXPECT_FALSE(has(htmlReport(data), caption));
+    for (ReportRun& run : data.runs)
+        if (&run != data.shownRun()) {
+            run.name = "<other>";
+            run.from_shown = data.shownRun()->comparison;
+            run.from_shown->joints[0].angle.mean_deg = 7.125;
+        }
+    const std::string page = htmlReport(data);
+    EXPECT_TRUE(has(page, caption));
+    EXPECT_TRUE(has(page, "7.13") || has(page, "7.12"));
+    EXPECT_FALSE(has(page, "<other>"));
+}
+
 TEST(HtmlReport, EscapesEveryName) {
     ReportData data = madeReport(6);
     const std::string evil = "<b>&\"x\"</b>";
