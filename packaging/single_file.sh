@@ -49,7 +49,7 @@ cat >>"out/packages/$name" <<'HEADER'
 folder=${XDG_CACHE_HOME:-$HOME/.cache}/noctule/$version
 if [ ! -x "$folder/start" ]; then
     aside=$folder.$$
-    mkdir -p "$aside" && tail -n +16 "$0" | tar -xz -C "$aside" || {
+    mkdir -p "$aside" && tail -n +15 "$0" | tar -xz -C "$aside" || {
         rm -rf "$aside"
         echo "noctule: cannot unpack into $folder. Free some space there, or set XDG_CACHE_HOME to another folder." >&2
         exit 6
@@ -58,7 +58,7 @@ if [ ! -x "$folder/start" ]; then
 fi
 exec "$folder/start" "$@"
 HEADER
-[ "$(wc -l <"out/packages/$name")" -eq 15 ] || { echo "single_file: the header has another length" >&2; exit 1; }
+[ "$(wc -l <"out/packages/$name")" -eq 14 ] || { echo "single_file: the header has another length" >&2; exit 1; }
 tar -cz --owner=0 --group=0 -C "$folder" start usr >>"out/packages/$name"
 chmod +x "out/packages/$name"
 ls "out/packages/$name"

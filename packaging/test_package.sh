@@ -63,7 +63,7 @@ fi
 echo "== a bare Debian"
 root=$folder/root
 mirror=$(sed -n 's/^URIs: *//p; s/^deb \(\[[^]]*\] \)\?\([^ ]*\) .*/\2/p' /etc/apt/sources.list \
-    /etc/apt/sources.list.d/*.sources /etc/apt/sources.list.d/*.list 2>/dev/null | head -n 1)
+    /etc/apt/sources.list.d/*.sources /etc/apt/sources.list.d/*.list 2>/dev/null | head -n 1 || true)
 debootstrap --variant=minbase --include=man-db,desktop-file-utils,shared-mime-info,ca-certificates bookworm "$root" \
     "${mirror%% *}" >"$folder/debootstrap.log" || { tail "$folder/debootstrap.log" >&2; fail "debootstrap failed"; }
 cp -a /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
@@ -78,10 +78,17 @@ inside() { chroot "$root" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 "$@"
 names() { (cd "$root" && find etc usr opt var/lib/dpkg/info -name '*noctule*' | sort); }
 inside apt-get -qq update
 cp "$package" "$root/tmp/noctule.deb"
-inside apt-get -qq install -y --no-install-recommends /tmp/noctule.deb >"$folder/install.log" 2>&1 ||
-    { tail "$folder/install.log" >&2; fail "the package cannot be installed"; }
 inside useradd --create-home user
 as_user() { inside setpriv --reuid user --regid user --clear-groups env HOME="$(inside sh -c 'echo ~user')" "$@"; }
+echo "-- the single file, where nothing is installed"
+mkdir -m 777 "$root/tmp/single"
+cp "$motion" "$root/tmp/single/"
+cp "$(packaging/single_file.sh "$package")" "$root/usr/local/bin/noctule"
+demo /tmp/single as_user
+check_results "$root/tmp/single"
+rm "$root/usr/local/bin/noctule"
+inside apt-get -qq install -y --no-install-recommends /tmp/noctule.deb >"$folder/install.log" 2>&1 ||
+    { tail "$folder/install.log" >&2; fail "the package cannot be installed"; }
 mkdir -m 777 "$root/tmp/takes"
 cp "$motion" "$root/tmp/takes/"
 echo "-- the batch demo"
