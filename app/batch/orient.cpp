@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
+#include "app/batch/files.h"
 #include "app/batch/program.h"
 #include "app/batch/takes.h"
 #include "core/processing/orient_take.h"
@@ -49,6 +50,8 @@ Result<OrientRequest> orientRequest(const Arguments& arguments) {
     request.choice.smooth = arguments.text("smooth") == "full";
     request.choice.level_reading = arguments.given("level-reading");
     request.choice.gain_per_s = arguments.number("gain");
+    if (Status read = readGiven(arguments, "calibration", readCalibration, request.calibration); !read)
+        return read.error();
     if (request.choice.smooth && !request.estimator->can_smooth)
         return Error{ErrorKind::kUsage,
                      std::string("Estimator ") + request.estimator->name + " cannot smooth",
@@ -103,6 +106,7 @@ Verb orientVerb() {
         choice("smooth", {"none", "full"}, "use what comes later too (noctule)").orElse("none"),
         number("gain", "PER_S", 0, 10, "correction gain of miller (0.04) and bachmann (0.1)"),
         flag("level-reading", "miller: level the sensed field as its reference is; gain then 0.1"),
+        text("calibration", "C.json", "the calibration; the one in force in the take when not given"),
         text("run-name", "NAME", "how the result is called")};
     verb.remarks = {
         "The result is a run of kind orientation in the take; evaluate compares it with the take's "
