@@ -12,8 +12,8 @@ protected:
         std::vector<int> counts(200);
         for (size_t i = 0; i < counts.size(); ++i)
             counts[i] = int(i);
-        for (const std::string& path : {one_, two_})
-            writeBytes(path, xsensExample(counts, '\t', true));
+        writeBytes(one_, xsensExample(counts, '\t', true, "\n", "0001"));
+        writeBytes(two_, xsensExample(counts, '\t', true, "\n", "0002"));
     }
 
     Folder folder_;

@@ -49,8 +49,8 @@ TEST(XsensText, EverySeparatorAndLineEndReadsAlike) {
 }
 
 TEST(XsensText, TheCounterWrapsAndLostPacketsBecomeEmptyRows) {
-    const std::string early = xsensExample({65533, 65534, 65535, 0, 1, 4}, '\t', true),
-                      late = xsensExample({0, 1, 2, 3}, '\t', true);
+    const std::string early = xsensExample({65533, 65534, 65535, 0, 1, 4}, '\t', true, "\n", "0001"),
+                      late = xsensExample({0, 1, 2, 3}, '\t', true, "\n", "0002");
     const auto read = readAs({{"a_0001.txt", early}, {"a_0002.txt", late}});
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->sensors[0].samples.size(), 8u);
@@ -272,9 +272,16 @@ TEST(ColumnMap, MistakesAreNamed) {
 }
 
 ImportedRecording twoNumberedSensors() {
-    return readAs({{"a_0001.txt", xsensExample({1, 2, 3, 4}, '\t', true)},
-                   {"a_0002.txt", xsensExample({1, 2, 3, 4}, '\t', true)}})
+    return readAs({{"a_0001.txt", xsensExample({1, 2, 3, 4}, '\t', true, "\n", "0001")},
+                   {"a_0002.txt", xsensExample({1, 2, 3, 4}, '\t', true, "\n", "0002")}})
         .value();
+}
+
+TEST(XsensText, OneSensorGivenTwiceIsRefused) {
+    const std::string text = xsensExample({1, 2, 3, 4}, '\t', true);
+    const auto read = readAs({{"a_1.txt", text}, {"a_2.txt", text}});
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().text().find("two sensors are named 00B42D4B"), std::string::npos);
 }
 
 TEST(SegmentMap, PutsNumberedSensorsOnSegments) {

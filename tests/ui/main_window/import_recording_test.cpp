@@ -24,12 +24,12 @@ protected:
     /// Two sensors of MT Manager whose names say nothing.
     QStringList written() {
         QStringList paths;
-        for (const char* name : {"walk_0001.txt", "walk_0002.txt"}) {
+        for (const std::string id : {"0001", "0002"}) {
             std::vector<int> counters(400);
             for (size_t i = 0; i < counters.size(); ++i)
                 counters[i] = int(i);
-            paths.append(folder_.filePath(name));
-            test::writeBytes(paths.last().toStdString(), test::xsensExample(counters, '\t', true));
+            paths.append(folder_.filePath(QString::fromStdString("walk_" + id + ".txt")));
+            test::writeBytes(paths.last().toStdString(), test::xsensExample(counters, '\t', true, "\n", id));
         }
         return paths;
     }
