@@ -394,7 +394,7 @@ Status fillSubject(const Take& take, const Ingredients& in, const std::string& w
     if (Status begun = runs.beginSubject(in); !begun)
         return begun;
     const bool first = runs.summary.subjects.size() == 1;
-    const Grade calibrated = gradeOf(in.lack, sensorLetters(work.request.tracker.sensors));
+    const Grade calibrated = gradeOf(in.lack, sensorLetters(work.request.tracker));
     if (calibrated > runs.summary.calibrated || first) {
         runs.summary.lack = in.lack;
         runs.summary.calibrated = calibrated;
