@@ -35,8 +35,9 @@ TEST(EulerSequence, AnglesGiveTheRotationBackAndFollowThoseBefore) {
                 << name;
             const double middle = sequence.isProper() ? std::sin(angles[1]) : std::cos(angles[1]);
             const Vector3d near = angles + Vector3d(small(random), small(random), small(random));
-            if (std::abs(middle) > 0.3)
+            if (std::abs(middle) > 0.3) {
                 EXPECT_LT((anglesFromRotation(sequence, q, near) - angles).norm(), 1e-7) << name;
+            }
         }
     }
 }
