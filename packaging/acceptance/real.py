@@ -31,7 +31,7 @@ PUBLISHED = {
     "30": {"miller": (18.4, 18.1), "miller, reading levelled": (20.1, 19.3), "bachmann": (9.3, 4.6),
            "VQF, causal": (2.57, 1.25), "VQF, offline": (4.30, 0.99), "noctule": (1.68, 1.00),
            "noctule, smoothed": (1.71, 0.83)}}
-NOCTULE_MOST = {"noctule": (2.2, 0.62), "noctule, smoothed": (1.6, 0.53)}  # in the mean of the published thirty
+AIM_OF_THIRTY = {"noctule": (2.2, 0.62), "noctule, smoothed": (1.6, 0.53)}  # judged when all thirty are there
 BASELINE_SHARE = 0.1
 MOST_NS = 300
 # The mounting that OpenSim's example states in myIMUMappings.xml.
@@ -85,11 +85,13 @@ def broad_missed(measured):
             for kind, found, wanted in zip(("total", "inclination"), errors[name], PUBLISHED.get(number, {}).get(name, ())):
                 if abs(found - wanted) > BASELINE_SHARE * wanted:
                     missed.append(f"{name} on {number}: {kind} {found:.2f}, the prototype has {wanted:.2f}")
-    for name, most in NOCTULE_MOST.items():
-        for kind, found, wanted in zip(("total", "inclination"), mean([e[name] for e in measured.values()]), most):
-            if found > wanted:
-                missed.append(f"{name}: {kind} {found:.2f} in the mean of the trials at hand; {wanted} is the aim in the "
-                              "mean of thirty")
+    known = [number for number in measured if number in PUBLISHED]
+    for name, aim in AIM_OF_THIRTY.items():
+        found = mean([measured[n][name] for n in known])
+        wanted = aim if len(measured) >= 30 else [value * (1 + BASELINE_SHARE)
+                                                  for value in mean([PUBLISHED[n][name] for n in known])]
+        missed += [f"{name}: {kind} {value:.2f} in the mean, not {most:.2f}"
+                   for kind, value, most in zip(("total", "inclination"), found, wanted) if value > most]
     return missed
 
 
@@ -98,7 +100,8 @@ def broad(missed):
     measured = {trial.stem[:2]: broad_errors(trial) for trial in trials}
     missed += broad_missed(measured)
     text = ("Total / inclination, root mean square in movement, degrees, as BROAD defines them; in brackets the prototype's. "
-            "No parameter depends on a trial.\n\n")
+            "No parameter depends on a trial. With fewer than thirty trials the prototype's mean of the same trials and "
+            "10 % is the bound; the aims of 2.2 / 0.62 (causal) and 1.6 / 0.53 (smoothed) are for all thirty.\n\n")
     return text + studio.markdown_table(["trial", *ESTIMATORS, "VQF, causal", "VQF, offline"], broad_rows(measured))
 
 

@@ -3431,6 +3431,10 @@
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Lage der Sensoren</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::HoldRing</name>
