@@ -142,8 +142,8 @@ void ReprocessDialog::addFilter(QBoxLayout& into) {
     keepOneChosen(this, {ours, paper, independent});
     independent->setVisible(overview_.suit.sources.empty());
     independent->setChecked(overview_.suit.sources.empty());
-    for (ChoiceRow* row : {paper, independent})
-        connect(row->button(), &QAbstractButton::toggled, this, &ReprocessDialog::refresh);
+    for (ChoiceRow* filter : {paper, independent})
+        connect(filter->button(), &QAbstractButton::toggled, this, &ReprocessDialog::refresh);
 }
 
 void ReprocessDialog::addSmoothing(QBoxLayout& into) {
