@@ -95,12 +95,16 @@ Outcome orientationOutcome(const std::string& take, const OrientationEvaluation&
              {"heading_deg", score.heading_deg},
              {"inclination_deg", score.inclination_deg},
              {"heading_offset_deg", score.heading_offset_deg},
+             {"total_turned_deg", score.total_turned_deg},
+             {"heading_turned_deg", score.heading_turned_deg},
              {"readings", score.samples}},
             takeName(take) + ", run " + evaluation.run_name + ", sensor " + evaluation.board + "\n" +
                 angle("total                 ", score.total_deg) +
                 angle("heading               ", score.heading_deg) +
-                angle("inclination           ", score.inclination_deg) + "north differed by     " +
-                fixed(score.heading_offset_deg) + " deg, taken off\ncompared              " +
+                angle("inclination           ", score.inclination_deg) + "north differs by      " +
+                fixed(score.heading_offset_deg) + " deg; with that taken off:\n" +
+                angle("  total               ", score.total_turned_deg) +
+                angle("  heading             ", score.heading_turned_deg) + "compared              " +
                 std::to_string(score.samples) + " readings in movement\n",
             std::nullopt};
 }

@@ -10,6 +10,8 @@
 #include "core/assignment/assign_segments.h"
 #include "core/import/import_format.h"
 #include "core/import/import_take.h"
+#include "core/import/segment_map.h"
+#include "core/import/sensor_findings.h"
 #include "devices/device/clock.h"
 #include "devices/device/random_uuid.h"
 
@@ -23,20 +25,23 @@ std::vector<std::string> formatNames() {
     return names;
 }
 
-Result<ImportChoice> importChoice(const Arguments& arguments) {
-    ImportChoice choice;
-    choice.rate_hz = arguments.number("rate").value_or(0);
-    choice.world = worldFrameNamed(arguments.text("world"));
+/// What --map says: null without.
+Result<nlohmann::json> givenMap(const Arguments& arguments) {
     if (!arguments.given("map"))
-        return choice;
+        return nlohmann::json(nullptr);
     auto map = readJson(arguments.text("map"));
     if (!map)
         return map.error();
     if (!map->is_object() || map->value("format", nlohmann::json()) != "noctule-import-map")
-        return Error{ErrorKind::kUnreadable, arguments.text("map") + ": is no import map",
-                     "Begin it with \"format\": \"noctule-import-map\", \"version\": 1"};
-    choice.map = std::move(*map);
-    return choice;
+        return Error{
+            ErrorKind::kUnreadable, arguments.text("map") + ": is no import map",
+            "Begin it with \"format\": \"noctule-import-map\", \"version\": 1, or let --map-template "
+            "write one"};
+    if (!describesColumns(*map) && arguments.text("assign") != "names")
+        return Error{ErrorKind::kUsage,
+                     "--map and --assign " + arguments.text("assign") + " both place sensors",
+                     "Leave one of them out"};
+    return map;
 }
 
 Error unknownKind(const std::vector<ImportFile>& files) {
@@ -58,18 +63,27 @@ Error unknownKind(const std::vector<ImportFile>& files) {
 
 Result<ImportedRecording> readRecording(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
-    const auto choice = importChoice(arguments);
-    if (!choice)
-        return choice.error();
+    const auto map = givenMap(arguments);
+    if (!map)
+        return map.error();
+    ImportChoice choice;
+    choice.rate_hz = arguments.number("rate").value_or(0);
+    choice.world = worldFrameNamed(arguments.text("world"));
+    if (describesColumns(*map))
+        choice.map = *map;
     const auto files = readImportFiles(arguments.operands(), &signalFlag());
     if (!files)
         return files.error();
-    const ImportFormat* format = choice->map.is_object()          ? findImportFormat("csv")
+    const ImportFormat* format = choice.map.is_object()           ? findImportFormat("csv")
                                  : arguments.text("as") == "auto" ? importFormatOf(*files)
                                                                   : findImportFormat(arguments.text("as"));
     if (!format)
         return unknownKind(*files);
-    return readImport(*format, *files, *choice, context.job());
+    auto recording = readImport(*format, *files, choice, context.job());
+    if (recording && map->is_object() && !describesColumns(*map))
+        if (Status placed = applySegmentMap(*map, *recording); !placed)
+            return placed.error();
+    return recording;
 }
 
 /// Segments by movement, with a confidence for each.
@@ -95,47 +109,34 @@ Result<nlohmann::json> assignByMovement(ImportedRecording& recording, const JobC
         {"sensors", sensors}, {"legs_side", found->legs_side}, {"arms_side", found->arms_side}};
 }
 
-std::string partsOf(const ImportedSensor& sensor) {
-    const auto any = [](const std::vector<Vector3d>& readings) {
-        return std::any_of(readings.begin(), readings.end(),
-                           [](const Vector3d& reading) { return reading.allFinite(); });
-    };
+std::string partsOf(const SensorFindings& found) {
     std::string parts;
-    for (const auto& [there, name] : {std::pair{any(sensor.samples.gyro_rad_per_s), "gyroscope"},
-                                      std::pair{any(sensor.samples.accel_m_per_s2), "accelerometer"},
-                                      std::pair{any(sensor.samples.mag), "magnetometer"},
-                                      std::pair{!sensor.q_world_sensor.empty(), "attitude"}})
+    for (const auto& [there, name] :
+         {std::pair{found.gyroscope, "gyroscope"}, std::pair{found.accelerometer, "accelerometer"},
+          std::pair{found.magnetometer, "magnetometer"}, std::pair{found.attitude, "attitude"}})
         if (there)
             parts += (parts.empty() ? "" : ", ") + std::string(name);
     return parts.empty() ? "nothing" : parts;
 }
 
-size_t missingRows(const ImportedSensor& sensor) {
-    size_t missing = 0;
-    for (size_t i = 0; i < sensor.samples.size(); ++i)
-        missing += !sensor.samples.gyro_rad_per_s[i].allFinite() &&
-                   !sensor.samples.accel_m_per_s2[i].allFinite() &&
-                   (i >= sensor.q_world_sensor.size() || !sensor.q_world_sensor[i].coeffs().allFinite());
-    return missing;
-}
-
 std::string sensorText(const ImportedSensor& sensor) {
+    const SensorFindings found = findingsOf(sensor);
     char text[200];
     std::snprintf(text, sizeof text, "  %-20s %8.3f Hz %9.2f s, %zu rows, %zu missing, ", sensor.id.c_str(),
-                  sensor.samples.rate_hz, double(sensor.samples.size()) / sensor.samples.rate_hz,
-                  sensor.samples.size(), missingRows(sensor));
-    return text + partsOf(sensor) + (sensor.segment.empty() ? "; segment not known" : "; " + sensor.segment) +
+                  sensor.samples.rate_hz, found.duration_s, found.rows, found.missing);
+    return text + partsOf(found) + (sensor.segment.empty() ? "; segment not known" : "; " + sensor.segment) +
            "\n";
 }
 
 nlohmann::json sensorJson(const ImportedSensor& sensor) {
+    const SensorFindings found = findingsOf(sensor);
     return {{"id", sensor.id},
             {"rate_hz", sensor.samples.rate_hz},
-            {"duration_s", double(sensor.samples.size()) / sensor.samples.rate_hz},
+            {"duration_s", found.duration_s},
             {"offset_s", sensor.offset_s},
-            {"rows", sensor.samples.size()},
-            {"missing", missingRows(sensor)},
-            {"holds", partsOf(sensor)},
+            {"rows", found.rows},
+            {"missing", found.missing},
+            {"holds", partsOf(found)},
             {"segment", sensor.segment.empty() ? nlohmann::json(nullptr) : nlohmann::json(sensor.segment)}};
 }
 
@@ -151,36 +152,64 @@ std::string foundText(const ImportedRecording& recording) {
     return text;
 }
 
+/// By movement or not at all, when --assign says so; what `auto` found, else null.
+Result<nlohmann::json> assignAsAsked(const VerbContext& context, ImportedRecording& recording) {
+    const std::string asked = context.arguments.text("assign");
+    if (asked == "auto")
+        return assignByMovement(recording, context.job());
+    for (ImportedSensor& sensor : recording.sensors)
+        if (asked == "none")
+            sensor.segment.clear();
+    return nlohmann::json(nullptr);
+}
+
+/// One sensor needs no segment: its orientation is all that can be asked of it.
+void warnOfOpenSegments(const ImportedRecording& recording, const Arguments& arguments,
+                        std::vector<std::string>& warnings) {
+    const std::vector<std::string> open = sensorsWithoutSegment(recording);
+    if (open.empty() || recording.sensors.size() == 1 || arguments.text("assign") == "none")
+        return;
+    std::string names;
+    for (size_t i = 0; i < open.size() && i < 32; ++i)
+        names += (i > 0 ? ", " : "") + open[i];
+    warnings.push_back(
+        std::to_string(open.size()) + " of " + std::to_string(recording.sensors.size()) +
+        " sensors have no segment, so that poses leave them out: " + names +
+        ". Write a map with --map-template MAP.json, fill it in and give it with --map, or try "
+        "--assign auto");
+}
+
 Result<Outcome> runImport(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     const std::string path = arguments.operands()[0], out = arguments.text("out");
-    const bool list = arguments.given("list");
+    const std::string map_template = arguments.text("map-template");
+    const bool list = arguments.given("list") || (out.empty() && !map_template.empty());
     if (!list && out.empty())
         return Error{ErrorKind::kUsage, "--out is missing",
                      "Name the take to make, or look first with --list"};
-    if (Status free = checkOutputs({out}, arguments.given("overwrite"), arguments.operands()); !free)
+    if (Status free = checkOutputs({out, map_template}, arguments.given("overwrite"), arguments.operands());
+        !free)
         return free.error();
     auto recording = readRecording(context);
     if (!recording)
         return recording.error();
-    if (arguments.text("assign") == "none")
-        for (ImportedSensor& sensor : recording->sensors)
-            sensor.segment.clear();
-    nlohmann::json assigned;
-    if (arguments.text("assign") == "auto") {
-        auto found = assignByMovement(*recording, context.job());
-        if (!found)
-            return found.error();
-        assigned = std::move(*found);
-    }
+    auto assigned = assignAsAsked(context, *recording);
+    if (!assigned)
+        return assigned.error();
+    warnOfOpenSegments(*recording, arguments, recording->warnings);
+    if (!map_template.empty())
+        if (Status written =
+                writeJson(map_template, segmentMapTemplate(*recording), arguments.given("overwrite"));
+            !written)
+            return written.error();
     for (const std::string& warning : recording->warnings)
         context.console.warn(path + ": " + warning);
     nlohmann::json found = {{"format", recording->format},
                             {"sensors", nlohmann::json::array()},
                             {"notes", recording->notes},
                             {"warnings", recording->warnings}};
-    if (!assigned.is_null())
-        found["assigned"] = std::move(assigned);
+    if (!assigned->is_null())
+        found["assigned"] = std::move(*assigned);
     for (const ImportedSensor& sensor : recording->sensors)
         found["sensors"].push_back(sensorJson(sensor));
     if (list)
@@ -217,7 +246,9 @@ Verb importVerb() {
                     number("rate", "HZ", 1, 10000, "rows a second, in place of what the file says"),
                     choice("world", worldFrameNames(),
                            "axes of the recording's attitudes, in place of what the file says"),
-                    text("map", "MAP.json", "columns, units and axes of a table of any program"),
+                    text("map", "MAP.json",
+                         "segments of the sensors, or columns, units and axes of a table of any program"),
+                    text("map-template", "MAP.json", "write the sensors as a map of segments to fill in"),
                     choice("assign", {"names", "auto", "none"},
                            "segments of the sensors: by their names, by movement or left open")
                         .orElse("names")};
@@ -227,6 +258,9 @@ Verb importVerb() {
         ".ximu3), OpenSense .sto, and any table with --map.",
         "Sensors, rates, units, axes and gaps are shown before the take is made. Units are checked by what "
         "gravity shows; every conversion and assumption is said.",
+        "--map-template writes {\"sensors\": [{\"id\": \"42268\", \"segment\": null}]}: write the segments, "
+        "and give "
+        "the file with --map.",
         "--assign auto tells by walking or free movement of ten seconds and more which of 7, 8 or 16 sensors "
         "sits "
         "where, however it is mounted and turned.",

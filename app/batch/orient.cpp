@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
+#include "app/batch/files.h"
 #include "app/batch/program.h"
 #include "app/batch/takes.h"
 #include "core/processing/orient_take.h"
+#include "core/processing/orientation_csv.h"
 #include "devices/device/clock.h"
 
 namespace noctule::batch {
@@ -49,6 +51,8 @@ Result<OrientRequest> orientRequest(const Arguments& arguments) {
     request.choice.smooth = arguments.text("smooth") == "full";
     request.choice.level_reading = arguments.given("level-reading");
     request.choice.gain_per_s = arguments.number("gain");
+    if (Status read = readGiven(arguments, "calibration", readCalibration, request.calibration); !read)
+        return read.error();
     if (request.choice.smooth && !request.estimator->can_smooth)
         return Error{ErrorKind::kUsage,
                      std::string("Estimator ") + request.estimator->name + " cannot smooth",
@@ -60,10 +64,32 @@ Result<OrientRequest> orientRequest(const Arguments& arguments) {
     return request;
 }
 
+Status checkTable(const Arguments& arguments) {
+    const std::string path = arguments.text("csv");
+    if (path.empty())
+        return Done{};
+    if (arguments.operands().size() > 1)
+        return Error{ErrorKind::kUsage, "--csv is one table, and several takes are given",
+                     "Give one take at a time"};
+    return checkOutputs({path}, arguments.given("overwrite"), arguments.operands());
+}
+
+Status writeTable(const VerbContext& context, const std::string& take, const std::string& run,
+                  const JobContext& job) {
+    const Arguments& arguments = context.arguments;
+    if (!arguments.given("csv"))
+        return Done{};
+    return writeOrientationCsv({take, run, arguments.text("csv"),
+                                *eulerSequenceNamed(arguments.text("angles")), arguments.given("overwrite")},
+                               job);
+}
+
 Result<Outcome> runOrient(const VerbContext& context) {
     auto request = orientRequest(context.arguments);
     if (!request)
         return request.error();
+    if (Status free = checkTable(context.arguments); !free)
+        return free.error();
     if (Status distinct = checkDistinct(context.arguments.operands()); !distinct)
         return distinct.error();
     return forEachTake(context, 1, [&](const std::string& path, const JobContext& job) -> Result<Outcome> {
@@ -72,6 +98,8 @@ Result<Outcome> runOrient(const VerbContext& context) {
         const auto summary = orientTake(one, job);
         if (!summary)
             return summary.error();
+        if (Status written = writeTable(context, path, summary->run_name, job); !written)
+            return written.error();
         for (const std::string& warning : summary->warnings)
             context.console.warn(path + ": " + warning);
         Outcome outcome{{{"take", path},
@@ -103,6 +131,10 @@ Verb orientVerb() {
         choice("smooth", {"none", "full"}, "use what comes later too (noctule)").orElse("none"),
         number("gain", "PER_S", 0, 10, "correction gain of miller (0.04) and bachmann (0.1)"),
         flag("level-reading", "miller: level the sensed field as its reference is; gain then 0.1"),
+        text("csv", "F.csv",
+             "the result as a table: attitudes in the world, and relative to the sensor before"),
+        choice("angles", eulerSequenceNames(), "order of the Euler angles in the table").orElse("ZXY"),
+        text("calibration", "C.json", "the calibration; the one in force in the take when not given"),
         text("run-name", "NAME", "how the result is called")};
     verb.remarks = {
         "The result is a run of kind orientation in the take; evaluate compares it with the take's "

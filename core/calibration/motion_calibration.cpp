@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/body/text.h"
 #include "core/calibration/motion_findings.h"
 #include "core/calibration/motion_fit.h"
 #include "core/calibration/motion_start.h"
+#include "core/calibration/worn_part_names.h"
 #include "core/job/staged_progress.h"
 #include "core/math/rotation.h"
 #include "core/suit/calibration_entries.h"
@@ -19,7 +21,8 @@ constexpr double kPutOnOtherwise_rad = radians(15);
 /// Of the prior's sigma: below, the movement has shown more than the rest pose and the suit knew.
 constexpr double kObservedShare = 0.25;
 constexpr int kRoughIterations = 4;
-constexpr double kRoughShare = 0.1;  // of the time
+constexpr double kRoughShare = 0.1, kFirstShare = 0.5;  // of the time
+constexpr double kUnsettled_rad = radians(0.1);
 
 ExpectedConstants expectedOf(const Observations& take) {
     ExpectedConstants expected;
@@ -66,6 +69,7 @@ private:
     }
     bool readTake(const Observations& take, MotionReport& report);
     Result<MotionFitResult> fitWithoutFlesh(const JobContext& job) const;
+    void addUnsettled(const MotionFitResult& found, MotionReport& report) const;
     void fillBoard(const MotionFitResult& found, int index, BoardInMotion& board) const;
     void fillTissue(const MotionFitResult& found, int index, BoardInMotion& board) const;
     Vector3d sigma(const MotionFitResult& found, int first) const {
@@ -126,6 +130,17 @@ bool MovementFitter::prepare(MotionReport& report) {
         return finding.grade == Grade::kNotUsable && finding.part.empty();
     };
     return std::ranges::none_of(report.findings, is_about_movement);
+}
+
+/// Whose movement it was that showed too little.
+void MovementFitter::addUnsettled(const MotionFitResult& found, MotionReport& report) const {
+    for (size_t b = 0; b < found.last_turn_rad.size(); ++b)
+        if (found.last_turn_rad[b] > kUnsettled_rad)
+            report.findings.push_back({Grade::kNotUsable, report.boards[b].id,
+                                       boardName(takes_[0].suit, int(b)) +
+                                           ", has not settled: the last step still turned it by " +
+                                           text::number(degrees(found.last_turn_rad[b]), 1) + "°",
+                                       "Swing that limb to all sides and turn it about its own length"});
 }
 
 void MovementFitter::fillTissue(const MotionFitResult& found, int index, BoardInMotion& board) const {
@@ -203,14 +218,25 @@ Status MovementFitter::fit(MotionReport& report, const JobContext& job) {
         before = rough->before;
     }
     MotionFit fit(body_, model_, layout_, settings_, evidence_, expected_);
-    auto found = fit.run(std::move(start), StagedProgress(job, rough_share, 1).job());
+    auto found = fit.run(std::move(start), StagedProgress(job, rough_share, kFirstShare).job());
     if (!found)
         return found.error();
     found->before = before.value_or(found->before);
     report.iterations = found->iterations;
+    if (!found->converged) {
+        // Turns that the movement shows weakly settle last, by a third in each step: they get as many again.
+        auto more = fit.run(std::move(found->unknowns), StagedProgress(job, kFirstShare, 1).job());
+        if (!more)
+            return more.error();
+        report.iterations += more->iterations;
+        more->before = found->before;
+        found = std::move(more);
+    }
     report.converged = found->converged;
-    if (!report.converged)
+    if (!report.converged) {
+        addUnsettled(*found, report);
         return Done{};
+    }
     for (int b = 0; b < layout_.boards; ++b)
         fillBoard(*found, b, report.boards[static_cast<size_t>(b)]);
     const auto sigmaOf = [&](int column) { return std::sqrt(found->cov_border(column, column)); };

@@ -149,11 +149,11 @@ void MotionFit::learnNoise(const MotionResidualSizes& sizes) {
     }
 }
 
-double MotionFit::largestTurn(const ArrowheadSystem& solved) const {
-    double largest_rad = 0;
+std::vector<double> MotionFit::turnsOf(const ArrowheadSystem& solved) const {
+    std::vector<double> turns_rad;
     for (int b = 0; b < layout_.boards; ++b)
-        largest_rad = std::max(largest_rad, solved.borderStep().segment<3>(layout_.mounting(b)).norm());
-    return largest_rad;
+        turns_rad.push_back(solved.borderStep().segment<3>(layout_.mounting(b)).norm());
+    return turns_rad;
 }
 
 Result<MotionFitResult> MotionFit::run(MotionUnknowns start, const JobContext& job) {
@@ -184,8 +184,10 @@ Result<MotionFitResult> MotionFit::run(MotionUnknowns start, const JobContext& j
             return result;
         }
         move(result.unknowns, layout_, round.system.nodeSteps(), round.system.borderStep());
+        result.last_turn_rad = turnsOf(round.system);
         result.converged =
-            result.iterations >= kFewestIterations && largestTurn(round.system) < kTurnThatEnds_rad;
+            result.iterations >= kFewestIterations &&
+            *std::max_element(result.last_turn_rad.begin(), result.last_turn_rad.end()) < kTurnThatEnds_rad;
         if (result.iterations >= kFirstLearning)
             learnNoise(result.after);
     }

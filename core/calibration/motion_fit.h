@@ -22,6 +22,7 @@ struct MotionFitResult {
         after{};  ///< what the first trajectory left over with the constants expected
     int iterations = 0;
     bool converged = false;
+    std::vector<double> last_turn_rad{};  ///< by which each board's mounting moved in the last step
 };
 
 class MotionFit {
@@ -31,14 +32,14 @@ public:
               const MotionSettings& settings, const std::vector<MotionEvidence>& takes,
               const ExpectedConstants& expected);
 
-    /// From first nodes and constants.
+    /// From first nodes and constants, or from where an earlier run ended: the noise it learnt stays.
     Result<MotionFitResult> run(MotionUnknowns start, const JobContext& job);
 
 private:
     struct Round;
     struct Sizes;
     void assemble(const MotionUnknowns& unknowns, Round& round, const JobContext& job) const;
-    double largestTurn(const ArrowheadSystem& solved) const;
+    std::vector<double> turnsOf(const ArrowheadSystem& solved) const;
     void addReadings(const MotionUnknowns& unknowns, size_t take, Round& round, const JobContext& job) const;
     void addTies(const MotionUnknowns& unknowns, size_t take, const ResidualSink& sink) const;
     void addData(ResidualBlock& block, double sigma, double copies, std::vector<double>& sizes,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/body/actor.h"
 #include "core/formats/csv_cells.h"
 #include "core/formats/number_text.h"
 #include "core/formats/text_file.h"
@@ -154,6 +155,12 @@ Result<MappedSensor> mappedSensor(const Json& entry, ColumnMap& map) {
     sensor.segment = json::text(entry, "segment").value_or("");
     if (sensor.id.empty() || sensor.id.size() > 200)
         return mapError("a sensor has no id", "Give each sensor an id");
+    const auto& segments = canonicalJointNames();
+    if (!sensor.segment.empty() &&
+        std::find(segments.begin(), segments.end(), sensor.segment) == segments.end())
+        return mapError("sensor " + sensor.id + " is put on " + inQuotes(sensor.segment.substr(0, 60)) +
+                            ", which no body has",
+                        "Segments are: " + listOf(segments));
     for (const auto& [member, into, count] :
          {std::tuple{"gyro", &sensor.gyro, 3}, std::tuple{"accel", &sensor.accel, 3},
           std::tuple{"mag", &sensor.mag, 3}, std::tuple{"quaternion", &sensor.quaternion, 4}}) {

@@ -47,6 +47,17 @@ Status listFolder(const std::filesystem::path& folder, int levels, std::vector<s
     return Done{};
 }
 
+/// The same file given twice, or two recordings of one sensor.
+Status checkNames(const ImportedRecording& recording) {
+    for (size_t s = 0; s < recording.sensors.size(); ++s)
+        for (size_t other = 0; other < s; ++other)
+            if (recording.sensors[s].id == recording.sensors[other].id)
+                return Error{ErrorKind::kUnusable,
+                             recording.name + ": two sensors are named " + recording.sensors[s].id,
+                             "Give each sensor's file once, and the files of one recording only"};
+    return Done{};
+}
+
 }  // namespace
 
 std::string ImportFile::fileName() const {
@@ -106,6 +117,8 @@ Result<ImportedRecording> readImport(const ImportFormat& format, const std::vect
     auto recording = format.read(known, choice, job);
     if (!recording)
         return recording.error();
+    if (Status named = checkNames(*recording); !named)
+        return named.error();
     recording->format = format.name;
     for (const std::string& path : others)
         recording->warnings.push_back(path + " is no file of this kind and was left out");

@@ -53,6 +53,27 @@ void convertAccelerations(ImportedSensor& sensor, std::vector<std::string>& warn
                            ", which is gravity in no known unit");
 }
 
+constexpr double kFastestGyroscope_rad_per_s = 70;  ///< 4000 deg/s, where the widest ranges end
+constexpr double kShareOfGlitches = 0.005;
+
+/// Rates that no gyroscope shows, where gravity turns too little to tell their unit.
+void questionRates(const ImportedSensor& sensor, std::vector<std::string>& warnings) {
+    size_t given = 0, too_fast = 0;
+    double fastest = 0;
+    for (const Vector3d& rate : sensor.samples.gyro_rad_per_s) {
+        if (!rate.allFinite())
+            continue;
+        const double most = rate.cwiseAbs().maxCoeff();
+        ++given;
+        too_fast += most > kFastestGyroscope_rad_per_s;
+        fastest = std::max(fastest, most);
+    }
+    if (double(too_fast) > kShareOfGlitches * double(given))
+        warnings.push_back(sensor.id + ": rates reach " + std::to_string(std::lround(fastest)) +
+                           " rad/s, which no gyroscope measures; they look like deg/s and were left as they "
+                           "are. Give the file as a table with a map that states deg/s");
+}
+
 void convertRates(ImportedSensor& sensor, std::vector<std::string>& warnings) {
     switch (rateReading(sensor.samples)) {
         case RateReading::kDegrees:
@@ -63,8 +84,10 @@ void convertRates(ImportedSensor& sensor, std::vector<std::string>& warnings) {
             warnings.push_back(sensor.id +
                                ": gravity turns against the gyroscope; check the gyroscope's axes");
             break;
-        case RateReading::kRadians:
         case RateReading::kUnknown:
+            questionRates(sensor, warnings);
+            break;
+        case RateReading::kRadians:
             break;
     }
 }

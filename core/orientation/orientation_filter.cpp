@@ -18,6 +18,7 @@ constexpr double kLongestLag_s = 0.1;
 constexpr double kMissingRate_rad_per_s = 2;  ///< standard deviation of a rate that was not read
 constexpr double kMissingAccel_m_per_s2 = 5;  ///< the same of an acceleration
 constexpr double kHuber_sigma = 2.5;          ///< headings farther off count less
+constexpr double kRestGate_sigma = 3;         ///< rates farther off are a slow turn, no rest
 constexpr double kReferenceMemory_s = 20;     ///< how slowly the Earth's field is learnt
 constexpr int kPseudoPerSecond = 1;
 
@@ -37,6 +38,35 @@ struct FieldMemory {
         strength += share * (strength_now - strength);
         inclination_rad += share * (inclination_now - inclination_rad);
     }
+};
+
+/// Whether the sensor lies still: readings stay near their low-passed values for a while. After VQF's rest
+/// detection (Laidig, Seel 2023, section 3.4), with its published thresholds.
+class RestDetector {
+public:
+    void add(const Vector3d& rate, const Vector3d& force, double dt_s) {
+        if (!rate.allFinite() || !force.allFinite() || !seen_) {
+            seen_ = rate.allFinite() && force.allFinite();
+            rate_ = rate;
+            force_ = force;
+            still_s_ = 0;
+            return;
+        }
+        const double share = dt_s / (kMemory_s + dt_s);
+        rate_ += share * (rate - rate_);
+        force_ += share * (force - force_);
+        const bool near =
+            (rate - rate_).norm() < kRate_rad_per_s && (force - force_).norm() < kForce_m_per_s2;
+        still_s_ = near ? still_s_ + dt_s : 0;
+    }
+    bool rests() const { return still_s_ > kLeast_s; }
+
+private:
+    static constexpr double kMemory_s = 0.5, kLeast_s = 1.5;
+    static constexpr double kRate_rad_per_s = 2 * std::numbers::pi / 180, kForce_m_per_s2 = 0.5;
+    bool seen_ = false;
+    Vector3d rate_ = Vector3d::Zero(), force_ = Vector3d::Zero();
+    double still_s_ = 0;
 };
 
 class Filter {
@@ -100,7 +130,9 @@ private:
         for (size_t i = begin; i < end; ++i) {
             const Matrix3d R_before = nominal_.q_world_sensor.toRotationMatrix();
             const Vector3d rate = integrateRate(i, R_before);
-            integrateForce(i, R_before);
+            // Readings are means over their interval: the force is turned as the sensor stood in its middle.
+            integrateForce(i, R_before * expQuaternion(rate * (dt_s_ / 2)).toRotationMatrix());
+            rest_.add(samples_.gyro_rad_per_s[i], samples_.accel_m_per_s2[i], dt_s_);
             attitudes_[i] = nominal_.q_world_sensor;
             if (samples_.hasMag(i))
                 gatherField(i, R_before * rate);
@@ -157,7 +189,28 @@ private:
             holdToZero(kPlace, nominal_.place_m, settings_.place_m, error);
         if (field_count_ > 0)
             correctHeading(error);
+        if (rest_.rests())
+            correctBiasAtRest(step, error);
         return error;
+    }
+
+    /// The gyroscope's mean while the sensor rests is its bias. A turn so slow and even that it looks like
+    /// rest is told apart once the bias is known: its innovation is too large.
+    void correctBiasAtRest(size_t step, ErrorVector& error) {
+        const size_t begin = step * per_step_, end = std::min(samples_.size(), begin + per_step_);
+        Vector3d mean = Vector3d::Zero();
+        for (size_t i = begin; i < end; ++i)
+            mean += samples_.gyro_rad_per_s[i] / double(end - begin);
+        if (!mean.allFinite())
+            return;
+        const double variance = std::pow(settings_.gyro_noise_rad_per_sqrt_s, 2) / transition_.dt_s;
+        const Vector3d rate = nominal_.rate(mean);
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::pow(rate[axis], 2) >
+                kRestGate_sigma * kRestGate_sigma * (P_(kGyroBias + axis, kGyroBias + axis) + variance))
+                return;
+        for (int axis = 0; axis < 3; ++axis)
+            correct(ErrorVector::Unit(kGyroBias + axis), rate[axis], variance, error, P_);
     }
 
     void holdToZero(int part, const Vector3d& value, double sigma, ErrorVector& error) {
@@ -215,6 +268,7 @@ private:
     ErrorMatrix P_;
     Transition transition_;
     FieldMemory field_;
+    RestDetector rest_;
     Vector3d field_sum_, field_rate_sum_;
     double strength_sum_ = 0;
     int field_count_ = 0;

@@ -24,6 +24,22 @@ double totalOf(const Quaterniond& turn_world) {
     return 2 * std::atan2(turn_world.vec().norm(), std::abs(turn_world.w()));
 }
 
+struct Sums {
+    double total = 0, heading = 0, inclination = 0;
+};
+
+/// Sums of squares of the errors, each turned by `back` first.
+Sums squaresOf(const std::vector<Quaterniond>& errors, const Quaterniond& back) {
+    Sums sums;
+    for (const Quaterniond& error : errors) {
+        const Quaterniond turned = back * error;
+        sums.total += std::pow(totalOf(turned), 2);
+        sums.heading += std::pow(std::remainder(headingOf(turned), 2 * std::numbers::pi), 2);
+        sums.inclination += std::pow(inclinationOf(turned), 2);
+    }
+    return sums;
+}
+
 }  // namespace
 
 OrientationScore scoreOrientation(std::span<const Quaterniond> estimate,
@@ -45,20 +61,15 @@ OrientationScore scoreOrientation(std::span<const Quaterniond> estimate,
     if (errors.empty())
         return score;
     const double offset = std::atan2(sine, cosine);
-    const Quaterniond back = axisAngle(Vector3d::UnitY(), -offset);
-    double total = 0, heading = 0, inclination = 0;
-    for (const Quaterniond& error : errors) {
-        const Quaterniond turned = back * error;
-        const double h = std::remainder(headingOf(turned), 2 * std::numbers::pi);
-        total += std::pow(totalOf(turned), 2);
-        heading += h * h;
-        inclination += std::pow(inclinationOf(turned), 2);
-    }
+    const Sums given = squaresOf(errors, Quaterniond::Identity());
+    const Sums turned = squaresOf(errors, axisAngle(Vector3d::UnitY(), -offset));
     const auto rms_deg = [&](double sum) { return degrees(std::sqrt(sum / double(errors.size()))); };
-    score.total_deg = rms_deg(total);
-    score.heading_deg = rms_deg(heading);
-    score.inclination_deg = rms_deg(inclination);
+    score.total_deg = rms_deg(given.total);
+    score.heading_deg = rms_deg(given.heading);
+    score.inclination_deg = rms_deg(given.inclination);
     score.heading_offset_deg = degrees(offset);
+    score.total_turned_deg = rms_deg(turned.total);
+    score.heading_turned_deg = rms_deg(turned.heading);
     return score;
 }
 

@@ -11,14 +11,15 @@
 namespace noctule {
 
 struct OrientationScore {
-    double total_deg = 0, heading_deg = 0, inclination_deg = 0;
-    double heading_offset_deg = 0;  ///< the constant turn about the vertical taken off the estimate first
-    size_t samples = 0;             ///< compared; 0: nothing to compare, all else is 0
+    double total_deg = 0, heading_deg = 0, inclination_deg = 0;  ///< as they are, which is BROAD's measure
+    double heading_offset_deg = 0;                        ///< the estimate's mean turn about the vertical
+    double total_turned_deg = 0, heading_turned_deg = 0;  ///< with that turn taken off the estimate
+    size_t samples = 0;                                   ///< compared; 0: nothing to compare, all else is 0
 };
 
 /// `reference` and `estimate` are q_world_sensor of the same instants. Rows whose reference is not finite, or
-/// whose `counts` is 0, are left out; an empty `counts` counts all. The heading is turned once by its best
-/// constant, as two systems seldom agree on north.
+/// whose `counts` is 0, are left out; an empty `counts` counts all. Compare sensors without
+/// magnetometers, whose north is arbitrary, by the turned errors.
 OrientationScore scoreOrientation(std::span<const Quaterniond> estimate,
                                   std::span<const Quaterniond> reference, const std::vector<char>& counts);
 

@@ -47,6 +47,8 @@ std::string settingsText(const OrientRequest& request) {
     nlohmann::json settings{{"estimator", request.estimator->name},
                             {"smooth", request.choice.smooth ? "full" : "none"},
                             {"level_reading", request.choice.level_reading}};
+    if (request.calibration)
+        settings["calibration_of"] = request.calibration->created_utc;
     if (request.choice.gain_per_s)
         settings["gain_per_s"] = *request.choice.gain_per_s;
     return settings.dump();
@@ -81,6 +83,11 @@ Status orientAll(const Take& take, const Suit& suit, const ReadingsOfBoards& boa
                                 "Process the take's sound first, or record both; attitudes that came with a "
                                 "recording are a run already");
     return Done{};
+}
+
+bool knowsAnyBoard(const Calibration& calibration, const Suit& suit) {
+    return std::any_of(suit.boards.begin(), suit.boards.end(),
+                       [&](const Board& board) { return calibration.findBoard(board.id) != nullptr; });
 }
 
 std::vector<char> movementOf(const std::vector<MarkerRow>& markers, const std::vector<OrientationRow>& rows,
@@ -119,7 +126,12 @@ Result<OrientSummary> orientTake(const OrientRequest& request, const JobContext&
     const auto rate = take->sampleRate_hz();
     if (!rate)
         return rate.error();
-    const Calibration calibration = completedCalibration(*suit, *take);
+    if (request.calibration && !knowsAnyBoard(*request.calibration, *suit))
+        return orientationError(
+            *take, "the calibration knows none of its boards",
+            "Choose one that was made of this suit; its boards begin with " + suit->boards.front().id);
+    const Calibration calibration = request.calibration ? completedCalibration(*suit, *request.calibration)
+                                                        : completedCalibration(*suit, *take);
     ReadingsOfBoards boards(*suit, calibration, double(*rate));
     if (Status read = boards.gather(*take, job); !read)
         return read.error();

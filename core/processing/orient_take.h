@@ -14,6 +14,8 @@ struct OrientRequest {
     std::string take_path, run_name, created_utc, software;
     const OrientationEstimator* estimator = nullptr;
     OrientationChoice choice;
+    /// In place of the one in force in the take, which stays so.
+    std::optional<Calibration> calibration = std::nullopt;
 };
 
 struct OrientedBoard {
@@ -31,7 +33,8 @@ struct OrientSummary {
     std::vector<std::string> warnings;
 };
 
-/// All boards into one run, or nothing at all. kUnusable: no readings, or a rate that cannot be told.
+/// All boards into one run, or nothing at all. kUnusable: no readings, a rate that cannot be told,
+/// or a calibration of none of the boards.
 Result<OrientSummary> orientTake(const OrientRequest& request, const JobContext& job);
 
 struct OrientationEvaluation {

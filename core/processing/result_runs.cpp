@@ -13,9 +13,12 @@
 namespace noctule {
 namespace {
 
-std::string sensorLetters(const SensorSelection& sensors) {
+/// Independent inertial sensors know no distances, whatever is asked for.
+std::string sensorLetters(const TrackerSettings& tracker) {
+    const SensorSelection& sensors = tracker.sensors;
+    const bool distances = sensors.distances && tracker.estimator != kOrientationEstimator;
     return std::string(sensors.accelerometers ? "A" : "") + (sensors.gyroscopes ? "G" : "") +
-           (sensors.distances ? "D" : "");
+           (distances ? "D" : "");
 }
 
 /// "AGD", "AGD paper", and when there is one already "AGD 2".
@@ -47,7 +50,7 @@ nlohmann::json settingsJson(const ProcessRequest& request, const std::vector<Ing
     const Ingredients& in = subjects.front();
     const EstimatorEntry& estimator = estimatorOf(request);
     const ParameterValues parameters = completeParameters(estimator.parameters, request.tracker.parameters);
-    nlohmann::json settings{{"sensors", sensorLetters(request.tracker.sensors)},
+    nlohmann::json settings{{"sensors", sensorLetters(request.tracker)},
                             {"root", request.tracker.root_given ? "given" : "free"},
                             {"estimator", estimator.name},
                             {"detector", detectorName(in.decoder.detector)},
@@ -137,8 +140,7 @@ Status addDocuments(TakeEdit& edit, const ProcessRequest& request, Ingredients& 
 }  // namespace
 
 std::string defaultRunName(const TrackerSettings& tracker) {
-    return sensorLetters(tracker.sensors) +
-           (tracker.estimator == kManifoldEstimator ? "" : " " + tracker.estimator) +
+    return sensorLetters(tracker) + (tracker.estimator == kManifoldEstimator ? "" : " " + tracker.estimator) +
            (tracker.smoother == Smoother::kFull    ? " smoothed"
             : tracker.smoother == Smoother::kLag   ? " lag"
             : tracker.smoother == Smoother::kBatch ? " batch"
@@ -392,7 +394,7 @@ Status fillSubject(const Take& take, const Ingredients& in, const std::string& w
     if (Status begun = runs.beginSubject(in); !begun)
         return begun;
     const bool first = runs.summary.subjects.size() == 1;
-    const Grade calibrated = gradeOf(in.lack, sensorLetters(work.request.tracker.sensors));
+    const Grade calibrated = gradeOf(in.lack, sensorLetters(work.request.tracker));
     if (calibrated > runs.summary.calibrated || first) {
         runs.summary.lack = in.lack;
         runs.summary.calibrated = calibrated;

@@ -26,6 +26,7 @@ import live
 import long_fuzz
 import motions
 import partial
+import real
 import record
 import referee
 import sanitizers
@@ -50,6 +51,7 @@ FIGURES = {
     "blender": ("Exports opened in Blender", blender.figure),
     "calibration": ("Calibration", calibration.figure),
     "cast": ("Several people as free points: Welch 2018, section 4", cast.figure),
+    "real": ("Recordings of real sensors, takes made elsewhere", real.figure),
     "kills": ("Recordings that are killed, without power, with every fault", kills.figure),
     "beside": ("A recording beside other programs", beside.figure),
     "motions": ("Public motions and bodies: read, right or refused", motions.figure),

@@ -1264,6 +1264,14 @@
         <source>Motions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae)</source>
         <translation>Bewegungen (*.bvh *.fbx *.glb *.gltf *.vrm *.dae)</translation>
     </message>
+    <message>
+        <source>Choose the files of one recording</source>
+        <translation>Dateien einer Aufnahme wählen</translation>
+    </message>
+    <message>
+        <source>Recordings of sensors (*.mat *.mvnx *.txt *.ximu3 *.sto *.csv *.tsv)</source>
+        <translation>Aufnahmen von Sensoren (*.mat *.mvnx *.txt *.ximu3 *.sto *.csv *.tsv)</translation>
+    </message>
 </context>
 <context>
     <name>TransportBar</name>
@@ -3422,6 +3430,10 @@
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Lage der Sensoren</translation>
     </message>
 </context>
 <context>
@@ -6179,6 +6191,217 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::RecordingDialog</name>
+    <message>
+        <source>rate</source>
+        <translation>Drehrate</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <translation>Magnetfeld</translation>
+    </message>
+    <message>
+        <source>attitude</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %1 and %n more</source>
+        <translation>
+            <numerusform>%1 und %n weitere importieren</numerusform>
+            <numerusform>%1 und %n weitere importieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The recording becomes a take of this session. Its files stay as they are; nothing is written before Import.</source>
+        <translation>Die Aufnahme wird ein Take dieser Sitzung. Ihre Dateien bleiben, wie sie sind; vor „Importieren“ wird nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Find by movement</source>
+        <translation>Aus Bewegung finden</translation>
+    </message>
+    <message>
+        <source>Choose a map</source>
+        <translation>Zuordnung wählen</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Gefunden</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Fehlend</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>wie in der Datei</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>World axes</source>
+        <translation>Weltachsen</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Glied</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Enthält</translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation>nirgends</translation>
+    </message>
+    <message>
+        <source>Segment of sensor %1</source>
+        <translation>Glied von Sensor %1</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1, for %2</source>
+        <comment>number of sensors, time</comment>
+        <translation>%1, %2 lang</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows</source>
+        <translation>%1 von %2 Zeilen</translation>
+    </message>
+    <message>
+        <source>comes with the recording</source>
+        <translation>liegt der Aufnahme bei</translation>
+    </message>
+    <message>
+        <source>Finding where each sensor sits</source>
+        <translation>Es wird gesucht, wo jeder Sensor sitzt</translation>
+    </message>
+    <message>
+        <source>Sensor %1 is placed on %2 without being sure.</source>
+        <comment>id, segment</comment>
+        <translation>Sensor %1 gehört vermutlich zu: %2; sicher ist das nicht.</translation>
+    </message>
+    <message>
+        <source>%1 is no import map.</source>
+        <translation>%1 ist keine Zuordnung für den Import.</translation>
+    </message>
+    <message>
+        <source>Choose a map of sensors or columns</source>
+        <translation>Zuordnung der Sensoren oder Spalten wählen</translation>
+    </message>
+    <message>
+        <source>Import maps (*.json)</source>
+        <translation>Zuordnungen (*.json)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s) sit nowhere: poses leave them out.</source>
+        <translation>
+            <numerusform>%n Sensor sitzt nirgends: Posen lassen ihn aus.</numerusform>
+            <numerusform>%n Sensoren sitzen nirgends: Posen lassen sie aus.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The recording is being read.</source>
+        <translation>Die Aufnahme wird gelesen.</translation>
+    </message>
+    <message>
+        <source>Nothing was read yet.</source>
+        <translation>Es wurde noch nichts gelesen.</translation>
+    </message>
+    <message>
+        <source>One sensor alone sits anywhere.</source>
+        <translation>Ein einzelner Sensor kann überall sitzen.</translation>
+    </message>
+    <message>
+        <source>The files cannot be read.</source>
+        <translation>Die Dateien sind nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 wird importiert</translation>
+    </message>
+    <message>
+        <source>%1 is ready</source>
+        <translation>%1 ist bereit</translation>
+    </message>
+    <message>
+        <source>%1 is imported, without poses</source>
+        <translation>%1 ist importiert, ohne Posen</translation>
+    </message>
+    <message>
+        <source>East, north, up</source>
+        <translation>Ost, Nord, oben</translation>
+    </message>
+    <message>
+        <source>North, west, up (MVN)</source>
+        <translation>Nord, West, oben (MVN)</translation>
+    </message>
+    <message>
+        <source>North, east, down</source>
+        <translation>Nord, Ost, unten</translation>
+    </message>
+    <message>
+        <source>Forward, up, right (OpenSim)</source>
+        <translation>vorn, oben, rechts (OpenSim)</translation>
+    </message>
+    <message>
+        <source>Noctule&apos;s: Y is up</source>
+        <translation>wie Noctule: Y ist oben</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::RecoveryWords</name>
     <message>
         <source>%1. Rebuilding makes a new session.json from what the takes know: performers, suits and the order of recording. Ratings, notes, in and out are not in the takes; a damaged session.json is kept beside the new one.</source>
@@ -6720,6 +6943,26 @@ Median; gut: unter %1</translation>
         <source>The result will be less exact: there is no calibration of %1.</source>
         <translation>Das Ergebnis wird weniger genau sein: es fehlt die Kalibrierung %1.</translation>
     </message>
+    <message>
+        <source>Independent sensors</source>
+        <translation>Unabhängige Sensoren</translation>
+    </message>
+    <message>
+        <source>First how each sensor is turned, then the body. For suits without sound.</source>
+        <translation>Erst die Lage jedes Sensors, dann der Körper. Für Anzüge ohne Ton.</translation>
+    </message>
+    <message>
+        <source>Independent sensors are smoothed over the whole take or not at all.</source>
+        <translation>Unabhängige Sensoren werden über den ganzen Take geglättet oder gar nicht.</translation>
+    </message>
+    <message>
+        <source>Independent sensors use all that each sensor measures.</source>
+        <translation>Unabhängige Sensoren nutzen alles, was jeder Sensor misst.</translation>
+    </message>
+    <message>
+        <source>Independent sensors find the root by the feet.</source>
+        <translation>Unabhängige Sensoren finden die Wurzel über die Füße.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ResultSide</name>
@@ -7160,6 +7403,10 @@ Median; gut: unter %1</translation>
     <message>
         <source>Ranges miss the pose by %1 (median %2)</source>
         <translation>Entfernungen verfehlen die Pose um %1 (Median %2)</translation>
+    </message>
+    <message>
+        <source>Independent sensors</source>
+        <translation>Unabhängige Sensoren</translation>
     </message>
 </context>
 <context>
@@ -8846,6 +9093,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Import motion</source>
         <translation>Bewegung importieren</translation>
+    </message>
+    <message>
+        <source>Import recording</source>
+        <translation>Aufnahme importieren</translation>
     </message>
 </context>
 <context>

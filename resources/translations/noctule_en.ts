@@ -414,6 +414,23 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::RecordingDialog</name>
+    <message numerus="yes">
+        <source>Import %1 and %n more</source>
+        <translation>
+            <numerusform>Import %1 and %n more</numerusform>
+            <numerusform>Import %1 and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s) sit nowhere: poses leave them out.</source>
+        <translation>
+            <numerusform>%n sensor sits nowhere: poses leave it out.</numerusform>
+            <numerusform>%n sensors sit nowhere: poses leave them out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ReportPanel</name>
     <message numerus="yes">
         <source>%n more in the full report</source>

@@ -47,6 +47,7 @@ HelpWindow::HelpWindow(QWidget* parent)
     const std::pair<const char*, QString> documents[] = {{"tutorial", tr("Tutorial")},
                                                          {"guide", tr("Guide")},
                                                          {"how_it_works", tr("How it works")},
+                                                         {"orientation", tr("Orientation")},
                                                          {"glossary", tr("Glossary")},
                                                          {"robots", tr("Robots")},
                                                          {"formats", tr("Files")},

@@ -49,6 +49,8 @@ public slots:
     void open(const QString& path);
     /// Shows what the file was understood to be, and makes a take of it.
     void importMotion(const QString& path);
+    /// Shows what was found in another maker's recording, and makes a take of it.
+    void importRecording(const QStringList& paths);
     /// Opens the take's session and finishes its recording.
     void recoverTake(const QString& path);
     void showPreferences();

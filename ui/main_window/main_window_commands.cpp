@@ -24,6 +24,7 @@
 #include "ui/views/body_dialog.h"
 #include "ui/views/connect_page.h"
 #include "ui/views/motion_dialog.h"
+#include "ui/views/recording_dialog.h"
 #include "ui/views/session_commands.h"
 #include "ui/views/show_folder.h"
 #include "ui/views/start_page.h"
@@ -45,6 +46,10 @@ void MainWindow::connectActions() {
     on(Command::kImportMotion, [this] {
         if (const QString path = SessionCommands::askForMotion(this, studio_); !path.isEmpty())
             importMotion(path);
+    });
+    on(Command::kImportRecording, [this] {
+        if (const QStringList paths = SessionCommands::askForRecording(this, studio_); !paths.isEmpty())
+            importRecording(paths);
     });
     on(Command::kShowFolder,
        [this] { showFolder(studio_, QString::fromStdString(studio_.session().session().folder.string())); });
@@ -138,6 +143,10 @@ Page* MainWindow::makePage(Step step) {
 
 void MainWindow::importMotion(const QString& path) {
     MotionDialog(studio_, path, this).exec();
+}
+
+void MainWindow::importRecording(const QStringList& paths) {
+    RecordingDialog(studio_, paths, this).exec();
 }
 
 void MainWindow::showPreferences() {

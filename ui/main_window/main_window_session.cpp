@@ -16,6 +16,8 @@
 #include "ui/main_window/side_docks.h"
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
+#include "ui/models/recording_import.h"
+#include "ui/models/recording_import.h"
 #include "ui/views/readiness_words.h"
 #include "ui/views/session_commands.h"
 #include "ui/widgets/step_bar.h"
@@ -33,6 +35,10 @@ bool isMotion(const QString& path) {
     return isMotionFileName(path.toStdString());
 }
 
+bool isRecording(const QString& path) {
+    return !isTake(path) && !isMotion(path) && !SessionCommands::canBeOpened(path) && mayBeRecording(path);
+}
+
 int endOfFirstSentence(const QString& text) {
     const int end = text.indexOf(". ");
     return end < 0 ? text.size() : end;
@@ -47,8 +53,9 @@ QString otherSentences(const QString& text) {
 QStringList localPaths(const QMimeData& data) {
     QStringList paths;
     for (const QUrl& url : data.urls())
-        if (url.isLocalFile() && (isTake(url.toLocalFile()) || isMotion(url.toLocalFile()) ||
-                                  SessionCommands::canBeOpened(url.toLocalFile())))
+        if (url.isLocalFile() &&
+            (isTake(url.toLocalFile()) || isMotion(url.toLocalFile()) ||
+             SessionCommands::canBeOpened(url.toLocalFile()) || mayBeRecording(url.toLocalFile())))
             paths.append(url.toLocalFile());
     return paths;
 }
@@ -94,7 +101,9 @@ void MainWindow::showSuit() {
 
 void MainWindow::open(const QString& path) {
     const QFileInfo file(path);
-    if (!file.exists()) {
+    if (file.exists() && isRecording(path)) {
+        importRecording({path});
+    } else if (!file.exists()) {
         onFailure(tr("%1 is not there").arg(QDir::toNativeSeparators(path)),
                   tr("It may have been moved, or its disk is not connected."));
     } else if (file.isDir()) {
@@ -220,6 +229,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
         studio_.session().importTakes(paths);
     else if (all_takes && paths.size() > 1)
         SessionCommands::import(this, studio_, paths);
+    else if (std::all_of(paths.begin(), paths.end(), isRecording))
+        importRecording(paths);
     else
         open(paths.first());
 }

@@ -20,6 +20,7 @@ void WindowActions::addFileActions() {
     add(Command::kOpenTake, tr("Open take"), {}, "");
     add(Command::kImportTakes, tr("Import takes into this session"), {}, "");
     add(Command::kImportMotion, tr("Import motion"), {QKeySequence("Ctrl+Shift+M")}, "skeleton");
+    add(Command::kImportRecording, tr("Import recording"), {QKeySequence("Ctrl+Shift+R")}, "board");
     add(Command::kShowFolder, tr("Show session folder"), {}, "folder");
     add(Command::kCloseSession, tr("Close session"), {}, "");
     add(Command::kExport, tr("Export"), {QKeySequence("Ctrl+E")}, "export");

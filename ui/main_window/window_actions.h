@@ -15,6 +15,7 @@ enum class Command {
     kOpenTake,
     kImportTakes,
     kImportMotion,
+    kImportRecording,
     kShowFolder,
     kCloseSession,
     kExport,

@@ -34,7 +34,8 @@ void WindowMenus::buildFile() {
     file_->addAction(actions_[Command::kOpenTake]);
     file_->addSeparator();
     file_->addActions({actions_[Command::kImportTakes], actions_[Command::kImportMotion],
-                       actions_[Command::kExport], actions_[Command::kShowFolder]});
+                       actions_[Command::kImportRecording], actions_[Command::kExport],
+                       actions_[Command::kShowFolder]});
     file_->addSeparator();
     file_->addActions({actions_[Command::kCloseSession], actions_[Command::kQuit]});
 }

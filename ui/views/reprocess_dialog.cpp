@@ -122,7 +122,10 @@ void ReprocessDialog::addFilter(QBoxLayout& into) {
                          tr("Rotations without singularities; ranges that do not fit are left out."));
     paper = new ChoiceRow(kRadio, tr("Filter of the paper"),
                           tr("Vlasic 2007 to the letter, as a baseline for comparison."));
-    auto* column = addGroup(into, tr("Filter"), {ours, paper});
+    independent =
+        new ChoiceRow(kRadio, tr("Independent sensors"),
+                      tr("First how each sensor is turned, then the body. For suits without sound."));
+    auto* column = addGroup(into, tr("Filter"), {ours, paper, independent});
     process_row_ = new QWidget;
     auto* row = makeRow(process_row_, {24, 0, 0, 0}, 8);
     auto* label = new Label(tr("Process sigma"), TextRole::kSecondary, Ink::kLabel);
@@ -136,8 +139,11 @@ void ReprocessDialog::addFilter(QBoxLayout& into) {
     row->addWidget(label);
     row->addWidget(process_sigma_, 1);
     column->addWidget(process_row_);
-    keepOneChosen(this, {ours, paper});
-    connect(paper->button(), &QAbstractButton::toggled, this, &ReprocessDialog::refresh);
+    keepOneChosen(this, {ours, paper, independent});
+    independent->setVisible(overview_.suit.sources.empty());
+    independent->setChecked(overview_.suit.sources.empty());
+    for (ChoiceRow* filter : {paper, independent})
+        connect(filter->button(), &QAbstractButton::toggled, this, &ReprocessDialog::refresh);
 }
 
 void ReprocessDialog::addSmoothing(QBoxLayout& into) {
@@ -234,6 +240,8 @@ void ReprocessDialog::startFrom(const RunSettings& settings) {
         paper->setChecked(true);
         inflection->setChecked(true);
     }
+    if (settings.estimator == kManifoldEstimator)
+        ours->setChecked(true);
     if (settings.process_sigma_rad_per_s2)
         process_sigma_->setValue(*settings.process_sigma_rad_per_s2);
     if (settings.smoother == smootherName(Smoother::kLag))
@@ -276,17 +284,32 @@ void ReprocessDialog::showLack() {
 }
 
 void ReprocessDialog::refresh() {
-    const bool any = accelerometers->isChecked() || gyroscopes->isChecked() || distances->isChecked();
+    const bool any = independent->isChecked() || accelerometers->isChecked() || gyroscopes->isChecked() ||
+                     distances->isChecked();
     actionButton()->setDisabledBecause(any ? QString() : tr("Choose at least one kind of sensor."));
     showLack();
     process_row_->setVisible(paper->isChecked());
-    const QString only_ours = paper->isChecked() ? tr("The filter of the paper has no smoother.") : QString();
+    const bool alone = independent->isChecked();
+    const QString only_ours = paper->isChecked() ? tr("The filter of the paper has no smoother.") : QString(),
+                  whole_only = alone
+                                   ? tr("Independent sensors are smoothed over the whole take or not at all.")
+                                   : only_ours;
     if (paper->isChecked())
         not_smoothed->setChecked(true);
-    smoothed_half_second->setDisabledBecause(only_ours);
+    if (alone && !not_smoothed->isChecked())
+        smoothed_whole->setChecked(true);
+    smoothed_half_second->setDisabledBecause(whole_only);
     smoothed_whole->setDisabledBecause(only_ours);
-    most_probable->setDisabledBecause(only_ours);
-    ground->setEnabled(!paper->isChecked());
+    most_probable->setDisabledBecause(whole_only);
+    const QString all_used = alone ? tr("Independent sensors use all that each sensor measures.") : QString();
+    for (ChoiceRow* sensor : {gyroscopes, accelerometers, distances})
+        sensor->setDisabledBecause(all_used);
+    if (alone)
+        root_free->setChecked(true);
+    if (overview_.has_external_root)
+        root_given->setDisabledBecause(alone ? tr("Independent sensors find the root by the feet.")
+                                             : QString());
+    ground->setEnabled(!paper->isChecked() && !alone);
     ground->setToolTip(root_given->isChecked()
                            ? tr("When the feet stand is found out; the root is the other system’s.")
                            : tr("Feet that stand hold the root: on a level floor their place and height, on "
@@ -297,10 +320,14 @@ void ReprocessDialog::refresh() {
 ProcessRequest ReprocessDialog::request() const {
     ProcessRequest request;
     request.take_path = overview_.path;
-    request.tracker.sensors = {accelerometers->isChecked(), gyroscopes->isChecked(), distances->isChecked()};
+    const bool alone = independent->isChecked();
+    request.tracker.sensors = {alone || accelerometers->isChecked(), alone || gyroscopes->isChecked(),
+                               !alone && distances->isChecked()};
     request.tracker.root_given = root_given->isChecked();
     request.tracker.ground = static_cast<Ground>(ground->currentIndex());
-    request.tracker.estimator = paper->isChecked() ? kPaperEstimator : kManifoldEstimator;
+    request.tracker.estimator = paper->isChecked() ? kPaperEstimator
+                                : alone            ? kOrientationEstimator
+                                                   : kManifoldEstimator;
     if (paper->isChecked())
         request.tracker.parameters[kPaperProcessSigma] = process_sigma_->value();
     request.tracker.smoother = most_probable->isChecked()          ? Smoother::kBatch

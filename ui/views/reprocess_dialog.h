@@ -28,7 +28,7 @@ public:
     ChoiceRow *accelerometers, *gyroscopes, *distances;
     ChoiceRow *root_free, *root_given;
     QComboBox* ground;  ///< items in the order of Ground
-    ChoiceRow *ours, *paper;
+    ChoiceRow *ours, *paper, *independent;
     ChoiceRow *not_smoothed, *smoothed_half_second, *smoothed_whole, *most_probable;
     ChoiceRow *matched, *inflection;
     ChoiceRow *calibration_in_force, *calibration_in_use, *calibration_from_file;

@@ -145,6 +145,8 @@ QString runInWords(const RunSettings& settings) {
         parts += Words::tr("Filter of the paper");
         if (settings.sensors != "AGD")
             parts += sensors.left(1).toLower() + sensors.mid(1);
+    } else if (settings.estimator == "orientation") {
+        parts += Words::tr("Independent sensors");
     } else {
         parts += sensors;
     }
@@ -155,7 +157,7 @@ QString runInWords(const RunSettings& settings) {
 
 QString runTitle(const ReviewRun& run) {
     // As defaultRunName() and its numbering make them.
-    static const QRegularExpression kMadeUp("^[AGD]+( paper| manifold)?( smoothed| lag| batch)?( (\\d+))?$");
+    static const QRegularExpression kMadeUp("^[AGD]+( paper| manifold| orientation)?( smoothed| lag| batch)?( (\\d+))?$");
     const QString name = QString::fromStdString(run.run.name);
     const auto match = kMadeUp.match(name);
     if (!match.hasMatch() && !name.isEmpty())

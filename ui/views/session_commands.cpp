@@ -63,6 +63,16 @@ QString SessionCommands::askForMotion(QWidget* parent, Studio& studio) {
     return path;
 }
 
+QStringList SessionCommands::askForRecording(QWidget* parent, Studio& studio) {
+    const QStringList paths = QFileDialog::getOpenFileNames(
+        parent, tr("Choose the files of one recording"),
+        studio.settings().value("folders/recordings").toString(),
+        tr("Recordings of sensors (*.mat *.mvnx *.txt *.ximu3 *.sto *.csv *.tsv)"));
+    if (!paths.isEmpty())
+        studio.settings().setValue("folders/recordings", QFileInfo(paths.first()).path());
+    return paths;
+}
+
 void SessionCommands::import(QWidget* parent, Studio& studio, const QStringList& paths) {
     if (!paths.isEmpty() && !studio.session().isOpen())
         askForNew(parent, studio);

@@ -20,6 +20,8 @@ public:
     /// Empty when the operator thought better of it.
     static QStringList askForTakes(QWidget* parent, Studio& studio);
     static QString askForMotion(QWidget* parent, Studio& studio);
+    /// Files of one recording of other sensors.
+    static QStringList askForRecording(QWidget* parent, Studio& studio);
     /// Asks which takes, and for a session first when none is open.
     static void askForImport(QWidget* parent, Studio& studio);
     /// A new session first when none is open.

@@ -21,8 +21,8 @@ inline std::string numberText(double value) {
 
 /// MT Manager 2022: `counts` are the packet counters; gravity along z, a turn of `rate` about x.
 inline std::string xsensExample(const std::vector<int>& counts, char separator, bool header_rate,
-                                const std::string& end = "\n") {
-    std::string text = "// General information: " + end + "//  DeviceId: 00B42D4B" + end;
+                                const std::string& end = "\n", const std::string& device = "00B42D4B") {
+    std::string text = "// General information: " + end + "//  DeviceId: " + device + end;
     if (header_rate)
         text += "// Update Rate: 100.0Hz" + end;
     text += "// Coordinate system: ENU" + end;

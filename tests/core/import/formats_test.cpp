@@ -8,6 +8,7 @@
 #include "core/import/import_format.h"
 #include "core/import/import_take.h"
 #include "core/import/markers.h"
+#include "core/import/segment_map.h"
 #include "core/import/segment_names.h"
 #include "core/recording/take.h"
 #include "tests/core/import/example_files.h"
@@ -48,8 +49,8 @@ TEST(XsensText, EverySeparatorAndLineEndReadsAlike) {
 }
 
 TEST(XsensText, TheCounterWrapsAndLostPacketsBecomeEmptyRows) {
-    const std::string early = xsensExample({65533, 65534, 65535, 0, 1, 4}, '\t', true),
-                      late = xsensExample({0, 1, 2, 3}, '\t', true);
+    const std::string early = xsensExample({65533, 65534, 65535, 0, 1, 4}, '\t', true, "\n", "0001"),
+                      late = xsensExample({0, 1, 2, 3}, '\t', true, "\n", "0002");
     const auto read = readAs({{"a_0001.txt", early}, {"a_0002.txt", late}});
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->sensors[0].samples.size(), 8u);
@@ -263,8 +264,67 @@ TEST(ColumnMap, MistakesAreNamed) {
     map["sensors"][0]["axes"] = {"x", "y", "-z"};
     EXPECT_NE(refusal(map).find("no turn"), std::string::npos) << "a mirror is no turn";
     map = mapOfTable();
+    map["sensors"][0]["segment"] = "LeftArmpit";
+    EXPECT_NE(refusal(map).find("\"LeftArmpit\""), std::string::npos) << refusal(map);
+    map = mapOfTable();
     map["time"] = 3;
     EXPECT_NE(refusal(map).find("time names no column"), std::string::npos) << refusal(map);
+}
+
+ImportedRecording twoNumberedSensors() {
+    return readAs({{"a_0001.txt", xsensExample({1, 2, 3, 4}, '\t', true, "\n", "0001")},
+                   {"a_0002.txt", xsensExample({1, 2, 3, 4}, '\t', true, "\n", "0002")}})
+        .value();
+}
+
+TEST(XsensText, OneSensorGivenTwiceIsRefused) {
+    const std::string text = xsensExample({1, 2, 3, 4}, '\t', true);
+    const auto read = readAs({{"a_1.txt", text}, {"a_2.txt", text}});
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().text().find("two sensors are named 00B42D4B"), std::string::npos);
+}
+
+TEST(SegmentMap, PutsNumberedSensorsOnSegments) {
+    ImportedRecording recording = twoNumberedSensors();
+    EXPECT_EQ(sensorsWithoutSegment(recording), (std::vector<std::string>{"0001", "0002"}));
+    nlohmann::json map = segmentMapTemplate(recording);
+    ASSERT_TRUE(map["sensors"][1]["segment"].is_null()) << map.dump();
+    map["sensors"][1]["segment"] = "LeftForeArm";
+    ASSERT_FALSE(describesColumns(map));
+    ASSERT_TRUE(applySegmentMap(map, recording));
+    EXPECT_EQ(recording.sensors[0].segment, "");
+    EXPECT_EQ(recording.sensors[1].segment, "LeftForeArm");
+    EXPECT_EQ(sensorsWithoutSegment(recording), std::vector<std::string>{"0001"});
+    EXPECT_EQ(segmentMapTemplate(recording)["sensors"][1]["segment"], "LeftForeArm");
+}
+
+TEST(SegmentMap, GoesBeforeWhatANameMeans) {
+    ImportedRecording recording = twoNumberedSensors();
+    recording.sensors[0].segment = "Hips";
+    ASSERT_TRUE(applySegmentMap({{"sensors", {{{"id", "0002"}, {"segment", "Hips"}}}}}, recording));
+    EXPECT_EQ(recording.sensors[0].segment, "");
+    EXPECT_EQ(recording.sensors[1].segment, "Hips");
+}
+
+TEST(SegmentMap, MistakesAreNamed) {
+    const auto refusal = [](const nlohmann::json& sensors) {
+        ImportedRecording recording = twoNumberedSensors();
+        const Status placed = applySegmentMap({{"sensors", sensors}}, recording);
+        return placed ? std::string() : placed.error().text();
+    };
+    const auto at = [](const char* id, nlohmann::json segment) {
+        return nlohmann::json{{"id", id}, {"segment", std::move(segment)}};
+    };
+    using Json = nlohmann::json;
+    EXPECT_NE(refusal(Json::array({at("3", "Hips")})).find("Its sensors are: 0001, 0002"), std::string::npos);
+    EXPECT_NE(refusal(Json::array({at("0001", "Hip")})).find("\"Hip\""), std::string::npos);
+    EXPECT_NE(refusal(Json::array({at("0001", 7)})).find("which no body has"), std::string::npos);
+    EXPECT_NE(refusal(Json::array({at("0001", "Hips"), at("0002", "Hips")})).find("both put on Hips"),
+              std::string::npos);
+    EXPECT_NE(refusal(Json::array({at("0001", "Hips"), at("0001", "Head")})).find("twice"),
+              std::string::npos);
+    EXPECT_NE(refusal(Json::array()).find("no list of 1 to 100 sensors"), std::string::npos);
+    EXPECT_NE(refusal(Json::array({5})).find("has no id"), std::string::npos);
 }
 
 TEST(Clocks, GapsAndJumpsAreToldOf) {

@@ -168,6 +168,24 @@ TEST(UnitCheck, DegreesAndGAreConvertedAndSaid) {
     }
 }
 
+TEST(UnitCheck, RatesThatNoGyroscopeShowsAreQuestionedWhereGravityDoesNotTurn) {
+    for (const auto& [rate, questioned] : {std::pair{200.0, true}, std::pair{30.0, false}}) {
+        ImportedRecording recording;
+        ImportedSensor sensor;
+        sensor.id = "wrist";
+        sensor.samples.rate_hz = 100;
+        sensor.samples.gyro_rad_per_s.assign(500, Vector3d(0, 0, rate));
+        sensor.samples.accel_m_per_s2.assign(500, Vector3d(0, 0, 9.81));
+        recording.sensors.push_back(sensor);
+        convertToSi(recording);
+        EXPECT_EQ(recording.warnings.size(), questioned ? 1u : 0u);
+        if (questioned) {
+            EXPECT_NE(recording.warnings[0].find("look like deg/s"), std::string::npos);
+        }
+        EXPECT_EQ(recording.sensors[0].samples.gyro_rad_per_s[0].z(), rate);
+    }
+}
+
 TEST(UnitCheck, AGyroscopeOfAnotherHandednessIsToldOf) {
     auto recording = recordingFromMat(turningSensor(-1, 1), "mirrored");
     ASSERT_TRUE(recording);

@@ -4,7 +4,9 @@
 // a turn, walking 116 to 138.5, a turn.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "core/import/import_format.h"
@@ -106,24 +108,37 @@ protected:
 TEST_F(QmtBody, Stands) {
     for (const std::string& warning : motion_->warnings)
         ADD_FAILURE() << warning;
+    double most = 0;
     for (double t = 41; t < 43.5; t += 0.5) {
-        for (const char* segment : {"Hips", "Chest", "LeftUpLeg", "LeftLeg", "RightUpLeg", "RightLeg"})
-            EXPECT_LT(fromVertical_deg(row(t), segment, Vector3d::UnitY()), 8) << segment << " at " << t;
+        for (const char* segment : {"Hips", "Chest", "LeftUpLeg", "LeftLeg", "RightUpLeg", "RightLeg"}) {
+            const double off = fromVertical_deg(row(t), segment, Vector3d::UnitY());
+            EXPECT_LT(off, 8) << segment << " at " << t;
+            most = std::max(most, off);
+        }
         EXPECT_NEAR(flexion_deg(row(t), "LeftLeg"), 0, 10);
     }
+    std::printf("qmt: standing, hips, chest and legs at most %.1f deg from upright\n", most);
 }
 
 TEST_F(QmtBody, SitsWithThighsLevelAndKneesBent) {
+    double flattest = 180, steepest = 0, least_bent = 180, most_bent = 0;
     for (double t = 55; t < 77; t += 2) {
         double thighs = 0;
         for (const std::string side : {"Left", "Right"}) {
             const double thigh = fromVertical_deg(row(t), side + "UpLeg", Vector3d::UnitY());
             thighs += thigh / 2;
             EXPECT_NEAR(thigh, sittingByGravity_deg(side + "UpLeg"), 3) << side << t;
-            EXPECT_NEAR(flexion_deg(row(t), side + "Leg"), 90, 10) << side << t;
+            const double knee = flexion_deg(row(t), side + "Leg");
+            EXPECT_NEAR(knee, 90, 10) << side << t;
+            least_bent = std::min(least_bent, knee);
+            most_bent = std::max(most_bent, knee);
         }
         EXPECT_NEAR(thighs, 90, 10) << t;
+        flattest = std::min(flattest, thighs);
+        steepest = std::max(steepest, thighs);
     }
+    std::printf("qmt: sitting, thighs %.1f to %.1f deg from upright (mean of both), knees %.1f to %.1f deg\n",
+                flattest, steepest, least_bent, most_bent);
 }
 
 TEST_F(QmtBody, WalksStraightAndTurnsAbout) {
@@ -134,11 +149,16 @@ TEST_F(QmtBody, WalksStraightAndTurnsAbout) {
     const double direction = degrees(std::atan2(way.x(), way.z()));
     EXPECT_NEAR(std::remainder(direction - out, 360), 0, 20);
     EXPECT_GT(way.norm(), 5);
+    std::printf("qmt: turned by %.0f deg, walked %.1f m in 14 s, %.0f deg beside where the body faces\n",
+                std::abs(std::remainder(back - out, 360)), way.norm(),
+                std::abs(std::remainder(direction - out, 360)));
 }
 
 TEST_F(QmtBody, FeetAlternateAndStandOnTheFloor) {
     const auto feet = findFootContacts({actor_.skeleton, motion_->poses});
     ASSERT_EQ(feet.size(), 2u);
+    double highest = 0, longest_slide = 0;
+    size_t all_steps = 0;
     for (const FootContacts& foot : feet) {
         const auto ankle = joint(foot.foot), toes = ankle + 1;
         ASSERT_EQ(actor_.skeleton.joint(int(toes)).parent, int(ankle));
@@ -151,12 +171,18 @@ TEST_F(QmtBody, FeetAlternateAndStandOnTheFloor) {
             const GlobalPose body = at(size_t((contact.from_s + contact.to_s) / 2 * 50));
             const Vector3d heel =
                 body.p_world_joint[ankle] + body.q_world_joint[ankle] * Vector3d(0, sole, 0);
-            EXPECT_LT(std::min(heel.y(), body.p_world_joint[toes].y()), 0.03) << foot.foot << contact.from_s;
+            const double height = std::min(heel.y(), body.p_world_joint[toes].y());
+            EXPECT_LT(std::abs(height), 0.03) << foot.foot << contact.from_s;
             EXPECT_LT(contact.slide_m, 0.05) << foot.foot << contact.from_s;
+            highest = std::max(highest, std::abs(height));
+            longest_slide = std::max(longest_slide, contact.slide_m);
         }
         EXPECT_GT(steps, 30u);
         EXPECT_LT(steps, 60u);
+        all_steps += steps;
     }
+    std::printf("qmt: %zu stances, soles at most %.1f cm off the floor, sliding at most %.1f cm\n", all_steps,
+                100 * highest, 100 * longest_slide);
 }
 
 TEST_F(QmtBody, KneesBendInTurn) {
@@ -178,6 +204,8 @@ TEST_F(QmtBody, KneesBendInTurn) {
     EXPECT_EQ(order.find("LL"), std::string::npos) << order;
     EXPECT_EQ(order.find("RR"), std::string::npos) << order;
     EXPECT_GT(order.size(), 50u) << order;
+    std::printf("qmt: knees bend in turn, %zu times\n",
+                size_t(std::ranges::count_if(order, [](char c) { return c != ' '; })));
 }
 
 }  // namespace

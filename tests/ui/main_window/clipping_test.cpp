@@ -5,6 +5,8 @@
 
 #include <QDockWidget>
 
+#include "tests/core/import/example_files.h"
+#include "tests/support/files.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/about_dialog.h"
 #include "ui/main_window/help_window.h"
@@ -21,6 +23,7 @@
 #include "ui/views/motion_dialog.h"
 #include "ui/views/new_session_dialog.h"
 #include "ui/views/process_takes_dialog.h"
+#include "ui/views/recording_dialog.h"
 #include "ui/views/reprocess_dialog.h"
 #include "ui/views/review_page.h"
 #include "ui/views/shot_list_dialog.h"
@@ -126,6 +129,9 @@ TEST_P(ClippingTest, Dialogs) {
     dialogIsWhole<HelpWindow>("documents");
     dialogIsWhole<MotionDialog>("import motion", *studio_,
                                 QStringLiteral(NOCTULE_SOURCE_DIR "/resources/motions/sample.bvh"));
+    const QString recording = folder_.filePath("walk_0001.txt");
+    test::writeBytes(recording.toStdString(), test::xsensExample({1, 2, 3, 4, 5, 6, 7, 8}, '\t', true));
+    dialogIsWhole<RecordingDialog>("import recording", *studio_, QStringList{recording});
     dialogIsWhole<ShotListDialog>("shot list", "Walk, straight line x2\nTurn, both ways x3", true);
     dialogIsWhole<ShortcutsDialog>("shortcuts", QList<ShortcutGroup>{{"Anywhere", window_->actions().all()}});
 }
