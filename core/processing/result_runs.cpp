@@ -300,6 +300,20 @@ private:
 
 }  // namespace
 
+Status ResultRuns::storeClocks(TakeEdit& edit, const ProcessRequest& request) const {
+    if (clocks.tracks.empty())
+        return Done{};
+    auto run = edit.beginRun({0, "clock", summary.run_name, request.created_utc, request.software, "{}",
+                              std::nullopt, std::nullopt});
+    if (!run)
+        return run.error();
+    for (const auto& [suit, track] : clocks.tracks)
+        for (const ClockRow& row : clockRows(track))
+            if (Status added = edit.addClock(*run, row, suit); !added)
+                return added;
+    return Done{};
+}
+
 Status ResultRuns::store(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects) {
     auto edit = TakeEdit::begin(take);
     if (!edit)
@@ -317,6 +331,8 @@ Status ResultRuns::store(Take& take, const ProcessRequest& request, std::vector<
         if (Status added = edit->addContacts(summary.pose_run, part.contacts); !added)
             return added;
     }
+    if (Status stored = storeClocks(*edit, request); !stored)
+        return stored;
     return edit->commit();
 }
 
@@ -409,7 +425,7 @@ Status fillSubject(const Take& take, const Ingredients& in, const std::string& w
 
 /// Reads and computes; nothing is written into the take.
 Result<ResultRuns> compute(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects,
-                           const FillRuns& fill) {
+                           const FillRuns& fill, const CancelFlag* cancel) {
     const auto moment = take.snapshot();
     if (!moment)
         return moment.error();
@@ -417,11 +433,19 @@ Result<ResultRuns> compute(Take& take, const ProcessRequest& request, std::vecto
     auto all = gatherAll(take, request, warnings);
     if (!all)
         return all.error();
+    auto clocks = joinClocks(take, {nullptr, cancel});
+    if (!clocks)
+        return clocks.error();
+    for (Ingredients& in : *all)
+        if (const auto line = clocks->lines.find(in.subject.suit()); line != clocks->lines.end())
+            in.clock = line->second;
+    warnings.insert(warnings.end(), clocks->warnings.begin(), clocks->warnings.end());
     subjects = std::move(*all);
     auto runs = ResultRuns::begin(take, request, subjects);
     if (!runs)
         return runs.error();
     runs->summary.warnings = warnings;
+    runs->clocks = std::move(*clocks);
     for (const Ingredients& in : subjects) {
         take.view(in.subject.suit());
         const std::string who = subjects.size() > 1 ? in.subject.name + ": " : "";
@@ -442,7 +466,7 @@ Result<ProcessSummary> writeRuns(const ProcessRequest& request, const FillRuns& 
     if (!take)
         return take.error();
     std::vector<Ingredients> subjects;
-    auto runs = compute(*take, request, subjects, fill);
+    auto runs = compute(*take, request, subjects, fill, cancel);
     if (!runs)
         return runs.error();
     if (Status stored = runs->store(*take, request, subjects); !stored)

@@ -9,6 +9,7 @@
 #include "core/processing/ingredients.h"
 #include "core/processing/process_take.h"
 #include "core/processing/result_spool.h"
+#include "core/processing/take_clocks.h"
 #include "core/recording/take_edit.h"
 
 namespace noctule {
@@ -34,6 +35,7 @@ public:
     Status store(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects);
 
     ProcessSummary summary;
+    TakeClocks clocks;  ///< of the take, where it has several suits
 
 private:
     /// What one subject yields; poses and contacts on the take's time.
@@ -44,6 +46,7 @@ private:
         std::vector<FootContacts> contacts;
     };
     explicit ResultRuns(const std::string& take_path) : take_path_(take_path) {}
+    Status storeClocks(TakeEdit& edit, const ProcessRequest& request) const;
     Status nameRuns(TakeEdit& edit, Take& take, const ProcessRequest& request,
                     const std::vector<Ingredients>& subjects);
 
