@@ -26,6 +26,13 @@ void HeadingShift::carry(Eigen::MatrixXd& P) const {
     left(P.transpose());
 }
 
+void HeadingShift::timesTransposed(Eigen::MatrixXd& C) const {
+    const Eigen::VectorXd heading = C.middleCols<3>(kRotation) * up_root_;
+    C.middleCols<3>(n_) += heading * velocity_.transpose();
+    C.middleCols<3>(2 * n_) += heading * acceleration_.transpose();
+    C.middleCols<3>(kRotation) = (C.middleCols<3>(kRotation) * turn_.transpose()).eval();
+}
+
 void HeadingShift::carryBack(Eigen::VectorXd& lambda) const {
     const double heading =
         velocity_.dot(lambda.segment<3>(n_)) + acceleration_.dot(lambda.segment<3>(2 * n_));

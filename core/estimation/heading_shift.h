@@ -22,6 +22,8 @@ public:
 
     /// P := M P M^T, error := M error.
     void carry(Eigen::MatrixXd& P) const;
+    /// C := C M^T for covariances C of anything with the errors.
+    void timesTransposed(Eigen::MatrixXd& C) const;
     /// The adjoint, against time: lambda := M^T lambda, Lambda := M^T Lambda M.
     void carryBack(Eigen::VectorXd& lambda) const;
     void carryBack(Eigen::MatrixXd& Lambda) const;

@@ -425,6 +425,19 @@ void ManifoldFilter::observe(std::vector<ObservationBlock> blocks) {
     tape_->push_back(std::move(observed));
 }
 
+void ManifoldFilter::conditionJointly(const Eigen::MatrixXd& x, const Eigen::VectorXd& correction) {
+    subtractOuterProduct(now_.P.dense(), x);
+    correct(correction);
+}
+
+void ManifoldFilter::loosenRoot(double place_m, double heading_rad) {
+    const Vector3d up_root = now_.state.motion.q_parent_link[0].conjugate() * Vector3d::UnitY();
+    Eigen::MatrixXd& P = now_.P.dense();
+    P(0, 0) += place_m * place_m;
+    P(2, 2) += place_m * place_m;
+    P.block<3, 3>(3, 3) += heading_rad * heading_rad * up_root * up_root.transpose();
+}
+
 TimedPose ManifoldFilter::estimateAt(double time_s) const {
     return {nanoseconds(time_s), tree_.poseFromState(now_.state.motion),
             jointSigmas(tree_, skeleton_, now_.state.motion, now_.P.dense(), now_.give.meanVariance_rad2())};

@@ -171,6 +171,18 @@ public:
     const Eigen::MatrixXd& covariance() const { return now_.P.dense(); }
     const KinematicTree& tree() const { return tree_; }
 
+    /// For estimates of several bodies together (joint_filter.h), whose readings concern this state and
+    /// others. An update of all was made: P := P - x^T x, x of m rows, and the state moves by `correction`.
+    void conditionJointly(const Eigen::MatrixXd& x, const Eigen::VectorXd& correction);
+    /// Nothing is known yet of where a free root stands on the floor and where it faces.
+    void loosenRoot(double place_m, double heading_rad);
+    const SuitModel& suit() const { return suit_; }
+    const ManifoldParameters& parameters() const { return parameters_; }
+    double fleshShare() const { return now_.give.fleshShare(); }
+    /// A pose is wanted at the present step.
+    bool isAtFrame() const { return now_.step_index % parameters_.steps_per_frame == 0; }
+    TimedPose poseNow() const { return estimateAt(seconds()); }
+
 private:
     void initialise(const Pose& rest_pose);
     void expectUsualPose(const Pose& rest_pose);
