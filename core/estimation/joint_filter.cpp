@@ -47,6 +47,7 @@ JointFilter::JointFilter(std::vector<JointBody> bodies, std::optional<Room> room
     alignment_.clocks = std::move(clocks);
     for (JointBody& made_of : bodies) {
         Body body;
+        made_of.parameters.among_others = true;
         body.filter = std::make_unique<ManifoldFilter>(made_of.skeleton, made_of.suit, made_of.parameters);
         body.model = std::make_unique<ObservationModel>(body.filter->tree(), body.filter->suit(),
                                                         body.filter->layout());
@@ -335,6 +336,19 @@ void JointFilter::stepBody(size_t index) {
     body.shown = !body.filter->isAtFrame();
 }
 
+/// This step's corrections have moved the estimates; covariances must fit them before a row is made.
+void JointFilter::refit() {
+    for (size_t i = 0; i < bodies_.size(); ++i) {
+        if (!bodies_[i].joined)
+            continue;
+        tape_.clear();
+        filter(i).setTape(&tape_);
+        filter(i).refit();
+        filter(i).setTape(nullptr);
+        covariance_.carry(i, tape_);
+    }
+}
+
 void JointFilter::advance(bool ended) {
     if (std::ranges::any_of(bodies_, [](const Body& body) { return !body.rest_pose; }))
         return;
@@ -398,6 +412,8 @@ void JointFilter::useDistances(double until_s) {
             continue;
         }
         carryCommon(std::max(common_s_, arrives_s));
+        if (tried.empty())
+            refit();
         auto row = rowOf(distance, arrives_s - common_s_, decision);
         decision.innovation_m = row->residual;
         decision.fate = decision.w_a == 0                        ? RangeFate::kBehindSource

@@ -101,6 +101,7 @@ private:
     void startBodies();
     void useRest();
     void stepBody(size_t body);
+    void refit();
     void show(Body& body);
     void carryCommon(double time_s);
     void useDistances(double until_s);

@@ -255,7 +255,7 @@ void ManifoldFilter::carryErrors(Shift shift) {
 
 void ManifoldFilter::fitHeading() {
     if (isFree())
-        carryErrors(HeadingShift(now_.fitted, now_.state.motion));
+        carryErrors(HeadingShift(now_.fitted, now_.state.motion, parameters_.among_others));
 }
 
 void ManifoldFilter::fitErrors() {

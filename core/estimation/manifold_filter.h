@@ -28,6 +28,7 @@ namespace noctule {
 struct ManifoldParameters {
     SensorSelection sensors;
     bool root_given = false;
+    bool among_others = false;  ///< part of a joint estimate: the place of a free root counts
     double g_m_per_s2 = kStandardGravity_m_per_s2;
 
     int steps_per_frame =
@@ -174,6 +175,9 @@ public:
     /// For estimates of several bodies together (joint_filter.h), whose readings concern this state and
     /// others. An update of all was made: P := P - x^T x, x of m rows, and the state moves by `correction`.
     void conditionJointly(const Eigen::MatrixXd& x, const Eigen::VectorXd& correction);
+    /// Errors are those of the present estimate from here on: before what is read is read of a joint state,
+    /// or readings seem to tell what nobody sees.
+    void refit() { fitErrors(); }
     /// Nothing is known yet of where a free root stands on the floor and where it faces.
     void loosenRoot(double place_m, double heading_rad);
     const SuitModel& suit() const { return suit_; }
