@@ -4,6 +4,7 @@
 #include "app/batch/verb.h"
 #include "core/body/text.h"
 #include "core/job/atomic_file.h"
+#include "core/processing/evaluate_between.h"
 #include "core/processing/evaluate_take.h"
 #include "core/processing/orient_take.h"
 #include "core/processing/run_subjects.h"
@@ -109,6 +110,33 @@ Outcome orientationOutcome(const std::string& take, const OrientationEvaluation&
             std::nullopt};
 }
 
+/// Where the subjects are to each other; nothing where a reference lacks.
+Status addBetween(const VerbContext& context, const EvaluateRequest& request,
+                  const std::vector<TakeSubject>& subjects, Outcome& outcome) {
+    if (request.reference)
+        return Done{};
+    const auto between = evaluateBetween(request.take_path, request.run, subjects, context.job());
+    if (!between)
+        return between.error();
+    for (const BetweenEvaluation& pair : *between) {
+        outcome.json["between"].push_back(
+            {{"a", pair.a},
+             {"b", pair.b},
+             {"from", pair.from},
+             {"to", pair.to},
+             {"rms_mm", pair.rms_mm},
+             {"rms_near_mm", pair.rms_near_mm ? nlohmann::json(*pair.rms_near_mm) : nlohmann::json(nullptr)},
+             {"rms_world_mm", pair.rms_world_mm},
+             {"heading_deg", pair.heading_deg}});
+        outcome.text += "between " + pair.a + " " + pair.from + " and " + pair.b + " " + pair.to + ": " +
+                        fixed(pair.rms_mm, 1) + " mm rms" +
+                        (pair.rms_near_mm ? ", " + fixed(*pair.rms_near_mm, 1) + " mm when nearer than 0.3 m"
+                                          : std::string()) +
+                        "; relative heading " + fixed(pair.heading_deg) + " deg\n";
+    }
+    return Done{};
+}
+
 /// One entry of `subjects` and one line each; the rest of the outcome is the first subject's.
 Status addSubjects(const VerbContext& context, EvaluateRequest request,
                    const std::vector<TakeSubject>& subjects, Outcome& outcome) {
@@ -177,9 +205,12 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
         outcome.json["motion"] = std::move(understood);
     if (shown.comparison)
         outcome.json["joints_matched"] = matchedJson(*shown.comparison);
-    if (subjects->size() > 1)
+    if (subjects->size() > 1) {
         if (Status added = addSubjects(context, request, *subjects, outcome); !added)
             return added.error();
+        if (Status added = addBetween(context, request, *subjects, outcome); !added)
+            return added.error();
+    }
     if (!report_path.empty()) {
         if (context.cancel.cancelled())
             return JobContext::cancelledError();

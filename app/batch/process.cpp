@@ -33,6 +33,10 @@ Result<SensorSelection> sensorSelection(const std::string& letters) {
     return sensors;
 }
 
+Wanted wantedFrom(const std::string& word) {
+    return word == "on" ? Wanted::kOn : word == "off" ? Wanted::kOff : Wanted::kAuto;
+}
+
 /// "A,B"; blanks around a name are left out.
 std::vector<std::string> splitNames(const std::string& text) {
     std::vector<std::string> names;
@@ -99,6 +103,13 @@ Result<ProcessRequest> requestOf(const Arguments& arguments) {
     if (const Status read = readGiven(arguments, "actor", readActor, request.actor); !read)
         return read.error();
     request.subjects = splitNames(arguments.text("subjects"));
+    request.between = wantedFrom(arguments.text("between"));
+    request.room = wantedFrom(arguments.text("room"));
+    request.select = arguments.number("select").value_or(1);
+    if (arguments.given("select") && request.between == Wanted::kOff && request.room == Wanted::kOff)
+        return Error{ErrorKind::kUsage,
+                     "--select chooses among ranges that --between off and --room off leave out",
+                     "Leave out --select"};
     request.run_name = arguments.text("run-name");
     request.software = softwareName();
     request.created_utc = utcNow();
@@ -148,6 +159,12 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
                  {"suit", subject.suit},
                  {"poses", subject.poses},
                  {"ranges", {{"heard", subject.ranges}, {"used", subject.ranges_used}}}});
+    if (s.together)
+        outcome.json["together"] = {
+            {"between", s.together->between},
+            {"room", s.together->room},
+            {"ranges",
+             {{"heard", s.together->heard}, {"used", s.together->used}, {"gated", s.together->gated}}}};
     char text[240];
     std::snprintf(text, sizeof text,
                   "%lld poses over %.1f s; %lld of %lld ranges used, %lld gated; %lld of %lld frames lost.\n",
@@ -162,6 +179,10 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
             outcome.text += path + ": " + subject.name + ", suit " + std::to_string(subject.suit) + ": " +
                             std::to_string(subject.poses) + " poses, " + std::to_string(subject.ranges_used) +
                             " of " + std::to_string(subject.ranges) + " ranges used.\n";
+    if (s.together)
+        outcome.text += path + ": between suits" + (s.together->room ? " and the room" : "") + " " +
+                        std::to_string(s.together->used) + " of " + std::to_string(s.together->heard) +
+                        " ranges used, " + std::to_string(s.together->gated) + " gated.\n";
     if (s.contacts_edited)
         outcome.text += path + ": contacts of the feet as they were edited, none were looked for.\n";
     return outcome;
@@ -242,6 +263,14 @@ Verb processVerb() {
                "linearised again until the most probable motion is found, several times as long")
             .orElse("none"),
         text("subjects", "A,B", "whose poses, of a take of several; all of them when not given"),
+        choice("between", {"auto", "on", "off"},
+               "one estimate of all subjects from the ranges between them; auto: where there are any")
+            .orElse("auto"),
+        choice("room", {"auto", "on", "off"},
+               "ranges to and from the anchors of the room hold place and heading; auto: where there are any")
+            .orElse("auto"),
+        number("select", "SHARE", 0, 1,
+               "share of the ranges between suits that is used, most informative first (default 1)"),
         text("run-name", "NAME", "name of the new run; from sensors, estimator and smoother when not given"),
         text("out-dir", "D", "copy the take there and write into the copy")};
     verb.remarks = {"Nothing is replaced: every call adds a run, and the raw data stay as they are."};

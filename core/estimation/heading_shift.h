@@ -18,10 +18,14 @@ namespace noctule {
 /// StateLayout; the root's six coordinates come first.
 class HeadingShift {
 public:
-    HeadingShift(const MotionState& before, const MotionState& after);
+    /// `turns_place`: the body's place counts, too, since others are seen from it: it turns along about the
+    /// world's origin.
+    HeadingShift(const MotionState& before, const MotionState& after, bool turns_place = false);
 
     /// P := M P M^T, error := M error.
     void carry(Eigen::MatrixXd& P) const;
+    /// C := C M^T for covariances C of anything with the errors.
+    void timesTransposed(Eigen::MatrixXd& C) const;
     /// The adjoint, against time: lambda := M^T lambda, Lambda := M^T Lambda M.
     void carryBack(Eigen::VectorXd& lambda) const;
     void carryBack(Eigen::MatrixXd& Lambda) const;
@@ -31,6 +35,8 @@ private:
     Matrix3d turn_;                     ///< from the root's axes before to those after
     Vector3d up_root_;                  ///< before
     Vector3d velocity_, acceleration_;  ///< by which those turn too little, per radian of heading
+    bool turns_place_;
+    Vector3d place_;  ///< the same
 };
 
 }  // namespace noctule

@@ -255,7 +255,7 @@ void ManifoldFilter::carryErrors(Shift shift) {
 
 void ManifoldFilter::fitHeading() {
     if (isFree())
-        carryErrors(HeadingShift(now_.fitted, now_.state.motion));
+        carryErrors(HeadingShift(now_.fitted, now_.state.motion, parameters_.among_others));
 }
 
 void ManifoldFilter::fitErrors() {
@@ -423,6 +423,19 @@ void ManifoldFilter::observe(std::vector<ObservationBlock> blocks) {
     ObservedUpdate observed;
     correct(now_.P.update(blocks, &observed));
     tape_->push_back(std::move(observed));
+}
+
+void ManifoldFilter::conditionJointly(const Eigen::MatrixXd& x, const Eigen::VectorXd& correction) {
+    subtractOuterProduct(now_.P.dense(), x);
+    correct(correction);
+}
+
+void ManifoldFilter::loosenRoot(double place_m, double heading_rad) {
+    const Vector3d up_root = now_.state.motion.q_parent_link[0].conjugate() * Vector3d::UnitY();
+    Eigen::MatrixXd& P = now_.P.dense();
+    P(0, 0) += place_m * place_m;
+    P(2, 2) += place_m * place_m;
+    P.block<3, 3>(3, 3) += heading_rad * heading_rad * up_root * up_root.transpose();
 }
 
 TimedPose ManifoldFilter::estimateAt(double time_s) const {

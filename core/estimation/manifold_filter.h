@@ -28,6 +28,7 @@ namespace noctule {
 struct ManifoldParameters {
     SensorSelection sensors;
     bool root_given = false;
+    bool among_others = false;  ///< part of a joint estimate: the place of a free root counts
     double g_m_per_s2 = kStandardGravity_m_per_s2;
 
     int steps_per_frame =
@@ -170,6 +171,21 @@ public:
     double seconds() const { return static_cast<double>(now_.step_index) * step_s_; }
     const Eigen::MatrixXd& covariance() const { return now_.P.dense(); }
     const KinematicTree& tree() const { return tree_; }
+
+    /// For estimates of several bodies together (joint_filter.h), whose readings concern this state and
+    /// others. An update of all was made: P := P - x^T x, x of m rows, and the state moves by `correction`.
+    void conditionJointly(const Eigen::MatrixXd& x, const Eigen::VectorXd& correction);
+    /// Errors are those of the present estimate from here on: before what is read is read of a joint state,
+    /// or readings seem to tell what nobody sees.
+    void refit() { fitErrors(); }
+    /// Nothing is known yet of where a free root stands on the floor and where it faces.
+    void loosenRoot(double place_m, double heading_rad);
+    const SuitModel& suit() const { return suit_; }
+    const ManifoldParameters& parameters() const { return parameters_; }
+    double fleshShare() const { return now_.give.fleshShare(); }
+    /// A pose is wanted at the present step.
+    bool isAtFrame() const { return now_.step_index % parameters_.steps_per_frame == 0; }
+    TimedPose poseNow() const { return estimateAt(seconds()); }
 
 private:
     void initialise(const Pose& rest_pose);

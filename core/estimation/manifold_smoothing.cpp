@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What smoothers ask of the filter: frames for them, and what it observed, about another state.
 #include "core/estimation/manifold_filter.h"
+#include "core/estimation/prediction.h"
 #include "core/math/rotation.h"
 
 namespace noctule {

@@ -212,6 +212,28 @@ ObservationModel::Distance ObservationModel::distance(const BodyState& state,
     return result;
 }
 
+ObservationModel::End ObservationModel::sourceEnd(const BodyState& state, int source, double offset_s) {
+    const MountedSource& mounted = suit_.sources[static_cast<size_t>(source)];
+    end_link_ = mounted.link;
+    p_link_end_ = mounted.p_link_source;
+    End end{pointAt(state, end_link_, p_link_end_, offset_s, chain_), mounted.normal_link};
+    if (end_link_ >= 0)
+        end.normal_world = chain_.end().R_world_link * mounted.normal_link;
+    return end;
+}
+
+ObservationModel::End ObservationModel::boardEnd(const BodyState& state, int board, double offset_s) {
+    const MountedBoard& mounted = suit_.boards[static_cast<size_t>(board)];
+    end_link_ = mounted.link;
+    p_link_end_ = placeBoard(mounted, tree_, state.motion, offset_s).p_mic_m;
+    return {pointAt(state, end_link_, p_link_end_, offset_s, chain_), Vector3d::Zero()};
+}
+
+void ObservationModel::addEnd(ObservationBlock& block, const Vector3d& direction) {
+    if (end_link_ >= 0)
+        addDirectional(block, chain_, p_link_end_, direction);
+}
+
 ObservationBlock ObservationModel::root(const BodyState& state, const RootMeasurement& measurement,
                                         double offset_s) {
     chain_.evaluate(tree_, state.motion, tree_.linkOfJoint(0), offset_s);

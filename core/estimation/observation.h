@@ -98,6 +98,16 @@ public:
     /// Position (3 rows), then rotation (3 rows, right perturbation) of the root.
     ObservationBlock root(const BodyState& state, const RootMeasurement& measurement, double offset_s);
 
+    /// One end of a distance of which other bodies have the other end.
+    struct End {
+        Vector3d p_world_m = Vector3d::Zero();
+        Vector3d normal_world = Vector3d::Zero();  ///< of a source
+    };
+    End sourceEnd(const BodyState& state, int source, double offset_s);
+    End boardEnd(const BodyState& state, int board, double offset_s);
+    /// Adds to a block of one row the derivative, along `direction`, of the end that was asked for last.
+    void addEnd(ObservationBlock& block, const Vector3d& direction);
+
 private:
     ObservationBlock triad(const BodyState& state, const InertialMeasurement& measurement, double offset_s,
                            bool is_gyro);
@@ -114,6 +124,8 @@ private:
     ChainMotion chain_, other_chain_;
     PlacedBoard placed_;  ///< the board of the last triad
     ChainMotion::Columns columns_;
+    int end_link_ = -1;  ///< of the end asked for last
+    Vector3d p_link_end_ = Vector3d::Zero();
 };
 
 }  // namespace noctule

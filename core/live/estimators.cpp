@@ -22,8 +22,7 @@ Result<std::vector<UnnamedFile>> spoolFiles(size_t count, const std::string& fol
     return files;
 }
 
-Result<std::unique_ptr<Estimator>> makeManifold(const EstimatorWorld& world) {
-    const TrackerSettings& settings = world.settings;
+ManifoldSetup manifoldSetup(const TrackerSettings& settings) {
     ManifoldSetup setup = settingsFrom(manifoldParameters(), settings.parameters);
     ManifoldParameters& parameters = setup.filter;
     parameters.sensors = settings.sensors;
@@ -31,6 +30,13 @@ Result<std::unique_ptr<Estimator>> makeManifold(const EstimatorWorld& world) {
     parameters.g_m_per_s2 = settings.g_m_per_s2;
     parameters.ground.ground = settings.ground;
     parameters.ground.given = settings.contacts;
+    return setup;
+}
+
+Result<std::unique_ptr<Estimator>> makeManifold(const EstimatorWorld& world) {
+    const TrackerSettings& settings = world.settings;
+    const ManifoldSetup setup = manifoldSetup(settings);
+    const ManifoldParameters& parameters = setup.filter;
     const Skeleton& skeleton = world.actor.skeleton;
     const size_t wanted = settings.smoother == Smoother::kBatch  ? 3
                           : settings.smoother == Smoother::kFull ? 1
@@ -73,6 +79,10 @@ Result<std::unique_ptr<Estimator>> refuseLive(const EstimatorWorld&) {
 }
 
 }  // namespace
+
+ManifoldParameters filterParameters(const TrackerSettings& settings) {
+    return manifoldSetup(settings).filter;
+}
 
 const std::vector<EstimatorEntry>& estimators() {
     static const std::vector<EstimatorEntry> kAll{

@@ -15,6 +15,10 @@
 
 namespace noctule {
 
+struct ManifoldParameters;
+/// Of the filter of the estimator "manifold", as these settings make it.
+ManifoldParameters filterParameters(const TrackerSettings& settings);
+
 /// What an estimator is made from.
 struct EstimatorWorld {
     const Suit& suit;

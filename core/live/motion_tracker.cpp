@@ -58,7 +58,8 @@ Result<std::unique_ptr<MotionTracker>> MotionTracker::create(const Suit& suit, c
         tracker->rest_begin_s_ = static_cast<double>(rest->first) / sample_rate_hz;
         tracker->rest_end_s_ = static_cast<double>(rest->second) / sample_rate_hz;
     }
-    auto estimator = (*entry)->make({suit, calibration, actor, *mounted, settings});
+    const EstimatorWorld world{suit, calibration, actor, *mounted, settings};
+    auto estimator = settings.make ? settings.make(world) : (*entry)->make(world);
     if (!estimator)
         return estimator.error();
     tracker->estimator_ = std::move(*estimator);

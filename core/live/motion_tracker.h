@@ -2,6 +2,7 @@
 // Readings and ranges of one suit -> poses, as they come: waits out the rest pose, then feeds the estimator.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -29,6 +30,9 @@ enum class Smoother { kNone, kLag, kFull, kBatch };
 const char* smootherName(Smoother smoother);
 std::optional<Smoother> smootherFromName(const std::string& name);
 
+struct EstimatorWorld;
+using MakeEstimator = std::function<Result<std::unique_ptr<Estimator>>(const EstimatorWorld& world)>;
+
 struct TrackerSettings {
     std::string estimator = kManifoldEstimator;
     ParameterValues parameters;  ///< that differ from the estimator's defaults
@@ -40,6 +44,8 @@ struct TrackerSettings {
     /// When each foot stands, instead of what the readings show.
     std::optional<std::vector<FootContacts>> contacts{};
     std::string spool_folder = ".";  ///< kFull and kBatch put aside there what memory should not hold
+    /// Makes the estimator instead of the registry: one that is part of an estimate of several bodies.
+    MakeEstimator make{};
 };
 
 class MotionTracker {

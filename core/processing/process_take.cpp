@@ -6,6 +6,7 @@
 
 #include "core/live/live_pipeline.h"
 #include "core/processing/pose_from_sensors.h"
+#include "core/processing/process_together.h"
 #include "core/processing/pulse_shapes.h"
 #include "core/processing/result_runs.h"
 #include "core/processing/sound_log.h"
@@ -169,20 +170,27 @@ Status processReadings(const Take& take, const Ingredients& in, const TrackerSet
 }  // namespace
 
 Result<ProcessSummary> processTake(const ProcessRequest& request, const JobContext& job) {
+    const auto settings = [&](const Take& take) {
+        TrackerSettings tracker = request.tracker;
+        tracker.g_m_per_s2 = take.header().g_m_per_s2;
+        const std::filesystem::path folder = std::filesystem::path(request.take_path).parent_path();
+        tracker.spool_folder = folder.empty() ? "." : folder.string();
+        return tracker;
+    };
     return writeRuns(
         request,
         [&](const Take& take, const Ingredients& in, ResultRuns& results) {
-            TrackerSettings tracker = request.tracker;
-            tracker.g_m_per_s2 = take.header().g_m_per_s2;
+            TrackerSettings tracker = settings(take);
             tracker.contacts = in.contacts;
-            const std::filesystem::path folder = std::filesystem::path(request.take_path).parent_path();
-            tracker.spool_folder = folder.empty() ? "." : folder.string();
             if (tracker.estimator == kOrientationEstimator)
                 return poseFromSensors(take, in, tracker, results, job);
             return take.level() == TakeLevel::kSignal ? processSound(take, in, tracker, results, job)
                                                       : processReadings(take, in, tracker, results, job);
         },
-        job.cancel);
+        job.cancel,
+        [&](Take& take, std::vector<Ingredients>& subjects, ResultRuns& results) {
+            return processTogether(take, request, settings(take), subjects, results, job);
+        });
 }
 
 }  // namespace noctule

@@ -16,6 +16,9 @@
 
 namespace noctule {
 
+/// kAuto: where it can be done; what is in the way is a warning. kOn: it is an error.
+enum class Wanted { kAuto, kOn, kOff };
+
 struct ProcessRequest {
     std::string take_path;
     std::optional<Calibration> calibration;  ///< else the one in force in the take; becomes the one in force
@@ -23,6 +26,9 @@ struct ProcessRequest {
     TrackerSettings tracker;                 ///< sensors, root, estimator
     std::optional<Detector> detector{};      ///< none: the estimator's own (EstimatorEntry::detector)
     std::vector<std::string> subjects;       ///< by name; empty: all
+    Wanted between = Wanted::kAuto;          ///< ranges between subjects
+    Wanted room = Wanted::kAuto;             ///< ranges to and from anchors in the room
+    double select = 1;                       ///< share of those ranges, most informative first
     std::string run_name;                    ///< empty: defaultRunName()
     std::string software;                    ///< goes into the runs' rows
     std::string created_utc;
@@ -47,6 +53,12 @@ struct ProcessSummary {
         int64_t poses = 0, ranges = 0, ranges_used = 0;
     };
     std::vector<Subject> subjects;  ///< in the order of the take
+    /// Ranges between suits, where subjects were estimated together.
+    struct Together {
+        bool between = false, room = false;
+        int64_t heard = 0, used = 0, gated = 0;
+    };
+    std::optional<Together> together;
 };
 
 /// What a run is called when no name is given: "AGD", "G paper", "AGD lag", "AGD smoothed", "AGD batch".

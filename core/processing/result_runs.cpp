@@ -66,6 +66,11 @@ nlohmann::json settingsJson(const ProcessRequest& request, const std::vector<Ing
         settings["rest_end_s"] = static_cast<double>(in.rest->second) / in.decoder.train.sample_rate_hz;
     if (const auto sigma = parameters.find(kPaperProcessSigma); sigma != parameters.end())
         settings["process_sigma_rad_per_s2"] = sigma->second;
+    if (runs.together) {
+        settings["between"] = runs.together->between;
+        settings["room"] = runs.together->room;
+        settings["select"] = request.select;
+    }
     std::string made = settings.dump();
     nlohmann::json list = nlohmann::json::array();
     for (const Ingredients& of : subjects) {
@@ -170,8 +175,28 @@ Status ResultRuns::beginSubject(const Ingredients& in) {
     if (!spool)
         return spool.error();
     parts_.push_back({in.subject.suit(), in.clock, std::move(*spool), {}});
+    part_ = parts_.size() - 1;
     summary.subjects.push_back({in.subject.name, in.subject.suit(), 0, 0, 0});
     return Done{};
+}
+
+Status ResultRuns::beginRoom(const TakeSubject& room) {
+    const std::filesystem::path folder = std::filesystem::path(take_path_).parent_path();
+    auto spool = ResultSpool::make(folder.empty() ? "." : folder);
+    if (!spool)
+        return spool.error();
+    parts_.push_back({room.suit(), {}, std::move(*spool), {}});
+    part_ = parts_.size() - 1;
+    return Done{};
+}
+
+void ResultRuns::writeCross(const std::vector<RangeMeasurement>& ranges) {
+    for (const RangeMeasurement& range : ranges) {
+        summary.together->heard += 1;
+        summary.together->used += range.fate == RangeFate::kUsed || range.fate == RangeFate::kWeighted;
+        summary.together->gated += range.fate == RangeFate::kGated;
+    }
+    parts_[part_].spool.add(ranges);
 }
 
 /// The rows that name the runs, and their numbers.
@@ -201,7 +226,15 @@ Status ResultRuns::nameRuns(TakeEdit& edit, Take& take, const ProcessRequest& re
             return run.error();
         summary.inertial_run = *run;
     }
-    auto range_run = add("range", summary.run_name, "{}");
+    if (!clocks.tracks.empty()) {
+        auto clock_run = add("clock", summary.run_name, "{}");
+        if (!clock_run)
+            return clock_run.error();
+        clock_run_ = *clock_run;
+    }
+    const nlohmann::json of_ranges =
+        summary.together ? nlohmann::json{{"clock_run", clock_run_}} : nlohmann::json::object();
+    auto range_run = add("range", summary.run_name, of_ranges.dump());
     if (!range_run)
         return range_run.error();
     summary.range_run = *range_run;
@@ -218,7 +251,7 @@ Status ResultRuns::write(const std::vector<InertialReading>& readings) {
         summary.frames_lost += reading.corrected_bits ? 0 : 1;
     }
     if (writes_readings_)
-        parts_.back().spool.add(readings);
+        parts_[part_].spool.add(readings);
     return Done{};
 }
 
@@ -227,23 +260,23 @@ Status ResultRuns::write(const std::vector<RangeMeasurement>& ranges) {
         const bool used = range.fate == RangeFate::kUsed || range.fate == RangeFate::kWeighted;
         summary.ranges += 1;
         summary.ranges_used += used;
-        summary.subjects.back().ranges += 1;
-        summary.subjects.back().ranges_used += used;
+        summary.subjects[part_].ranges += 1;
+        summary.subjects[part_].ranges_used += used;
         summary.ranges_gated += range.fate == RangeFate::kGated;
     }
-    parts_.back().spool.add(ranges);
+    parts_[part_].spool.add(ranges);
     return Done{};
 }
 
 Status ResultRuns::write(const std::vector<FootContacts>& contacts) {
-    const SuitClock& clock = parts_.back().clock;
+    const SuitClock& clock = parts_[part_].clock;
     for (FootContacts foot : contacts) {
         summary.contacts += std::ssize(foot.contacts);
         for (FootContact& contact : foot.contacts) {
             contact.from_s = clock.takeTime_s(contact.from_s);
             contact.to_s = clock.takeTime_s(contact.to_s);
         }
-        parts_.back().contacts.push_back(std::move(foot));
+        parts_[part_].contacts.push_back(std::move(foot));
     }
     return Done{};
 }
@@ -252,16 +285,16 @@ Status ResultRuns::write(const std::vector<TimedPose>& poses) {
     std::vector<TimedPose> on_take_time;
     for (const TimedPose& pose : poses) {
         summary.poses += 1;
-        summary.subjects.back().poses += 1;
+        summary.subjects[part_].poses += 1;
         if (!pose.pose || !isUsable(*pose.pose))
             return Error{ErrorKind::kUnusable,
                          "the estimator lost its state at " +
                              std::to_string(static_cast<double>(pose.time_ns) * 1e-9) +
                              " s: the data contradict each other",
                          "Check the calibration and the actor; another choice of sensors may work"};
-        on_take_time.push_back(onTakeTime(pose, parts_.back().clock));
+        on_take_time.push_back(onTakeTime(pose, parts_[part_].clock));
     }
-    parts_.back().spool.add(on_take_time);
+    parts_[part_].spool.add(on_take_time);
     return Done{};
 }
 
@@ -302,6 +335,14 @@ private:
 
 }  // namespace
 
+Status ResultRuns::storeClocks(TakeEdit& edit) const {
+    for (const auto& [suit, track] : clocks.tracks)
+        for (const ClockRow& row : clockRows(track))
+            if (Status added = edit.addClock(clock_run_, row, suit); !added)
+                return added;
+    return Done{};
+}
+
 Status ResultRuns::store(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects) {
     auto edit = TakeEdit::begin(take);
     if (!edit)
@@ -319,6 +360,8 @@ Status ResultRuns::store(Take& take, const ProcessRequest& request, std::vector<
         if (Status added = edit->addContacts(summary.pose_run, part.contacts); !added)
             return added;
     }
+    if (Status stored = storeClocks(*edit); !stored)
+        return stored;
     return edit->commit();
 }
 
@@ -344,17 +387,13 @@ Result<std::vector<TakeSubject>> chooseSubjects(const Take& take, const ProcessR
                          "Its subjects are " + namesOf(*all)};
     std::vector<TakeSubject> chosen;
     for (const TakeSubject& subject : *all) {
-        if (subject.room)
-            warnings.push_back("Suit " + std::to_string(subject.suit()) +
-                               " stands in the room: it is kept, but nothing is measured with it yet.");
-        else if (request.subjects.empty() || std::ranges::count(request.subjects, subject.name) > 0)
+        if (!subject.room &&
+            (request.subjects.empty() || std::ranges::count(request.subjects, subject.name) > 0))
             chosen.push_back(subject);
         if (!subject.room && subject.suits.size() > 1)
             warnings.push_back(subject.name + " wears several suits: only suit " +
                                std::to_string(subject.suit()) + " is used yet.");
     }
-    if (chosen.size() > 1)
-        warnings.push_back("Distances between subjects are not used yet: each one's poses are its own.");
     if (chosen.size() > 1 && (request.calibration || request.actor))
         return Error{ErrorKind::kUsage, "one calibration or actor cannot be that of several subjects",
                      "Add --subjects NAME, one of " + namesOf(*all)};
@@ -386,21 +425,45 @@ constexpr double kPatience_s = 3600;  ///< several processings of one take wait 
 struct SubjectWork {
     const ProcessRequest& request;
     const FillRuns& fill;
+    const FillTogether& together;
 };
+
+/// Whether the calibration is good enough for the sensors asked for.
+void gradeSubject(const Ingredients& in, const std::string& who, const ProcessRequest& request, bool first,
+                  ProcessSummary& summary) {
+    const Grade calibrated = gradeOf(in.lack, sensorLetters(request.tracker));
+    if (calibrated > summary.calibrated || first) {
+        summary.lack = in.lack;
+        summary.calibrated = calibrated;
+    }
+    if (calibrated != Grade::kGood)
+        summary.warnings.push_back(who + lackSentence(in.lack));
+}
+
+/// All of them at once, where something joins them; false: nothing does.
+Result<bool> fillTogether(Take& take, std::vector<Ingredients>& subjects, const SubjectWork& work,
+                          ResultRuns& runs) {
+    if (!work.together)
+        return false;
+    auto filled = work.together(take, subjects, runs);
+    if (!filled || !*filled)
+        return filled;
+    for (const Ingredients& in : subjects)
+        gradeSubject(in, subjects.size() > 1 ? in.subject.name + ": " : "", work.request,
+                     &in == &subjects.front(), runs.summary);
+    for (const ProcessSummary::Subject& subject : runs.summary.subjects)
+        if (subject.poses == 0)
+            return unusableTake(take, subject.name + ": it is too short or holds no sound: no pose came out",
+                                "`noctule --batch inspect` shows what is in it");
+    return true;
+}
 
 /// `who`: "Anna: " when there are several subjects.
 Status fillSubject(const Take& take, const Ingredients& in, const std::string& who, const SubjectWork& work,
                    ResultRuns& runs) {
     if (Status begun = runs.beginSubject(in); !begun)
         return begun;
-    const bool first = runs.summary.subjects.size() == 1;
-    const Grade calibrated = gradeOf(in.lack, sensorLetters(work.request.tracker));
-    if (calibrated > runs.summary.calibrated || first) {
-        runs.summary.lack = in.lack;
-        runs.summary.calibrated = calibrated;
-    }
-    if (calibrated != Grade::kGood)
-        runs.summary.warnings.push_back(who + lackSentence(in.lack));
+    gradeSubject(in, who, work.request, runs.summary.subjects.size() == 1, runs.summary);
     if (Status filled = work.fill(take, in, runs); !filled)
         return filled;
     if (runs.summary.subjects.back().poses == 0)
@@ -411,7 +474,7 @@ Status fillSubject(const Take& take, const Ingredients& in, const std::string& w
 
 /// Reads and computes; nothing is written into the take.
 Result<ResultRuns> compute(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects,
-                           const FillRuns& fill) {
+                           const SubjectWork& work, const CancelFlag* cancel) {
     const auto moment = take.snapshot();
     if (!moment)
         return moment.error();
@@ -419,15 +482,30 @@ Result<ResultRuns> compute(Take& take, const ProcessRequest& request, std::vecto
     auto all = gatherAll(take, request, warnings);
     if (!all)
         return all.error();
+    auto clocks = joinClocks(take, {nullptr, cancel});
+    if (!clocks)
+        return clocks.error();
+    for (Ingredients& in : *all)
+        if (const auto line = clocks->lines.find(in.subject.suit()); line != clocks->lines.end())
+            in.clock = line->second;
     subjects = std::move(*all);
     auto runs = ResultRuns::begin(take, request, subjects);
     if (!runs)
         return runs.error();
     runs->summary.warnings = warnings;
+    runs->clocks = std::move(*clocks);
+    const auto together = fillTogether(take, subjects, work, *runs);
+    if (!together)
+        return together.error();
+    if (!*together)
+        runs->summary.warnings.insert(runs->summary.warnings.end(), runs->clocks.warnings.begin(),
+                                      runs->clocks.warnings.end());
     for (const Ingredients& in : subjects) {
+        if (*together)
+            break;
         take.view(in.subject.suit());
         const std::string who = subjects.size() > 1 ? in.subject.name + ": " : "";
-        if (Status filled = fillSubject(take, in, who, {request, fill}, *runs); !filled)
+        if (Status filled = fillSubject(take, in, who, work, *runs); !filled)
             return filled.error();
     }
     for (const SkippedRows& skipped : take.skippedRows())
@@ -439,12 +517,12 @@ Result<ResultRuns> compute(Take& take, const ProcessRequest& request, std::vecto
 }  // namespace
 
 Result<ProcessSummary> writeRuns(const ProcessRequest& request, const FillRuns& fill,
-                                 const CancelFlag* cancel) {
+                                 const CancelFlag* cancel, const FillTogether& together) {
     auto take = Take::open(request.take_path, Access::kReadWrite, {cancel, kPatience_s});
     if (!take)
         return take.error();
     std::vector<Ingredients> subjects;
-    auto runs = compute(*take, request, subjects, fill);
+    auto runs = compute(*take, request, subjects, {request, fill, together}, cancel);
     if (!runs)
         return runs.error();
     if (Status stored = runs->store(*take, request, subjects); !stored)

@@ -9,6 +9,7 @@
 #include "core/processing/ingredients.h"
 #include "core/processing/process_take.h"
 #include "core/processing/result_spool.h"
+#include "core/processing/take_clocks.h"
 #include "core/recording/take_edit.h"
 
 namespace noctule {
@@ -23,6 +24,14 @@ public:
                                     const std::vector<Ingredients>& subjects);
     /// What is written from now on is this subject's.
     Status beginSubject(const Ingredients& in);
+    /// The microphones of a room: only ranges are written for it.
+    Status beginRoom(const TakeSubject& room);
+    /// Back to one that was begun, by the order of beginning.
+    void goOn(size_t part) { part_ = part; }
+    /// Another clock for what is written from now on.
+    void useClock(const SuitClock& clock) { parts_[part_].clock = clock; }
+    /// Of pulses of other suits.
+    void writeCross(const std::vector<RangeMeasurement>& ranges);
 
     Status write(const std::vector<InertialReading>& readings) override;
     Status write(const std::vector<RangeMeasurement>& ranges) override;
@@ -34,6 +43,7 @@ public:
     Status store(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects);
 
     ProcessSummary summary;
+    TakeClocks clocks;  ///< of the take, where it has several suits
 
 private:
     /// What one subject yields; poses and contacts on the take's time.
@@ -44,20 +54,27 @@ private:
         std::vector<FootContacts> contacts;
     };
     explicit ResultRuns(const std::string& take_path) : take_path_(take_path) {}
+    Status storeClocks(TakeEdit& edit) const;
     Status nameRuns(TakeEdit& edit, Take& take, const ProcessRequest& request,
                     const std::vector<Ingredients>& subjects);
 
     std::string take_path_;
     std::vector<Part> parts_;
+    int64_t clock_run_ = 0;  ///< 0: suit 1 is alone, or nothing joins the clocks
+    size_t part_ = 0;        ///< that is written for; bodies come first, in the order of summary.subjects
     bool writes_readings_ = false;
 };
 
 /// Gives everything that the processing of one subject, whose suit is in view, yields to the runs.
 using FillRuns = std::function<Status(const Take& take, const Ingredients& in, ResultRuns& runs)>;
+/// Gives what the processing of all subjects together yields; false: nothing joins them, each is to be
+/// processed by itself.
+using FillTogether =
+    std::function<Result<bool>(Take& take, std::vector<Ingredients>& subjects, ResultRuns& runs)>;
 
 /// Everything or nothing: when filling fails or yields no pose, the take stays as it was. Reads in one
 /// snapshot; another program that writes the take meanwhile is waited for, at most an hour.
 Result<ProcessSummary> writeRuns(const ProcessRequest& request, const FillRuns& fill,
-                                 const CancelFlag* cancel = nullptr);
+                                 const CancelFlag* cancel = nullptr, const FillTogether& together = {});
 
 }  // namespace noctule

@@ -82,8 +82,8 @@ TEST_F(TwoSuits, EachSubjectIsProcessedAndEveryRowKept) {
         return std::ranges::any_of(
             summary->warnings, [&](const auto& warning) { return warning.find(words) != std::string::npos; });
     };
-    EXPECT_TRUE(says("Suit 3 stands in the room"));
-    EXPECT_TRUE(says("Distances between subjects are not used"));
+    EXPECT_TRUE(says("Distances between suits are not used"));
+    EXPECT_TRUE(says("--root given"));
 
     const auto subjects = subjectsOfRun(path_, "").value();
     ASSERT_EQ(subjects.size(), 2u);
@@ -115,6 +115,36 @@ TEST_F(TwoSuits, EachSubjectIsProcessedAndEveryRowKept) {
     EXPECT_EQ(after.suits[1].subject, "B");
     EXPECT_TRUE(after.suits[2].room);
     EXPECT_TRUE(after.problems.empty()) << after.problems.front();
+}
+
+/// The example holds sound, and nothing has measured distances between its suits yet.
+TEST_F(TwoSuits, WhatCannotBeJoinedIsSaid) {
+    ProcessRequest wanted = request();
+    wanted.tracker.root_given = false;
+    wanted.between = Wanted::kOn;
+    auto refused = processTake(wanted, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::kUnusable);
+    EXPECT_NE(refused.error().message.find("no distances between its suits"), std::string::npos)
+        << refused.error().message;
+    wanted.subjects = {"B"};
+    refused = processTake(wanted, {});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("needs two subjects"), std::string::npos)
+        << refused.error().message;
+    wanted.subjects = {};
+    runSql(path_, "UPDATE suit SET json=replace(json, '\"carrier_hz\": 48000', '\"carrier_hz\": 40000')");
+    refused = processTake(wanted, {});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("A (suit 1) and B (suit 2) sound on one carrier, 40 kHz"),
+              std::string::npos)
+        << refused.error().message;
+    EXPECT_TRUE(Take::open(path_)->derivedRuns()->empty());
+    wanted.between = Wanted::kAuto;
+    const auto alone = processTake(wanted, {});
+    ASSERT_TRUE(alone) << alone.error().text();
+    EXPECT_FALSE(alone->together);
+    EXPECT_NE(alone->warnings.front().find("one carrier"), std::string::npos) << alone->warnings.front();
 }
 
 TEST_F(TwoSuits, OneSubjectAloneGivesTheSamePoses) {

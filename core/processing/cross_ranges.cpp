@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/cross_ranges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/acoustics/speed_of_sound.h"
+
+namespace noctule {
+namespace {
+
+constexpr double kOneCarrier_hz = 1000;     ///< nearer ones cannot be told apart
+constexpr double kCarriersApart_hz = 5000;  ///< what the format asks for
+constexpr double kUnstated_m = 0.0025;
+constexpr size_t kMostDistances = 8'000'000;  ///< 1.2 GB; two suits with four anchors for half an hour
+
+std::string kilohertz(double hz) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g kHz", hz / 1000);
+    return text;
+}
+
+/// What is in the way of estimating subjects together; empty: nothing.
+std::string obstacle(const ProcessRequest& request) {
+    const TrackerSettings& tracker = request.tracker;
+    if (tracker.estimator != kManifoldEstimator)
+        return "estimator " + tracker.estimator + " knows one body only";
+    if (tracker.smoother != Smoother::kNone)
+        return std::string("--smooth ") + smootherName(tracker.smoother) + " goes over one body only";
+    if (tracker.root_given)
+        return "with --root given another system says where everybody is";
+    if (!tracker.sensors.distances)
+        return "--sensors leaves distances out";
+    return "";
+}
+
+class Joiner {
+public:
+    Joiner(const Take& take, const ProcessRequest& request, const std::vector<Ingredients>& subjects,
+           const TakeClocks& clocks, std::vector<std::string>& warnings)
+        : take_(take), request_(request), subjects_(subjects), clocks_(clocks), warnings_(warnings) {}
+
+    Result<Joining> join() {
+        joining_.between = request_.between != Wanted::kOff && subjects_.size() > 1;
+        if (request_.between == Wanted::kOn && subjects_.size() < 2)
+            return Error{ErrorKind::kUsage, take_.path() + ": --between on needs two subjects, there is one",
+                         "Leave out --between, or name more of them with --subjects"};
+        if (Status found = findRoom(); !found)
+            return found.error();
+        if (!joining_.between && !joining_.room)
+            return std::move(joining_);
+        if (const std::string what = obstacle(request_); !what.empty())
+            return giveUp(what, "Leave out --between on and --room on, or what stands in their way");
+        if (Status told_apart = checkCarriers(); !told_apart)
+            return told_apart.error();
+        if (!joining_.between && !joining_.room)
+            return std::move(joining_);
+        addClocks();
+        if (Status read = readDistances(); !read)
+            return read.error();
+        if (!joining_.joins())
+            return giveUp("the take holds no distances between its suits",
+                          "A take of sound needs them measured first; check that the suits heard each other");
+        return std::move(joining_);
+    }
+
+private:
+    bool isWanted() const { return request_.between == Wanted::kOn || request_.room == Wanted::kOn; }
+
+    Result<Joining> giveUp(const std::string& why, const std::string& remedy) {
+        if (isWanted())
+            return Error{ErrorKind::kUnusable,
+                         take_.path() + ": subjects cannot be estimated together: " + why, remedy};
+        warnings_.push_back("Distances between suits are not used, each one's poses are its own: " + why +
+                            ".");
+        return Joining{};
+    }
+
+    Status findRoom() {
+        const auto all = take_.subjects();
+        if (!all)
+            return all.error();
+        const auto found = std::ranges::find_if(*all, [](const TakeSubject& one) { return one.room; });
+        if (found == all->end()) {
+            if (request_.room == Wanted::kOn)
+                return Error{ErrorKind::kUsage, take_.path() + ": --room on needs anchors, the take has none",
+                             "Leave out --room"};
+            return Done{};
+        }
+        if (request_.room == Wanted::kOff)
+            return Done{};
+        RoomOfTake room{*found, {}, {}, take_.suitClock(found->suit())};
+        auto suit = take_.suit(found->suit());
+        if (!suit)
+            return suit.error();
+        room.suit = std::move(*suit);
+        auto calibration = take_.calibrationInForce(found->suit());
+        room.calibration = calibration ? std::move(calibration->value) : nominalCalibration(room.suit);
+        if (!calibration)
+            warnings_.push_back(
+                "The room has no calibration: its anchors are believed to hang where the "
+                "suit's file says.");
+        joining_.room = std::move(room);
+        return Done{};
+    }
+
+    double carrierOf(const Suit& suit) const { return suit.carrier_hz.value_or(take_.header().drive_hz); }
+
+    /// Suits on one carrier: nobody can tell whose pulse it was.
+    Status checkCarriers() {
+        struct Voice {
+            std::string who;
+            double hz;
+        };
+        std::vector<Voice> voices;
+        for (const Ingredients& in : subjects_)
+            if (!in.suit.sources.empty())
+                voices.push_back({in.subject.name + " (suit " + std::to_string(in.subject.suit()) + ")",
+                                  in.decoder.train.drive_hz});
+        if (joining_.room && !joining_.room->suit.sources.empty())
+            voices.push_back({"the room (suit " + std::to_string(joining_.room->subject.suit()) + ")",
+                              carrierOf(joining_.room->suit)});
+        for (size_t i = 0; i < voices.size(); ++i)
+            for (size_t k = 0; k < i; ++k) {
+                const double apart_hz = std::abs(voices[i].hz - voices[k].hz);
+                const std::string both = voices[k].who + " and " + voices[i].who + " sound on ";
+                if (apart_hz < kOneCarrier_hz) {
+                    const auto given_up =
+                        giveUp(both + "one carrier, " + kilohertz(voices[i].hz) +
+                                   ": nobody can tell whose pulse was heard",
+                               "Record again with carriers at least 5 kHz apart (carrier_hz in the suits' "
+                               "files), or process with --between off --room off");
+                    if (!given_up)
+                        return given_up.error();
+                    joining_ = Joining{};
+                    return Done{};
+                }
+                if (apart_hz < kCarriersApart_hz)
+                    warnings_.push_back(both + "carriers only " + kilohertz(apart_hz) +
+                                        " apart: their pulses disturb each other. 5 kHz are needed.");
+            }
+        return Done{};
+    }
+
+    void addClock(int suit, bool first) {
+        const SuitClock guess = take_.suitClock(suit);
+        const auto line = clocks_.lines.find(suit);
+        const SuitClock known = line != clocks_.lines.end() ? line->second : guess;
+        joining_.guesses.push_back(guess);
+        joining_.clocks.push_back({known.offset_ns * 1e-9, known.rate});
+        joining_.clock_known.push_back(first || line != clocks_.lines.end());
+    }
+    void addClocks() {
+        for (const Ingredients& in : subjects_)
+            addClock(in.subject.suit(), in.subject.suit() == 1);
+        if (joining_.room)
+            addClock(joining_.room->subject.suit(), false);
+        else
+            joining_.clocks.push_back({}), joining_.clock_known.push_back(false);
+        const auto shared = take_.meta().find("clock_shared");
+        joining_.clocks_shared = shared != take_.meta().end() && shared->second == "1";
+    }
+
+    /// Member of a suit; -1: none.
+    int memberOf(int suit) const {
+        for (size_t i = 0; i < subjects_.size(); ++i)
+            if (subjects_[i].subject.suit() == suit)
+                return static_cast<int>(i);
+        return joining_.room && joining_.room->subject.suit() == suit ? static_cast<int>(subjects_.size())
+                                                                      : -1;
+    }
+    double rateOf(int member) const {
+        if (static_cast<size_t>(member) == subjects_.size() && joining_.room->suit.sample_rate_hz)
+            return static_cast<double>(*joining_.room->suit.sample_rate_hz);
+        return static_cast<size_t>(member) < subjects_.size()
+                   ? subjects_[static_cast<size_t>(member)].decoder.train.sample_rate_hz
+                   : subjects_.front().decoder.train.sample_rate_hz;
+    }
+
+    Status readDistances() {
+        const int room = static_cast<int>(subjects_.size());
+        for (int to = 0; to <= room; ++to) {
+            if (to == room && !joining_.room)
+                break;
+            const int suit = joining_.suitOf(static_cast<size_t>(to), subjects_);
+            const Status walked =
+                take_.forEachCrossRange(kPrimaryRun, suit, [&](const Take::CrossRange& cross) {
+                    const int from = memberOf(cross.from_suit);
+                    const bool concerns_room = from == room || to == room;
+                    if (from >= 0 && (concerns_room || joining_.between))
+                        add(from, to, cross.range);
+                    return joining_.distances.size() < kMostDistances;
+                });
+            if (!walked)
+                return walked;
+        }
+        if (joining_.distances.size() >= kMostDistances)
+            return Error{ErrorKind::kUnusable,
+                         take_.path() + ": it holds more distances between suits than fit into memory",
+                         "Process a part of the take, or with --between off"};
+        return Done{};
+    }
+
+    void add(int from, int to, const RangeMeasurement& range) {
+        if (sound_.empty())
+            addSound();
+        const SuitClock &sent = joining_.guesses[static_cast<size_t>(from)],
+                        &heard = joining_.guesses[static_cast<size_t>(to)];
+        JointDistance distance;
+        distance.from = from;
+        distance.to = to;
+        distance.source = range.source;
+        distance.board = range.board;
+        distance.emission_s = static_cast<double>(range.pulse_sample) / rateOf(from);
+        distance.arrival_s = range.arrival_sample / rateOf(to);
+        distance.c_m_per_s = sound_[static_cast<size_t>(from)].at(range.pulse_sample);
+        distance.beyond_m = range.distance_m - distance.c_m_per_s * (heard.takeTime_s(distance.arrival_s) -
+                                                                     sent.takeTime_s(distance.emission_s));
+        distance.sigma_m = range.sigma_m > 0 ? range.sigma_m : kUnstated_m;
+        distance.confidence = range.w_s * range.w_t;
+        joining_.distances.push_back(distance);
+        joining_.ranges.push_back(range);
+    }
+
+    /// Per member: by the mean of all suits' thermometers.
+    void addSound() {
+        TemperatureStatus mean{0, std::nullopt, std::nullopt};
+        double temperatures = 0, humidities = 0;
+        for (const int suit : take_.suitIds())
+            if (const auto rows = take_.statusRows(suit))
+                for (const StatusRow& row : *rows) {
+                    if (row.temperature_c)
+                        mean.temperature_c = mean.temperature_c.value_or(0) + *row.temperature_c,
+                        ++temperatures;
+                    if (row.humidity_percent)
+                        mean.humidity_percent = mean.humidity_percent.value_or(0) + *row.humidity_percent,
+                        ++humidities;
+                }
+        if (temperatures > 0)
+            *mean.temperature_c /= temperatures;
+        if (humidities > 0)
+            *mean.humidity_percent /= humidities;
+        const auto of = [&](const Calibration& calibration) {
+            sound_.emplace_back(calibration.sound, std::span(&mean, 1));
+        };
+        for (const Ingredients& in : subjects_)
+            of(in.calibration);
+        of(joining_.room ? joining_.room->calibration : subjects_.front().calibration);
+    }
+
+    const Take& take_;
+    const ProcessRequest& request_;
+    const std::vector<Ingredients>& subjects_;
+    const TakeClocks& clocks_;
+    std::vector<std::string>& warnings_;
+    Joining joining_;
+    std::vector<SpeedOfSound> sound_;
+};
+
+}  // namespace
+
+Result<Joining> joinSubjects(const Take& take, const ProcessRequest& request,
+                             const std::vector<Ingredients>& subjects, const TakeClocks& clocks,
+                             std::vector<std::string>& warnings) {
+    return Joiner(take, request, subjects, clocks, warnings).join();
+}
+
+}  // namespace noctule

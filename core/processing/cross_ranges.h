@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// What joins the suits of a take: which of them can be estimated together, and the ranges between them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/estimation/joint_filter.h"
+#include "core/processing/ingredients.h"
+#include "core/processing/take_clocks.h"
+
+namespace noctule {
+
+/// The anchors of a take's room.
+struct RoomOfTake {
+    TakeSubject subject;
+    Suit suit;
+    Calibration calibration;
+    SuitClock clock;
+};
+
+/// What is joined by what.
+struct Joining {
+    bool between = false;
+    std::optional<RoomOfTake> room;
+    std::vector<SuitClock> guesses;  ///< of the recorder, per subject and then of the room
+    std::vector<ClockLine> clocks;   ///< as far as they are known
+    std::vector<bool> clock_known;   ///< joined by transceivers, or shared
+    bool clocks_shared = false;
+    std::vector<JointDistance> distances;
+    std::vector<RangeMeasurement> ranges;  ///< as measured, one per distance
+
+    bool joins() const { return !distances.empty(); }
+    /// Suit of a member.
+    int suitOf(size_t member, const std::vector<Ingredients>& subjects) const {
+        return member < subjects.size() ? subjects[member].subject.suit() : room->subject.suit();
+    }
+};
+
+/// Fails where what was asked for (Wanted::kOn) cannot be; otherwise says in `warnings` what is left out.
+Result<Joining> joinSubjects(const Take& take, const ProcessRequest& request,
+                             const std::vector<Ingredients>& subjects, const TakeClocks& clocks,
+                             std::vector<std::string>& warnings);
+
+}  // namespace noctule

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// How well a run knows where its subjects are to each other: the vectors between their pelvises and hands,
+// and their relative heading, against the references in the take.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/job/job.h"
+#include "core/recording/take.h"
+
+namespace noctule {
+
+struct BetweenEvaluation {
+    std::string a, b;                   ///< subjects
+    std::string from, to;               ///< joints of a and b
+    double rms_mm = 0;                  ///< of the vector's error; the common heading's error is taken off
+    std::optional<double> rms_near_mm;  ///< while the true distance is below 0.3 m
+    double rms_world_mm = 0;            ///< with the common heading's error
+    double heading_deg = 0;             ///< rms of the relative heading's error
+    int64_t frames = 0;
+};
+
+/// Every pair of `subjects` that has a reference each; empty where one lacks it. The run is named as in
+/// choosePoseRun().
+Result<std::vector<BetweenEvaluation>> evaluateBetween(const std::string& take_path, const std::string& run,
+                                                       const std::vector<TakeSubject>& subjects,
+                                                       const JobContext& job);
+
+}  // namespace noctule

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/process_together.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "core/live/estimators.h"
+#include "core/processing/cross_ranges.h"
+
+namespace noctule {
+namespace {
+
+constexpr double kPortion_s = 0.1;
+constexpr double kClockEvery_s = 1;
+constexpr double kLost_s = 5;  ///< without any distance: a box was lost
+
+/// One body of the joint filter, for a pipeline that knows of its own suit only.
+class BodyOfJoint : public Estimator {
+public:
+    BodyOfJoint(JointFilter& joint, size_t body) : joint_(joint), body_(body) {}
+
+    void start(const Pose& rest_pose, const RestReadings& rest, const RootMeasurement*) override {
+        joint_.start(body_, rest_pose, rest);
+    }
+    void add(const InertialMeasurement& measurement) override { joint_.filter(body_).add(measurement); }
+    void add(const DistanceMeasurement& measurement) override { joint_.filter(body_).add(measurement); }
+    void add(const RootMeasurement&) override {}
+    void advanceTo(double time_s) override { joint_.promise(body_, time_s); }
+    std::vector<TimedPose> takePoses() override { return joint_.takePoses(body_); }
+    std::vector<DistanceDecision> takeDecisions() override { return joint_.filter(body_).takeDecisions(); }
+    std::vector<FootContacts> contacts() const override { return joint_.filter(body_).contacts(); }
+    int resets() const override { return joint_.filter(body_).resets(); }
+
+private:
+    JointFilter& joint_;
+    size_t body_;
+};
+
+TrackerSettings settingsOf(TrackerSettings settings, const Ingredients& in) {
+    settings.contacts = in.contacts;
+    return settings;
+}
+
+Result<JointBody> bodyOf(const Ingredients& in, const TrackerSettings& settings, bool clock_known) {
+    const KinematicTree tree(in.actor.skeleton, BallCoordinates::kManifold);
+    auto mounted = mountSuit(in.suit, in.calibration, in.actor, tree);
+    if (!mounted)
+        return mounted.error();
+    return JointBody{in.actor.skeleton, std::move(*mounted), filterParameters(settingsOf(settings, in)),
+                     clock_known};
+}
+
+Result<JointFilter::Room> roomOf(const RoomOfTake& room, const Ingredients& any, bool clock_known) {
+    const KinematicTree tree(any.actor.skeleton, BallCoordinates::kManifold);
+    auto mounted = mountSuit(room.suit, room.calibration, any.actor, tree);
+    if (!mounted)
+        return mounted.error();
+    JointFilter::Room made{std::move(*mounted), {}, clock_known};
+    for (const Source& source : room.suit.sources)
+        made.housings.push_back(source.board.empty() ? -1 : room.suit.findBoard(source.board));
+    return made;
+}
+
+/// Everything that one subject's data go through.
+struct Line {
+    const Ingredients* in = nullptr;
+    std::unique_ptr<MotionTracker> tracker{};
+    std::optional<ReadingCursor> readings{};
+    std::optional<RangeCursor> ranges{};
+    std::optional<InertialReading> reading{};
+    std::optional<RangeMeasurement> range{};
+    int64_t watermark = 0;
+    bool ended = false;
+};
+
+class Together {
+public:
+    Together(const Take& take, const TrackerSettings& settings, const std::vector<Ingredients>& subjects,
+             Joining joining, ResultRuns& results)
+        : take_(take),
+          settings_(settings),
+          subjects_(subjects),
+          joining_(std::move(joining)),
+          results_(results) {}
+
+    Status run(double share, const JobContext& job) {
+        if (Status made = make(share); !made)
+            return made;
+        double end_s = 0;
+        for (const Ingredients& in : subjects_)
+            end_s = std::max(end_s, clockOf(in).takeTime_s(duration_s(in)));
+        double time_s = 0;
+        for (const Ingredients& in : subjects_)
+            time_s = std::min(time_s, clockOf(in).takeTime_s(0));
+        while (!std::ranges::all_of(lines_, &Line::ended)) {
+            time_s += kPortion_s;
+            for (Line& line : lines_)
+                if (Status fed = feed(line, time_s); !fed)
+                    return fed;
+            joint_->advance();
+            if (Status written = write(); !written)
+                return written;
+            noteClocks(time_s);
+            if (job.cancelled())
+                return JobContext::cancelledError();
+            job.progress(std::clamp(time_s / std::max(end_s, kPortion_s), 0.0, 1.0), "Processing together");
+        }
+        joint_->advance(true);
+        for (Line& line : lines_)
+            line.tracker->advanceTo(line.watermark);  // decisions of the last steps
+        if (Status written = write(); !written)
+            return written;
+        for (size_t i = 0; i < lines_.size(); ++i) {
+            results_.goOn(i);
+            for (size_t b = 0; b < lines_[i].in->suit.boards.size(); ++b)
+                results_.summary.clipped_readings += lines_[i].tracker->clippedReadings(static_cast<int>(b));
+            results_.summary.resets += lines_[i].tracker->resets();
+            if (Status done = results_.write(lines_[i].tracker->contacts()); !done)
+                return done;
+        }
+        keepClocks();
+        return warn(end_s);
+    }
+
+private:
+    static double duration_s(const Ingredients& in) {
+        return static_cast<double>(in.sample_count) / in.decoder.train.sample_rate_hz;
+    }
+    const SuitClock& clockOf(const Ingredients& in) const { return in.clock; }
+
+    Status make(double share) {
+        std::vector<JointBody> bodies;
+        for (size_t i = 0; i < subjects_.size(); ++i) {
+            auto body = bodyOf(subjects_[i], settings_, joining_.clock_known[i]);
+            if (!body)
+                return body.error();
+            bodies.push_back(std::move(*body));
+        }
+        std::optional<JointFilter::Room> room;
+        if (joining_.room) {
+            auto made = roomOf(*joining_.room, subjects_.front(), joining_.clock_known.back());
+            if (!made)
+                return made.error();
+            room = std::move(*made);
+        }
+        JointParameters parameters;
+        parameters.share = share;
+        parameters.clocks_shared = joining_.clocks_shared;
+        joint_ = std::make_unique<JointFilter>(std::move(bodies), std::move(room), joining_.clocks,
+                                               joining_.distances, parameters);
+        for (size_t i = 0; i < subjects_.size(); ++i)
+            if (Status added = addLine(i); !added)
+                return added;
+        if (joining_.room)
+            return results_.beginRoom(joining_.room->subject);
+        return Done{};
+    }
+
+    Status addLine(size_t index) {
+        const Ingredients& in = subjects_[index];
+        if (Status begun = results_.beginSubject(in); !begun)
+            return begun;
+        TrackerSettings settings = settingsOf(settings_, in);
+        settings.make = [this, index](const EstimatorWorld&) -> Result<std::unique_ptr<Estimator>> {
+            return std::unique_ptr<Estimator>(std::make_unique<BodyOfJoint>(*joint_, index));
+        };
+        Line line{&in};
+        auto tracker = MotionTracker::create(in.suit, in.calibration, in.actor,
+                                             in.decoder.train.sample_rate_hz, in.rest, settings);
+        if (!tracker)
+            return tracker.error();
+        line.tracker = std::move(*tracker);
+        auto readings = take_.readings(kPrimaryRun, in.subject.suit());
+        if (!readings)
+            return readings.error();
+        auto ranges = take_.ranges(kPrimaryRun, in.subject.suit());
+        if (!ranges)
+            return ranges.error();
+        line.readings = std::move(*readings);
+        line.ranges = std::move(*ranges);
+        lines_.push_back(std::move(line));
+        Status first = nextReading(lines_.back());
+        return first ? nextRange(lines_.back()) : first;
+    }
+
+    static Status nextReading(Line& line) {
+        auto reading = line.readings->next();
+        if (!reading)
+            return reading.error();
+        line.reading = std::move(*reading);
+        return Done{};
+    }
+    static Status nextRange(Line& line) {
+        auto range = line.ranges->next();
+        if (!range)
+            return range.error();
+        line.range = std::move(*range);
+        return Done{};
+    }
+
+    /// Gives a subject's readings and own ranges up to an instant.
+    Status feed(Line& line, double time_s) {
+        if (line.ended)
+            return Done{};
+        const double rate_hz = line.in->decoder.train.sample_rate_hz;
+        auto watermark = static_cast<int64_t>(std::floor(clockOf(*line.in).suitTime_s(time_s) * rate_hz));
+        while (line.reading && line.reading->sample < static_cast<double>(watermark)) {
+            results_.summary.frames_seen += 1;
+            results_.summary.frames_lost += line.reading->corrected_bits ? 0 : 1;
+            line.tracker->add(*line.reading);
+            if (Status next = nextReading(line); !next)
+                return next;
+        }
+        line.ended = !line.reading && watermark >= line.in->sample_count;
+        if (line.ended)
+            watermark = std::max(line.in->sample_count, line.watermark);
+        while (line.range && (line.ended || line.range->pulse_sample < watermark)) {
+            line.tracker->add(*line.range);
+            if (Status next = nextRange(line); !next)
+                return next;
+        }
+        line.watermark = std::max(line.watermark, watermark);
+        if (line.watermark > 0)
+            line.tracker->advanceTo(line.watermark);
+        return Done{};
+    }
+
+    Status write() {
+        for (size_t i = 0; i < lines_.size(); ++i) {
+            results_.goOn(i);
+            if (joint_->hasBegun()) {
+                const ClockLine& line = joint_->clocks()[i];
+                results_.useClock({line.offset_s * 1e9, line.rate});
+            }
+            if (Status done = results_.write(lines_[i].tracker->takeRanges()); !done)
+                return done;
+            if (Status done = results_.write(lines_[i].tracker->takePoses()); !done)
+                return done;
+        }
+        for (const JointDecision& decision : joint_->takeDecisions()) {
+            const JointDistance& distance = joining_.distances[decision.distance];
+            RangeMeasurement range = joining_.ranges[decision.distance];
+            range.fate = decision.fate;
+            range.w_a = decision.w_a;
+            range.innovation_m = decision.innovation_m;
+            range.distance_m = distance.distance_m(joint_->clocks());
+            results_.goOn(static_cast<size_t>(distance.to));
+            results_.writeCross({range});
+        }
+        return Done{};
+    }
+
+    size_t members() const { return subjects_.size() + (joining_.room ? 1 : 0); }
+
+    void noteClocks(double time_s) {
+        if (!joint_->hasBegun() || time_s < next_clock_s_ || joining_.clocks_shared)
+            return;
+        next_clock_s_ = time_s + kClockEvery_s;
+        for (size_t member = 1; member < members(); ++member) {
+            const ClockLine line = joint_->clockNow(member);
+            const double suit_s = line.suit_s(time_s);
+            tracks_[joining_.suitOf(member, subjects_)].points.push_back(
+                {suit_s, time_s - suit_s, line.rate, joint_->clockSigma_s(member)});
+        }
+    }
+    /// Clocks that no transceivers join are known by the bodies' poses all the same.
+    void keepClocks() {
+        for (auto& [suit, track] : tracks_)
+            if (!results_.clocks.tracks.contains(suit) && subjects_.front().subject.suit() == 1) {
+                track.joined = true;
+                results_.clocks.tracks[suit] = std::move(track);
+            }
+    }
+
+    Status warn(double end_s) {
+        std::vector<std::string>& warnings = results_.summary.warnings;
+        const auto& places = joint_->alignment().places;
+        for (size_t i = 0; i < subjects_.size(); ++i)
+            if (!places[i].placed)
+                warnings.push_back(subjects_[i].subject.name +
+                                   " cannot be joined to the others: while the rest pose was held, too few "
+                                   "distances to them or to the room fit. These poses are their own.");
+        if (joining_.room)
+            for (const int anchor : joint_->movedAnchors())
+                warnings.push_back("Anchor " + joining_.room->suit.boards[static_cast<size_t>(anchor)].id +
+                                   " contradicts the other anchors: it was moved, or its place was surveyed "
+                                   "wrongly. Survey the room again.");
+        warnOfLost(end_s);
+        return Done{};
+    }
+
+    /// A box that nobody hears any more.
+    void warnOfLost(double end_s) {
+        std::vector<double> last_s(subjects_.size() + 1, 0);
+        for (const JointDistance& distance : joining_.distances) {
+            auto& last = last_s[static_cast<size_t>(distance.from)];
+            last = std::max(
+                last, joint_->clocks()[static_cast<size_t>(distance.from)].common_s(distance.emission_s));
+        }
+        for (size_t member = 0; member < members(); ++member)
+            if (last_s[member] > 0 && last_s[member] + kLost_s < end_s) {
+                char when[64];
+                std::snprintf(when, sizeof when, "%.1f s of %.1f s", last_s[member], end_s);
+                results_.summary.warnings.push_back(
+                    (member < subjects_.size() ? subjects_[member].subject.name : std::string("The room")) +
+                    " is not heard after " + when +
+                    ": the box was lost. From there on the others are estimated without it.");
+            }
+    }
+
+    const Take& take_;
+    const TrackerSettings settings_;
+    const std::vector<Ingredients>& subjects_;
+    Joining joining_;
+    ResultRuns& results_;
+    std::unique_ptr<JointFilter> joint_;
+    std::vector<Line> lines_;
+    std::map<int, cooperative::ClockTrack> tracks_;
+    double next_clock_s_ = 0;
+};
+
+}  // namespace
+
+Result<bool> processTogether(Take& take, const ProcessRequest& request, const TrackerSettings& settings,
+                             std::vector<Ingredients>& subjects, ResultRuns& results, const JobContext& job) {
+    auto joining = joinSubjects(take, request, subjects, results.clocks, results.summary.warnings);
+    if (!joining)
+        return joining.error();
+    if (!joining->joins())
+        return false;
+    results.summary.together.emplace();
+    results.summary.together->between = joining->between;
+    results.summary.together->room = joining->room.has_value();
+    Together together(take, settings, subjects, std::move(*joining), results);
+    if (Status run = together.run(request.select, job); !run)
+        return run.error();
+    return true;
+}
+
+}  // namespace noctule
