@@ -238,7 +238,7 @@ Result<PosePairs> collectPairs(const PoseSource& estimate, const TimedMotion& re
         pairs.emplace_back(globalPose(estimate.skeleton, *frame.pose),
                            globalPose(reference.skeleton, *reference_pose));
         if (pairs.size() == kMost) {
-            for (size_t i = 0; i < kMost / 2; ++i)
+            for (size_t i = 1; i < kMost / 2; ++i)  // the first stays: moved onto itself it would be emptied
                 pairs[i] = std::move(pairs[2 * i]);
             pairs.resize(kMost / 2);
             spacing_ns *= 2;

@@ -233,6 +233,19 @@ TEST(Comparison, ReferenceOnAnotherClockIsAligned) {
     EXPECT_LT(compared(estimate, reference, options).mean_deg, 0.01);
 }
 
+TEST(Comparison, LongMotionsOfFiguresWithOtherBonesAreCompared) {
+    const TimedMotion estimate = swinging(skeleton(), 40, 100);  // more instants than are kept for matching
+    std::vector<Joint> joints = skeleton().joints();
+    for (Joint& joint : joints)
+        if (joint.name == "LeftLeg")
+            joint.offset_m = axisAngle(Vector3d::UnitX(), 0.05) * joint.offset_m;
+    TimedMotion reference = estimate;
+    reference.skeleton = Skeleton::make(std::move(joints)).value();
+    const Comparison c = compared(estimate, reference);
+    EXPECT_EQ(c.frames, 4000);
+    EXPECT_LT(c.mean_deg, 1);
+}
+
 TEST(Comparison, SaysWhatCannotBeCompared) {
     const TimedMotion motion = swinging(skeleton(), 1, 100);
     TimedMotion later = motion;

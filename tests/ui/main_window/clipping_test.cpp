@@ -130,7 +130,8 @@ TEST_P(ClippingTest, Dialogs) {
     dialogIsWhole<MotionDialog>("import motion", *studio_,
                                 QStringLiteral(NOCTULE_SOURCE_DIR "/resources/motions/sample.bvh"));
     const QString recording = folder_.filePath("walk_0001.txt");
-    test::writeBytes(recording.toStdString(), test::xsensExample({1, 2, 3, 4, 5, 6, 7, 8}, '\t', true));
+    noctule::test::writeBytes(recording.toStdString(),
+                              noctule::test::xsensExample({1, 2, 3, 4, 5, 6, 7, 8}, '\t', true));
     dialogIsWhole<RecordingDialog>("import recording", *studio_, QStringList{recording});
     dialogIsWhole<ShotListDialog>("shot list", "Walk, straight line x2\nTurn, both ways x3", true);
     dialogIsWhole<ShortcutsDialog>("shortcuts", QList<ShortcutGroup>{{"Anywhere", window_->actions().all()}});

@@ -29,7 +29,8 @@ protected:
             for (size_t i = 0; i < counters.size(); ++i)
                 counters[i] = int(i);
             paths.append(folder_.filePath(QString::fromStdString("walk_" + id + ".txt")));
-            test::writeBytes(paths.last().toStdString(), test::xsensExample(counters, '\t', true, "\n", id));
+            noctule::test::writeBytes(paths.last().toStdString(),
+                                      noctule::test::xsensExample(counters, '\t', true, "\n", id));
         }
         return paths;
     }
@@ -92,7 +93,7 @@ TEST_F(ImportRecording, ASegmentHoldsOneSensor) {
 TEST_F(ImportRecording, ARateAndAMapFromTheOperatorAreUsed) {
     const QStringList paths = written();
     const QString map = folder_.filePath("map.json");
-    test::writeBytes(
+    noctule::test::writeBytes(
         map.toStdString(),
         R"({"format":"noctule-import-map","version":1,"sensors":[{"id":"0001","segment":"Head"}]})");
     RecordingDialog dialog(*studio_, paths, window_.get());
@@ -110,7 +111,7 @@ TEST_F(ImportRecording, ARateAndAMapFromTheOperatorAreUsed) {
 
 TEST_F(ImportRecording, FilesThatAreNoneAreRefusedInPlace) {
     const QString path = folder_.filePath("notes.txt");
-    test::writeBytes(path.toStdString(), "no table");
+    noctule::test::writeBytes(path.toStdString(), "no table");
     RecordingDialog dialog(*studio_, {path}, window_.get());
     dialog.show();
     ASSERT_TRUE(waitFor([&] { return !dialog.isBusy(); }));

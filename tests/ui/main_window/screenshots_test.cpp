@@ -23,6 +23,7 @@
 #include "ui/views/export_page.h"
 #include "ui/views/new_session_dialog.h"
 #include "ui/views/process_takes_dialog.h"
+#include "ui/views/recording_dialog.h"
 #include "ui/views/reprocess_dialog.h"
 #include "ui/views/review_page.h"
 #include "ui/views/shot_list_dialog.h"
@@ -190,6 +191,14 @@ TEST_F(Screenshots, OfTheFirstStart) {
     save(*window_, "first-start");
     window_->showTour();
     save(*window_, "tour");
+}
+
+TEST_F(Screenshots, OfARecordingToImport) {
+    const QString recording =
+        NOCTULE_SOURCE_DIR "/../shared/data/imu/qmt_fullbody/full_body_example_data.mat";
+    if (!QFileInfo::exists(recording))
+        GTEST_SKIP() << "needs ../shared/data/imu";
+    dialog<RecordingDialog>("dialog-import-recording", *studio_, QStringList{recording});
 }
 
 TEST_F(Screenshots, OfDialogsAboutTakes) {
