@@ -102,6 +102,7 @@ check_results "$root/tmp/takes"
 echo "-- manual pages"
 inside man noctule | grep -q "noctule --batch simulate" || fail "man noctule shows nothing"
 inside man noctule-virtual-suit | grep -q -- "--announce" || fail "man noctule-virtual-suit shows nothing"
+inside man noctule-virtual-robot | grep -q -- "--refuse-beyond" || fail "man noctule-virtual-robot shows nothing"
 echo "-- a take is known by its name and by what it holds"
 grep -q "application/x-noctule-take=noctule.desktop" "$root/usr/share/applications/mimeinfo.cache" ||
     fail "a double click on a take opens nothing"

@@ -12,10 +12,12 @@
 #include "core/job/atomic_file.h"
 #include "core/math/rotation.h"
 #include "core/processing/pose_runs.h"
+#include "core/robot/motion_report.h"
 #include "core/robot/urdf_reader.h"
 #include "devices/device/clock.h"
 #include "devices/live/live_session.h"
 #include "devices/robot/drive_loop.h"
+#include "devices/robot/motion_poses.h"
 
 namespace noctule::batch {
 namespace {
@@ -35,34 +37,14 @@ public:
 /// A take's poses at the times at which they were made.
 class TakePoses : public LivePoses {
 public:
-    TakePoses(TimedMotion motion, robot_link::PoseFeed& feed, bool loops)
-        : motion_(std::move(motion)), thread_([this, &feed, loops](std::stop_token stop) {
-              do
-                  play(feed, stop);
-              while (loops && !stop.stop_requested());
-              ended_ = true;
-          }) {}
-    ~TakePoses() override {
-        thread_.request_stop();
-        thread_.join();
-    }
-    bool ended() const override { return ended_; }
+    TakePoses(TimedMotion motion, robot_link::PoseFeed& feed, bool repeats)
+        : poses_(std::move(motion), feed,
+                 repeats ? robot_link::MotionPoses::AtEnd::kRepeats : robot_link::MotionPoses::AtEnd::kEnds,
+                 true) {}
+    bool ended() const override { return poses_.ended(); }
 
 private:
-    void play(robot_link::PoseFeed& feed, const std::stop_token& stop) {
-        const auto start = std::chrono::steady_clock::now();
-        for (const TimedPose& frame : motion_.frames) {
-            std::this_thread::sleep_until(
-                start + std::chrono::nanoseconds(frame.time_ns - motion_.frames.front().time_ns));
-            if (stop.stop_requested())
-                return;
-            feed.put(frame, steadyNow_ns());
-        }
-    }
-
-    const TimedMotion motion_;
-    std::atomic<bool> ended_ = false;
-    std::jthread thread_;
+    robot_link::MotionPoses poses_;
 };
 
 /// A suit that is worn right now.
@@ -107,6 +89,40 @@ public:
 
 private:
     mutable LiveSession session_;
+};
+
+/// The hands as they were told and as they went, for the report.
+class HandRecord {
+public:
+    /// `arms` outlive it.
+    explicit HandRecord(const std::vector<robot::RobotArm>& arms) : arms_(arms) {
+        for (const robot::RobotArm& arm : arms)
+            hands_.push_back({arm.profile.name, {}, {}});
+    }
+    void add(const robot_link::DriveMoment& moment) {
+        const auto seconds = [&](int64_t steady_ns) {
+            return static_cast<double>(steady_ns - moment.start_ns) * 1e-9;
+        };
+        const bool has_news = moment.link.state && moment.link.state_arrived_ns != last_state_ns_;
+        size_t first = 0;
+        for (size_t i = 0; i < arms_.size() && hands_[i].wanted.size() < kMostPoints; ++i) {
+            hands_[i].wanted.push_back(
+                {seconds(moment.now_ns), robot::tipInChest(arms_[i], moment.output.q, first)});
+            if (has_news)
+                hands_[i].reached.push_back({seconds(moment.link.state_arrived_ns),
+                                             robot::tipInChest(arms_[i], moment.link.state->q, first)});
+            first += static_cast<size_t>(arms_[i].chain.size());
+        }
+        if (has_news)
+            last_state_ns_ = moment.link.state_arrived_ns;
+    }
+    const std::vector<robot::HandPair>& hands() const { return hands_; }
+
+private:
+    static constexpr size_t kMostPoints = 1'000'000;
+    const std::vector<robot::RobotArm>& arms_;
+    std::vector<robot::HandPair> hands_;
+    int64_t last_state_ns_ = 0;
 };
 
 /// What is driven, and by whom.
@@ -235,6 +251,21 @@ robot::DriveSettings settingsOf(const Arguments& arguments) {
     return settings;
 }
 
+nlohmann::json handsJson(const std::vector<robot::HandPair>& hands) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const robot::HandPair& hand : hands) {
+        nlohmann::json one{{"arm", hand.arm}, {"tracking", nullptr}};
+        if (const auto tracking = robot::trackingOf(hand.wanted, hand.reached))
+            one["tracking"] = {{"delay_ms", 1e3 * tracking->delay_s},
+                               {"apart_rms_mm", 1e3 * tracking->apart_rms_m},
+                               {"rest_rms_mm", 1e3 * tracking->rest_rms_m},
+                               {"rest_max_mm", 1e3 * tracking->rest_max_m},
+                               {"points", tracking->points}};
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
 nlohmann::json driveJson(const robot_link::DriveReport& report, const DriveJob& drive,
                          const std::string& to) {
     const LatencyHistogram& latency = report.link.latency;
@@ -268,13 +299,35 @@ std::string driveText(const robot_link::DriveReport& report, const DriveJob& dri
     return "robot " + drive.model.name + text;
 }
 
+Status writeDriveReport(const Arguments& arguments, const robot_link::DriveReport& report,
+                        const DriveJob& drive, const HandRecord& record) {
+    const LatencyHistogram& latency = report.link.latency;
+    char quantiles[100];
+    std::snprintf(quantiles, sizeof quantiles, "%.1f ms, %.1f ms", 1e3 * latency.quantile_s(0.5),
+                  1e3 * latency.quantile_s(0.999));
+    const robot::MotionReport page{"Robot " + drive.model.name + ", driven live",
+                                   "Times are those at which commands were made and states arrived.",
+                                   "the hand as it was commanded",
+                                   "the hand as the robot tells it",
+                                   record.hands(),
+                                   {{"Commands", std::to_string(report.commands)},
+                                    {"Commands while following", std::to_string(report.following)},
+                                    {"Data to command: median, 99.9 %", quantiles}}};
+    return writeFileAtomically(arguments.text("report"), robot::reportHtml(page),
+                               arguments.given("overwrite"));
+}
+
 Result<Outcome> finishDrive(const VerbContext& context, const robot_link::DriveReport& report,
-                            const DriveJob& drive, const LivePoses& poses) {
+                            const DriveJob& drive, const LivePoses& poses, const HandRecord& record) {
     const Arguments& arguments = context.arguments;
+    if (arguments.given("report"))
+        if (Status written = writeDriveReport(arguments, report, drive, record); !written)
+            return written.error();
     if (const std::string out = arguments.text("out"); !out.empty())
         if (Status written = writeFileAtomically(out, report.table, arguments.given("overwrite")); !written)
             return written.error();
     Outcome outcome{driveJson(report, drive, arguments.text("to")), driveText(report, drive), std::nullopt};
+    outcome.json["hands"] = handsJson(record.hands());
     poses.tell(outcome.json);
     for (const std::optional<Error>& trouble : {poses.trouble(), report.link.trouble})
         if (trouble && !outcome.failure) {
@@ -289,8 +342,9 @@ Result<Outcome> runDriveVerb(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     if (Status source = checkSourceOfPoses(arguments); !source)
         return source.error();
-    if (Status fits = checkOutputs({arguments.text("out")}, arguments.given("overwrite"),
-                                   {arguments.text("robot"), arguments.text("profile")});
+    if (Status fits =
+            checkOutputs({arguments.text("out"), arguments.text("report")}, arguments.given("overwrite"),
+                         {arguments.text("robot"), arguments.text("profile")});
         !fits)
         return fits.error();
     auto drive = readDrive(context);
@@ -307,6 +361,7 @@ Result<Outcome> runDriveVerb(const VerbContext& context) {
     if (!poses)
         return poses.error();
     OperatorKeys keys(arguments.given("hold"));
+    HandRecord record(drive->arms);
     const robot_link::DrivePlan plan{
         **link,
         feed,
@@ -324,11 +379,15 @@ Result<Outcome> runDriveVerb(const VerbContext& context) {
         },
         [&] { return (*poses)->ended(); },
         [&](const std::string& sentence) { context.console.tell(sentence); },
-        arguments.given("out")};
+        arguments.given("out"),
+        [&](const robot_link::DriveMoment& moment) {
+            if (arguments.given("report") || context.console.wantsJson())
+                record.add(moment);
+        }};
     const auto report = robot_link::runDrive(plan, context.job());
     if (!report)
         return report.error();
-    return finishDrive(context, *report, *drive, **poses);
+    return finishDrive(context, *report, *drive, **poses, record);
 }
 
 }  // namespace
@@ -367,7 +426,8 @@ Verb driveVerb() {
         text("topic", "NAME", "where it is published; else one below /noctule"),
         text("state-topic", "NAME", "where the robot tells its joints").orElse("/joint_states"),
         number("seconds", "S", 0.1, 1e6, "how long; else to the end of the take or until Ctrl-C"),
-        text("out", "C.csv", "commands and states with their times")};
+        text("out", "C.csv", "commands and states with their times"),
+        text("report", "R.html", "the hands commanded and achieved, in three views, with delay and rest")};
     verb.remarks = {
         "Without --hold, lines on standard input are the keys: engage, accept, release, stop, reset. The end "
         "of "

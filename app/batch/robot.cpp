@@ -12,6 +12,7 @@
 #include "core/motion/timed_poses.h"
 #include "core/processing/pose_runs.h"
 #include "core/robot/command_files.h"
+#include "core/robot/motion_report.h"
 #include "core/robot/urdf_reader.h"
 
 namespace noctule::batch {
@@ -146,12 +147,34 @@ Status writeCommands(const Arguments& arguments, const robot::RobotProfile& prof
     return writeFileAtomically(arguments.text("out"), robot::commandTable(trajectory), overwrite);
 }
 
+/// Absent: not asked for.
+Status writeReport(const Arguments& arguments, const MotionClip& clip, const robot::RobotModel& model,
+                   const robot::RobotProfile& profile, const robot::RobotTrajectory& trajectory) {
+    const std::string path = arguments.text("report");
+    if (path.empty())
+        return Done{};
+    const auto hands = robot::wristsOf(clip, model, profile, choiceFor(arguments), trajectory);
+    if (!hands)
+        return hands.error();
+    robot::MotionReport report{clip.name + " on robot " + model.name,
+                               "The commands keep the robot's limits of place, speed, acceleration and jerk.",
+                               "the performer's wrist from the shoulder, in the robot's size",
+                               "where the commands bring the robot's wrist",
+                               *hands,
+                               {}};
+    report.facts = {
+        {"Commands", std::to_string(trajectory.frames.size())},
+        {"Joints", std::to_string(trajectory.joints.size())},
+        {"Frames held, as parts would have come too near", std::to_string(trajectory.held_frames)}};
+    return writeFileAtomically(path, robot::reportHtml(report), arguments.given("overwrite"));
+}
+
 Result<Outcome> runRobot(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     const std::string input = arguments.operands().front(), urdf = arguments.text("robot");
-    if (Status fits =
-            checkOutputs({arguments.text("out"), arguments.text("trajectory"), arguments.text("profile-out")},
-                         arguments.given("overwrite"), {input, urdf, arguments.text("profile")});
+    if (Status fits = checkOutputs({arguments.text("out"), arguments.text("trajectory"),
+                                    arguments.text("profile-out"), arguments.text("report")},
+                                   arguments.given("overwrite"), {input, urdf, arguments.text("profile")});
         !fits)
         return fits.error();
     const auto model = robot::readUrdf(urdf, &context.cancel);
@@ -178,6 +201,8 @@ Result<Outcome> runRobot(const VerbContext& context) {
         return kept.error();
     if (Status written = writeCommands(arguments, *profile, *trajectory); !written)
         return written.error();
+    if (Status written = writeReport(arguments, *clip, *model, *profile, *trajectory); !written)
+        return written.error();
     return outcomeOf(input, *model, *trajectory, use);
 }
 
@@ -197,6 +222,7 @@ Verb robotVerb() {
              "how its arms answer to a performer's; else found by the robot's name, or made from the URDF"),
         text("profile-out", "P.json", "writes the profile that was used"),
         text("trajectory", "T.json", "the commands as a JointTrajectory of ROS"),
+        text("report", "R.html", "the wrists asked for and commanded, in three views, and what is between"),
         choice("mapping", {"posture", "miller", "miller-trunk"},
                "posture and scaled wrist, or the angles of Miller 2004")
             .orElse("posture"),

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/batch/verb.h"
+#include "app/virtual_robot/options.h"
 #include "app/virtual_suit/options.h"
 
 namespace noctule::help_files {
@@ -14,7 +15,7 @@ using batch::Option;
 
 /// A program or a verb as completion knows it.
 struct Command {
-    std::string name;  ///< "simulate", "calibrate sources"; "suit": noctule-virtual-suit
+    std::string name;  ///< "simulate", "calibrate sources"; "suit", "stand_in_robot": the virtual ones
     std::string summary;
     std::vector<Option> options;
 };
@@ -36,9 +37,14 @@ Command suitCommand() {
     return {"suit", "a driver box without hardware", virtual_suit::optionTable()};
 }
 
+Command robotCommand() {
+    return {"stand_in_robot", "a robot without hardware", virtual_robot::optionTable()};
+}
+
 std::vector<Command> allCommands() {
     std::vector<Command> commands = verbCommands();
     commands.push_back(suitCommand());
+    commands.push_back(robotCommand());
     return commands;
 }
 
@@ -134,7 +140,7 @@ std::string zshFunction(const Command& command) {
 }
 
 constexpr const char* kBashHead =
-    R"(# Completion of noctule and noctule-virtual-suit for bash, made from the tables behind --help.
+    R"(# Completion of noctule, noctule-virtual-suit and noctule-virtual-robot for bash, made from the tables behind --help.
 
 _noctule_options() {
     case "$1" in
@@ -192,13 +198,22 @@ _noctule_virtual_suit() {
     _noctule_of_verb suit "${COMP_WORDS[COMP_CWORD-1]}" "${COMP_WORDS[COMP_CWORD]}"
 }
 
+_noctule_virtual_robot() {
+    _noctule_of_verb stand_in_robot "${COMP_WORDS[COMP_CWORD-1]}" "${COMP_WORDS[COMP_CWORD]}"
+}
+
 complete -F _noctule noctule
 complete -F _noctule_virtual_suit noctule-virtual-suit
+complete -F _noctule_virtual_robot noctule-virtual-robot
 )sh";
 
 constexpr const char* kZshTail = R"sh(_noctule() {
     if [[ $service == noctule-virtual-suit ]]; then
         _noctule_suit
+        return
+    fi
+    if [[ $service == noctule-virtual-robot ]]; then
+        _noctule_stand_in_robot
         return
     fi
     if [[ $CURRENT -eq 2 || $words[2] != --batch ]]; then
@@ -254,7 +269,7 @@ std::string bashCompletion() {
 
 std::string zshCompletion() {
     std::string text =
-        "#compdef noctule noctule-virtual-suit\n"
+        "#compdef noctule noctule-virtual-suit noctule-virtual-robot\n"
         "# Completion for zsh, made from the tables behind --help.\n\n"
         "typeset -a _noctule_verbs _noctule_calibrations\n" +
         zshVerbList(false) + zshVerbList(true);

@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
     std::filesystem::create_directories(folder, ignored);
     const bool done = wrote(folder / "noctule.1", noctuleManual()) &&
                       wrote(folder / "noctule-virtual-suit.1", virtualSuitManual()) &&
+                      wrote(folder / "noctule-virtual-robot.1", virtualRobotManual()) &&
                       wrote(folder / "noctule.bash", bashCompletion()) &&
                       wrote(folder / "_noctule", zshCompletion());
     return done ? 0 : 6;

@@ -3,6 +3,8 @@
 
 #include "app/batch/help.h"
 #include "app/batch/version.h"
+#include "app/virtual_robot/control_line.h"
+#include "app/virtual_robot/options.h"
 #include "app/virtual_suit/options.h"
 
 namespace noctule::help_files {
@@ -100,7 +102,7 @@ std::string noctuleManual() {
     text +=
         heading("ENVIRONMENT") +
         ".TP\n.B NOCTULE_QT_DEBUG\nWith any value the studio shows Qt's own warnings on standard error.\n";
-    text += heading("SEE ALSO") + ".BR noctule\\-virtual\\-suit (1)\n";
+    text += heading("SEE ALSO") + ".BR noctule\\-virtual\\-suit (1),\n.BR noctule\\-virtual\\-robot (1)\n";
     return text;
 }
 
@@ -120,6 +122,27 @@ std::string virtualSuitManual() {
             literal(virtual_suit::controlHelp());
     text += exitStatus(batch::standInExitCodes());
     text += heading("EXAMPLE") + literal(virtual_suit::kExample);
+    text += heading("SEE ALSO") + ".BR noctule (1)\n";
+    return text;
+}
+
+std::string virtualRobotManual() {
+    std::string text = titleLine("NOCTULE-VIRTUAL-ROBOT");
+    text += heading("NAME") + "noctule\\-virtual\\-robot \\- a robot without hardware\n";
+    text += heading("SYNOPSIS") +
+            ".B noctule\\-virtual\\-robot\n\\-\\-robot \\fIR.urdf\\fR \\-\\-udp \\fIHOST:PORT\\fR | "
+            "\\-\\-ws \\fIHOST:PORT\\fR [\\fIOPTIONS\\fR]\n";
+    text += heading("DESCRIPTION") +
+            "It behaves as the arms of a robot: it hears commands over UDP or as a rosbridge server, follows "
+            "them\nwithin its own limits, and tells its state. It prints the addresses that\n"
+            ".B noctule \\-\\-batch drive \\-\\-to\nand the studio take, one a line, and serves until it is "
+            "ended.\n";
+    text += heading("OPTIONS") + entries(virtual_robot::optionTable());
+    text += heading("CONTROL PORT") +
+            "With \\fB\\-\\-control\\fR it takes one command a line and answers ok or error.\n" +
+            literal(virtual_robot::controlHelp());
+    text += exitStatus(batch::standInExitCodes());
+    text += heading("EXAMPLE") + literal(virtual_robot::kExample);
     text += heading("SEE ALSO") + ".BR noctule (1)\n";
     return text;
 }

@@ -10,5 +10,7 @@ namespace noctule::help_files {
 std::string noctuleManual();
 /// noctule-virtual-suit(1).
 std::string virtualSuitManual();
+/// noctule-virtual-robot(1).
+std::string virtualRobotManual();
 
 }  // namespace noctule::help_files

@@ -4,14 +4,10 @@
 // pairs that touch in the reference posture are left out.
 #pragma once
 
-#include <map>
-
+#include "core/robot/link_shapes.h"
 #include "core/robot/profile.h"
 
 namespace noctule::robot {
-
-/// By joint of the model; those that are absent stay at 0.
-using JointValues = std::map<int, double>;
 
 class SelfCollision {
 public:
@@ -29,7 +25,6 @@ private:
         int link = -1;
         LinkShape shape;
     };
-    std::vector<Eigen::Isometry3d> places(const JointValues& values) const;
     double distance(const std::vector<Eigen::Isometry3d>& places, const Part& a, const Part& b) const;
 
     const RobotModel& model_;

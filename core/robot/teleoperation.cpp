@@ -178,16 +178,18 @@ TeleopCommand Teleoperator::step(int64_t now_ns, const std::optional<TeleopPose>
     JointVector ghost = places();
     const bool is_engaged = state_ == TeleopState::kSynchronising || state_ == TeleopState::kBlending ||
                             state_ == TeleopState::kFollowing;
-    if (is_engaged) {
-        if (!index_)
-            index(*pose);
+    if (is_engaged && !index_)
+        index(*pose);
+    if (is_engaged || (has_pose_ && pose->posture))
         ghost = askedFor(*pose, command.is_outside_box);
+    if (is_engaged) {
         command.is_slowed = pose->confidence < settings_.least_confidence;
     }
     command.farthest_rad = (ghost - places()).cwiseAbs().maxCoeff(&command.farthest_joint);
     if (keys.accept && command.farthest_rad <= settings_.farthest_rad)
         take(TeleopEvent::kAccept);
-    const double scale = std::clamp(settings_.speed_scale, 0.0, 1.0) * (command.is_slowed ? kSlowed : 1.0);
+    const double scale =
+        std::clamp(settings_.speed_scale * keys.speed_scale, 0.0, 1.0) * (command.is_slowed ? kSlowed : 1.0);
     if (state_ == TeleopState::kBlending) {
         blended_s_ += settings_.dt_s;
         const JointVector wish =

@@ -36,12 +36,13 @@ struct TeleopPose {
 struct TeleopKeys {
     bool dead_man = false, clutch = false;             ///< held
     bool accept = false, stop = false, reset = false;  ///< pressed since the last step
+    double speed_scale = 1;                            ///< 0..1, times that of the settings
 };
 
 struct TeleopCommand {
     JointVector q;
     TeleopState state = TeleopState::kIdle;
-    JointVector ghost;            ///< what the performer asks for; the command where nothing is asked
+    JointVector ghost;            ///< what the performer asks for; the command where that is not known
     double farthest_rad = 0;      ///< of ghost and command
     int farthest_joint = 0;       ///< of the chain
     bool is_slowed = false;       ///< the pose is uncertain

@@ -36,26 +36,6 @@ Result<RobotState> firstState(const DrivePlan& plan, const JobContext& job) {
                  "Check that its program runs and that the address is right"};
 }
 
-const char* stateName(robot::TeleopState state) {
-    switch (state) {
-        case robot::TeleopState::kIdle:
-            return "idle";
-        case robot::TeleopState::kSynchronising:
-            return "synchronising";
-        case robot::TeleopState::kBlending:
-            return "blending";
-        case robot::TeleopState::kFollowing:
-            return "following";
-        case robot::TeleopState::kHolding:
-            return "holding";
-        case robot::TeleopState::kLost:
-            return "lost";
-        case robot::TeleopState::kStopped:
-            return "stopped";
-    }
-    return "";
-}
-
 class DriveLoop {
 public:
     DriveLoop(const DrivePlan& plan, const RobotState& first)
@@ -112,9 +92,12 @@ private:
         plan_.link.send(command);
         measure(before, input);
         tellChange(before, now_ns);
+        const DriveMoment moment{start_ns, now_ns,          input, output_, newest ? newest->time_ns : 0,
+                                 link,     command.sequence};
         if (plan_.keeps_rows)
-            table_.add({start_ns, now_ns, input, newest ? newest->time_ns : 0, link}, output_,
-                       command.sequence, stateName(output_.state));
+            table_.add(moment);
+        if (plan_.watch)
+            plan_.watch(moment);
     }
 
     RobotCommand commandOf(int64_t now_ns) {
@@ -182,6 +165,26 @@ private:
 };
 
 }  // namespace
+
+const char* stateName(robot::TeleopState state) {
+    switch (state) {
+        case robot::TeleopState::kIdle:
+            return "idle";
+        case robot::TeleopState::kSynchronising:
+            return "synchronising";
+        case robot::TeleopState::kBlending:
+            return "blending";
+        case robot::TeleopState::kFollowing:
+            return "following";
+        case robot::TeleopState::kHolding:
+            return "holding";
+        case robot::TeleopState::kLost:
+            return "lost";
+        case robot::TeleopState::kStopped:
+            return "stopped";
+    }
+    return "";
+}
 
 Result<DriveReport> runDrive(const DrivePlan& plan, const JobContext& job) {
     plan.link.open();

@@ -12,6 +12,19 @@
 
 namespace noctule::robot_link {
 
+/// One step of the loop, while it lasts.
+struct DriveMoment {
+    int64_t start_ns = 0, now_ns = 0;  ///< of the first step and of this one (std::chrono::steady_clock)
+    const robot::DriveInput& input;
+    const robot::DriveOutput& output;
+    int64_t pose_time_ns = 0;  ///< of the take or the suit
+    const LinkStatus& link;
+    uint64_t sequence = 0;  ///< of the command
+};
+
+/// Of `state`, as tables and files say it: "following".
+const char* stateName(robot::TeleopState state);
+
 struct DrivePlan {
     RobotInterface& link;
     const PoseFeed& feed;
@@ -23,9 +36,10 @@ struct DrivePlan {
     std::optional<double> seconds;  ///< none: until `ends` or cancelled
     /// What the operator presses, asked for once per command.
     std::function<robot::TeleopKeys(const robot::DriveOutput&)> keys;
-    std::function<bool()> ends;                    ///< the source of poses has come to its end
-    std::function<void(const std::string&)> tell;  ///< every change of state or trouble, a sentence
-    bool keeps_rows = false;                       ///< for `table`
+    std::function<bool()> ends;                       ///< the source of poses has come to its end
+    std::function<void(const std::string&)> tell;     ///< every change of state or trouble, a sentence
+    bool keeps_rows = false;                          ///< for `table`
+    std::function<void(const DriveMoment&)> watch{};  ///< every step, on the loop's thread; quick
 };
 
 struct DriveReport {

@@ -19,8 +19,7 @@ void DriveTable::number(double value) {
     text_ += text;
 }
 
-void DriveTable::add(const Moment& moment, const robot::DriveOutput& output, uint64_t sequence,
-                     const char* state) {
+void DriveTable::add(const DriveMoment& moment) {
     if (++rows_ > kMostRows)
         return;
     const auto seconds = [&](int64_t steady_ns) {
@@ -35,15 +34,15 @@ void DriveTable::add(const Moment& moment, const robot::DriveOutput& output, uin
     } else {
         text_ += ",,";
     }
-    text_ +=
-        "," + std::to_string(sequence) + "," + state + "," + std::to_string(static_cast<int>(output.trouble));
+    text_ += "," + std::to_string(moment.sequence) + "," + stateName(moment.output.state) + "," +
+             std::to_string(static_cast<int>(moment.output.trouble));
     if (moment.link.state) {
         number(seconds(moment.link.state_arrived_ns));
         text_ += "," + std::to_string(moment.link.state->obeyed_sequence);
     } else {
         text_ += ",,";
     }
-    for (const double q : output.q)
+    for (const double q : moment.output.q)
         number(q);
     for (size_t i = 0; i < joints_; ++i)
         if (moment.link.state)

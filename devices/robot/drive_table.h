@@ -3,9 +3,9 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
-#include "core/robot/live_drive.h"
-#include "devices/robot/robot_interface.h"
+#include "devices/robot/drive_loop.h"
 
 namespace noctule::robot_link {
 
@@ -16,14 +16,10 @@ public:
 
     explicit DriveTable(const std::vector<std::string>& joints);
 
-    struct Moment {
-        int64_t start_ns, now_ns;
-        const robot::DriveInput& input;
-        int64_t pose_time_ns;
-        const LinkStatus& link;
-    };
-    void add(const Moment& moment, const robot::DriveOutput& output, uint64_t sequence, const char* state);
+    void add(const DriveMoment& moment);
     const std::string& text() const { return text_; }
+    /// What came since the last call.
+    std::string takeText() { return std::exchange(text_, {}); }
 
 private:
     void number(double value);

@@ -29,6 +29,7 @@ import partial
 import real
 import record
 import referee
+import robot
 import sanitizers
 import speed
 import studio
@@ -52,6 +53,7 @@ FIGURES = {
     "calibration": ("Calibration", calibration.figure),
     "cast": ("Several people as free points: Welch 2018, section 4", cast.figure),
     "real": ("Recordings of real sensors, takes made elsewhere", real.figure),
+    "robot": ("Robots: kinematics, following, limits, six trajectories, the live chain and its faults", robot.figure),
     "kills": ("Recordings that are killed, without power, with every fault", kills.figure),
     "beside": ("A recording beside other programs", beside.figure),
     "motions": ("Public motions and bodies: read, right or refused", motions.figure),
@@ -77,6 +79,7 @@ def parse_options():
     parser.add_argument("--fuzz-inputs", type=int, default=20000, metavar="N")
     parser.add_argument("--fuzz-seed", type=int, default=1, metavar="N")
     parser.add_argument("--live-seconds", type=int, default=600, metavar="N", help="of live")
+    parser.add_argument("--robot-seconds", type=int, default=600, metavar="N", help="of robot: the soak of the live chain")
     parser.add_argument("--studio-rounds", type=int, default=interface.ROUNDS_PER_HOUR, metavar="N",
                         help="of drive_studio, each what is done in a minute; at least 4")
     parser.add_argument("--referee-against", metavar="PROGRAM", help="of referee: another build to compare with")

@@ -9,6 +9,8 @@ install(TARGETS noctule_video LIBRARY DESTINATION ${helpers})
 install(FILES ${NOCTULE_HELP_DIR}/noctule.bash DESTINATION ${share}/bash-completion/completions RENAME noctule)
 install(FILES ${NOCTULE_HELP_DIR}/noctule.bash DESTINATION ${share}/bash-completion/completions
     RENAME noctule-virtual-suit)
+install(FILES ${NOCTULE_HELP_DIR}/noctule.bash DESTINATION ${share}/bash-completion/completions
+    RENAME noctule-virtual-robot)
 install(FILES ${NOCTULE_HELP_DIR}/_noctule DESTINATION ${share}/zsh/vendor-completions)
 install(DIRECTORY resources/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(DIRECTORY resources/pictures DESTINATION ${CMAKE_INSTALL_DOCDIR})
@@ -39,10 +41,12 @@ function(noctule_pack file name)
 endfunction()
 noctule_pack(${NOCTULE_HELP_DIR}/noctule.1 noctule.1)
 noctule_pack(${NOCTULE_HELP_DIR}/noctule-virtual-suit.1 noctule-virtual-suit.1)
+noctule_pack(${NOCTULE_HELP_DIR}/noctule-virtual-robot.1 noctule-virtual-robot.1)
 noctule_pack(${PROJECT_SOURCE_DIR}/CHANGELOG.md changelog)
 add_custom_target(noctule_packed DEPENDS ${packed})
 add_dependencies(noctule_packed noctule_help)
 install(FILES ${CMAKE_BINARY_DIR}/packed/noctule.1.gz ${CMAKE_BINARY_DIR}/packed/noctule-virtual-suit.1.gz
+    ${CMAKE_BINARY_DIR}/packed/noctule-virtual-robot.1.gz
     DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${CMAKE_BINARY_DIR}/packed/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -1665,6 +1665,101 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::AddRobotDialog</name>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>A robot is described by its URDF file. Robots hurt people: keep an emergency stop in reach that does not depend on this program.</source>
+        <translation>Ein Roboter wird durch seine URDF-Datei beschrieben. Roboter verletzen Menschen: Ein Not-Halt, der nicht von diesem Programm abhängt, muss in Reichweite sein.</translation>
+    </message>
+    <message>
+        <source>Connect the robot</source>
+        <translation>Roboter verbinden</translation>
+    </message>
+    <message>
+        <source>URDF</source>
+        <translation>URDF</translation>
+    </message>
+    <message>
+        <source>Robot descriptions (*.urdf);;All files (*)</source>
+        <translation>Roboterbeschreibungen (*.urdf);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Profiles (*.json)</source>
+        <translation>Profile (*.json)</translation>
+    </message>
+    <message>
+        <source>found by the robot’s name</source>
+        <translation>nach dem Namen des Roboters</translation>
+    </message>
+    <message>
+        <source>Robonaut 2, Unitree G1 and H1, Panda, UR5 and Baxter have a profile of their own; for others one is made from the URDF.</source>
+        <translation>Robonaut 2, Unitree G1 und H1, Panda, UR5 und Baxter haben ein eigenes Profil; für andere entsteht eines aus der URDF-Datei.</translation>
+    </message>
+    <message>
+        <source>rosbridge (ROS)</source>
+        <translation>rosbridge (ROS)</translation>
+    </message>
+    <message>
+        <source>UDP</source>
+        <translation>UDP</translation>
+    </message>
+    <message>
+        <source>Interface</source>
+        <translation>Schnittstelle</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Both arms</source>
+        <translation>Beide Arme</translation>
+    </message>
+    <message>
+        <source>Left arm</source>
+        <translation>Linker Arm</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>Rechter Arm</translation>
+    </message>
+    <message>
+        <source>Arms</source>
+        <translation>Arme</translation>
+    </message>
+    <message>
+        <source>Posture and scaled hand</source>
+        <translation>Haltung und skalierte Hand</translation>
+    </message>
+    <message>
+        <source>The hand’s way only</source>
+        <translation>Nur der Weg der Hand</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Folgt</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose the robot’s URDF file.</source>
+        <translation>Wählen Sie die URDF-Datei des Roboters.</translation>
+    </message>
+    <message>
+        <source>%1 is not there. Choose another file.</source>
+        <translation>%1 ist nicht da. Wählen Sie eine andere Datei.</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::AssignPanel</name>
     <message>
         <source>Find by moving</source>
@@ -3306,6 +3401,33 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::HandPathsView</name>
+    <message>
+        <source>Hand of the robot, commanded against achieved</source>
+        <translation>Hand des Roboters, Soll gegen Ist</translation>
+    </message>
+    <message>
+        <source>%1 behind, %2 remain after that</source>
+        <translation>%1 dahinter, danach bleiben %2</translation>
+    </message>
+    <message>
+        <source>The hand does not move</source>
+        <translation>Die Hand bewegt sich nicht</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::HeatMap</name>
     <message>
         <source>Confidence per pair</source>
@@ -3482,6 +3604,18 @@
     <message>
         <source>Processing, imports and exports are listed here while they run, and until they are seen.</source>
         <translation>Verarbeitung, Importe und Exporte stehen hier, solange sie laufen und bis sie gesehen sind.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::JointBars</name>
+    <message>
+        <source>Joints of the robot</source>
+        <translation>Gelenke des Roboters</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>joint: value</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -7429,6 +7563,569 @@ Median; gut: unter %1</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::RobotCenter</name>
+    <message>
+        <source>Clutch out</source>
+        <translation>Ausgekuppelt</translation>
+    </message>
+    <message>
+        <source>Hold now</source>
+        <translation>Jetzt halten</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Hand of the robot</source>
+        <translation>Hand des Roboters</translation>
+    </message>
+    <message>
+        <source>dashed: commanded, line: achieved; a division is 100 mm</source>
+        <translation>gestrichelt: Soll, Linie: Ist; ein Teilstrich ist 100 mm</translation>
+    </message>
+    <message>
+        <source>Suit to command</source>
+        <translation>Anzug bis Befehl</translation>
+    </message>
+    <message>
+        <source>Command to arm</source>
+        <translation>Befehl bis Arm</translation>
+    </message>
+    <message>
+        <source>Whole chain</source>
+        <translation>Ganze Kette</translation>
+    </message>
+    <message>
+        <source>Rest after delay</source>
+        <translation>Rest nach Verzug</translation>
+    </message>
+    <message>
+        <source>Play the take</source>
+        <translation>Aufnahme abspielen</translation>
+    </message>
+    <message>
+        <source>Join begin and end</source>
+        <translation>Anfang und Ende verbinden</translation>
+    </message>
+    <message>
+        <source>Export commands</source>
+        <translation>Befehle exportieren</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>Key is held</source>
+        <translation>Taste gehalten</translation>
+    </message>
+    <message>
+        <source>Let go, and the robot holds</source>
+        <translation>Loslassen, und der Roboter hält</translation>
+    </message>
+    <message>
+        <source>Hold the key</source>
+        <translation>Taste halten</translation>
+    </message>
+    <message>
+        <source>The robot moves only meanwhile</source>
+        <translation>Nur so lange bewegt er sich</translation>
+    </message>
+    <message>
+        <source>Clutch in</source>
+        <translation>Eingekuppelt</translation>
+    </message>
+    <message>
+        <source>Out: move your arm, the robot stays</source>
+        <translation>Aus: Arm frei bewegen, der Roboter bleibt</translation>
+    </message>
+    <message>
+        <source>In: postures are compared</source>
+        <translation>Ein: Haltungen werden verglichen</translation>
+    </message>
+    <message>
+        <source>Pause the take</source>
+        <translation>Aufnahme anhalten</translation>
+    </message>
+    <message>
+        <source>The suit leads. Let the take lead, at the left.</source>
+        <translation>Der Anzug führt. Lassen Sie links die Aufnahme führen.</translation>
+    </message>
+    <message>
+        <source>Connect the robot first.</source>
+        <translation>Verbinden Sie zuerst den Roboter.</translation>
+    </message>
+    <message>
+        <source>No commands have been sent yet.</source>
+        <translation>Es gingen noch keine Befehle hinaus.</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1, largest %2</source>
+        <translation>%1, größter %2</translation>
+    </message>
+    <message>
+        <source>%1, p99.9 %2</source>
+        <comment>median, quantile</comment>
+        <translation>%1, p99,9 %2</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RobotDrive</name>
+    <message>
+        <source>Reading the robot</source>
+        <translation>Roboter wird gelesen</translation>
+    </message>
+    <message>
+        <source>No take with a motion is open. Open one in Review.</source>
+        <translation>Keine Aufnahme mit Bewegung ist offen. Öffnen Sie eine im Schritt Prüfen.</translation>
+    </message>
+    <message>
+        <source>No suit is connected. Connect one, or let a take lead.</source>
+        <translation>Kein Anzug ist verbunden. Verbinden Sie einen, oder lassen Sie eine Aufnahme führen.</translation>
+    </message>
+    <message>
+        <source>The suit is not calibrated: its poses would mislead the robot.</source>
+        <translation>Der Anzug ist nicht kalibriert: Seine Posen würden den Roboter irreführen.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RobotPage</name>
+    <message>
+        <source>A suit or a take can drive a robot’s arms. The robot appears here once it is chosen.</source>
+        <translation>Ein Anzug oder eine Aufnahme kann die Arme eines Roboters führen. Der Roboter erscheint hier, sobald er gewählt ist.</translation>
+    </message>
+    <message>
+        <source>Choose the robot</source>
+        <translation>Roboter wählen</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Robot state</source>
+        <translation>Zustand des Roboters</translation>
+    </message>
+    <message>
+        <source>Clutch in or out</source>
+        <translation>Ein- oder auskuppeln</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>Hold now</source>
+        <translation>Jetzt halten</translation>
+    </message>
+    <message>
+        <source>Stop the robot</source>
+        <translation>Roboter stoppen</translation>
+    </message>
+    <message>
+        <source>Release the stop</source>
+        <translation>Stopp aufheben</translation>
+    </message>
+    <message>
+        <source>Export commands</source>
+        <translation>Befehle exportieren</translation>
+    </message>
+    <message>
+        <source>Remove the robot</source>
+        <translation>Roboter entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RobotSidebar</name>
+    <message>
+        <source>not connected</source>
+        <translation>nicht verbunden</translation>
+    </message>
+    <message>
+        <source>looking for it</source>
+        <translation>wird gesucht</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>antwortet</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>In this session</source>
+        <translation>In dieser Sitzung</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Choose another robot</source>
+        <translation>Anderen Roboter wählen</translation>
+    </message>
+    <message>
+        <source>Remove the robot</source>
+        <translation>Roboter entfernen</translation>
+    </message>
+    <message>
+        <source>Led by</source>
+        <translation>Geführt von</translation>
+    </message>
+    <message>
+        <source>The suit, live</source>
+        <translation>Anzug, live</translation>
+    </message>
+    <message>
+        <source>The take in Review</source>
+        <translation>Aufnahme in Prüfung</translation>
+    </message>
+    <message>
+        <source>Arms</source>
+        <translation>Arme</translation>
+    </message>
+    <message>
+        <source>Both arms</source>
+        <translation>Beide Arme</translation>
+    </message>
+    <message>
+        <source>Left arm</source>
+        <translation>Linker Arm</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>Rechter Arm</translation>
+    </message>
+    <message>
+        <source>Follows</source>
+        <translation>Folgt</translation>
+    </message>
+    <message>
+        <source>Posture and scaled hand</source>
+        <translation>Haltung und skalierte Hand</translation>
+    </message>
+    <message>
+        <source>The hand’s way only</source>
+        <translation>Nur der Weg der Hand</translation>
+    </message>
+    <message>
+        <source>Speed of the robot</source>
+        <translation>Tempo des Roboters</translation>
+    </message>
+    <message>
+        <source>It follows when</source>
+        <translation>Er folgt, wenn</translation>
+    </message>
+    <message>
+        <source>each joint is within</source>
+        <translation>jedes Gelenk näher ist als</translation>
+    </message>
+    <message>
+        <source>A joint may be so far away when following begins</source>
+        <translation>So weit darf ein Gelenk entfernt sein, wenn das Folgen beginnt</translation>
+    </message>
+    <message>
+        <source>The robot holds by itself when</source>
+        <translation>Der Roboter hält von selbst bei</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>no pose for</source>
+        <translation>keine Pose seit</translation>
+    </message>
+    <message>
+        <source>robot silent for</source>
+        <translation>Roboter stumm seit</translation>
+    </message>
+    <message>
+        <source>joint off by</source>
+        <translation>Gelenk daneben um</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s) driven</source>
+        <translation>
+            <numerusform>%n Gelenk geführt</numerusform>
+            <numerusform>%n Gelenke geführt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <comment>address, joints</comment>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>The robot is not driven</source>
+        <translation>Der Roboter wird nicht geführt</translation>
+    </message>
+    <message>
+        <source>a joint turns by at most %1 a second</source>
+        <translation>ein Gelenk dreht höchstens %1 je Sekunde</translation>
+    </message>
+    <message>
+        <source>Robot’s arm %1 long. The reference is the chest, so walking does not move the arm.</source>
+        <translation>Arm des Roboters %1 lang. Bezug ist die Brust, Gehen bewegt den Arm also nicht.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>state of the robot: reason</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <comment>time, state</comment>
+        <translation>%1  %2</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Noch nichts</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RobotStatePanel</name>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>achieved, commanded</source>
+        <translation>Ist, Soll</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>No robot</source>
+        <translation>Kein Roboter</translation>
+    </message>
+    <message>
+        <source>Choose one, and it appears here.</source>
+        <translation>Wählen Sie einen, dann erscheint er hier.</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>The robot gets no commands from here.</source>
+        <translation>Der Roboter bekommt von hier keine Befehle.</translation>
+    </message>
+    <message>
+        <source>Looking for the robot</source>
+        <translation>Roboter wird gesucht</translation>
+    </message>
+    <message>
+        <source>It has not told yet where it stands.</source>
+        <translation>Er hat noch nicht gesagt, wo er steht.</translation>
+    </message>
+    <message>
+        <source>Bring your arms to the robot’s posture: the outline is you.</source>
+        <translation>Bringen Sie die Arme in die Haltung des Roboters: Der Umriss sind Sie.</translation>
+    </message>
+    <message>
+        <source>Hold F8 with the clutch in to compare both postures.</source>
+        <translation>Halten Sie F8 und kuppeln Sie ein, um beide Haltungen zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Every joint is near enough. Following begins within a second of your word.</source>
+        <translation>Jedes Gelenk ist nah genug. Auf Ihr Wort folgt er innerhalb einer Sekunde.</translation>
+    </message>
+    <message>
+        <source>The arm moves as you do.</source>
+        <translation>Der Arm bewegt sich wie Sie.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>state of the robot: reason</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The robot stands where it is.</source>
+        <translation>Der Roboter bleibt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Folgen</translation>
+    </message>
+    <message>
+        <source>The robot goes over to you within a second.</source>
+        <translation>Der Roboter geht innerhalb einer Sekunde zu Ihnen über.</translation>
+    </message>
+    <message>
+        <source>The robot stands still until you synchronise.</source>
+        <translation>Der Roboter steht still, bis Sie synchronisieren.</translation>
+    </message>
+    <message>
+        <source>Choose a robot first.</source>
+        <translation>Wählen Sie zuerst einen Roboter.</translation>
+    </message>
+    <message>
+        <source>Release the stop</source>
+        <translation>Stopp aufheben</translation>
+    </message>
+    <message>
+        <source>Then synchronise again.</source>
+        <translation>Dann neu synchronisieren.</translation>
+    </message>
+    <message>
+        <source>Synchronise again</source>
+        <translation>Neu synchronisieren</translation>
+    </message>
+    <message>
+        <source>Holds first, then shows how far each joint is.</source>
+        <translation>Hält zuerst, zeigt dann, wie weit jedes Gelenk ist.</translation>
+    </message>
+    <message>
+        <source>Hold F8 with the clutch in, and bring every joint near to the robot’s.</source>
+        <translation>Halten Sie F8, kuppeln Sie ein und bringen Sie jedes Gelenk nah an das des Roboters.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RobotView</name>
+    <message>
+        <source>Robot in 3D</source>
+        <translation>Roboter in 3D</translation>
+    </message>
+    <message>
+        <source>filled: achieved, outline: commanded</source>
+        <translation>gefüllt: Ist, Umriss: Soll</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RobotWords</name>
+    <message>
+        <source>the robot does not answer</source>
+        <translation>der Roboter antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the robot refuses</source>
+        <translation>der Roboter lehnt ab</translation>
+    </message>
+    <message>
+        <source>a joint does not follow</source>
+        <translation>ein Gelenk folgt nicht</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>performer not seen</source>
+        <translation>Darsteller nicht gesehen</translation>
+    </message>
+    <message>
+        <source>key released</source>
+        <translation>Taste losgelassen</translation>
+    </message>
+    <message>
+        <source>clutch out</source>
+        <translation>ausgekuppelt</translation>
+    </message>
+    <message>
+        <source>Not synchronised</source>
+        <translation>Nicht synchron</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Following</source>
+        <translation>Folgt</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>Hält</translation>
+    </message>
+    <message>
+        <source>The robot does not answer</source>
+        <translation>Der Roboter antwortet nicht</translation>
+    </message>
+    <message>
+        <source>It is told to hold. Check its program and the network.</source>
+        <translation>Er soll halten. Prüfen Sie sein Programm und das Netz.</translation>
+    </message>
+    <message>
+        <source>The robot refuses</source>
+        <translation>Der Roboter lehnt ab</translation>
+    </message>
+    <message>
+        <source>A command was too far from where it is. Commands go back to it; synchronise again.</source>
+        <translation>Ein Befehl war zu weit von dort, wo er steht. Die Befehle gehen zu ihm zurück; synchronisieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>%1 does not follow</source>
+        <translation>%1 folgt nicht</translation>
+    </message>
+    <message>
+        <source>It is %1 from its command. Commands go back to where the robot is; check the joint, then synchronise again.</source>
+        <translation>Es ist %1 von seinem Befehl entfernt. Die Befehle gehen zum Roboter zurück; prüfen Sie das Gelenk, dann synchronisieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>No fresh pose of the performer</source>
+        <translation>Keine frische Pose des Darstellers</translation>
+    </message>
+    <message>
+        <source>The robot holds. Check the suit and its link.</source>
+        <translation>Der Roboter hält. Prüfen Sie den Anzug und seine Verbindung.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 away</source>
+        <translation>%1 ist %2 entfernt</translation>
+    </message>
+    <message>
+        <source>Bring the arm nearer to the robot’s posture.</source>
+        <translation>Bringen Sie den Arm näher an die Haltung des Roboters.</translation>
+    </message>
+    <message>
+        <source>Arms too near</source>
+        <translation>Arme zu nah</translation>
+    </message>
+    <message>
+        <source>%1 would come too near; the arms brake. Move them apart.</source>
+        <translation>%1 kämen sich zu nah; die Arme bremsen. Nehmen Sie sie auseinander.</translation>
+    </message>
+    <message>
+        <source>The pose is uncertain</source>
+        <translation>Die Pose ist unsicher</translation>
+    </message>
+    <message>
+        <source>The robot moves slowly until the suit is sure again.</source>
+        <translation>Der Roboter bewegt sich langsam, bis der Anzug wieder sicher ist.</translation>
+    </message>
+    <message>
+        <source>The hand leaves the allowed box</source>
+        <translation>Die Hand verlässt den erlaubten Raum</translation>
+    </message>
+    <message>
+        <source>The robot stays at its border.</source>
+        <translation>Der Roboter bleibt an dessen Grenze.</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::RunList</name>
     <message>
         <source>Results</source>
@@ -8298,6 +8995,34 @@ Drehen, beide Richtungen x3</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::StateStrip</name>
+    <message>
+        <source>State of the robot</source>
+        <translation>Zustand des Roboters</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>state of the robot: reason</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>a joint is over %1 away</source>
+        <translation>ein Gelenk ist über %1 entfernt</translation>
+    </message>
+    <message>
+        <source>every joint within %1</source>
+        <translation>jedes Gelenk innerhalb %1</translation>
+    </message>
+    <message>
+        <source>moves as you do</source>
+        <translation>bewegt sich wie Sie</translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation>steht still</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::StatusLine</name>
     <message>
         <source>Jobs (Ctrl+J)</source>
@@ -8800,6 +9525,10 @@ Drehen, beide Richtungen x3</translation>
         <source>A take is being recorded. Opens Record; Ctrl+R stops it.</source>
         <translation>Eine Aufnahme läuft. Öffnet Aufnehmen; Strg+R beendet sie.</translation>
     </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::Tour</name>
@@ -9097,6 +9826,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Import recording</source>
         <translation>Aufnahme importieren</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
     </message>
 </context>
 <context>

@@ -476,6 +476,16 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::RobotSidebar</name>
+    <message numerus="yes">
+        <source>%n joint(s) driven</source>
+        <translation>
+            <numerusform>%n joint driven</numerusform>
+            <numerusform>%n joints driven</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::SessionModel</name>
     <message numerus="yes">
         <source>%n take(s) copied into the session</source>

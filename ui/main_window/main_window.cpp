@@ -17,6 +17,7 @@
 #include "ui/main_window/undo_keys.h"
 #include "ui/main_window/window_menus.h"
 #include "ui/main_window/window_place.h"
+#include "ui/robot/robot_drive.h"
 #include "ui/scene/scene_canvas.h"
 #include "ui/style/theme.h"
 #include "ui/views/page.h"
@@ -32,7 +33,8 @@ const std::map<Step, Command>& commandOfStep() {
     static const std::map<Step, Command> commands{
         {Step::kStart, Command::kStepStart},         {Step::kConnect, Command::kStepConnect},
         {Step::kCalibrate, Command::kStepCalibrate}, {Step::kRecord, Command::kStepRecord},
-        {Step::kReview, Command::kStepReview},       {Step::kExport, Command::kStepExport}};
+        {Step::kReview, Command::kStepReview},       {Step::kExport, Command::kStepExport},
+        {Step::kRobot, Command::kStepRobot}};
     return commands;
 }
 
@@ -55,7 +57,8 @@ MainWindow::MainWindow(Studio& studio, QWidget* parent)
     : QMainWindow(parent),
       studio_(studio),
       recent_(studio.settings(), studio.jobs()),
-      actions_(new WindowActions(*this)) {
+      actions_(new WindowActions(*this)),
+      robot_(new RobotDrive(studio, this)) {
     setObjectName("main_window");
     setAcceptDrops(true);
     setAnimated(Theme::get().motion_ms(1) > 0);
@@ -79,6 +82,9 @@ MainWindow::~MainWindow() {
     docks_->keep();
     for (const auto& [step, page] : pages_)
         docks_->release(*page);
+    // It uses the robot, which goes with the window.
+    if (const auto robot = pages_.find(Step::kRobot); robot != pages_.end())
+        delete robot->second;
 }
 
 void MainWindow::buildParts() {

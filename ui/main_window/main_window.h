@@ -21,6 +21,7 @@ class HelpWindow;
 class JobsPanel;
 class Page;
 class RecordRun;
+class RobotDrive;
 class SessionNotices;
 class SideDocks;
 class StatusLine;
@@ -42,6 +43,7 @@ public:
     JobsPanel& jobsPanel() { return *jobs_panel_; }
     Notices& notices() { return *notices_; }
     SideDocks& sideDocks() { return *docks_; }
+    RobotDrive& robot() { return *robot_; }
 
 public slots:
     void goTo(noctule::ui::Step step);
@@ -78,6 +80,7 @@ private:
     void addBottomLine();
     void connectActions();
     void connectSteps();
+    void showRobotStep();
     void connectStudio();
     Page* makePage(Step step);
     void followScale();
@@ -107,6 +110,7 @@ private:
     Step step_ = Step::kStart;
     std::map<Step, Page*> pages_;
     WindowActions* actions_;
+    RobotDrive* robot_;
     WindowMenus* menus_;
     TopBar* top_bar_;
     SideDocks* docks_;

@@ -20,6 +20,7 @@
 #include "ui/main_window/top_bar.h"
 #include "ui/main_window/tour.h"
 #include "ui/main_window/window_menus.h"
+#include "ui/robot/robot_drive.h"
 #include "ui/style/theme.h"
 #include "ui/views/body_dialog.h"
 #include "ui/views/connect_page.h"
@@ -105,6 +106,9 @@ void MainWindow::connectSteps() {
     to(Command::kStepRecord, Step::kRecord);
     to(Command::kStepReview, Step::kReview);
     to(Command::kStepExport, Step::kExport);
+    to(Command::kStepRobot, Step::kRobot);
+    connect(robot_, &RobotDrive::robotChanged, this, &MainWindow::showRobotStep);
+    showRobotStep();
     connect(&studio_, &Studio::stepRequested, this, &MainWindow::goTo);
     connect(&studio_, &Studio::checkRequested, this, [this] {
         goTo(Step::kCalibrate);
@@ -120,8 +124,13 @@ void MainWindow::connectSteps() {
     connect(&Theme::get(), &Theme::changed, this, &MainWindow::followScale);
 }
 
+void MainWindow::showRobotStep() {
+    top_bar_->showRobot(robot_->hasRobot());
+    actions_->setRobotShown(robot_->hasRobot());
+}
+
 Page* MainWindow::makePage(Step step) {
-    Page* page = makePageFor(step, studio_, recent_);
+    Page* page = makePageFor(step, studio_, recent_, *robot_);
     if (auto* start = qobject_cast<StartPage*>(page)) {
         connect(start, &StartPage::newSessionRequested, (*actions_)[Command::kNewSession], &QAction::trigger);
         connect(start, &StartPage::openSessionRequested, (*actions_)[Command::kOpenSession],

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "ui/robot/robot_page.h"
 #include "ui/views/connect_page.h"
 #include "ui/views/export_page.h"
 #include "ui/views/performer_page.h"
@@ -13,7 +14,7 @@
 
 namespace noctule::ui {
 
-Page* makePageFor(Step step, Studio& studio, RecentSessions& recent) {
+Page* makePageFor(Step step, Studio& studio, RecentSessions& recent, RobotDrive& robot) {
     switch (step) {
         case Step::kStart:
             return new StartPage(studio, recent);
@@ -29,6 +30,8 @@ Page* makePageFor(Step step, Studio& studio, RecentSessions& recent) {
             return new ExportPage(studio);
         case Step::kPerformer:
             return new PerformerPage(studio);
+        case Step::kRobot:
+            return new RobotPage(studio, robot);
     }
     throw std::logic_error("every step has a page");
 }

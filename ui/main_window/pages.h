@@ -8,7 +8,9 @@
 namespace noctule::ui {
 
 class RecentSessions;
+class RobotDrive;
 
-Page* makePageFor(Step step, Studio& studio, RecentSessions& recent);
+/// `robot`: of the step Robot.
+Page* makePageFor(Step step, Studio& studio, RecentSessions& recent, RobotDrive& robot);
 
 }  // namespace noctule::ui

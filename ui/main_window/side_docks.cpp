@@ -23,7 +23,7 @@ QString nameOf(Step step) {
     static const std::map<Step, QString> names{{Step::kStart, "start"},         {Step::kConnect, "connect"},
                                                {Step::kCalibrate, "calibrate"}, {Step::kRecord, "record"},
                                                {Step::kReview, "review"},       {Step::kExport, "export"},
-                                               {Step::kPerformer, "performer"}};
+                                               {Step::kPerformer, "performer"}, {Step::kRobot, "robot"}};
     return names.at(step);
 }
 

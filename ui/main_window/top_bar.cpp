@@ -21,7 +21,8 @@ namespace noctule::ui {
 namespace {
 
 constexpr int kTopBarHeight = 52, kFoldBelow = 1180, kMark = 60;
-constexpr std::array kSteps{Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview, Step::kExport};
+constexpr std::array kSteps{Step::kConnect, Step::kCalibrate, Step::kRecord,
+                            Step::kRobot,   Step::kReview,    Step::kExport};
 
 }  // namespace
 
@@ -36,7 +37,9 @@ Step TopBar::stepAt(int index) {
 
 TopBar::TopBar(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    steps_ = new StepBar({tr("Connect"), tr("Calibrate"), tr("Record"), tr("Review"), tr("Export")});
+    steps_ =
+        new StepBar({tr("Connect"), tr("Calibrate"), tr("Record"), tr("Robot"), tr("Review"), tr("Export")});
+    steps_->setShown(indexOf(Step::kRobot), false);
     left_ = makeLeft();
     right_ = makeRight();
     auto* row = makeRow(this, {12, 0, 12, 0}, 8);
@@ -115,6 +118,11 @@ void TopBar::showStep(Step step) {
     steps_->setVisible(!start);
     preferences_->setVisible(start);
     showRecordButton();
+    foldWhereNarrow();
+}
+
+void TopBar::showRobot(bool shown) {
+    steps_->setShown(indexOf(Step::kRobot), shown);
     foldWhereNarrow();
 }
 

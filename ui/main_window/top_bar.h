@@ -31,6 +31,8 @@ public:
     void fold(const QList<QMenu*>& menus);
     bool isFolded() const;
     void showStep(Step step);
+    /// The step "Robot" stands there once a robot has been chosen.
+    void showRobot(bool shown);
     /// How long the take runs; absent: none does. Seen on every page but Record, which has the clock itself.
     void showRecording(std::optional<double> seconds);
     Button& recordButton() { return *record_; }

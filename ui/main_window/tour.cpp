@@ -7,6 +7,7 @@
 #include <QPainterPath>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/top_bar.h"
@@ -19,7 +20,9 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kCards = 5, kTourWidth = 340, kPointer = 8;
+/// The step Robot is there only with a robot.
+constexpr std::array kToured{Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview, Step::kExport};
+constexpr int kCards = kToured.size(), kTourWidth = 340, kPointer = 8;
 constexpr const char* kSeen = "tour/offered";
 
 struct CardWords {
@@ -94,7 +97,7 @@ void Tour::start() {
 void Tour::show(int card) {
     card_ = card;
     const CardWords words = wordsOf(card);
-    window_.goTo(TopBar::stepAt(card));
+    window_.goTo(kToured.at(static_cast<size_t>(card)));
     count_->setText(tr("%1 of %2", "number of a card, how many there are").arg(card + 1).arg(kCards));
     title_->setText(words.title);
     text_->setText(words.text);
@@ -107,7 +110,8 @@ void Tour::show(int card) {
 
 void Tour::place() {
     const StepBar& steps = bar_.steps();
-    const QRect step(steps.mapTo(&window_, steps.stepRect(card_).topLeft()), steps.stepRect(card_).size());
+    const QRect in_bar = steps.stepRect(TopBar::indexOf(kToured.at(static_cast<size_t>(card_))));
+    const QRect step(steps.mapTo(&window_, in_bar.topLeft()), in_bar.size());
     const QSize size(Theme::get().px(kTourWidth),
                      std::max(heightForWidth(Theme::get().px(kTourWidth)), sizeHint().height()));
     const int left =

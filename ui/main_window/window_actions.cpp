@@ -37,8 +37,10 @@ void WindowActions::addStepActions() {
     add(Command::kStepRecord, tr("Record"), {QKeySequence("Ctrl+3")}, "");
     add(Command::kStepReview, tr("Review"), {QKeySequence("Ctrl+4")}, "");
     add(Command::kStepExport, tr("Export"), {QKeySequence("Ctrl+5")}, "");
-    for (const Command step : {Command::kStepStart, Command::kStepConnect, Command::kStepCalibrate,
-                               Command::kStepRecord, Command::kStepReview, Command::kStepExport})
+    add(Command::kStepRobot, tr("Robot"), {}, "");
+    for (const Command step :
+         {Command::kStepStart, Command::kStepConnect, Command::kStepCalibrate, Command::kStepRecord,
+          Command::kStepReview, Command::kStepExport, Command::kStepRobot})
         actions_.at(step)->setCheckable(true);
 }
 
@@ -83,6 +85,12 @@ void WindowActions::setOpenKeyFree(bool free) {
     if (!free)
         keys.prepend(QKeySequence("Ctrl+O"));
     actions_.at(Command::kOpenSession)->setShortcuts(keys);
+}
+
+void WindowActions::setRobotShown(bool shown) {
+    actions_.at(Command::kStepRobot)->setShortcut(shown ? QKeySequence("Ctrl+4") : QKeySequence());
+    actions_.at(Command::kStepReview)->setShortcut(QKeySequence(shown ? "Ctrl+5" : "Ctrl+4"));
+    actions_.at(Command::kStepExport)->setShortcut(QKeySequence(shown ? "Ctrl+6" : "Ctrl+5"));
 }
 
 QList<QAction*> WindowActions::all() const {

@@ -29,6 +29,7 @@ enum class Command {
     kStepRecord,
     kStepReview,
     kStepExport,
+    kStepRobot,
     kJobs,
     kNextPanel,
     kPreviousPanel,
@@ -57,6 +58,8 @@ public:
     void adopt(Command command, QAction* action);
     /// In Review, Ctrl+O is the out point.
     void setOpenKeyFree(bool free);
+    /// The keys of steps are their numbers: with a robot, its step stands before Review.
+    void setRobotShown(bool shown);
     /// In the order of Command, for the list of shortcuts.
     QList<QAction*> all() const;
 

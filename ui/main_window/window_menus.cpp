@@ -55,8 +55,9 @@ void WindowMenus::fillRecent() {
 void WindowMenus::buildView() {
     const auto step = [this](Command command) { return actions_[command]; };
     auto* steps = new QActionGroup(this);
-    for (const Command command : {Command::kStepStart, Command::kStepConnect, Command::kStepCalibrate,
-                                  Command::kStepRecord, Command::kStepReview, Command::kStepExport}) {
+    for (const Command command :
+         {Command::kStepStart, Command::kStepConnect, Command::kStepCalibrate, Command::kStepRecord,
+          Command::kStepRobot, Command::kStepReview, Command::kStepExport}) {
         steps->addAction(step(command));
         view_->addAction(step(command));
     }
@@ -88,7 +89,7 @@ void WindowMenus::showPageActions(Step step, const QList<QAction*>& page_actions
     suit_->addActions({actions_[Command::kPerformer], actions_[Command::kPutSuitOn]});
     take_->clear();
     take_->addActions({actions_[Command::kRecord], actions_[Command::kImportTakes]});
-    QMenu* menu = step == Step::kPerformer ? suit_ : take_;
+    QMenu* menu = step == Step::kPerformer || step == Step::kRobot ? suit_ : take_;
     if (!page_actions.isEmpty())
         menu->addSeparator();
     menu->addActions(page_actions);

@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QTimer>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "devices/live/live_session.h"
@@ -80,6 +81,9 @@ public:
     void setCalibration(std::optional<Calibration> calibration);
     /// Back to what came with connectTo(); of the virtual suit that is exact.
     void takeOwnCalibration();
+    /// Gets every pose at once, on the thread that makes it, with the time at which its data came
+    /// (std::chrono::steady_clock, ns). Null: nobody. When this returns the earlier one is called no more.
+    void setPoseListener(PoseListener listener);
     /// The calibration came with connectTo(): nothing of it can have moved.
     bool isKnownExactly() const { return known_.calibration && is_own_; }
     const KnownWearing& known() const { return known_; }
@@ -149,6 +153,11 @@ private:
     Jobs& jobs_;
     SessionModel& session_;
     const Surroundings surroundings_;
+    struct PoseTap {
+        std::mutex mutex;
+        PoseListener listener;
+    };
+    std::shared_ptr<PoseTap> pose_tap_ = std::make_shared<PoseTap>();  ///< of streams that still end, too
     std::shared_ptr<LiveSession> live_;
     int connection_ = 0;  ///< what jobs of an earlier one bring is void
     QString address_, next_address_;

@@ -32,6 +32,11 @@ StreamRequest LiveSuit::requestOf(const std::optional<TakePlan>& plan) const {
     request.rest_s = std::max(known_.rest_s, plan ? plan->rest_s : 0.0);
     request.software = surroundings_.software;
     request.created_utc = surroundings_.utc_now();
+    request.pose_listener = [tap = pose_tap_](const TimedPose& pose, int64_t arrived_ns) {
+        const std::lock_guard lock(tap->mutex);
+        if (tap->listener)
+            tap->listener(pose, arrived_ns);
+    };
     if (!plan)
         return request;
     request.keep_results = canMoveBody();
@@ -63,6 +68,11 @@ StreamRequest LiveSuit::requestOf(const EvidencePlan& plan) const {
 
 bool LiveSuit::canMoveBody() const {
     return known_.calibration && !lackOf(wearing_.suit, *known_.calibration).stopsTheBody();
+}
+
+void LiveSuit::setPoseListener(PoseListener listener) {
+    const std::lock_guard lock(pose_tap_->mutex);
+    pose_tap_->listener = std::move(listener);
 }
 
 /// One source alone, or all again after that.

@@ -51,7 +51,7 @@ struct StudioParts {
     LogFile* log = nullptr;
 };
 
-enum class Step { kStart, kConnect, kCalibrate, kRecord, kReview, kExport, kPerformer };
+enum class Step { kStart, kConnect, kCalibrate, kRecord, kReview, kExport, kPerformer, kRobot };
 
 class Studio : public QObject {
     Q_OBJECT

@@ -18,7 +18,8 @@ QString settingsName(SceneLayer layer) {
 }
 
 QString settingsGroup(Step step) {
-    constexpr std::array kSteps{"start", "connect", "calibrate", "record", "review", "export", "performer"};
+    constexpr std::array kSteps{"start",  "connect", "calibrate", "record",
+                                "review", "export",  "performer", "robot"};
     return QStringLiteral("scene/") + QString::fromLatin1(kSteps[static_cast<size_t>(step)]);
 }
 

@@ -29,6 +29,10 @@ public:
         update();
     }
     State state() const { return state_; }
+    void setNumber(int number) {
+        number_ = number;
+        setState(state_);
+    }
 
     QSize sizeHint() const override {
         const Theme& theme = Theme::get();
@@ -111,6 +115,19 @@ QString StepBar::name(int index) const {
     return steps_.at(index)->text();
 }
 
+void StepBar::setShown(int index, bool shown) {
+    steps_.at(index)->setVisible(shown);
+    int number = 0;
+    for (StepButton* step : steps_)
+        if (!step->isHidden())
+            step->setNumber(++number);
+    updateGeometry();
+}
+
+bool StepBar::isShown(int index) const {
+    return !steps_.at(index)->isHidden();
+}
+
 void StepBar::setCurrent(int index) {
     current_ = index;
     for (int i = 0; i < count(); ++i)
@@ -140,7 +157,9 @@ bool StepBar::eventFilter(QObject* object, QEvent* event) {
                                            : -1;
     if (next < 0 || next >= count())
         return key == Qt::Key_Right || key == Qt::Key_Left;
-    steps_[next]->setFocus(Qt::TabFocusReason);
+    const int onward = key == Qt::Key_Left ? -1 : 1;
+    const int reached = steps_[next]->isHidden() ? next + onward : next;
+    steps_[reached]->setFocus(Qt::TabFocusReason);
     return true;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The five steps in the centre of the top bar. A step shows its number, a check mark when done or ! when
+// The steps in the centre of the top bar. A step shows its number, a check mark when done or ! when
 // something is wrong, and the present one is underlined; any step can be opened at any time. Arrow keys walk,
 // Enter opens.
 #pragma once
@@ -21,6 +21,9 @@ public:
     void setState(int index, State state);
     State state(int index) const;
     QString name(int index) const;
+    /// A step that is not shown takes no room and no number.
+    void setShown(int index, bool shown);
+    bool isShown(int index) const;
     /// -1: none (Start).
     void setCurrent(int index);
     int current() const { return current_; }

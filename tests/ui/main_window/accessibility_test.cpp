@@ -22,7 +22,7 @@ namespace noctule::ui {
 namespace {
 
 constexpr Step kAllSteps[] = {Step::kStart,  Step::kConnect, Step::kCalibrate, Step::kRecord,
-                              Step::kReview, Step::kExport,  Step::kPerformer};
+                              Step::kReview, Step::kExport,  Step::kPerformer, Step::kRobot};
 
 QString nameOf(QWidget& widget) {
     QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(&widget);

@@ -32,7 +32,7 @@ namespace noctule::ui {
 namespace {
 
 constexpr Step kEveryStep[] = {Step::kStart,  Step::kConnect, Step::kCalibrate, Step::kRecord,
-                               Step::kReview, Step::kExport,  Step::kPerformer};
+                               Step::kReview, Step::kExport,  Step::kPerformer, Step::kRobot};
 
 class ClippingTest : public test::StudioWindow, public testing::WithParamInterface<const char*> {
 protected:

@@ -72,7 +72,7 @@ protected:
     void doAllOnEveryPage() {
         for (const Scheme scheme : {Scheme::kDark, Scheme::kLight})
             for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord,
-                                    Step::kReview, Step::kExport, Step::kPerformer}) {
+                                    Step::kReview, Step::kExport, Step::kPerformer, Step::kRobot}) {
                 Theme::get().setScheme(scheme);
                 SCOPED_TRACE(static_cast<int>(step));
                 doAll(step);

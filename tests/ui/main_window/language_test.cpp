@@ -95,7 +95,7 @@ TEST_F(Language, EveryPageSpeaksGerman) {
     studio_->jobs().clearEnded();  // what was said before stays as it was said
     choose("de");
     for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview,
-                            Step::kExport, Step::kPerformer}) {
+                            Step::kExport, Step::kPerformer, Step::kRobot}) {
         windows_->window()->goTo(step);
         QCoreApplication::processEvents();
         for (const QLabel* label : windows_->window()->findChildren<QLabel*>())

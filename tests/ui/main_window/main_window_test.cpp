@@ -68,8 +68,8 @@ TEST_F(MainWindowTest, StepsOpenByAClickOnTheirName) {
 TEST_F(MainWindowTest, DocksNeverCutTheirContent) {
     openSampleTake();
     window_->resize(1280, 800);
-    for (const Step step :
-         {Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview, Step::kExport, Step::kPerformer}) {
+    for (const Step step : {Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview, Step::kExport,
+                            Step::kPerformer, Step::kRobot}) {
         window_->goTo(step);
         ASSERT_TRUE(waitFor([&] { return window_->page(step).isVisible(); }));
         QCoreApplication::processEvents();
@@ -91,7 +91,7 @@ TEST_F(MainWindowTest, OpenGivesUpItsKeyInReview) {
 
 TEST_F(MainWindowTest, NoKeyStandsForTwoCommandsAtOnce) {
     for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview,
-                            Step::kExport, Step::kPerformer}) {
+                            Step::kExport, Step::kPerformer, Step::kRobot}) {
         window_->goTo(step);
         std::map<QString, QString> owners;
         QList<QAction*> actions = window_->actions().all();

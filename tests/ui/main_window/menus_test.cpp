@@ -28,7 +28,7 @@ protected:
 
     void openAllOnEveryPage() {
         for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview,
-                                Step::kExport, Step::kPerformer}) {
+                                Step::kExport, Step::kPerformer, Step::kRobot}) {
             window_->goTo(step);
             opened_ = 0;
             for (QAction* title : window_->topBar().menuBar().actions())

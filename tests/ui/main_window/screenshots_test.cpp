@@ -65,9 +65,9 @@ protected:
     }
     void picturesOfAllSteps(const QString& look) {
         const std::pair<Step, const char*> steps[] = {
-            {Step::kStart, "start"},        {Step::kConnect, "connect"}, {Step::kCalibrate, "calibrate"},
-            {Step::kRecord, "record"},      {Step::kReview, "review"},   {Step::kExport, "export"},
-            {Step::kPerformer, "performer"}};
+            {Step::kStart, "start"},         {Step::kConnect, "connect"}, {Step::kCalibrate, "calibrate"},
+            {Step::kRecord, "record"},       {Step::kReview, "review"},   {Step::kExport, "export"},
+            {Step::kPerformer, "performer"}, {Step::kRobot, "robot"}};
         for (const auto& [step, name] : steps) {
             window_->goTo(step);
             save(*window_, QStringLiteral("%1-%2").arg(name, look));

@@ -50,6 +50,7 @@ TEST_F(Stalls, GoingToAPageLeavesTheInterfaceFree) {
                                {Step::kReview, "Review again"},
                                {Step::kStart, "start page again"},
                                {Step::kPerformer, "Performer"},
+                               {Step::kRobot, "Robot"},
                                {Step::kReview, "Review after Performer"}}) {
         test::StallWatch watch;
         window_->goTo(visit.step);

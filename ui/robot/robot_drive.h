@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// The robot of the studio: which it is, its link, who leads it, the operator's keys, and what it did in the
+// last seconds. Driving runs in a thread of its own, with the same loop as the verb `drive`; nothing here
+// waits for the robot.
+#pragma once
+
+#include <QByteArray>
+#include <QObject>
+#include <QTimer>
+#include <deque>
+#include <memory>
+
+#include "core/robot/live_drive.h"
+#include "core/robot/tracking.h"
+#include "devices/robot/robot_interface.h"
+#include "ui/models/studio.h"
+#include "ui/robot/robot_choice.h"
+
+namespace noctule::ui {
+
+/// A robot that has been read.
+struct RobotParts {
+    robot::RobotModel model;
+    robot::RobotProfile profile;
+    std::vector<robot::RobotArm> arms;
+    std::vector<std::string> joints;      ///< in the order of commands
+    std::vector<robot::ChainJoint> axes;  ///< likewise, with their limits
+    std::vector<double> speeds;           ///< rad/s, likewise
+};
+
+/// One step of the drive; values in the order of RobotParts::joints.
+struct RobotMoment {
+    double time_s = 0;  ///< since the drive began
+    robot::DriveOutput output;
+    std::vector<double> actual;  ///< empty: the robot has not told yet
+    double actual_time_s = 0;    ///< when it told
+    double pose_time_s = 0;      ///< of the take or the suit
+};
+
+/// Always one of the four, in this order (style guide, section 9).
+enum class RobotWord { kNotSynchronised, kReady, kFollowing, kHolding };
+
+/// For so long the word was the same.
+struct RobotSpell {
+    RobotWord word = RobotWord::kNotSynchronised;
+    QString reason;  ///< of kHolding
+    QDateTime since;
+    double seconds = 0;
+};
+
+class RobotDrive : public QObject {
+    Q_OBJECT
+public:
+    enum class Link { kOff, kConnecting, kAnswers, kSilent };
+    enum class Leader { kSuit, kTake };
+
+    explicit RobotDrive(Studio& studio, QObject* parent = nullptr);
+    ~RobotDrive() override;
+
+    bool hasRobot() const { return !choice_.isEmpty(); }
+    const RobotChoice& choice() const { return choice_; }
+    /// Null: none, or it is still being read, or it cannot be read.
+    std::shared_ptr<const RobotParts> parts() const { return parts_; }
+    /// Keeps the choice, reads the robot and connects. An earlier one is let go first.
+    void setRobot(const RobotChoice& choice);
+    void removeRobot();
+    /// Reads the robot if that has not been done.
+    void connectRobot();
+    void disconnectRobot();
+    /// What is wrong with the robot or its link: what happened, and what to do; empty: nothing.
+    const QString& trouble() const { return trouble_; }
+
+    Leader leader() const { return leader_; }
+    void setLeader(Leader leader);
+    /// Why nobody leads, in words; empty: somebody does.
+    QString whyNoLeader() const;
+    /// The take's motion goes on; it waits at its beginning until then.
+    void setPlaying(bool playing);
+    bool isPlaying() const;
+    /// The take's motion is repeated, its end joined to its beginning.
+    void setRepeats(bool repeats);
+    bool repeats() const { return repeats_; }
+
+    // The operator.
+    void setDeadMan(bool held);
+    bool deadMan() const { return dead_man_; }
+    void setClutch(bool in);
+    bool clutch() const { return clutch_; }
+    void accept();
+    void stop();
+    void reset();
+    void setSpeed(double share);
+    /// Lets the dead man's key and the clutch go.
+    void hold();
+
+    Link link() const;
+    robot_link::LinkStatus linkStatus() const;
+    /// Of the last moment.
+    RobotWord word() const { return word_; }
+    /// "key released"; empty unless it holds.
+    QString holdingReason() const { return reason_; }
+    /// Newest last, of the last kShown_s; empty: nothing yet.
+    const std::deque<RobotMoment>& moments() const { return moments_; }
+    static constexpr double kShown_s = 8;
+    /// Of the hand of the arm, in the axes of the chest (x left, y up, z ahead).
+    struct HandPaths {
+        std::vector<robot::PathPoint> commanded, achieved;
+        std::optional<robot::Tracking> tracking;
+    };
+    HandPaths handPaths(size_t arm) const;
+    const std::vector<RobotSpell>& spells() const { return spells_; }
+    /// All commands and states since the drive began, as the verb `drive` writes them.
+    QByteArray table() const;
+
+signals:
+    void robotChanged();   ///< choice or parts
+    void linkChanged();    ///< link() or trouble()
+    void ticked();         ///< moments(), at most 30 times a second
+    void wordChanged();    ///< word() or holdingReason()
+    void keysChanged();    ///< the operator's
+    void leaderChanged();  ///< or what it plays
+
+private:
+    class Running;
+    void read(bool connects);
+    void begin();
+    void end();
+    void restart();
+    void tick();
+    void judge();
+    void setTrouble(const QString& trouble);
+    void pass();
+
+    Studio& studio_;
+    RobotChoice choice_;
+    std::shared_ptr<const RobotParts> parts_;
+    int reading_ = 0;  ///< what earlier readings bring is void
+    QString trouble_;
+    Leader leader_ = Leader::kSuit;
+    bool repeats_ = false, wants_link_ = false;
+    bool dead_man_ = false, clutch_ = false;
+    std::unique_ptr<Running> running_;
+    std::deque<RobotMoment> moments_;
+    QByteArray table_;
+    RobotWord word_ = RobotWord::kNotSynchronised;
+    QString reason_;
+    std::vector<RobotSpell> spells_;
+    Link told_link_ = Link::kOff;
+    QTimer timer_;
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot's links as one mesh of capsules, a bone per link, and where the bones are for joint values. The
+// robot's root stands in the studio's world: its x ahead is Z, its y to the left is X, its z up is Y.
+#pragma once
+
+#include "core/mesh/skinned_mesh.h"
+#include "core/robot/link_shapes.h"
+#include "core/robot/profile.h"
+
+namespace noctule::ui {
+
+Matrix3d worldOfRobot();
+
+/// Links without a shape have no bone: the lines between their joints are drawn in the profile's radius.
+std::shared_ptr<const SkinnedMesh> meshOf(const robot::RobotModel& model, const robot::RobotProfile& profile);
+
+/// Per bone of meshOf(); `lift_m`: of the root above the ground.
+std::vector<Eigen::Matrix4f> skinOf(const robot::RobotModel& model, const SkinnedMesh& mesh,
+                                    const robot::JointValues& values, double lift_m);
+
+/// What the mesh fills in the world, without a lift.
+Eigen::AlignedBox3d boxOf(const robot::RobotModel& model, const robot::RobotProfile& profile,
+                          const robot::JointValues& values);
+
+}  // namespace noctule::ui
