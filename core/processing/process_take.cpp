@@ -8,8 +8,8 @@
 #include "core/processing/pose_from_sensors.h"
 #include "core/processing/process_together.h"
 #include "core/processing/pulse_shapes.h"
-#include "core/processing/result_runs.h"
 #include "core/processing/sound_log.h"
+#include "core/processing/write_runs.h"
 
 namespace noctule {
 namespace {

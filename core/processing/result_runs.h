@@ -3,7 +3,6 @@
 // while it was recorded: the same rows either way.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "core/processing/ingredients.h"
@@ -13,6 +12,9 @@
 #include "core/recording/take_edit.h"
 
 namespace noctule {
+
+/// "AGD": what the estimator is given. Independent inertial sensors know no distances, whatever is asked for.
+std::string sensorLetters(const TrackerSettings& tracker);
 
 /// Where results go while the data are still being read: beside the take, which stays free for others until
 /// store() writes them.
@@ -64,17 +66,5 @@ private:
     size_t part_ = 0;        ///< that is written for; bodies come first, in the order of summary.subjects
     bool writes_readings_ = false;
 };
-
-/// Gives everything that the processing of one subject, whose suit is in view, yields to the runs.
-using FillRuns = std::function<Status(const Take& take, const Ingredients& in, ResultRuns& runs)>;
-/// Gives what the processing of all subjects together yields; false: nothing joins them, each is to be
-/// processed by itself.
-using FillTogether =
-    std::function<Result<bool>(Take& take, std::vector<Ingredients>& subjects, ResultRuns& runs)>;
-
-/// Everything or nothing: when filling fails or yields no pose, the take stays as it was. Reads in one
-/// snapshot; another program that writes the take meanwhile is waited for, at most an hour.
-Result<ProcessSummary> writeRuns(const ProcessRequest& request, const FillRuns& fill,
-                                 const CancelFlag* cancel = nullptr, const FillTogether& together = {});
 
 }  // namespace noctule

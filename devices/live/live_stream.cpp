@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/processing/result_runs.h"
+#include "core/processing/write_runs.h"
 #include "devices/live/live_plans.h"
 #include "devices/live/live_session.h"
 
