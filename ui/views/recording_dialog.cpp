@@ -23,7 +23,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kRecordingDialogWidth = 1000, kFoundWidth = 360, kFoundLabels = 100, kSegmentWidth = 170,
+constexpr int kRecordingDialogWidth = 1000, kFoundWidth = 310, kFoundLabels = 100, kSegmentWidth = 150,
               kSensorsHeight = 330;
 constexpr double kAsFileSays_hz = 0, kMostRate_hz = 10000;
 constexpr const char* kImportMapsKey = "folders/import_maps";
@@ -224,7 +224,7 @@ void RecordingDialog::addSensorRow(size_t sensor, QWidget* rows) {
     const double share = found.rows > 0 ? double(found.missing) / double(found.rows) : 0;
     grid->addWidget(name, line, 0);
     grid->addWidget(segment, line, 1);
-    grid->addWidget(new Label(tr("%1 Hz").arg(numberText(one.samples.rate_hz, 1))), line, 2);
+    grid->addWidget(new Label(tr("%1 Hz").arg(numberText(one.samples.rate_hz, 0))), line, 2);
     grid->addWidget(new Label(timeText(found.duration_s)), line, 3);
     grid->addWidget(new Label(found.missing == 0 ? tr("none") : percentText(share, 1), TextRole::kBody,
                               share > 0.01 ? Ink::kWarn : Ink::kValue),
