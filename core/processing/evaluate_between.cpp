@@ -23,12 +23,12 @@ struct Judged {
     int64_t from_ns = 0;  ///< after the rest
 };
 
-double headingOf(const Quaterniond& q) {
+double headingAngle(const Quaterniond& q) {
     return 2 * std::atan2(q.y(), q.w());
 }
 
 double headingError(const Pose& estimate, const Pose& truth) {
-    return std::remainder(headingOf(estimate.q_parent_joint[0] * truth.q_parent_joint[0].conjugate()),
+    return std::remainder(headingAngle(estimate.q_parent_joint[0] * truth.q_parent_joint[0].conjugate()),
                           2 * std::numbers::pi);
 }
 

@@ -33,6 +33,17 @@ std::string changedParameters(const json::Json& settings, const EstimatorEntry& 
     return options;
 }
 
+/// Of runs in which the ranges between suits were used.
+std::string togetherOptions(const json::Json& settings) {
+    std::string options;
+    for (const char* option : {"between", "room"})
+        if (const auto used = settings.find(option); used != settings.end() && used->is_boolean())
+            options += " --" + std::string(option) + (used->get<bool>() ? " on" : " off");
+    if (const auto share = json::number(settings, "select"); share && *share < 1)
+        options += " --select " + json::Json(*share).dump();
+    return options;
+}
+
 }  // namespace
 
 std::string commandOfRun(const DerivedRun& run, const std::string& take_path) {
@@ -46,7 +57,8 @@ std::string commandOfRun(const DerivedRun& run, const std::string& take_path) {
     for (const char* option : {"sensors", "root", "estimator", "smooth", "detector", "ground"})
         if (const auto value = json::text(settings, option); value && !value->empty())
             command += " --" + std::string(option) + " " + word(*value);
-    return command + changedParameters(settings, *known) + " --run-name " + word(run.name);
+    return command + togetherOptions(settings) + changedParameters(settings, *known) + " --run-name " +
+           word(run.name);
 }
 
 }  // namespace noctule
