@@ -7641,10 +7641,6 @@ Median; gut: unter %1</translation>
         <translation>Eingekuppelt</translation>
     </message>
     <message>
-        <source>Out: move your arm, the robot stays</source>
-        <translation>Aus: Arm frei bewegen, der Roboter bleibt</translation>
-    </message>
-    <message>
         <source>In: postures are compared</source>
         <translation>Ein: Haltungen werden verglichen</translation>
     </message>
@@ -7676,6 +7672,10 @@ Median; gut: unter %1</translation>
         <source>%1, p99.9 %2</source>
         <comment>median, quantile</comment>
         <translation>%1, p99,9 %2</translation>
+    </message>
+    <message>
+        <source>Out: the robot stays</source>
+        <translation>Aus: der Roboter bleibt</translation>
     </message>
 </context>
 <context>

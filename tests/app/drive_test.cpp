@@ -11,7 +11,7 @@
 namespace noctule::test {
 namespace {
 
-constexpr double kRate_hz = 100;
+constexpr double kPosesPerSecond = 100;
 constexpr int kFramesOfTake = 300;
 
 /// Upper arms hang, forearms point ahead, as the robot's does at first; the right one swings.
@@ -22,7 +22,7 @@ Pose swingingPose(const Skeleton& skeleton, int frame) {
     };
     q("RightArm") = axisAngle(Vector3d::UnitZ(), radians(90));
     q("RightForeArm") =
-        axisAngle(Vector3d::UnitY(), radians(90) + 0.3 * (1 - std::cos(4 * frame / kRate_hz)));
+        axisAngle(Vector3d::UnitY(), radians(90) + 0.3 * (1 - std::cos(4 * frame / kPosesPerSecond)));
     q("LeftArm") = axisAngle(Vector3d::UnitZ(), radians(-90));
     return pose;
 }
@@ -83,7 +83,7 @@ protected:
         ASSERT_TRUE(run);
         for (int i = 0; i < kFramesOfTake; ++i)
             ASSERT_TRUE(
-                edit.addPose(*run, {std::llround(i * 1e9 / kRate_hz), swingingPose(skeleton, i), {}}));
+                edit.addPose(*run, {std::llround(i * 1e9 / kPosesPerSecond), swingingPose(skeleton, i), {}}));
         ASSERT_TRUE(edit.commit());
     }
     std::string file(const std::string& name) const { return folder_.file(name); }

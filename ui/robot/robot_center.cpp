@@ -187,7 +187,7 @@ void RobotCenter::showKeys() {
         dead_man_->setLook(Tone::kNeutral, tr("Hold the key"), tr("The robot moves only meanwhile"));
     clutch_->setChecked(drive_.clutch());
     if (drive_.clutch())
-        clutch_->setLook(Tone::kOk, tr("Clutch in"), tr("Out: move your arm, the robot stays"));
+        clutch_->setLook(Tone::kOk, tr("Clutch in"), tr("Out: the robot stays"));
     else
         clutch_->setLook(Tone::kNeutral, tr("Clutch out"), tr("In: postures are compared"));
     arrangeKeys();
