@@ -14,15 +14,13 @@
 namespace noctule {
 namespace {
 
-using testing::kFine;
-using testing::kFineStep_s;
 using testing::World;
 
 constexpr double kRest_s = 1;
 constexpr int kBodies = 2, kRoom = 2;
 constexpr double kSound = 344;
 /// Take time of suit time 0; the second one is what the recorder does not know.
-const double kOffset_s[] = {0, 16 * kFineStep_s};
+const double kOffset_s[] = {0, 16 * testing::kFineStep_s};
 constexpr double kGuessError_s = 0.003;
 
 struct Anchor {
@@ -144,19 +142,19 @@ private:
         std::vector<Pulse> flying;
         int turn = 0;
         std::vector<MotionState> now{worlds[0].motion, worlds[1].motion};
-        for (int k = 1; k < (kRest_s + seconds) / kFineStep_s; ++k) {
-            const double t = k * kFineStep_s;
+        for (int k = 1; k < (kRest_s + seconds) / testing::kFineStep_s; ++k) {
+            const double t = k * testing::kFineStep_s;
             if (t > kRest_s)
                 for (World& world : worlds)
-                    world.move(kFineStep_s);
-            for (int i = 0; i < kBodies && k % kFine == 0 && t > kRest_s; ++i)
+                    world.move(testing::kFineStep_s);
+            for (int i = 0; i < kBodies && k % testing::kFine == 0 && t > kRest_s; ++i)
                 for (int b = 0; b < 4; ++b)
                     events_.push_back({t,
                                        static_cast<size_t>(i),
                                        worlds[static_cast<size_t>(i)].inertial(b, suitTime(i, t)),
                                        {},
                                        {}});
-            if (k % kFine == 1) {
+            if (k % testing::kFine == 1) {
                 flying.clear();
                 for (int i = 0; i < kBodies; ++i)
                     flying.push_back({i, turn % 2, sourceAt(i, turn % 2), t});
@@ -164,13 +162,13 @@ private:
                     flying.push_back({kRoom, turn % 4, sourceAt(kRoom, turn % 4), t});
                 ++turn;
             }
-            if (k % kFine == 3)
+            if (k % testing::kFine == 3)
                 for (const Pulse& pulse : flying)
                     hear(pulse.member, pulse.source, pulse.from, pulse.emission_s, t);
-            if (k % kFine != 0)
+            if (k % testing::kFine != 0)
                 continue;
             const std::vector<MotionState> before = std::exchange(now, {worlds[0].motion, worlds[1].motion});
-            if (k / kFine % 14 == 0)
+            if (k / testing::kFine % 14 == 0)
                 events_.push_back({t, 0, {}, {}, before});
         }
     }
@@ -314,7 +312,8 @@ TEST(JointFilter, AShareOfTheRangesIsUsed) {
     EXPECT_GT(used, 300);
     EXPECT_LT(used, left);
     const Relative relative = relativeOf(world);
-    EXPECT_LT(relative.error.head<3>().norm(), 4 * std::sqrt(relative.covariance.topLeftCorner(3, 3).trace()));
+    EXPECT_LT(relative.error.head<3>().norm(),
+              4 * std::sqrt(relative.covariance.topLeftCorner(3, 3).trace()));
 }
 
 }  // namespace
