@@ -256,7 +256,7 @@ TEST_F(RecordPageTest, TheVoiceCountsAndSaysStartAndStopUnlessItIsOff) {
     for (const bool on : {true, false}) {
         Voice::get().setOn(on);
         run().press();
-        EXPECT_TRUE(reach(State::kRecording));
+        EXPECT_TRUE(waitFor([&] { return studio_->suit().recordedSeconds() > 0.2; }));
         run().stop();
         EXPECT_TRUE(reach(State::kReady));
         EXPECT_EQ(said, on ? QStringList({"1", "Recording", "Stopped"}) : QStringList());
