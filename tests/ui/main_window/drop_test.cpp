@@ -66,7 +66,7 @@ TEST_F(Drop, TakesAreCopiedIntoTheOpenSession) {
 }
 
 TEST_F(Drop, WhatTheStudioDoesNotKnowIsNotTaken) {
-    const QString letter = folder_.filePath("letter.txt");
+    const QString letter = folder_.filePath("letter.odt");
     QFile file(letter);
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     EXPECT_FALSE(drop({letter}));
