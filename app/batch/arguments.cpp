@@ -29,9 +29,9 @@ std::string lowerCase(std::string text) {
 
 /// The value in the form that verbs see.
 Result<std::string> checkedChoice(const Option& option, const std::string& value) {
-    const std::string wanted = lowerCase(value);
-    if (std::find(option.choices.begin(), option.choices.end(), wanted) != option.choices.end())
-        return wanted;
+    for (const std::string& choice : option.choices)
+        if (lowerCase(choice) == lowerCase(value))
+            return choice;
     return Error{ErrorKind::kUsage, "--" + option.name + " cannot be '" + value + "'",
                  "Choose " + listed(option.choices)};
 }
