@@ -1736,7 +1736,7 @@
     </message>
     <message>
         <source>Posture and scaled hand</source>
-        <translation>Haltung und skalierte Hand</translation>
+        <translation>Haltung, skalierte Hand</translation>
     </message>
     <message>
         <source>The hand’s way only</source>
@@ -7812,7 +7812,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Posture and scaled hand</source>
-        <translation>Haltung und skalierte Hand</translation>
+        <translation>Haltung, skalierte Hand</translation>
     </message>
     <message>
         <source>The hand’s way only</source>

@@ -17,7 +17,6 @@
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
 #include "ui/models/recording_import.h"
-#include "ui/models/recording_import.h"
 #include "ui/views/readiness_words.h"
 #include "ui/views/session_commands.h"
 #include "ui/widgets/step_bar.h"

@@ -93,7 +93,8 @@ void StateStrip::paintEvent(QPaintEvent*) {
         painter.drawText(words.adjusted(0, title.height(), 0, 0), Qt::AlignTop,
                          small.elidedText(meaningOf(word), Qt::ElideRight, words.width()));
         if (i < 3)
-            paintIcon(painter, QRect(frame.right() + 1, 0, gap, height()), "chevron", theme.px(12), tokens.t3);
+            paintIcon(painter, QRect(frame.right() + 1, 0, gap, height()), "chevron", theme.px(12),
+                      tokens.t3);
     }
 }
 

@@ -157,7 +157,8 @@ QString runInWords(const RunSettings& settings) {
 
 QString runTitle(const ReviewRun& run) {
     // As defaultRunName() and its numbering make them.
-    static const QRegularExpression kMadeUp("^[AGD]+( paper| manifold| orientation)?( smoothed| lag| batch)?( (\\d+))?$");
+    static const QRegularExpression kMadeUp(
+        "^[AGD]+( paper| manifold| orientation)?( smoothed| lag| batch)?( (\\d+))?$");
     const QString name = QString::fromStdString(run.run.name);
     const auto match = kMadeUp.match(name);
     if (!match.hasMatch() && !name.isEmpty())
