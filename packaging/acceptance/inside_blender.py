@@ -59,7 +59,7 @@ def skin_seen(mesh):
 
 
 def joints_in_csv(path):
-    with plain_open(path, newline="") as file:
+    with open(path, newline="") as file:
         rows = list(csv.DictReader(file))
     names = [column[:-2] for column in rows[0] if column.endswith(".x")]
     return [{name: numpy.array([float(row[f"{name}.{axis}"]) for axis in "xyz"]) for name in names} for row in rows]
