@@ -72,15 +72,16 @@ def small_disk(folder):
 
 
 def gaps_and_holes(take):
-    """Samples in gaps of all boards, and samples that are in no block and in no gap."""
+    """Samples in gaps of all boards by the gaps' reason, and samples that are in no block and in no gap."""
     with studio.open_take(take) as database:
         gaps = database.execute("SELECT first_sample, sample_count FROM gap WHERE board IS NULL").fetchall()
+        reasons = dict(database.execute("SELECT reason, sum(sample_count) FROM gap WHERE board IS NULL GROUP BY reason"))
         spans = gaps + database.execute("SELECT first_sample, sample_count FROM adc_block").fetchall()
     reached = holes = 0
     for first, count in sorted(spans):
         holes += max(0, first - reached)
         reached = max(reached, first + count)
-    return sum(count for _, count in gaps), holes
+    return reasons, holes
 
 
 def disturb(beside, folder, disk, bystander):
@@ -120,7 +121,8 @@ def figure(_):
             starter.join()
             beside.over.set()
     path = live.FOLDER / os.path.basename(report["take"])
-    in_gaps, holes = gaps_and_holes(path)
+    reasons, holes = gaps_and_holes(path)
+    in_gaps, said = sum(reasons.values()), " ".join(report["warnings"]).replace(f"{live.FOLDER}/", "")
     path.unlink()
     missed = []
     if report["lost_samples"] != in_gaps or holes:
@@ -137,7 +139,7 @@ def figure(_):
     text = (f"{SECONDS} s of 18 boards at 150 kHz, recorded and made into poses, beside {PROCESSES} programs that process other "
             f"takes, and a lock on the take from {LOCKED_FROM_S} s on for {LOCKED_S} s"
             f"{'' if disk else ' (no full disk: none can be mounted here)'}. Lost: {report['lost_samples']} samples, all of them in "
-            f"gaps of the take: {in_gaps}; in neither: {holes}. Said: {' '.join(report['warnings'])}\n\n" +
+            f"gaps of the take: {reasons or 0}; in neither: {holes}. Said: {said}\n\n" +
             studio.markdown_table(["beside", "ended with"], rows) +
             f"\nThe studio's screen thread stands still for three seconds of a recording, nothing is lost:\n\n{still}\n")
     if missed:
