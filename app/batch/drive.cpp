@@ -12,7 +12,7 @@
 #include "core/job/atomic_file.h"
 #include "core/math/rotation.h"
 #include "core/processing/pose_runs.h"
-#include "core/robot/motion_report.h"
+#include "core/robot/robot_report.h"
 #include "core/robot/urdf_reader.h"
 #include "devices/device/clock.h"
 #include "devices/live/live_session.h"
@@ -305,14 +305,14 @@ Status writeDriveReport(const Arguments& arguments, const robot_link::DriveRepor
     char quantiles[100];
     std::snprintf(quantiles, sizeof quantiles, "%.1f ms, %.1f ms", 1e3 * latency.quantile_s(0.5),
                   1e3 * latency.quantile_s(0.999));
-    const robot::MotionReport page{"Robot " + drive.model.name + ", driven live",
-                                   "Times are those at which commands were made and states arrived.",
-                                   "the hand as it was commanded",
-                                   "the hand as the robot tells it",
-                                   record.hands(),
-                                   {{"Commands", std::to_string(report.commands)},
-                                    {"Commands while following", std::to_string(report.following)},
-                                    {"Data to command: median, 99.9 %", quantiles}}};
+    const robot::RobotReport page{"Robot " + drive.model.name + ", driven live",
+                                  "Times are those at which commands were made and states arrived.",
+                                  "the hand as it was commanded",
+                                  "the hand as the robot tells it",
+                                  record.hands(),
+                                  {{"Commands", std::to_string(report.commands)},
+                                   {"Commands while following", std::to_string(report.following)},
+                                   {"Data to command: median, 99.9 %", quantiles}}};
     return writeFileAtomically(arguments.text("report"), robot::reportHtml(page),
                                arguments.given("overwrite"));
 }

@@ -12,7 +12,7 @@
 #include "core/motion/timed_poses.h"
 #include "core/processing/pose_runs.h"
 #include "core/robot/command_files.h"
-#include "core/robot/motion_report.h"
+#include "core/robot/robot_report.h"
 #include "core/robot/urdf_reader.h"
 
 namespace noctule::batch {
@@ -156,12 +156,12 @@ Status writeReport(const Arguments& arguments, const MotionClip& clip, const rob
     const auto hands = robot::wristsOf(clip, model, profile, choiceFor(arguments), trajectory);
     if (!hands)
         return hands.error();
-    robot::MotionReport report{clip.name + " on robot " + model.name,
-                               "The commands keep the robot's limits of place, speed, acceleration and jerk.",
-                               "the performer's wrist from the shoulder, in the robot's size",
-                               "where the commands bring the robot's wrist",
-                               *hands,
-                               {}};
+    robot::RobotReport report{clip.name + " on robot " + model.name,
+                              "The commands keep the robot's limits of place, speed, acceleration and jerk.",
+                              "the performer's wrist from the shoulder, in the robot's size",
+                              "where the commands bring the robot's wrist",
+                              *hands,
+                              {}};
     report.facts = {
         {"Commands", std::to_string(trajectory.frames.size())},
         {"Joints", std::to_string(trajectory.joints.size())},

@@ -77,6 +77,7 @@ public:
     const JointCovariance& covariance() const { return covariance_; }
 
 private:
+    static constexpr double kLeastConfidence = 0.05;  ///< of a range that is used
     struct Body {
         std::unique_ptr<ManifoldFilter> filter;
         std::unique_ptr<ObservationModel> model;

@@ -6,6 +6,7 @@
 
 #include "core/body/actor.h"
 #include "core/job/atomic_file.h"
+#include "core/job/csv_cell.h"
 #include "core/math/rotation.h"
 #include "core/recording/take.h"
 
@@ -15,15 +16,6 @@ namespace {
 
 constexpr int64_t kBridgedGap_ns = 100'000'000;
 constexpr const char* kNoCells = ",,,,,,,";
-
-std::string csvText(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos)
-        return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
 
 /// ",qw,qx,qy,qz,a,b,c"; angles follow those of the row before.
 std::string attitudeCells(const Quaterniond& q, const EulerSequence& sequence, Vector3d& angles_rad) {
@@ -65,8 +57,8 @@ public:
     std::string rowsOf(size_t board) const {
         const int before = boardBefore(board);
         const Board& here = suit_.boards[board];
-        const std::string names = "," + csvText(here.id) + "," + csvText(here.segment);
-        const std::string before_name = before < 0 ? "" : csvText(suit_.boards[size_t(before)].id);
+        const std::string names = "," + csvCell(here.id) + "," + csvCell(here.segment);
+        const std::string before_name = before < 0 ? "" : csvCell(suit_.boards[size_t(before)].id);
         Vector3d angles = Vector3d::Zero(), relative_angles = Vector3d::Zero();
         std::string text;
         for (const OrientationRow& row : rows_[board]) {

@@ -3,17 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/job/csv_cell.h"
+
 namespace noctule {
 namespace {
-
-std::string cell(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
-        return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
 
 std::string cell(const std::optional<double>& value) {
     return value && std::isfinite(*value) ? nlohmann::json(*value).dump() : "";
@@ -32,7 +25,7 @@ std::string jointsCsv(const ReportData& data) {
             const AngleStatistics& angle = joint.angle;
             for (const std::string& text : {data.take.name, run.name, run.sensors, run.estimator,
                                             run.smoother, joint.name, joint.relative_to})
-                csv += cell(text) + ",";
+                csv += csvCell(text) + ",";
             for (const double value :
                  {angle.mean_deg, angle.median_deg, angle.std_deg, angle.rms_deg, angle.p95_deg,
                   angle.max_deg, angle.drift_deg_per_min, joint.position_mm})

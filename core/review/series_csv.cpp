@@ -7,18 +7,10 @@
 #include <limits>
 
 #include "core/formats/number_text.h"
+#include "core/job/csv_cell.h"
 
 namespace noctule {
 namespace {
-
-std::string quoted(const std::string& name) {
-    if (name.find_first_of(",\"\r\n") == std::string::npos)
-        return name;
-    std::string out = "\"";
-    for (const char c : name)
-        out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
-}
 
 void appendValue(std::string& text, float value) {
     char buffer[32];
@@ -32,7 +24,7 @@ std::string seriesCsv(const std::vector<NamedSeries>& curves, double from_s, dou
     std::string text = "time_s";
     std::vector<size_t> next;
     for (const NamedSeries& curve : curves) {
-        text += "," + quoted(curve.name);
+        text += "," + csvCell(curve.name);
         const auto& t_s = curve.series->series().t_s;
         next.push_back(static_cast<size_t>(std::lower_bound(t_s.begin(), t_s.end(), from_s) - t_s.begin()));
     }

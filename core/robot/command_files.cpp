@@ -4,18 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/job/csv_cell.h"
+
 namespace noctule::robot {
 namespace {
-
-/// As RFC 4180 wants names with commas or quotes.
-std::string csvCell(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
-        return text;
-    std::string cell = "\"";
-    for (const char c : text)
-        cell += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return cell + "\"";
-}
 
 std::string fixedNumber(double value) {
     char text[64];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/body/text.h"
 #include "core/vision/marker_cells.h"
 #include "core/vision/marker_plan.h"
 
@@ -27,17 +28,6 @@ std::string mm(double value) {
     return number.back() == '.' ? number.substr(0, number.size() - 1) : number;
 }
 
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text)
-        safe += c == '<'   ? "&lt;"
-                : c == '>' ? "&gt;"
-                : c == '&' ? "&amp;"
-                : c == '"' ? "&quot;"
-                           : std::string(1, c);
-    return safe;
-}
-
 std::string rectangle(double x, double y, double width, double height, const char* fill) {
     return "<rect x=\"" + mm(x) + "\" y=\"" + mm(y) + "\" width=\"" + mm(width) + "\" height=\"" +
            mm(height) + "\" fill=\"" + fill + "\"/>\n";
@@ -45,7 +35,7 @@ std::string rectangle(double x, double y, double width, double height, const cha
 
 std::string words(double x, double y, double size, const std::string& text, const char* anchor = "start") {
     return "<text x=\"" + mm(x) + "\" y=\"" + mm(y) + "\" font-size=\"" + mm(size) + "\" text-anchor=\"" +
-           anchor + "\">" + escaped(text) + "</text>\n";
+           anchor + "\">" + text::escaped(text) + "</text>\n";
 }
 
 std::string line(double x1, double y1, double x2, double y2, const char* colour = "#000000") {

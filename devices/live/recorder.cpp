@@ -75,10 +75,12 @@ void Recorder::work() {
     try {
         auto next_commit = SteadyClock::now();
         while (true) {
-            const bool behind = !backlog_.empty() && !locked_since_;
+            const bool waits = !backlog_.empty();
+            const bool behind = waits && !locked_since_;
             std::optional<LiveItem> item = queue_.pop(behind ? SteadyClock::now() : next_commit);
             const bool came = item.has_value();
-            if (came)
+            // While older items wait, the short queue must not fill up.
+            for (; item; item = waits ? queue_.pop(SteadyClock::now()) : std::nullopt)
                 backlog_.push(std::move(*item));
             if (!drain())
                 return;

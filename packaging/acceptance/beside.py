@@ -46,6 +46,8 @@ class Beside:
     def again_and_again(self, name, pause_s, *words):
         while not self.over.wait(pause_s):
             done = subprocess.run([studio.BUILD / "noctule", "--batch", *map(str, words)], capture_output=True)
+            if self.over.is_set():
+                return  # it may have begun when the recording was complete
             self.codes[name][done.returncode] += 1
 
     def hold_lock(self, take):
@@ -129,7 +131,7 @@ def figure(_):
         missed.append(f"said: {report['lost_samples']} samples lost; {in_gaps} stand in gaps, {holes} nowhere")
     if not any("another program held the take" in warning for warning in report["warnings"]):
         missed.append("the lock is not said")
-    expected = {"process of other takes": {0}, "process of this take": {3, 4}, "inspect of this take": {0},
+    expected = {"process of other takes": {0}, "process of this take": {4}, "inspect of this take": {0},
                 "process onto a full disk": {6}}
     for what, codes in expected.items():
         if set(beside.codes[what]) - codes:

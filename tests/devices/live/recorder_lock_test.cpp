@@ -21,14 +21,20 @@ constexpr int64_t kBlock = 600;
 /// A take that another program holds from one second on.
 class LockedSink : public TakeSink {
 public:
-    LockedSink(std::unique_ptr<TakeSink> file, double locked_s)
-        : file_(std::move(file)), begin_(std::chrono::steady_clock::now()), locked_s_(locked_s) {}
+    LockedSink(std::unique_ptr<TakeSink> file, double locked_s, std::chrono::milliseconds per_write = 0ms)
+        : file_(std::move(file)),
+          begin_(std::chrono::steady_clock::now()),
+          locked_s_(locked_s),
+          per_write_(per_write) {}
     const std::string& path() const override { return file_->path(); }
     Result<bool> ready() override {
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
         return passed.count() < 1 || passed.count() > 1 + locked_s_ ? file_->ready() : Result<bool>(false);
     }
-    Status write(const LiveItem& item) override { return file_->write(item); }
+    Status write(const LiveItem& item) override {
+        std::this_thread::sleep_for(per_write_);
+        return file_->write(item);
+    }
     Status commit() override { return file_->commit(); }
     Status rollBack() override { return file_->rollBack(); }
     Status finish() override { return file_->finish(); }
@@ -39,6 +45,7 @@ private:
     std::unique_ptr<TakeSink> file_;
     std::chrono::steady_clock::time_point begin_;
     double locked_s_;
+    std::chrono::milliseconds per_write_;
 };
 
 std::unique_ptr<TakeSink> lockableFile(const test::Folder& folder) {
@@ -87,6 +94,16 @@ TEST(RecorderLock, LockOfAnotherProgramCostsNothingAndIsTold) {
     ASSERT_EQ(state.notices.size(), 1u);
     EXPECT_NE(state.notices[0].find("another program held the take"), std::string::npos);
     EXPECT_NE(state.notices[0].find("nothing was lost"), std::string::npos) << state.notices[0];
+}
+
+/// A block comes every 4 ms; what waited for two seconds is written while others come.
+TEST(RecorderLock, WritingWhatWaitedCostsNothingThatComesMeanwhile) {
+    const test::Folder folder;
+    RecorderSettings settings = lockedSettings();
+    settings.queue_s = 1;
+    Recorder recorder(std::make_unique<LockedSink>(lockableFile(folder), 2, 2ms), settings);
+    pushSeconds(recorder, 6);
+    expectWhole(recorder.finish(), 6);
 }
 
 TEST(RecorderLock, AnotherProgramThatKeepsTryingToWriteCostsNothing) {

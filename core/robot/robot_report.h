@@ -18,14 +18,14 @@ struct HandPair {
     std::vector<PathPoint> wanted, reached;
 };
 
-struct MotionReport {
+struct RobotReport {
     std::string title, about;
     std::string wanted_name, reached_name;  ///< "commanded", "achieved"
     std::vector<HandPair> hands;
     std::vector<std::pair<std::string, std::string>> facts;  ///< further rows: name, value
 };
 
-std::string reportHtml(const MotionReport& report);
+std::string reportHtml(const RobotReport& report);
 
 /// Of each arm of the trajectory: the performer's wrist from the shoulder, in the robot's size, and where the
 /// commands bring the robot's. `trajectory` comes from mapMotion() of the same motion, robot and choice.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/robot/motion_report.h"
+#include "core/robot/robot_report.h"
 
 #include <algorithm>
 #include <cstdio>
 
+#include "core/body/text.h"
 #include "core/robot/live_drive.h"
 
 namespace noctule::robot {
@@ -20,17 +21,6 @@ struct ReportView {
 };
 constexpr ReportView kViews[] = {
     {"Front", "X", "Y", 0, 1, 1}, {"Side", "Z", "Y", 2, 1, 1}, {"Top", "X", "Z", 0, 2, -1}};
-
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text)
-        safe += c == '<'   ? "&lt;"
-                : c == '>' ? "&gt;"
-                : c == '&' ? "&amp;"
-                : c == '"' ? "&quot;"
-                           : std::string(1, c);
-    return safe;
-}
 
 template <class... Values>
 std::string formatted(const char* format, Values... values) {
@@ -95,7 +85,7 @@ std::string drawing(const HandPair& pair, const ReportView& view) {
 }
 
 std::string row(const std::string& name, const std::string& value) {
-    return "<tr><th>" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>";
+    return "<tr><th>" + text::escaped(name) + "</th><td>" + text::escaped(value) + "</td></tr>";
 }
 
 std::string tableOf(const HandPair& pair) {
@@ -120,15 +110,15 @@ constexpr const char* kStyle =
 
 }  // namespace
 
-std::string reportHtml(const MotionReport& report) {
+std::string reportHtml(const RobotReport& report) {
     std::string html = "<!DOCTYPE html><html lang='en'><head><meta charset='utf-8'><title>" +
-                       escaped(report.title) + "</title><style>" + kStyle + "</style></head><body><h1>" +
-                       escaped(report.title) + "</h1><p>" + escaped(report.about) +
-                       "</p><p>Dashed: " + escaped(report.wanted_name) +
-                       ". Line: " + escaped(report.reached_name) +
+                       text::escaped(report.title) + "</title><style>" + kStyle +
+                       "</style></head><body><h1>" + text::escaped(report.title) + "</h1><p>" +
+                       text::escaped(report.about) + "</p><p>Dashed: " + text::escaped(report.wanted_name) +
+                       ". Line: " + text::escaped(report.reached_name) +
                        ". Axes of the chest: X to the left, Y up, Z ahead. A division is 100 mm.</p>";
     for (const HandPair& pair : report.hands) {
-        html += "<h2>Arm " + escaped(pair.arm) + "</h2>";
+        html += "<h2>Arm " + text::escaped(pair.arm) + "</h2>";
         for (const ReportView& view : kViews)
             html += drawing(pair, view);
         html += tableOf(pair);
