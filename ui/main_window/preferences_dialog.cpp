@@ -186,11 +186,9 @@ void PreferencesDialog::addSound(QVBoxLayout& column) {
     spoken->setEnabled(voice.canSpeak());
     rows->addControl(spoken);
     if (!voice.canSpeak())
-        rows->addControl(
-            (new Label(tr("No speech is installed on this computer. On Debian: speech-dispatcher and "
-                          "qtspeech5-speechd-plugin."),
-                       TextRole::kSecondary, Ink::kHint))
-                ->wrapped());
+        rows->addHint(
+            tr("No speech is installed on this computer. On Debian: speech-dispatcher and "
+               "qtspeech5-speechd-plugin."));
     connect(spoken, &QCheckBox::toggled, &voice, &Voice::setOn);
 }
 

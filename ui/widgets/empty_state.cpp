@@ -16,7 +16,11 @@ EmptyState::EmptyState(const QString& sentence, const QString& action, const QSt
     sentence_->setAlignment(Qt::AlignCenter);
     auto* column = new QVBoxLayout(this);
     column->addStretch(1);
-    column->addWidget(sentence_);
+    auto* middle = new QHBoxLayout;  // on a wide page too
+    middle->addStretch();
+    middle->addWidget(sentence_, 1000);
+    middle->addStretch();
+    column->addLayout(middle);
     if (!action.isEmpty()) {
         button_ = makeButton(ButtonKind::kOutlined, action, icon_name);
         connect(button_, &Button::clicked, this, &EmptyState::activated);

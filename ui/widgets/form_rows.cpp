@@ -26,6 +26,13 @@ int FormRows::nextRow() const {
     return grid_->count() == 0 ? 0 : grid_->rowCount();
 }
 
+/// An empty first cell keeps the distance between the columns where no row has a label.
+void FormRows::addInSecondColumn(QWidget* widget) {
+    const int row = nextRow();
+    grid_->addWidget(new QWidget, row, 0);
+    grid_->addWidget(widget, row, 1);
+}
+
 Label* FormRows::addRow(const QString& label, QWidget* control) {
     const int row = nextRow();
     auto* words = new Label(label, TextRole::kBody, Ink::kLabel);
@@ -38,12 +45,12 @@ Label* FormRows::addRow(const QString& label, QWidget* control) {
 }
 
 void FormRows::addControl(QWidget* control) {
-    grid_->addWidget(control, nextRow(), 1);
+    addInSecondColumn(control);
 }
 
 Label* FormRows::addHint(const QString& text) {
     auto* hint = (new Label(text, TextRole::kSecondary, Ink::kHint))->wrapped();
-    grid_->addWidget(hint, nextRow(), 1);
+    addInSecondColumn(hint);
     return hint;
 }
 

@@ -27,6 +27,7 @@ public:
 
 private:
     int nextRow() const;
+    void addInSecondColumn(QWidget* widget);
 
     int label_width_;
     QGridLayout* grid_;
