@@ -26,10 +26,12 @@ int FormRows::nextRow() const {
     return grid_->count() == 0 ? 0 : grid_->rowCount();
 }
 
-/// An empty first cell keeps the distance between the columns where no row has a label.
+/// An empty cell keeps the distance between the columns where no row has a label. One is enough: in every row it would
+/// keep the distance between rows of a row that is hidden.
 void FormRows::addInSecondColumn(QWidget* widget) {
     const int row = nextRow();
-    grid_->addWidget(new QWidget, row, 0);
+    if (row == 0)
+        grid_->addWidget(new QWidget, row, 0);
     grid_->addWidget(widget, row, 1);
 }
 
