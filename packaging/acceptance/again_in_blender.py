@@ -23,8 +23,8 @@ def main():
         bpy.ops.import_anim.bvh(filepath=file, update_scene_fps=True, update_scene_duration=True)
     elif file.endswith(".fbx"):
         bpy.ops.import_scene.fbx(filepath=file)
-    else:
-        bpy.ops.import_scene.gltf(filepath=file)
+    else:  # bones keep the file's axes; with others the FBX writer's Euler angles reach gimbal lock
+        bpy.ops.import_scene.gltf(filepath=file, bone_heuristic="BLENDER")
     begins, ends = zip(*(action.frame_range for action in bpy.data.actions))
     scene.frame_start, scene.frame_end = round(min(begins)), round(max(ends))
     if again.endswith(".bvh"):

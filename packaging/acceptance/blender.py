@@ -146,7 +146,7 @@ def again_rows(take, folder):
         for other in ("glb", "fbx"):
             again = folder / f"{take.stem}_{extension}_again.{other}"
             write_again(file, again)
-            seen = json.loads(subprocess.run([studio.BUILD / "same_scene", file, again, str(WORN_FPS), str(10 * STEP)],
+            seen = json.loads(subprocess.run([studio.BUILD / "same_scene", file, again, str(WORN_FPS), str(STEP)],
                                              check=True, capture_output=True, text=True).stdout)
             if max(seen["skin_mm"], seen["joint_mm"]) > LARGEST_MM or seen["turn_deg"] > LARGEST_DEG:
                 missed.append(f"{again.name}: {seen}")
@@ -194,6 +194,10 @@ def figure(_):
     text = studio.markdown_table(["motion", "file", "preset or body", "frames per second", "frames", "bones",
                                   "joints, mm", "skin, mm"], rows)
     text += f"\nLargest distances from our own numbers, every {STEP}th frame, world positions.\n"
+    text += ("GLB is opened for writing again with *Bone Dir: Blender*, so that bones keep the file's axes. With Blender's "
+             "default, Temperance,\nboth shoulders stand at gimbal lock: the Euler angles of its FBX writer, in single "
+             "precision, are then up to 4 degrees off\nin single frames, as Blender itself shows when it opens that "
+             "FBX.\n")
     if missed:
         raise studio.Missed(missed, text)
     return text
