@@ -10,3 +10,4 @@ update() {
 }
 update -ts resources/translations/noctule_de.ts
 update -pluralonly -ts resources/translations/noctule_en.ts
+packaging/core_sentences.py

@@ -2280,10 +2280,6 @@
 <context>
     <name>noctule::ui::CalibrationShelf</name>
     <message>
-        <source>Calibration of the %1</source>
-        <translation>Kalibrierung: %1</translation>
-    </message>
-    <message>
         <source>No session is open. Open one first.</source>
         <translation>Keine Sitzung ist offen. Zuerst eine öffnen.</translation>
     </message>
@@ -2327,6 +2323,10 @@
     <message>
         <source>There is no calibration to export. Calibrate the suit first.</source>
         <translation>Es gibt keine Kalibrierung zu exportieren. Zuerst den Anzug kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Calibration: %1</source>
+        <translation type="unfinished">Kalibrierung: %1</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,8 @@
 #include <atomic>
 #include <mutex>
 
+#include "ui/language/core_words.h"
+
 namespace noctule::ui {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr qint64 kQuietFor_ms = 1000;
 constexpr int kFewestThreads = 4;
 
 QString inWords(const Error& error) {
-    return QString::fromStdString(error.text());
+    return coreWords(error);
 }
 
 }  // namespace
@@ -61,7 +63,7 @@ bool Job::poll() {
     {
         const std::lock_guard lock(shared_->mutex);
         fraction = shared_->fraction_now;
-        stage = QString::fromStdString(shared_->stage_now);
+        stage = coreWords(shared_->stage_now);
     }
     const auto left_before = remaining_.seconds();
     remaining_.report(static_cast<double>(clock_.elapsed()) * 1e-3, fraction);

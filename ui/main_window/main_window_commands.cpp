@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "core/job/atomic_file.h"
+#include "ui/language/core_words.h"
 #include "ui/main_window/about_dialog.h"
 #include "ui/main_window/diagnosis.h"
 #include "ui/main_window/help_window.h"
@@ -90,8 +91,7 @@ void MainWindow::saveDiagnosis() {
     const LogFile& log = studio_.parts().log ? *studio_.parts().log : nowhere;
     const QByteArray text = diagnosisText(studio_, log).toUtf8();
     if (const Status saved = writeFileAtomically(path.toStdString(), text.toStdString(), true); !saved)
-        return onFailure(QString::fromStdString(saved.error().message),
-                         QString::fromStdString(saved.error().remedy));
+        return onFailure(coreWords(saved.error().message), coreWords(saved.error().remedy));
     studio_.say(tr("%1 is written. It holds no names and no folders; read it before you pass it on.")
                     .arg(QFileInfo(path).fileName()));
 }

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/main_window/language.h"
+#include "ui/language/language.h"
 #include "ui/main_window/look.h"
 #include "ui/models/voice.h"
 #include "ui/style/theme.h"

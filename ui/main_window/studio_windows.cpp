@@ -3,7 +3,7 @@
 
 #include <QTimer>
 
-#include "ui/main_window/language.h"
+#include "ui/language/language.h"
 
 namespace noctule::ui {
 

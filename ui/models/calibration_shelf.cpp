@@ -11,6 +11,7 @@
 #include "core/session/body_measures.h"
 #include "core/session/placement.h"
 #include "core/suit/calibration_parts.h"
+#include "ui/language/core_words.h"
 
 namespace noctule::ui {
 namespace {
@@ -157,15 +158,15 @@ void CalibrationShelf::remember(const Calibration& calibration) {
     if (suit_.phase() == LiveSuit::Phase::kNone)
         return;
     if (const Status kept = memory_.keep(serial(), calibration); !kept)
-        emit warned(tr("The calibration could not be kept for other sessions. %1.")
-                        .arg(QString::fromStdString(kept.error().text())));
+        emit warned(
+            tr("The calibration could not be kept for other sessions. %1.").arg(coreWords(kept.error())));
 }
 
 QString CalibrationShelf::write(const Calibration& calibration, const QString& name) const {
     QDir().mkpath(folder_);
     const Status written =
         writeFileAtomically(pathIn(folder_, name), toJson(calibration).dump(2) + "\n", false);
-    return written ? QString() : QString::fromStdString(written.error().text());
+    return written ? QString() : coreWords(written.error());
 }
 
 QString CalibrationShelf::useNewer() {
@@ -181,7 +182,7 @@ QString CalibrationShelf::useNewer() {
 QString CalibrationShelf::importFile(const QString& path) {
     const auto calibration = readCalibrationFile(path.toStdString());
     if (!calibration)
-        return QString::fromStdString(calibration.error().text()) + '.';
+        return coreWords(calibration.error()) + '.';
     const auto& boards = suit_.suit().boards;
     const bool knows_some = std::ranges::any_of(
         boards, [&](const Board& board) { return calibration->findBoard(board.id) != nullptr; });
@@ -203,7 +204,7 @@ QString CalibrationShelf::exportFile(const QString& path) const {
     if (!calibration)
         return tr("There is no calibration to export. Calibrate the suit first.");
     const Status written = writeFileAtomically(path.toStdString(), toJson(*calibration).dump(2) + "\n", true);
-    return written ? QString() : QString::fromStdString(written.error().text()) + '.';
+    return written ? QString() : coreWords(written.error()) + '.';
 }
 
 QString CalibrationShelf::nextName(const QString& task) const {
@@ -222,12 +223,11 @@ QString CalibrationShelf::save(const CalibrationResult& result, const QString& t
         return trouble;
     remember(result.calibration);
     // The calibration counts; its report can be made again.
-    if (const Status report =
-            writeFileAtomically(pathIn(folder_, name + ".html"), calibrationHtml(result.document), true);
+    if (const Status report = writeFileAtomically(pathIn(folder_, name + ".html"),
+                                                  coreMarkup(calibrationHtml(result.document)), true);
         !report)
-        emit warned(QString::fromStdString(report.error().text()));
-    const QString what =
-        tr("Calibration of the %1").arg(QString::fromStdString(result.document.procedure).toLower());
+        emit warned(coreWords(report.error()));
+    const QString what = tr("Calibration: %1").arg(coreWords(result.document.procedure));
     session_.undoStack().beginMacro(what);
     use(name + ".json", what);
     if (result.actor)

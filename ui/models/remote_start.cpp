@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/remote_start.h"
 
+#include "ui/language/core_words.h"
+
 namespace noctule::ui {
 namespace {
 
@@ -41,7 +43,7 @@ void RemoteStart::begin() {
         if (trigger)
             trigger_ = std::move(*trigger);
         else
-            problem_ = QString::fromStdString(trigger.error().text());
+            problem_ = coreWords(trigger.error());
     }
     emit changed();
 }

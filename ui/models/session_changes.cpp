@@ -6,6 +6,7 @@
 
 #include "core/session/shot_list.h"
 #include "core/session/take_folder.h"
+#include "ui/language/core_words.h"
 #include "ui/models/session_command.h"
 #include "ui/models/session_model.h"
 
@@ -90,7 +91,7 @@ bool SessionModel::apply(const Step& step) {
     if (done)
         noteChange();
     else
-        emit failed(QString::fromStdString(done.error().text()));
+        emit failed(coreWords(done.error()));
     return done.ok();
 }
 

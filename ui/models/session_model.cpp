@@ -7,6 +7,7 @@
 #include <QSettings>
 
 #include "core/session/take_folder.h"
+#include "ui/language/core_words.h"
 #include "ui/models/session_command.h"
 
 namespace noctule::ui {
@@ -15,7 +16,7 @@ namespace {
 constexpr const char* kCurrentTakes = "current_takes";
 
 QString inWords(const Error& error) {
-    return QString::fromStdString(error.text());
+    return coreWords(error);
 }
 
 std::string nowUtc() {
@@ -103,7 +104,7 @@ void SessionModel::openWith(const QString& title, const QString& folder, const Q
                 model->adopt(std::move(*found->session), take);
             } else {
                 if (found->can_rebuild)
-                    emit model->damaged(folder, QString::fromStdString(found->error.message));
+                    emit model->damaged(folder, coreWords(found->error.message));
                 else
                     emit model->failed(inWords(found->error));
                 return inWords(found->error);

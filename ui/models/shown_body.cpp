@@ -6,6 +6,7 @@
 
 #include "core/mesh/mesh_reader.h"
 #include "core/mesh/surface_graph.h"
+#include "ui/language/core_words.h"
 
 namespace noctule::ui {
 namespace {
@@ -120,8 +121,7 @@ void ShownBody::keep(const SessionBody& body, ReadBody read) {
         return;  // another was chosen meanwhile
     read_ = std::move(read);
     if (read_.problem)
-        emit failed(QString::fromStdString(read_.problem->message),
-                    QString::fromStdString(read_.problem->remedy));
+        emit failed(coreWords(read_.problem->message), coreWords(read_.problem->remedy));
     emit changed();
 }
 

@@ -9,6 +9,7 @@
 #include <chrono>
 
 #include "core/mesh/glb_reader.h"
+#include "ui/language/core_words.h"
 #include "ui/models/virtual_session.h"
 
 namespace noctule::ui {
@@ -192,7 +193,7 @@ Job* Studio::tryVirtualSuit() {
         [this](Result<VirtualSession> made) -> QString {
             if (!made) {
                 if (made.error().kind != ErrorKind::kCancelled)
-                    emit failed(words(made.error().message), words(made.error().remedy));
+                    emit failed(coreWords(made.error().message), coreWords(made.error().remedy));
                 return {};
             }
             session_.open(words(made->folder.string()), words(made->take));
@@ -222,7 +223,7 @@ Job* Studio::importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion
         [this, folder = session_.session().folder](Result<std::string> made) -> QString {
             if (!made) {
                 if (made.error().kind != ErrorKind::kCancelled)
-                    emit failed(words(made.error().message), words(made.error().remedy));
+                    emit failed(coreWords(made.error().message), coreWords(made.error().remedy));
                 return {};
             }
             if (session_.isOpen() && session_.session().folder == folder) {

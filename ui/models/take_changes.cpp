@@ -4,6 +4,8 @@
 #include <QFileInfo>
 #include <QUndoCommand>
 
+#include "ui/language/core_words.h"
+
 namespace noctule::ui {
 namespace {
 
@@ -98,8 +100,7 @@ void TakeChanges::finish(const Order& order, const Status& status) {
     if (!status) {
         if (*order.step == Written::kNotYet)
             *order.step = Written::kNever;
-        emit failed(QString::fromStdString(status.error().message),
-                    QString::fromStdString(status.error().remedy));
+        emit failed(coreWords(status.error().message), coreWords(status.error().remedy));
     } else {
         *order.step = order.to_do ? Written::kDone : Written::kUndone;
         emit written(order.path, order.change);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/language/core_words.h"
 #include "ui/models/take_document_loading.h"
 
 namespace noctule::ui {
@@ -114,7 +115,7 @@ void TakeDocument::refuse(const Error& error) {
         return;
     if (!isOpen())
         path_.clear();
-    emit failed(QString::fromStdString(error.text()));
+    emit failed(coreWords(error));
 }
 
 void TakeDocument::setShownRun(int index) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/language/core_words.h"
 #include "ui/models/take_document.h"
 
 namespace noctule::ui {
@@ -37,7 +38,7 @@ void TakeDocument::accept(Parts<Key, T>& parts, const Key& key, uint64_t ticket,
     if (result)
         found->second.value = std::make_shared<const T>(std::move(*result));
     else
-        problem_ = QString::fromStdString(result.error().text());
+        problem_ = coreWords(result.error());
     emit(this->*changed)();
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/job/atomic_file.h"
 #include "core/recording/take.h"
+#include "ui/language/core_words.h"
 
 namespace noctule::ui {
 namespace {
@@ -121,8 +122,7 @@ void VirtualSuit::start() {
             }
             self->setState(State::kOff);
             if (sample.error().kind != ErrorKind::kCancelled)
-                emit self->failed(QString::fromStdString(sample.error().message),
-                                  QString::fromStdString(sample.error().remedy));
+                emit self->failed(coreWords(sample.error().message), coreWords(sample.error().remedy));
             return {};
         },
         Jobs::Loudness::kQuiet);

@@ -10,6 +10,7 @@
 
 #include "core/job/atomic_file.h"
 #include "core/review/series_csv.h"
+#include "ui/language/core_words.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/time_ruler.h"
 #include "ui/style/theme.h"
@@ -29,8 +30,7 @@ QString folderOf(Studio& studio) {
 void write(Studio& studio, const QString& path, std::string_view content) {
     const Status written = writeFileAtomically(path.toStdString(), content, true);
     if (!written) {
-        emit studio.failed(QString::fromStdString(written.error().message),
-                           QString::fromStdString(written.error().remedy));
+        emit studio.failed(coreWords(written.error().message), coreWords(written.error().remedy));
         return;
     }
     studio.settings().setValue(kFolderKey, QFileInfo(path).absolutePath());

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/core_words.h"
+
 namespace noctule::ui {
 namespace {
 
@@ -90,7 +92,7 @@ void SoundSource::readEnvelope(int number) {
                 boards_[number].envelope = std::make_shared<const Sound>(std::move(*sound));
             else if (sound.error().kind != ErrorKind::kCancelled) {
                 boards_[number].failed = true;
-                problem_ = QString::fromStdString(sound.error().text());
+                problem_ = coreWords(sound.error());
             }
             emit changed();
             return QString();
@@ -126,7 +128,7 @@ void SoundSource::readWindow(int number, double from_s, double to_s) {
                 boards_[number].window = std::make_shared<const Sound>(std::move(*sound));
             else if (sound.error().kind != ErrorKind::kCancelled) {
                 boards_[number].failed = true;
-                problem_ = QString::fromStdString(sound.error().text());
+                problem_ = coreWords(sound.error());
             }
             emit changed();
             return QString();

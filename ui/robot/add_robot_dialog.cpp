@@ -8,6 +8,7 @@
 #include <QLineEdit>
 
 #include "devices/robot/robot_interface.h"
+#include "ui/language/core_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/label.h"
@@ -107,7 +108,7 @@ QString AddRobotDialog::complaint() const {
     robot_link::LinkOptions options;
     options.joints = {"any"};
     const auto link = robot_link::makeInterface(wanted.address.toStdString(), options);
-    return link ? QString() : QString::fromStdString(link.error().text());
+    return link ? QString() : coreWords(link.error());
 }
 
 void AddRobotDialog::accept() {

@@ -7,6 +7,7 @@
 #include <QStackedWidget>
 
 #include "core/job/atomic_file.h"
+#include "ui/language/core_words.h"
 #include "ui/robot/hand_paths.h"
 #include "ui/robot/key_card.h"
 #include "ui/robot/robot_view.h"
@@ -163,8 +164,7 @@ void RobotCenter::exportCommands() {
     if (written)
         studio_.say(tr("%1 is written.").arg(QFileInfo(path).fileName()));
     else
-        emit studio_.failed(QString::fromStdString(written.error().message),
-                            QString::fromStdString(written.error().remedy));
+        emit studio_.failed(coreWords(written.error().message), coreWords(written.error().remedy));
 }
 
 QString RobotCenter::figure(int row) const {

@@ -7,6 +7,7 @@
 #include "core/robot/saved_profile.h"
 #include "core/robot/urdf_reader.h"
 #include "devices/device/clock.h"
+#include "ui/language/core_words.h"
 #include "ui/robot/robot_running.h"
 #include "ui/robot/robot_words.h"
 
@@ -19,7 +20,7 @@ constexpr double kBridge_s = 1;  ///< between the end of a motion and its beginn
 constexpr size_t kMostSpells = 50;
 
 QString wordsOfError(const Error& error) {
-    return QString::fromStdString(error.text());
+    return coreWords(error);
 }
 
 Result<std::shared_ptr<const RobotParts>> readParts(const RobotChoice& choice, const JobContext& job) {

@@ -5,6 +5,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 
+#include "ui/language/core_words.h"
 #include "ui/scene/gl_format.h"
 
 namespace noctule::ui {
@@ -31,7 +32,7 @@ public:
         if (renderer)
             renderer_ = std::move(*renderer);
         else
-            trouble_ = QString::fromStdString(renderer.error().text());
+            trouble_ = coreWords(renderer.error());
     }
     ~Drawing() {
         context_.makeCurrent(&surface_);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/body/actor.h"
+#include "ui/language/core_words.h"
 #include "ui/models/part_names.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/landmark_editor.h"
@@ -236,7 +237,7 @@ void BodyDialog::refresh() {
         row.consequence->setInk(isMain(joint) ? Ink::kError : Ink::kHint);
     }
     const bool unread = !draft_.isOurs() && !mesh_ && !problem_;
-    setProblem(problem_ ? QString::fromStdString(problem_->text()) : QString());
+    setProblem(problem_ ? coreWords(problem_->text()) : QString());
     actionButton()->setDisabledBecause(reading    ? tr("The mesh is being read.")
                                        : problem_ ? tr("This mesh cannot be used as it is.")
                                        : unread   ? tr("The mesh was not read.")

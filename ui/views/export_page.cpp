@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "core/job/atomic_file.h"
+#include "ui/language/core_words.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/export_form.h"
@@ -187,7 +188,7 @@ bool ExportPage::isWritten() const {
 
 void ExportPage::refresh() {
     const auto jobs = plan();
-    const QString problem = jobs ? QString() : QString::fromStdString(jobs.error().text());
+    const QString problem = jobs ? QString() : coreWords(jobs.error());
     const bool busy = progress_->isRunning();
     const int files = jobs ? fileCount(*jobs) : 0;
     write_->setText(tr("Write %n files", nullptr, files));
@@ -291,8 +292,7 @@ void ExportPage::saveCheck() {
     if (saved)
         emit studio_.said(tr("%1 is written.").arg(QDir::toNativeSeparators(path)));
     else
-        emit studio_.failed(QString::fromStdString(saved.error().message),
-                            QString::fromStdString(saved.error().remedy));
+        emit studio_.failed(coreWords(saved.error().message), coreWords(saved.error().remedy));
 }
 
 void ExportPage::saveOwnPreset() {

@@ -3,6 +3,7 @@
 
 #include <QFileInfo>
 
+#include "ui/language/core_words.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -132,10 +133,9 @@ QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full
     name->setToolTip(QString::fromStdString(outcome.path));
     head->addWidget(name->selectable(), 1);
     if (outcome.error) {
-        column->addWidget(
-            (new Label(QString::fromStdString(outcome.error->text()), TextRole::kSecondary, Ink::kError))
-                ->wrapped()
-                ->selectable());
+        column->addWidget((new Label(coreWords(outcome.error->text()), TextRole::kSecondary, Ink::kError))
+                              ->wrapped()
+                              ->selectable());
         return card;
     }
     head->addWidget(new Label(
@@ -154,7 +154,7 @@ QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full
     for (const SilentBoard& silent : check.silent)
         addLine(silenceInWords(silent), Ink::kWarn);
     for (const std::string& fault : check.faults)
-        addLine(QString::fromStdString(fault), Ink::kError);
+        addLine(coreWords(fault), Ink::kError);
     return card;
 }
 

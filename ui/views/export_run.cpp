@@ -13,6 +13,7 @@
 
 #include "core/job/staged_progress.h"
 #include "core/review/take_review.h"
+#include "ui/language/core_words.h"
 #include "ui/models/part_names.h"
 #include "ui/style/words.h"
 #include "ui/views/review_words.h"
@@ -216,7 +217,7 @@ QString checkAsText(const ExportResults& results) {
     for (const ExportOutcome& outcome : results.outcomes) {
         lines += fileName(outcome.path);
         if (outcome.error) {
-            lines += "  " + QString::fromStdString(outcome.error->text());
+            lines += "  " + coreWords(outcome.error->text());
             continue;
         }
         const ExportCheck& check = outcome.check;
@@ -230,7 +231,7 @@ QString checkAsText(const ExportResults& results) {
         for (const SilentBoard& silent : check.silent)
             lines += "  " + silenceInWords(silent);
         for (const std::string& fault : check.faults)
-            lines += "  " + QString::fromStdString(fault);
+            lines += "  " + coreWords(fault);
     }
     return lines.join('\n') + '\n';
 }

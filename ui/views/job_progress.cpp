@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/job_progress.h"
 
+#include "ui/language/core_words.h"
 #include "ui/views/job_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/label.h"
@@ -54,7 +55,7 @@ void JobProgress::finish() {
     line_->hide();
     const bool failed = job_ && job_->state() == Job::State::kFailed && job_->error();
     if (failed)
-        error_->setText(QString::fromStdString(job_->error()->text()));
+        error_->setText(coreWords(job_->error()->text()));
     error_->setVisible(failed);
     setVisible(failed);
     emit ended();

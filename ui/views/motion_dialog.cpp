@@ -11,6 +11,7 @@
 #include "core/body/bone_names.h"
 #include "core/body/joint_names.h"
 #include "core/mesh/bone_map.h"
+#include "ui/language/core_words.h"
 #include "ui/models/part_names.h"
 #include "ui/style/words.h"
 #include "ui/views/job_progress.h"
@@ -320,7 +321,7 @@ bool MotionDialog::saveBones(const QString& path) {
         if (box->currentIndex() > 0)
             map.node_of_joint[joint] = box->currentText().toStdString();
     const Status written = writeBoneMap(path.toStdString(), map, true);
-    setProblem(written ? QString() : QString::fromStdString(written.error().text()));
+    setProblem(written ? QString() : coreWords(written.error()));
     return written.ok();
 }
 
@@ -342,8 +343,7 @@ void MotionDialog::showFacts() {
     picture_->setMotion(motion);
     figure_->setText(motion ? tr("%1 m tall, %2 points up, 1 unit is %3 m", "height, axis, length")
                                   .arg(numberText(motion->measures.height_m, 2),
-                                       QString::fromStdString(toText(motion->up)),
-                                       numberText(motion->metres_per_unit, 4))
+                                       coreWords(toText(motion->up)), numberText(motion->metres_per_unit, 4))
                             : tr("no person was found"));
     const double step_s = motion ? motion->clip.frame_time_s : file_.document->frame_time_s;
     const int frames = static_cast<int>(motion ? motion->clip.frames.size() : file_.document->frameCount());
@@ -356,9 +356,9 @@ void MotionDialog::showFacts() {
     height->setValue(hints_.height_m > 0 ? hints_.height_m : kAsShown_m);
     QStringList warnings;
     for (const std::string& warning : file_.reader_warnings)
-        warnings.append(QString::fromStdString(warning));
+        warnings.append(coreWords(warning));
     for (const auto& said : motion ? motion->warnings : std::vector<std::string>())
-        warnings.append(withoutOptions(QString::fromStdString(said) + "."));
+        warnings.append(withoutOptions(coreWords(said) + "."));
     warnings_->setText(warnings.join('\n'));
     warnings_->setVisible(!warnings.isEmpty());
     fills_ = false;
@@ -391,7 +391,7 @@ QComboBox* MotionDialog::boneOf(const std::string& joint) const {
 
 void MotionDialog::refresh() {
     const std::optional<Error>& problem = unread_ ? unread_ : file_.problem;
-    setProblem(problem ? QString::fromStdString(problem->text()) : QString());
+    setProblem(problem ? coreWords(problem->text()) : QString());
     kept_->setVisible(!kept_->text().isEmpty());
     exchange_sides->setDisabledBecause(file_.motion ? QString() : tr("No person was found yet."));
     save_bones->setVisible(rows_);

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "ui/language/core_words.h"
 #include "ui/style/theme.h"
 
 namespace noctule::ui {
@@ -29,7 +30,7 @@ void MotionPicture::setMotion(std::shared_ptr<const figure::UnderstoodMotion> mo
     const int frames = motion_ ? static_cast<int>(motion_->clip.frames.size()) : 0;
     frame_ = std::clamp(frame_, 0, std::max(0, frames - 1));
     findFloor();
-    setAccessibleDescription(motion_ ? QString::fromStdString(figure::describe(*motion_)) : QString());
+    setAccessibleDescription(motion_ ? coreWords(figure::describe(*motion_)) : QString());
     update();
 }
 

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "core/inertial/reading.h"
+#include "ui/language/core_words.h"
 #include "ui/models/part_names.h"
 #include "ui/style/words.h"
 #include "ui/views/fit_words.h"
@@ -314,7 +315,7 @@ VerdictWords verdictOf(const SuitCheck& check) {
     if (suit.phase() == LiveSuit::Phase::kRefused) {
         const auto trouble = suit.status()->trouble;
         return {Tone::kError, ReadinessText::tr("Not connected"),
-                trouble ? QString::fromStdString(trouble->text() + ".") : QString()};
+                trouble ? coreWords(trouble->text() + ".") : QString()};
     }
     if (readiness.verdict == Readiness::Verdict::kWaiting)
         return {Tone::kNeutral, ReadinessText::tr("Looking at the suit"),

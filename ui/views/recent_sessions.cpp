@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/session/session.h"
+#include "ui/language/core_words.h"
 #include "ui/views/session_marker.h"
 
 namespace noctule::ui {
@@ -45,7 +46,7 @@ RecentSession lookAt(RecentSession recent, const JobContext& job) {
     }
     const auto session = openSession(recent.folder.toStdString(), job);
     if (!session) {
-        found.problem = QString::fromStdString(session.error().message);
+        found.problem = coreWords(session.error().message);
         found.can_rebuild = canRebuildSession(recent.folder.toStdString());
         return found;
     }

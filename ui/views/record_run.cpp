@@ -7,6 +7,7 @@
 
 #include "core/session/shot_list.h"
 #include "core/session/take_folder.h"
+#include "ui/language/core_words.h"
 #include "ui/models/voice.h"
 #include "ui/style/words.h"
 #include "ui/views/readiness_words.h"
@@ -60,8 +61,7 @@ RecordObstacle RecordRun::obstacleNow() const {
     LiveSuit& suit = studio_.suit();
     const auto status = suit.status();
     if (suit.phase() == LiveSuit::Phase::kRefused && status->trouble)
-        return {QString::fromStdString(status->trouble->message),
-                QString::fromStdString(status->trouble->remedy)};
+        return {coreWords(status->trouble->message), coreWords(status->trouble->remedy)};
     if (suit.phase() == LiveSuit::Phase::kConnecting)
         return {tr("The driver box has not answered yet"), tr("It usually takes a second or two.")};
     if (status->link == LinkState::kLost)

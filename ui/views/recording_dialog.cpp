@@ -11,6 +11,7 @@
 #include "core/import/sensor_findings.h"
 #include "core/job/atomic_file.h"
 #include "core/math/json.h"
+#include "ui/language/core_words.h"
 #include "ui/models/part_names.h"
 #include "ui/style/words.h"
 #include "ui/views/job_progress.h"
@@ -31,7 +32,7 @@ constexpr const char* kImportMapsKey = "folders/import_maps";
 QString wordsOf(const std::vector<std::string>& sentences) {
     QStringList lines;
     for (const std::string& sentence : sentences)
-        lines.append(QString::fromStdString(sentence) + ".");
+        lines.append(coreWords(sentence) + ".");
     return lines.join('\n');
 }
 
@@ -298,7 +299,7 @@ void RecordingDialog::find() {
             self->job_ = nullptr;
             if (!found) {
                 if (found.error().kind != ErrorKind::kCancelled)
-                    self->setProblem(QString::fromStdString(found.error().text()));
+                    self->setProblem(coreWords(found.error()));
                 return {};
             }
             self->found_.clear();
@@ -314,7 +315,7 @@ void RecordingDialog::find() {
             }
             self->fills_ = false;
             for (const std::string& warning : found->warnings)
-                self->found_.append(QString::fromStdString(warning) + ".");
+                self->found_.append(coreWords(warning) + ".");
             self->showNotes();
             self->refresh();
             return {};
@@ -329,7 +330,7 @@ bool RecordingDialog::useMap(const QString& path) {
     const nlohmann::json map = bytes ? json::parse(*bytes) : nlohmann::json();
     if (!map.is_object() || map.value("format", nlohmann::json()) != "noctule-import-map") {
         setProblem(bytes ? tr("%1 is no import map.").arg(QFileInfo(path).fileName())
-                         : QString::fromStdString(bytes.error().text()));
+                         : coreWords(bytes.error()));
         return false;
     }
     request_.map = map;
@@ -352,7 +353,7 @@ void RecordingDialog::askForMap() {
 
 void RecordingDialog::refresh() {
     if (problem_ && problem_->kind != ErrorKind::kCancelled)
-        setProblem(QString::fromStdString(problem_->text()));
+        setProblem(coreWords(problem_->text()));
     else
         setProblem({});
     const auto open = recording_ ? sensorsWithoutSegment(*recording_) : std::vector<std::string>();
@@ -388,8 +389,7 @@ void RecordingDialog::keep() {
         [studio, folder = studio->session().session().folder](Result<RecordingTake> made) -> QString {
             if (!made) {
                 if (made.error().kind != ErrorKind::kCancelled)
-                    emit studio->failed(QString::fromStdString(made.error().message),
-                                        QString::fromStdString(made.error().remedy));
+                    emit studio->failed(coreWords(made.error().message), coreWords(made.error().remedy));
                 return {};
             }
             const QString name = QString::fromStdString(made->name);

@@ -8,6 +8,7 @@
 #include <QUrl>
 #include <cmath>
 
+#include "ui/language/core_words.h"
 #include "ui/style/words.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/open_take.h"
@@ -161,7 +162,7 @@ void ReferencePanel::attach(const AttachChoice& choice) {
                                 .arg(numberText(attached->summary.shift_s, 3) + QChar(0x00A0) + "s",
                                      countText(attached->summary.rows));
             for (const std::string& warning : attached->warnings)
-                words += " " + QString::fromStdString(warning);
+                words += " " + coreWords(warning);
             return words;
         });
     progress_->follow(job);

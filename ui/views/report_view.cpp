@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/job/atomic_file.h"
+#include "ui/language/core_words.h"
 #include "ui/style/words.h"
 #include "ui/views/open_take.h"
 #include "ui/views/scaled_layout.h"
@@ -104,8 +105,9 @@ void ReportView::refresh() {
         return;
     }
     std::vector<ReportPart> parts = reportParts(*made);
-    for (const ReportPart& part : parts) {
-        auto* item = new QListWidgetItem(QString::fromStdString(part.title), contents_);
+    for (ReportPart& part : parts) {
+        part.html = coreMarkup(part.html);
+        auto* item = new QListWidgetItem(coreWords(part.title), contents_);
         item->setData(Qt::UserRole, QString::fromStdString(part.id));
     }
     contents_->setCurrentRow(0);
@@ -121,7 +123,7 @@ void ReportView::saveHtml() {
     studio_.jobs().start<Done>(
         tr("Saving %1").arg(QFileInfo(path).fileName()),
         [data = report_.data(), path](const JobContext&) -> Status {
-            return writeFileAtomically(path.toStdString(), htmlReport(*data), true);
+            return writeFileAtomically(path.toStdString(), coreMarkup(htmlReport(*data)), true);
         },
         [path](Status saved) { return saved ? tr("%1 is written.").arg(path) : QString(); });
 }

@@ -12,6 +12,7 @@
 
 #include "core/estimation/paper_parameters.h"
 #include "core/processing/outside_files.h"
+#include "ui/language/core_words.h"
 #include "ui/style/words.h"
 #include "ui/views/choice_row.h"
 #include "ui/views/fit_words.h"
@@ -216,7 +217,7 @@ void ReprocessDialog::addName(QBoxLayout& into) {
 
 void ReprocessDialog::setCalibrationFile(const QString& path) {
     const auto calibration = readCalibrationFile(path.toStdString());
-    file_problem_ = calibration ? QString() : QString::fromStdString(calibration.error().text());
+    file_problem_ = calibration ? QString() : coreWords(calibration.error());
     if (!calibration) {
         calibration_in_force->setChecked(true);
         return refresh();

@@ -10,6 +10,7 @@
 #include <QUrl>
 #include <utility>
 
+#include "ui/language/core_words.h"
 #include "ui/style/theme.h"
 #include "ui/views/session_marker.h"
 #include "ui/views/show_folder.h"
@@ -62,9 +63,9 @@ void TakeList::chooseOpen() {
 void TakeList::openTake(int row) {
     const SessionTake& take = takes_->take(row);
     if (take.state == TakeState::kDamaged) {
-        emit studio_.failed(tr("%1 cannot be opened: %2")
-                                .arg(QString::fromStdString(take.name), QString::fromStdString(take.problem)),
-                            tr("The file stays where it is; nothing in it is changed."));
+        emit studio_.failed(
+            tr("%1 cannot be opened: %2").arg(QString::fromStdString(take.name), coreWords(take.problem)),
+            tr("The file stays where it is; nothing in it is changed."));
         return;
     }
     const QString path = studio_.session().takePath(row);

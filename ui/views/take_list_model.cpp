@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/take_list_model.h"
 
+#include "ui/language/core_words.h"
 #include "ui/style/words.h"
 #include "ui/views/open_take.h"
 
@@ -45,7 +46,7 @@ QVariant TakeListModel::data(const QModelIndex& index, int role) const {
         case kName:
             return QString::fromStdString(take.name);
         case Qt::ToolTipRole:
-            return take.problem.empty() ? stateInWords(take) : QString::fromStdString(take.problem);
+            return take.problem.empty() ? stateInWords(take) : coreWords(take.problem);
         case Qt::AccessibleTextRole:
             return tr("%1, %2, %3, %n stars", nullptr, take.rating)
                 .arg(QString::fromStdString(take.name), timeText(take.duration_s, 0), stateInWords(take));

@@ -26,8 +26,8 @@ int FormRows::nextRow() const {
     return grid_->count() == 0 ? 0 : grid_->rowCount();
 }
 
-/// An empty cell keeps the distance between the columns where no row has a label. One is enough: in every row it would
-/// keep the distance between rows of a row that is hidden.
+/// An empty cell keeps the distance between the columns where no row has a label. One is enough: in every row
+/// it would keep the distance between rows of a row that is hidden.
 void FormRows::addInSecondColumn(QWidget* widget) {
     const int row = nextRow();
     if (row == 0)

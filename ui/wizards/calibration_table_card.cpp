@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 
+#include "ui/language/core_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/section_header.h"
@@ -11,13 +12,12 @@ namespace noctule::ui {
 
 CalibrationTableCard::CalibrationTableCard(const CalibrationTable& table, QWidget* parent) : Card(parent) {
     auto* column = makeColumn(this, {16, 12, 16, 12}, 8);
-    column->addWidget(new SectionHeader(QString::fromStdString(table.title)));
-    column->addWidget(
-        (new Label(QString::fromStdString(table.lead), TextRole::kSecondary, Ink::kHint))->wrapped());
+    column->addWidget(new SectionHeader(coreWords(table.title)));
+    column->addWidget((new Label(coreWords(table.lead), TextRole::kSecondary, Ink::kHint))->wrapped());
     auto* cells = new QWidget;
     auto* grid = makeGrid(cells, {}, 6);
     const auto add = [grid](const std::string& text, int row, int column_index, Ink ink, TextRole role) {
-        auto* cell = new Label(QString::fromStdString(text), role, ink);
+        auto* cell = new Label(coreWords(text), role, ink);
         cell->setAlignment((column_index == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
         grid->addWidget(cell, row, column_index);
     };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/core_words.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 
@@ -35,7 +36,7 @@ ErrorPlot::ErrorPlot(QWidget* parent) : QWidget(parent) {
 
 void ErrorPlot::setErrors(const CalibrationErrors& errors) {
     errors_ = errors;
-    setAccessibleName(QString::fromStdString(errors.title));
+    setAccessibleName(coreWords(errors.title));
     updateGeometry();
     update();
 }
@@ -110,9 +111,8 @@ void ErrorPlot::paintEvent(QPaintEvent*) {
         const CalibrationErrors::Row& part = errors_.rows[i];
         const double top = static_cast<double>(i) * row, middle = top + row / 2.0;
         painter.setPen(tokens.t1);
-        painter.drawText(
-            QRectF(0, top, names, row), Qt::AlignRight | Qt::AlignVCenter,
-            painter.fontMetrics().elidedText(QString::fromStdString(part.name), Qt::ElideRight, names));
+        painter.drawText(QRectF(0, top, names, row), Qt::AlignRight | Qt::AlignVCenter,
+                         painter.fontMetrics().elidedText(coreWords(part.name), Qt::ElideRight, names));
         paintDots(painter, axis, part.before, middle, before, false);
         paintDots(painter, axis, part.after, middle, tokens.acc, true);
     }

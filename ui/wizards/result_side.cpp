@@ -3,6 +3,7 @@
 
 #include <QVBoxLayout>
 
+#include "ui/language/core_words.h"
 #include "ui/views/process_takes_dialog.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -64,9 +65,8 @@ void ResultSide::showFindings() {
     int shown = 0;
     for (const Finding& finding : run_->result()->document.findings) {
         auto* card = new ProblemCard(
-            finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn,
-            QString::fromStdString(finding.what),
-            QString::fromStdString(finding.remedy.empty() ? std::string() : finding.remedy + "."));
+            finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn, coreWords(finding.what),
+            coreWords(finding.remedy.empty() ? std::string() : finding.remedy + "."));
         card->setVisible(shows_all_ || shown++ < kMostFindings);
         findings_->addWidget(card);
     }

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <numeric>
 
+#include "ui/language/core_words.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/card.h"
@@ -17,10 +18,6 @@
 
 namespace noctule::ui {
 namespace {
-
-QString wordsIn(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 Tone toneOfGrade(Grade grade) {
     switch (grade) {
@@ -48,7 +45,7 @@ double meanOf(const CalibrationErrors& errors, std::vector<double> CalibrationEr
 
 /// "mean 0.12 mg (blue), before 310 mg (grey)"
 QString meansOf(const CalibrationErrors& errors) {
-    const QString unit = wordsIn(errors.unit);
+    const QString unit = coreWords(errors.unit);
     const auto inUnit = [&unit](double value) {
         return numberText(value, value < 10 ? 2 : 0) + (unit == "\u00b0" ? unit : ' ' + unit);
     };
@@ -99,10 +96,10 @@ void WizardResult::fill(const CalibrationDocument& document) {
     verdict_ = grade == Grade::kGood ? tr("Good") : grade == Grade::kUsable ? tr("Usable") : tr("Not usable");
     const bool is_judged = grade != Grade::kUnknown;
     if (!is_judged)
-        verdict_ = wordsIn(document.summary) + '.';
+        verdict_ = coreWords(document.summary) + '.';
     header_->setVerdict(
         is_judged ? toneOfGrade(grade) : Tone::kWarn,
-        is_judged ? QStringLiteral("%1. %2.").arg(verdict_, wordsIn(document.summary)) : verdict_,
+        is_judged ? QStringLiteral("%1. %2.").arg(verdict_, coreWords(document.summary)) : verdict_,
         document.findings.empty() ? tr("Nothing need be repeated.")
                                   : tr("%n thing(s) to look at, on the right.", nullptr,
                                        static_cast<int>(document.findings.size())));
@@ -111,12 +108,12 @@ void WizardResult::fill(const CalibrationDocument& document) {
         auto* row = makeRow(numbers, {}, 8);
         for (const CalibrationNumber& number : document.numbers) {
             auto* card = new ValueCard;
-            card->setValue(wordsIn(number.value),
+            card->setValue(coreWords(number.value),
                            number.grade == Grade::kGood ? Tone::kNeutral : Tone::kWarn);
             card->setCaption(number.good.empty()
-                                 ? wordsIn(number.what)
-                                 : QStringLiteral("%1\n%2").arg(wordsIn(number.what),
-                                                                tr("good: %1").arg(wordsIn(number.good))));
+                                 ? coreWords(number.what)
+                                 : QStringLiteral("%1\n%2").arg(coreWords(number.what),
+                                                                tr("good: %1").arg(coreWords(number.good))));
             row->addWidget(card, 1);
         }
         content_->addWidget(numbers);
@@ -124,7 +121,7 @@ void WizardResult::fill(const CalibrationDocument& document) {
     if (document.errors && !document.errors->rows.empty()) {
         auto* card = new Card;
         auto* column = makeColumn(card, {16, 12, 16, 12}, 8);
-        column->addWidget(new SectionHeader(wordsIn(document.errors->title), meansOf(*document.errors)));
+        column->addWidget(new SectionHeader(coreWords(document.errors->title), meansOf(*document.errors)));
         auto* plot = new ErrorPlot;
         plot->setErrors(*document.errors);
         column->addWidget(plot);

@@ -7,6 +7,7 @@
 #include "core/guide/movement_guide.h"
 #include "core/suit/calibration_entries.h"
 #include "devices/live/live_session.h"
+#include "ui/language/core_words.h"
 
 namespace noctule::ui {
 namespace {
@@ -57,7 +58,7 @@ void WizardRun::setPhase(Phase phase) {
 QString WizardRun::setDistances(const QString& path) {
     auto known = readDistances(path);
     if (!known)
-        return QString::fromStdString(known.error().text());
+        return coreWords(known.error());
     known_ = std::move(*known);
     unfinished_.distances_path = path;
     emit changed();
@@ -329,7 +330,7 @@ void WizardRun::solved(Result<CalibrationResult> result) {
         return setPhase(Phase::kResult);
     }
     if (result.error().kind != ErrorKind::kCancelled)
-        trouble_ = QString::fromStdString(result.error().text());
+        trouble_ = coreWords(result.error());
     setPhase(guide_ ? Phase::kGuiding : Phase::kIntro);
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/session/take_folder.h"
+#include "ui/language/core_words.h"
 #include "ui/wizards/wizard_run.h"
 
 namespace noctule::ui {
@@ -19,7 +20,7 @@ void WizardRun::dropEvidence(int step) {
             if (const Status moved =
                     moveTakeFiles(from, nextTakePath(trash, takeBaseName(from.stem().string())));
                 !moved)
-                emit studio_.warned(QString::fromStdString(moved.error().text()));
+                emit studio_.warned(coreWords(moved.error()));
         }
     std::erase_if(unfinished_.evidence, [step](const WizardEvidence& part) { return part.step == step; });
 }
@@ -38,7 +39,7 @@ void WizardRun::store() const {
     if (path.isEmpty() || isWorn(task_))
         return;
     if (const Status written = writeUnfinished(path, keyOf(task_), unfinished_); !written)
-        emit studio_.warned(QString::fromStdString(written.error().text()));
+        emit studio_.warned(coreWords(written.error()));
 }
 
 void WizardRun::restore() {

@@ -10,7 +10,7 @@
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/about_dialog.h"
 #include "ui/main_window/help_window.h"
-#include "ui/main_window/language.h"
+#include "ui/language/language.h"
 #include "ui/main_window/news_dialog.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/put_on_dialog.h"

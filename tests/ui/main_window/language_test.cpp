@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The language changes while the studio runs: the window is made anew, what is open stays open.
-#include "ui/main_window/language.h"
+#include "ui/language/language.h"
 
 #include <QComboBox>
 #include <QLabel>

@@ -11,7 +11,7 @@
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/about_dialog.h"
 #include "ui/main_window/jobs_panel.h"
-#include "ui/main_window/language.h"
+#include "ui/language/language.h"
 #include "ui/main_window/news_dialog.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/put_on_dialog.h"

@@ -6,7 +6,7 @@
 
 #include "core/formats/bvh.h"
 #include "tests/support/simulated_take.h"
-#include "ui/main_window/language.h"
+#include "ui/language/language.h"
 #include "ui/style/resources.h"
 #include "ui/style/theme.h"
 #include "ui/views/big_button.h"

@@ -14,6 +14,8 @@ QStringList languages();
 /// As it was chosen; empty: the desktop's.
 QString chosenLanguage(const QSettings& settings);
 void chooseLanguage(QSettings& settings, const QString& code);
+/// Makes :/noctule/translations readable, which a static library does not do by itself.
+void nameTranslations();
 /// Installs the translation for the chosen language, and its decimal sign.
 void applyLanguage(const QSettings& settings);
 

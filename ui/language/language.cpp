@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/main_window/language.h"
+#include "ui/language/language.h"
 
 #include <QCoreApplication>
 #include <QLibraryInfo>
@@ -9,7 +9,7 @@
 
 // A static library's resources reach the program only when they are named; the macro wants the global
 // namespace.
-static void nameTranslations() {
+static void nameTranslationResources() {
     Q_INIT_RESOURCE(translations);
 }
 
@@ -24,6 +24,10 @@ QTranslator& installed(int index) {
 }
 
 }  // namespace
+
+void nameTranslations() {
+    nameTranslationResources();
+}
 
 QStringList languages() {
     return {"en", "de"};

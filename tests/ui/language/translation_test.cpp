@@ -89,16 +89,27 @@ void expectSamePlaceholders(const Message& message, const QString& form) {
 }
 
 TEST(Translation, GermanIsFinishedAndKeepsPlaceholders) {
-    const std::vector<Message> messages = readTs(kTranslations + "noctule_de.ts");
-    ASSERT_GT(messages.size(), 500U);
-    for (const Message& message : messages) {
-        EXPECT_TRUE(message.finished) << message.key().toStdString();
-        EXPECT_EQ(message.forms.size(), message.plural ? 2 : 1) << message.key().toStdString();
-        for (const QString& form : message.forms) {
-            EXPECT_FALSE(form.isEmpty()) << message.key().toStdString();
-            expectSamePlaceholders(message, form);
+    for (const char* file : {"noctule_de.ts", "core_de.ts"}) {
+        const std::vector<Message> messages = readTs(kTranslations + file);
+        ASSERT_GT(messages.size(), 500U);
+        for (const Message& message : messages) {
+            EXPECT_TRUE(message.finished) << message.key().toStdString();
+            EXPECT_EQ(message.forms.size(), message.plural ? 2 : 1) << message.key().toStdString();
+            for (const QString& form : message.forms) {
+                EXPECT_FALSE(form.isEmpty()) << message.key().toStdString();
+                expectSamePlaceholders(message, form);
+            }
         }
     }
+}
+
+TEST(Translation, NoSentenceOfCoreIsMissing) {
+    QProcess check;
+    check.setWorkingDirectory(kSources);
+    check.start("python3", {"-B", "packaging/core_sentences.py", "--check"});
+    ASSERT_TRUE(check.waitForFinished());
+    EXPECT_EQ(check.exitCode(), 0) << check.readAll().toStdString()
+                                   << "Run packaging/translations.sh, then translate.";
 }
 
 TEST(Translation, EnglishHasItsPluralForms) {

@@ -1,0 +1,8073 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>core/acoustics</name>
+    <message>
+        <source>A pulse interval of %1 samples is not 1 ms to 1 s</source>
+        <translation>Ein Pulsabstand von %1 Abtastwerten ist nicht 1 ms bis 1 s</translation>
+    </message>
+    <message>
+        <source>A suit of %1 boards cannot be heard</source>
+        <translation>Ein Anzug mit %1 Platinen kann nicht gehört werden</translation>
+    </message>
+    <message>
+        <source>Check the suit: 1 to 32 boards</source>
+        <translation>Den Anzug prüfen: 1 bis 32 Platinen</translation>
+    </message>
+    <message>
+        <source>Pulses of %1 cycles are too long for the matched detector (0.45 ms at most)</source>
+        <translation>Pulse von %1 Schwingungen sind zu lang für den Detektor am ganzen Puls (höchstens 0,45 ms)</translation>
+    </message>
+    <message>
+        <source>Source %1 yields no ranges: the calibration has %2</source>
+        <translation>Quelle %1 liefert keine Entfernungen: die Kalibrierung hat %2</translation>
+    </message>
+    <message>
+        <source>The pulses have no drive frequency or no cycles</source>
+        <translation>Die Pulse haben keine Sendefrequenz oder keine Schwingungen</translation>
+    </message>
+    <message>
+        <source>The sample rate of %1 Hz does not suit 40 kHz pulses (100 kHz to 1 MHz do)</source>
+        <translation>Die Abtastrate von %1 Hz passt nicht zu Pulsen von 40 kHz (100 kHz bis 1 MHz passen)</translation>
+    </message>
+    <message>
+        <source>Use the inflection detector, or shorter pulses; 10 cycles of 40 kHz are usual</source>
+        <translation>Den Detektor am Anstieg des Pulses oder kürzere Pulse verwenden; üblich sind 10 Schwingungen von 40 kHz</translation>
+    </message>
+    <message>
+        <source>inflection</source>
+        <translation>am Anstieg des Pulses</translation>
+    </message>
+    <message>
+        <source>matched</source>
+        <translation>am ganzen Puls</translation>
+    </message>
+    <message>
+        <source>neither its offset for detector</source>
+        <translation>weder ihren Versatz für den Detektor</translation>
+    </message>
+    <message>
+        <source>no such source</source>
+        <translation>keine solche Quelle</translation>
+    </message>
+</context>
+<context>
+    <name>core/assignment</name>
+    <message>
+        <source>%1 sensors are no set that a body is known for</source>
+        <translation>%1 Sensoren sind kein Satz, für den ein Körper bekannt ist</translation>
+    </message>
+    <message>
+        <source>Give 7 (hips and legs), 8 (and the chest) or 16 (whole body), or assign by names</source>
+        <translation>7 (Hüfte und Beine), 8 (dazu die Brust) oder 16 (ganzer Körper) angeben oder nach Namen zuordnen</translation>
+    </message>
+    <message>
+        <source>Import sensors of one recording and rate</source>
+        <translation>Sensoren einer einzigen Aufnahme und Rate importieren</translation>
+    </message>
+    <message>
+        <source>Joints between sensors</source>
+        <translation>Gelenke zwischen Sensoren</translation>
+    </message>
+    <message>
+        <source>Left and right arm could hardly be told apart; turn round and swing the arms</source>
+        <translation>Linker und rechter Arm ließen sich kaum unterscheiden; sich umdrehen und die Arme schwingen</translation>
+    </message>
+    <message>
+        <source>Left and right leg could hardly be told apart; walk for ten seconds and more</source>
+        <translation>Linkes und rechtes Bein ließen sich kaum unterscheiden; zehn Sekunden und länger gehen</translation>
+    </message>
+    <message>
+        <source>Record both quantities, or assign by names</source>
+        <translation>Beide Größen aufnehmen oder nach Namen zuordnen</translation>
+    </message>
+    <message>
+        <source>Sensors cannot be assigned by movement: %1</source>
+        <translation>Sensoren lassen sich nicht durch Bewegung zuordnen: %1</translation>
+    </message>
+    <message>
+        <source>Walk for ten seconds and more</source>
+        <translation>Zehn Sekunden und länger gehen</translation>
+    </message>
+    <message>
+        <source>nothing moves</source>
+        <translation>nichts bewegt sich</translation>
+    </message>
+    <message>
+        <source>sensor %1 lacks too many readings of gyroscope or accelerometer</source>
+        <translation>Sensor %1 fehlen zu viele Messwerte von Gyroskop oder Beschleunigungssensor</translation>
+    </message>
+    <message>
+        <source>the recording is shorter than 5 s</source>
+        <translation>die Aufnahme ist kürzer als 5 s</translation>
+    </message>
+    <message>
+        <source>their rates or lengths differ</source>
+        <translation>ihre Raten oder Längen sind verschieden</translation>
+    </message>
+</context>
+<context>
+    <name>core/body</name>
+    <message>
+        <source>%1 is free but not the root</source>
+        <translation>%1 ist frei, aber nicht die Wurzel</translation>
+    </message>
+    <message>
+        <source>%1 lists %2 freedoms, which does not fit its type</source>
+        <translation>%1 führt %2 Freiheiten auf, was nicht zu seiner Art passt</translation>
+    </message>
+    <message>
+        <source>%1: an offset is not a finite number</source>
+        <translation>%1: ein Versatz ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1: its parent %2 does not come before it</source>
+        <translation>%1: das übergeordnete Gelenk %2 kommt nicht davor</translation>
+    </message>
+    <message>
+        <source>%1: the axis of %2 is not a unit vector</source>
+        <translation>%1: die Achse von %2 ist kein Einheitsvektor</translation>
+    </message>
+    <message>
+        <source>%1: the limits of %2 are reversed</source>
+        <translation>%1: die Grenzen von %2 sind vertauscht</translation>
+    </message>
+    <message>
+        <source>Ball joints have three, universal two, hinges one, free and fixed none</source>
+        <translation>Kugelgelenke haben drei, Kardangelenke zwei, Scharniere eine, freie und feste keine</translation>
+    </message>
+    <message>
+        <source>Correct the axis</source>
+        <translation>Die Achse berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct the joint's offset</source>
+        <translation>Den Versatz des Gelenks berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct the limits</source>
+        <translation>Die Grenzen berichtigen</translation>
+    </message>
+    <message>
+        <source>Describe at least the root</source>
+        <translation>Wenigstens die Wurzel beschreiben</translation>
+    </message>
+    <message>
+        <source>Give every joint a name</source>
+        <translation>Jedem Gelenk einen Namen geben</translation>
+    </message>
+    <message>
+        <source>Give every joint its own name</source>
+        <translation>Jedem Gelenk einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>List parents first; only joint 0 has parent -1</source>
+        <translation>Übergeordnete Gelenke zuerst aufführen; nur Gelenk 0 hat parent -1</translation>
+    </message>
+    <message>
+        <source>Only joint 0 may be free</source>
+        <translation>Nur Gelenk 0 darf frei sein</translation>
+    </message>
+    <message>
+        <source>base of the neck</source>
+        <translation>Halsansatz</translation>
+    </message>
+    <message>
+        <source>foot talus</source>
+        <translation>foot talus</translation>
+    </message>
+    <message>
+        <source>hip leg</source>
+        <translation>hip leg</translation>
+    </message>
+    <message>
+        <source>hips pelvis spinebase</source>
+        <translation>hips pelvis spinebase</translation>
+    </message>
+    <message>
+        <source>joint number %1 has no name</source>
+        <translation>Gelenk Nummer %1 hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>lower back</source>
+        <translation>unterer Rücken</translation>
+    </message>
+    <message>
+        <source>neck0 neck1 neckbase</source>
+        <translation>neck0 neck1 neckbase</translation>
+    </message>
+    <message>
+        <source>root bip01 bip001 bip</source>
+        <translation>root bip01 bip001 bip</translation>
+    </message>
+    <message>
+        <source>the skeleton has no joints</source>
+        <translation>das Skelett hat keine Gelenke</translation>
+    </message>
+    <message>
+        <source>toe1 metatarsals</source>
+        <translation>toe1 metatarsals</translation>
+    </message>
+    <message>
+        <source>two joints are named %1</source>
+        <translation>zwei Gelenke heißen %1</translation>
+    </message>
+    <message>
+        <source>upper arm</source>
+        <translation>Oberarm</translation>
+    </message>
+    <message>
+        <source>upper back</source>
+        <translation>oberer Rücken</translation>
+    </message>
+</context>
+<context>
+    <name>core/calibration</name>
+    <message>
+        <source>%1 %2 of placement %3 stands in line %4 already</source>
+        <translation>%1 %2 von Aufstellung %3 steht schon in Zeile %4</translation>
+    </message>
+    <message>
+        <source>%1 and %2 look exchanged%3; both are left out</source>
+        <translation>%1 und %2 scheinen vertauscht%3; beide sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+    <message>
+        <source>%1 boards sit otherwise than the calibration says</source>
+        <translation>%1 Platinen sitzen anders, als die Kalibrierung sagt</translation>
+    </message>
+    <message>
+        <source>%1 could not be calibrated and keeps what it had: %2</source>
+        <translation>%1 ließ sich nicht kalibrieren und behält, was sie hatte: %2</translation>
+    </message>
+    <message>
+        <source>%1 does not have %2</source>
+        <translation>In %1 fehlt %2</translation>
+    </message>
+    <message>
+        <source>%1 has an offset of %2, which no source can have</source>
+        <translation>%1 hat einen Versatz von %2, den keine Quelle haben kann</translation>
+    </message>
+    <message>
+        <source>%1 has an offset of %2; 100 to 200 µs are usual</source>
+        <translation>%1 hat einen Versatz von %2; üblich sind 100 bis 200 µs</translation>
+    </message>
+    <message>
+        <source>%1 has no distances for these placements of the take: %2</source>
+        <translation>%1 hat keine Abstände für diese Aufstellungen der Aufnahme: %2</translation>
+    </message>
+    <message>
+        <source>%1 has no placements marked</source>
+        <translation>%1 hat keine markierten Aufstellungen</translation>
+    </message>
+    <message>
+        <source>%1 heard no source in any placement</source>
+        <translation>%1 hörte in keiner Aufstellung eine Quelle</translation>
+    </message>
+    <message>
+        <source>%1 is empty</source>
+        <translation>%1 ist leer</translation>
+    </message>
+    <message>
+        <source>%1 is more than 80 % of its gyroscope's range of %2 °/s</source>
+        <translation>%1 ist mehr als 80 % vom Messbereich ihres Gyroskops von %2 °/s</translation>
+    </message>
+    <message>
+        <source>%1 is no plain text</source>
+        <translation>%1 ist kein reiner Text</translation>
+    </message>
+    <message>
+        <source>%1 is of another suit or detector than %2</source>
+        <translation>%1 ist von einem anderen Anzug oder Detektor als %2</translation>
+    </message>
+    <message>
+        <source>%1 moved while it was measured; those measurements are left out</source>
+        <translation>%1 bewegte sich, während gemessen wurde; diese Messungen sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 names parts that this suit does not have: %2</source>
+        <translation>%1 nennt Teile, die dieser Anzug nicht hat: %2</translation>
+    </message>
+    <message>
+        <source>%1 seem to be swapped</source>
+        <translation>%1 scheinen vertauscht</translation>
+    </message>
+    <message>
+        <source>%1 than the thermometer says</source>
+        <translation>%1 als vom Thermometer angezeigt</translation>
+    </message>
+    <message>
+        <source>%1%2 not calibrated</source>
+        <translation>%1%2 nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>%1%2 to %3, in placement %4</source>
+        <translation>%1%2 zu %3, in Aufstellung %4</translation>
+    </message>
+    <message>
+        <source>%1, as the table turned the other way when the board was turned over</source>
+        <translation>%1, da sich der Drehteller andersherum drehte, als die Platine umgedreht war</translation>
+    </message>
+    <message>
+        <source>%1, feels %2 m/s² while it is still instead of %3</source>
+        <translation>%1, misst %2 m/s², während sie ruht, statt %3</translation>
+    </message>
+    <message>
+        <source>%1, has not settled: the last step still turned it by %2°</source>
+        <translation>%1, hat sich nicht eingependelt: der letzte Schritt drehte sie noch um %2°</translation>
+    </message>
+    <message>
+        <source>%1, is found %2° and %3 cm from where the calibration before has it</source>
+        <translation>%1, liegt %2° und %3 cm von dort, wo die vorige Kalibrierung sie hat</translation>
+    </message>
+    <message>
+        <source>%1, is heard in only %2 % of the movement in %3</source>
+        <translation>%1, ist nur in %2 % der Bewegung in %3 zu hören</translation>
+    </message>
+    <message>
+        <source>%1, is silent in the rest pose and keeps its old values</source>
+        <translation>%1, schweigt in der Ruhehaltung und behält ihre alten Werte</translation>
+    </message>
+    <message>
+        <source>%1, leans %2° otherwise at the end of the rest pose than at its beginning</source>
+        <translation>%1, ist am Ende der Ruhehaltung um %2° anders geneigt als am Anfang</translation>
+    </message>
+    <message>
+        <source>%1, moved at %2</source>
+        <translation>%1, bewegte sich bei %2</translation>
+    </message>
+    <message>
+        <source>%1, reads the end of its range while it is still</source>
+        <translation>%1, misst das Ende ihres Messbereichs, während sie ruht</translation>
+    </message>
+    <message>
+        <source>%1, sits %2° askew from where the suit file says</source>
+        <translation>%1, sitzt um %2° schief gegenüber der Anzugdatei</translation>
+    </message>
+    <message>
+        <source>%1, sits about %2 cm from where the suit file says</source>
+        <translation>%1, sitzt etwa %2 cm von dort, wo die Anzugdatei sie hat</translation>
+    </message>
+    <message>
+        <source>%1, with its %2 side up</source>
+        <translation>%1, mit ihrer Seite %2 nach oben</translation>
+    </message>
+    <message>
+        <source>%1: a board or source is not on the performer's body</source>
+        <translation>%1: eine Platine oder Quelle sitzt nicht am Körper des Darstellers</translation>
+    </message>
+    <message>
+        <source>%1: its offset is known to %2 only</source>
+        <translation>%1: ihr Versatz ist nur auf %2 bekannt</translation>
+    </message>
+    <message>
+        <source>%1: its zero is known to %2 °/s and its slope to %3 %</source>
+        <translation>%1: ihr Nullpunkt ist auf %2 °/s und ihre Steigung auf %3 % bekannt</translation>
+    </message>
+    <message>
+        <source>%1: placement %2 has no row of a %3</source>
+        <translation>%1: Aufstellung %2 hat keine Zeile für eine %3</translation>
+    </message>
+    <message>
+        <source>%1: sound says %2%3 than the file, in %4 of %5 measurements; they are left out</source>
+        <translation>%1: der Schall sagt %2%3 als die Datei, in %4 von %5 Messungen; sie sind ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1: there is no second of standing still to begin with</source>
+        <translation>%1: am Anfang fehlt eine Sekunde Stillstehen</translation>
+    </message>
+    <message>
+        <source>%1; only the stillness from %2 to %3 was used</source>
+        <translation>%1; nur die Ruhe von %2 bis %3 wurde verwendet</translation>
+    </message>
+    <message>
+        <source>%1; there is no second of standing still in %2</source>
+        <translation>%1; keine Sekunde Stillstehen in %2</translation>
+    </message>
+    <message>
+        <source>, in placement %1</source>
+        <translation>, in Aufstellung %1</translation>
+    </message>
+    <message>
+        <source>, nor %1 other pairs</source>
+        <translation>, auch nicht %1 weitere Paare</translation>
+    </message>
+    <message>
+        <source>Accelerometers are not calibrated: every tilt found here is uncertain by about %1°</source>
+        <translation>Beschleunigungssensoren sind nicht kalibriert: jede hier gefundene Neigung ist um etwa %1° unsicher</translation>
+    </message>
+    <message>
+        <source>Add one row per measurement</source>
+        <translation>Eine Zeile je Messung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add placements from 30 to 90 cm, or take the speed of sound from the thermometer</source>
+        <translation>Aufstellungen von 30 bis 90 cm hinzufügen oder die Schallgeschwindigkeit vom Thermometer nehmen</translation>
+    </message>
+    <message>
+        <source>Add the points or remove the placement</source>
+        <translation>Die Punkte hinzufügen oder die Aufstellung entfernen</translation>
+    </message>
+    <message>
+        <source>Board %1, hears its sources about %2 cm from where the calibration puts it</source>
+        <translation>Platine %1, hört ihre Quellen etwa %2 cm von dort, wo die Kalibrierung sie hat</translation>
+    </message>
+    <message>
+        <source>Boards %1 and %2 seem to be exchanged</source>
+        <translation>Platinen %1 und %2 scheinen vertauscht</translation>
+    </message>
+    <message>
+        <source>Calibrate its accelerometer</source>
+        <translation>Ihren Beschleunigungssensor kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate the accelerometers first</source>
+        <translation>Zuerst die Beschleunigungssensoren kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate the rest pose again</source>
+        <translation>Die Ruhehaltung neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate the sources first and see that they are plugged in</source>
+        <translation>Zuerst die Quellen kalibrieren und prüfen, ob sie eingesteckt sind</translation>
+    </message>
+    <message>
+        <source>Calibrate them in step Calibrate, then check the suit</source>
+        <translation>Sie im Schritt Kalibrieren kalibrieren, dann den Anzug kontrollieren</translation>
+    </message>
+    <message>
+        <source>Calibrate them one by one</source>
+        <translation>Sie einzeln kalibrieren</translation>
+    </message>
+    <message>
+        <source>Change the board</source>
+        <translation>Die Platine wechseln</translation>
+    </message>
+    <message>
+        <source>Check that nothing shakes or pushes the board, and repeat this position</source>
+        <translation>Prüfen, ob etwas die Platine erschüttert oder anstößt, und diese Stellung wiederholen</translation>
+    </message>
+    <message>
+        <source>Check the board's range in the suit description; if that is right, change the board</source>
+        <translation>Den Messbereich der Platine in der Anzugbeschreibung prüfen; stimmt er, die Platine wechseln</translation>
+    </message>
+    <message>
+        <source>Check whether each sits where it belongs</source>
+        <translation>Prüfen, ob jede sitzt, wo sie hingehört</translation>
+    </message>
+    <message>
+        <source>Close it in the same line</source>
+        <translation>Es in derselben Zeile schließen</translation>
+    </message>
+    <message>
+        <source>Compare the box's thermometer with another</source>
+        <translation>Das Thermometer der Box mit einem anderen vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare the thermometer with another, or let the distances tell the speed of sound</source>
+        <translation>Das Thermometer mit einem anderen vergleichen oder die Schallgeschwindigkeit aus den Abständen bestimmen</translation>
+    </message>
+    <message>
+        <source>Correct the heading or the values, then calibrate again</source>
+        <translation>Die Überschrift oder die Werte berichtigen, dann noch einmal kalibrieren</translation>
+    </message>
+    <message>
+        <source>Correct the labels, or measure these placements too</source>
+        <translation>Die Bezeichnungen berichtigen oder auch diese Aufstellungen messen</translation>
+    </message>
+    <message>
+        <source>Correct the labels, or record these placements too</source>
+        <translation>Die Bezeichnungen berichtigen oder auch diese Aufstellungen aufnehmen</translation>
+    </message>
+    <message>
+        <source>Correct the names in the file; until then their rows are left out</source>
+        <translation>Die Namen in der Datei berichtigen; bis dahin bleiben ihre Zeilen ausgelassen</translation>
+    </message>
+    <message>
+        <source>Distances are off by %1 on average, %2 at worst; good is under %3</source>
+        <translation>Abstände liegen im Mittel um %1 daneben, im schlechtesten Fall um %2; gut ist weniger als %3</translation>
+    </message>
+    <message>
+        <source>Exchange the two boards, then hold the rest pose again</source>
+        <translation>Die beiden Platinen tauschen, dann die Ruhehaltung noch einmal halten</translation>
+    </message>
+    <message>
+        <source>Exchange the two labels in the file, or the two parts on the suit, and calibrate again</source>
+        <translation>Die beiden Bezeichnungen in der Datei oder die beiden Teile am Anzug tauschen und noch einmal kalibrieren</translation>
+    </message>
+    <message>
+        <source>Exchange their plugs at the driver box, or drag the one onto the other on Connect</source>
+        <translation>Ihre Stecker an der Steuerbox tauschen oder auf Verbinden die eine auf die andere ziehen</translation>
+    </message>
+    <message>
+        <source>Exchange their two plugs at the box, then hold the rest pose again</source>
+        <translation>Ihre beiden Stecker an der Box tauschen, dann die Ruhehaltung noch einmal halten</translation>
+    </message>
+    <message>
+        <source>Exchange them on the body, or drag the one onto the other on Connect</source>
+        <translation>Sie am Körper tauschen oder auf Verbinden die eine auf die andere ziehen</translation>
+    </message>
+    <message>
+        <source>Fill it in or remove the row</source>
+        <translation>Sie ausfüllen oder die Zeile entfernen</translation>
+    </message>
+    <message>
+        <source>Fitting the movement</source>
+        <translation>Bewegung wird angepasst</translation>
+    </message>
+    <message>
+        <source>For a better result leave each side still for longer</source>
+        <translation>Für ein besseres Ergebnis jede Seite länger ruhen lassen</translation>
+    </message>
+    <message>
+        <source>For a better result tilt the table by a third of a degree and repeat</source>
+        <translation>Für ein besseres Ergebnis den Drehteller um ein drittel Grad neigen und wiederholen</translation>
+    </message>
+    <message>
+        <source>Give a number such as 0.512</source>
+        <translation>Eine Zahl wie 0.512 angeben</translation>
+    </message>
+    <message>
+        <source>Give a table with a header and one row per measurement</source>
+        <translation>Eine Tabelle mit Kopfzeile und einer Zeile je Messung angeben</translation>
+    </message>
+    <message>
+        <source>Give the distance from the source to the microphone's opening</source>
+        <translation>Den Abstand von der Quelle zur Öffnung des Mikrofons angeben</translation>
+    </message>
+    <message>
+        <source>Give the placements the same labels in the file and in the take</source>
+        <translation>Den Aufstellungen in der Datei und in der Aufnahme dieselben Bezeichnungen geben</translation>
+    </message>
+    <message>
+        <source>Hold the rest pose again</source>
+        <translation>Die Ruhehaltung noch einmal halten</translation>
+    </message>
+    <message>
+        <source>Hold the rest pose again if the other results are poor</source>
+        <translation>Die Ruhehaltung noch einmal halten, wenn die anderen Ergebnisse schlecht sind</translation>
+    </message>
+    <message>
+        <source>In %1, placement %2, source %3 and board %4 are at the same point</source>
+        <translation>In %1, Aufstellung %2, sind Quelle %3 und Platine %4 am selben Punkt</translation>
+    </message>
+    <message>
+        <source>Keep one of the rows, or correct the name in the other</source>
+        <translation>Eine der Zeilen behalten oder den Namen in der anderen berichtigen</translation>
+    </message>
+    <message>
+        <source>Keep one of them</source>
+        <translation>Eine davon behalten</translation>
+    </message>
+    <message>
+        <source>Keep one unit</source>
+        <translation>Bei einer Einheit bleiben</translation>
+    </message>
+    <message>
+        <source>Lay it down again and leave it alone for four seconds</source>
+        <translation>Sie noch einmal hinlegen und vier Sekunden lang in Ruhe lassen</translation>
+    </message>
+    <message>
+        <source>Lay it with %1 up and leave it alone for four seconds</source>
+        <translation>Sie mit %1 nach oben hinlegen und vier Sekunden lang in Ruhe lassen</translation>
+    </message>
+    <message>
+        <source>Let each side turn evenly for longer, eight seconds or more</source>
+        <translation>Jede Seite länger gleichmäßig drehen lassen, acht Sekunden oder mehr</translation>
+    </message>
+    <message>
+        <source>Look for a wrong scale in the distances, then for a wrong thermometer</source>
+        <translation>Nach einem falschen Maßstab der Abstände suchen, dann nach einem falschen Thermometer</translation>
+    </message>
+    <message>
+        <source>Look for what stands in the sound's way, then measure the points again</source>
+        <translation>Suchen, was dem Schall im Weg steht, dann die Punkte noch einmal messen</translation>
+    </message>
+    <message>
+        <source>Mark the begin and end of every placement while the jig is recorded</source>
+        <translation>Anfang und Ende jeder Aufstellung markieren, während das Messgestell aufgenommen wird</translation>
+    </message>
+    <message>
+        <source>Measure it again, in at least %1 pairs</source>
+        <translation>Sie noch einmal messen, in mindestens %1 Paaren</translation>
+    </message>
+    <message>
+        <source>Measure it too, so that the other boards need not stand for it</source>
+        <translation>Sie auch messen, damit die anderen Platinen sie nicht vertreten müssen</translation>
+    </message>
+    <message>
+        <source>Measure the points again</source>
+        <translation>Die Punkte noch einmal messen</translation>
+    </message>
+    <message>
+        <source>Measure the points again, where the sound leaves the source and enters the microphone</source>
+        <translation>Die Punkte noch einmal messen, dort, wo der Schall die Quelle verlässt und ins Mikrofon eintritt</translation>
+    </message>
+    <message>
+        <source>Measure the two points again</source>
+        <translation>Die beiden Punkte noch einmal messen</translation>
+    </message>
+    <message>
+        <source>Mend what the other lines name and calibrate again</source>
+        <translation>Beheben, was die anderen Zeilen nennen, und noch einmal kalibrieren</translation>
+    </message>
+    <message>
+        <source>Move again: squats, arm circles, leg swings, turns of trunk and head, bends of elbows, knees and wrists</source>
+        <translation>Noch einmal bewegen: Kniebeugen, Armkreisen, Beinschwingen, Drehen von Rumpf und Kopf, Beugen von Ellbogen, Knien und Handgelenken</translation>
+    </message>
+    <message>
+        <source>Move for 30 to 60 seconds</source>
+        <translation>30 bis 60 Sekunden lang bewegen</translation>
+    </message>
+    <message>
+        <source>Name the columns</source>
+        <translation>Die Spalten benennen</translation>
+    </message>
+    <message>
+        <source>Name the columns %1</source>
+        <translation>Die Spalten %1 nennen</translation>
+    </message>
+    <message>
+        <source>No board of the suit is heard in the rest pose</source>
+        <translation>Keine Platine des Anzugs ist in der Ruhehaltung zu hören</translation>
+    </message>
+    <message>
+        <source>No distance took part in %1, so lengths and places rest on accelerations alone</source>
+        <translation>Kein Abstand ging in %1 ein; Längen und Orte beruhen also allein auf Beschleunigungen</translation>
+    </message>
+    <message>
+        <source>No distance took part, so left and right boards that were swapped may pass unseen</source>
+        <translation>Kein Abstand ging ein; vertauschte linke und rechte Platinen können so unbemerkt bleiben</translation>
+    </message>
+    <message>
+        <source>No placement of %1 (%2) is marked in the take (%3)</source>
+        <translation>Keine Aufstellung von %1 (%2) ist in der Aufnahme (%3) markiert</translation>
+    </message>
+    <message>
+        <source>No source could be calibrated</source>
+        <translation>Keine Quelle ließ sich kalibrieren</translation>
+    </message>
+    <message>
+        <source>No suit is that large: remove the rows that do not belong to it</source>
+        <translation>So groß ist kein Anzug: die Zeilen entfernen, die nicht zu ihm gehören</translation>
+    </message>
+    <message>
+        <source>Nothing in this take tells boards %1 apart%2: gravity is alike on both and no sound decides</source>
+        <translation>Nichts in dieser Aufnahme unterscheidet die Platinen %1%2: die Schwerkraft ist an beiden gleich, und kein Schall entscheidet</translation>
+    </message>
+    <message>
+        <source>Press it into its seat, check that the plate is level, and repeat both sides</source>
+        <translation>Sie in ihr Fach drücken, prüfen, ob die Platte waagrecht ist, und beide Seiten wiederholen</translation>
+    </message>
+    <message>
+        <source>Press it into its seat, check that the plate is level, and repeat this side</source>
+        <translation>Sie in ihr Fach drücken, prüfen, ob die Platte waagrecht ist, und diese Seite wiederholen</translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks and see that its readings stay within their range, then move again</source>
+        <translation>Den Stecker eindrücken, bis er klickt, und prüfen, ob ihre Messwerte im Messbereich bleiben, dann noch einmal bewegen</translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks, then hold the rest pose again</source>
+        <translation>Den Stecker eindrücken, bis er klickt, dann die Ruhehaltung noch einmal halten</translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks, then repeat its six sides</source>
+        <translation>Den Stecker eindrücken, bis er klickt, dann ihre sechs Seiten wiederholen</translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks, then repeat its six turns</source>
+        <translation>Den Stecker eindrücken, bis er klickt, dann ihre sechs Drehungen wiederholen</translation>
+    </message>
+    <message>
+        <source>Put it back, or calibrate the rest pose again</source>
+        <translation>Ihn zurückschieben oder die Ruhehaltung neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Put it right or correct the suit file, then hold the rest pose again</source>
+        <translation>Sie richten oder die Anzugdatei berichtigen, dann die Ruhehaltung noch einmal halten</translation>
+    </message>
+    <message>
+        <source>Put its strap right or correct the suit file, then calibrate again</source>
+        <translation>Den Gurt richten oder die Anzugdatei berichtigen, dann noch einmal kalibrieren</translation>
+    </message>
+    <message>
+        <source>Put its strap right or correct the suit file, then hold the rest pose again</source>
+        <translation>Den Gurt richten oder die Anzugdatei berichtigen, dann die Ruhehaltung noch einmal halten</translation>
+    </message>
+    <message>
+        <source>Record it again and leave the jig alone between the markers</source>
+        <translation>Noch einmal aufnehmen und das Messgestell zwischen den Marken in Ruhe lassen</translation>
+    </message>
+    <message>
+        <source>Record more placements, 30 to 90 cm apart</source>
+        <translation>Mehr Aufstellungen aufnehmen, 30 bis 90 cm auseinander</translation>
+    </message>
+    <message>
+        <source>Record one with every placement marked</source>
+        <translation>Eine aufnehmen, in der jede Aufstellung markiert ist</translation>
+    </message>
+    <message>
+        <source>Record the movement again, from a rest pose that is held still</source>
+        <translation>Die Bewegung noch einmal aufnehmen, aus einer ruhig gehaltenen Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>Record with the suit worn, and with an actor that has its segments</source>
+        <translation>Mit angezogenem Anzug aufnehmen und mit einem Darsteller, der dessen Glieder hat</translation>
+    </message>
+    <message>
+        <source>Remove what is too much</source>
+        <translation>Entfernen, was zu viel ist</translation>
+    </message>
+    <message>
+        <source>Repeat both sides with the table turning one way</source>
+        <translation>Beide Seiten bei gleicher Richtung des Drehtellers wiederholen</translation>
+    </message>
+    <message>
+        <source>Repeat its six sides</source>
+        <translation>Ihre sechs Seiten wiederholen</translation>
+    </message>
+    <message>
+        <source>Rest pose</source>
+        <translation>Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>Rest pose: comparing boards</source>
+        <translation>Ruhehaltung: Platinen werden verglichen</translation>
+    </message>
+    <message>
+        <source>Save the table as CSV in UTF-8</source>
+        <translation>Die Tabelle als CSV in UTF-8 sichern</translation>
+    </message>
+    <message>
+        <source>See that it sounds and that the file has its point</source>
+        <translation>Prüfen, ob sie tönt und die Datei ihren Punkt hat</translation>
+    </message>
+    <message>
+        <source>See that it was made by this performer in this suit, or calibrate the rest pose again</source>
+        <translation>Prüfen, ob sie von diesem Darsteller in diesem Anzug stammt, oder die Ruhehaltung neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>See that its plug sits and that its microphone's opening is free</source>
+        <translation>Prüfen, ob ihr Stecker sitzt und die Öffnung ihres Mikrofons frei ist</translation>
+    </message>
+    <message>
+        <source>See that its point was touched where the sound leaves it</source>
+        <translation>Prüfen, ob ihr Punkt dort angetastet wurde, wo der Schall sie verlässt</translation>
+    </message>
+    <message>
+        <source>See that the box is connected and the boards are plugged in, then record again</source>
+        <translation>Prüfen, ob die Box verbunden ist und die Platinen eingesteckt sind, dann noch einmal aufnehmen</translation>
+    </message>
+    <message>
+        <source>See that the distances reach from the source's face to the microphone's opening</source>
+        <translation>Prüfen, ob die Abstände von der Vorderseite der Quelle zur Öffnung des Mikrofons reichen</translation>
+    </message>
+    <message>
+        <source>See that the file belongs to this take and that its labels are right</source>
+        <translation>Prüfen, ob die Datei zu dieser Aufnahme gehört und ihre Bezeichnungen stimmen</translation>
+    </message>
+    <message>
+        <source>See that the performer stands in the rest pose there, or record one</source>
+        <translation>Prüfen, ob der Darsteller dort in der Ruhehaltung steht, oder eine aufnehmen</translation>
+    </message>
+    <message>
+        <source>See whether it sits where it belongs, or calibrate the rest pose again</source>
+        <translation>Prüfen, ob sie sitzt, wo sie hingehört, oder die Ruhehaltung neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Set the table to a slower speed, 33 1/3 or 45 rpm, and repeat</source>
+        <translation>Den Drehteller auf eine kleinere Drehzahl stellen, 33 1/3 oder 45 U/min, und wiederholen</translation>
+    </message>
+    <message>
+        <source>Set the table's speed with its stroboscope and repeat, to be sure</source>
+        <translation>Zur Sicherheit die Drehzahl des Drehtellers mit seinem Stroboskop einstellen und wiederholen</translation>
+    </message>
+    <message>
+        <source>Stand still in the rest pose for three seconds</source>
+        <translation>Drei Sekunden in der Ruhehaltung still stehen</translation>
+    </message>
+    <message>
+        <source>Stand still in the rest pose for three seconds, then move</source>
+        <translation>Drei Sekunden in der Ruhehaltung still stehen, dann bewegen</translation>
+    </message>
+    <message>
+        <source>State the speed that the table is set to</source>
+        <translation>Die Drehzahl angeben, auf die der Drehteller eingestellt ist</translation>
+    </message>
+    <message>
+        <source>Swing that limb to all sides and turn it about its own length</source>
+        <translation>Dieses Glied nach allen Seiten schwingen und um seine Längsachse drehen</translation>
+    </message>
+    <message>
+        <source>The distances are too much alike to tell the speed of sound; it is known to %1 %</source>
+        <translation>Die Abstände sind einander zu ähnlich, um die Schallgeschwindigkeit zu bestimmen; sie ist auf %1 % bekannt</translation>
+    </message>
+    <message>
+        <source>The distances fit the flight times as if the air were %1 %2</source>
+        <translation>Die Abstände passen zu den Laufzeiten, als wäre die Luft %1 %2</translation>
+    </message>
+    <message>
+        <source>The distances of %1 are %2 times too %3%4</source>
+        <translation>Die Abstände von %1 sind %2-mal zu %3%4</translation>
+    </message>
+    <message>
+        <source>The fit of the movement did not converge</source>
+        <translation>Die Anpassung an die Bewegung fand keine Lösung</translation>
+    </message>
+    <message>
+        <source>The fit of the rest pose did not converge</source>
+        <translation>Die Anpassung an die Ruhehaltung fand keine Lösung</translation>
+    </message>
+    <message>
+        <source>The flight times do not follow the distances: they differ by %1 on the whole</source>
+        <translation>Die Laufzeiten folgen den Abständen nicht: sie weichen im Ganzen um %1 ab</translation>
+    </message>
+    <message>
+        <source>The gyroscope of board %1, %2, has drifted by about %3°/s</source>
+        <translation>Das Gyroskop von Platine %1, %2, ist um etwa %3°/s gedriftet</translation>
+    </message>
+    <message>
+        <source>The gyroscopes of %1 boards have drifted, by up to %2°/s</source>
+        <translation>Die Gyroskope von %1 Platinen sind gedriftet, um bis zu %2°/s</translation>
+    </message>
+    <message>
+        <source>The strap of board %1, has slipped by about %2°</source>
+        <translation>Der Gurt von Platine %1, ist um etwa %2° verrutscht</translation>
+    </message>
+    <message>
+        <source>The table turned %1 % %2 than %3; its measured speed counts</source>
+        <translation>Der Drehteller drehte sich %1 % %2 als %3; es gilt seine gemessene Drehzahl</translation>
+    </message>
+    <message>
+        <source>The table turned at about %1 rpm, not at %2</source>
+        <translation>Der Drehteller drehte sich mit etwa %1 U/min, nicht mit %2</translation>
+    </message>
+    <message>
+        <source>The table's true speed does not show, as it stands level or turned too briefly; %1 counts, which is good to about 0.1 %</source>
+        <translation>Die wahre Drehzahl des Drehtellers zeigt sich nicht, da er waagrecht steht oder sich zu kurz drehte; es gilt %1, auf etwa 0,1 % genau</translation>
+    </message>
+    <message>
+        <source>The take has no marker for these placements of %1: %2</source>
+        <translation>Die Aufnahme hat keine Marke für diese Aufstellungen von %1: %2</translation>
+    </message>
+    <message>
+        <source>The take marks no rest pose; the longest stillness was taken for it, from %1 to %2</source>
+        <translation>Die Aufnahme markiert keine Ruhehaltung; als solche gilt die längste Ruhe, von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>There are only %1 s of movement after the rest pose</source>
+        <translation>Nach der Ruhehaltung folgen nur %1 s Bewegung</translation>
+    </message>
+    <message>
+        <source>There is no second of standing still in %1</source>
+        <translation>Keine Sekunde Stillstehen in %1</translation>
+    </message>
+    <message>
+        <source>There is no take of the jig</source>
+        <translation>Es gibt keine Aufnahme des Messgestells</translation>
+    </message>
+    <message>
+        <source>This looks like the other kind of table,</source>
+        <translation>Das sieht nach der anderen Art von Tabelle aus,</translation>
+    </message>
+    <message>
+        <source>This looks like the other kind of table, %1; give it as such</source>
+        <translation>Das sieht nach der anderen Art von Tabelle aus, %1; sie als solche angeben</translation>
+    </message>
+    <message>
+        <source>Too little movement to show how boards sit at: %1</source>
+        <translation>Zu wenig Bewegung, um zu zeigen, wie Platinen sitzen an: %1</translation>
+    </message>
+    <message>
+        <source>Turn it with its %1 side up as well, the table turning as before</source>
+        <translation>Sie auch mit ihrer Seite %1 nach oben drehen, der Drehteller dreht wie zuvor</translation>
+    </message>
+    <message>
+        <source>Turn it with its +%1 side up and again with its -%2 side up</source>
+        <translation>Sie mit ihrer Seite +%1 nach oben drehen und noch einmal mit ihrer Seite -%2 nach oben</translation>
+    </message>
+    <message>
+        <source>Write decimals with a point, or put semicolons between the cells</source>
+        <translation>Dezimalzahlen mit Punkt schreiben oder Strichpunkte zwischen die Zellen setzen</translation>
+    </message>
+    <message>
+        <source>Write source or board</source>
+        <translation>source oder board schreiben</translation>
+    </message>
+    <message>
+        <source>a quotation mark stays open</source>
+        <translation>ein Anführungszeichen bleibt offen</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>are</source>
+        <translation>sind</translation>
+    </message>
+    <message>
+        <source>as if centimetres stood under a heading in metres</source>
+        <translation>als stünden Zentimeter unter einer Überschrift in Metern</translation>
+    </message>
+    <message>
+        <source>as if centimetres stood under a heading in millimetres</source>
+        <translation>als stünden Zentimeter unter einer Überschrift in Millimetern</translation>
+    </message>
+    <message>
+        <source>as if feet stood under a heading in metres</source>
+        <translation>als stünden Fuß unter einer Überschrift in Metern</translation>
+    </message>
+    <message>
+        <source>as if feet stood under a heading in millimetres</source>
+        <translation>als stünden Fuß unter einer Überschrift in Millimetern</translation>
+    </message>
+    <message>
+        <source>as if inches had been turned into millimetres twice</source>
+        <translation>als wären Zoll zweimal in Millimeter umgerechnet</translation>
+    </message>
+    <message>
+        <source>as if inches stood under a heading in metres</source>
+        <translation>als stünden Zoll unter einer Überschrift in Metern</translation>
+    </message>
+    <message>
+        <source>as if inches stood under a heading in millimetres</source>
+        <translation>als stünden Zoll unter einer Überschrift in Millimetern</translation>
+    </message>
+    <message>
+        <source>as if metres stood under a heading in millimetres</source>
+        <translation>als stünden Meter unter einer Überschrift in Millimetern</translation>
+    </message>
+    <message>
+        <source>as if millimetres stood under a heading in metres</source>
+        <translation>als stünden Millimeter unter einer Überschrift in Metern</translation>
+    </message>
+    <message>
+        <source>as if they were in another unit than the heading says</source>
+        <translation>als wären sie in einer anderen Einheit, als die Überschrift sagt</translation>
+    </message>
+    <message>
+        <source>board</source>
+        <translation>Platine</translation>
+    </message>
+    <message>
+        <source>colder</source>
+        <translation>kälter</translation>
+    </message>
+    <message>
+        <source>column %1 is %2</source>
+        <translation>Spalte %1 ist %2</translation>
+    </message>
+    <message>
+        <source>column %1 is empty</source>
+        <translation>Spalte %1 ist leer</translation>
+    </message>
+    <message>
+        <source>faster</source>
+        <translation>schneller</translation>
+    </message>
+    <message>
+        <source>in a tilted position</source>
+        <translation>in einer geneigten Stellung</translation>
+    </message>
+    <message>
+        <source>in placement %1</source>
+        <translation>in Aufstellung %1</translation>
+    </message>
+    <message>
+        <source>its %1 and %2 sides are %3 from opposite; one of the two did not lie level</source>
+        <translation>ihre Seiten %1 und %2 liegen sich um %3 nicht genau gegenüber; eine der beiden lag nicht waagrecht</translation>
+    </message>
+    <message>
+        <source>its accelerometer reached the end of its range while it lay still</source>
+        <translation>ihr Beschleunigungssensor erreichte das Ende seines Messbereichs, während sie still lag</translation>
+    </message>
+    <message>
+        <source>its gyroscope reached the end of its range in a turn, which was left out</source>
+        <translation>ihr Gyroskop erreichte in einer Drehung das Ende seines Messbereichs; diese wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>its label looks exchanged</source>
+        <translation>ihre Bezeichnung scheint vertauscht</translation>
+    </message>
+    <message>
+        <source>its readings do not settle zero and slope</source>
+        <translation>ihre Messwerte legen Nullpunkt und Steigung nicht fest</translation>
+    </message>
+    <message>
+        <source>its zero is known to %1 mg and its slope to %2 %</source>
+        <translation>ihr Nullpunkt ist auf %1 mg und ihre Steigung auf %2 % bekannt</translation>
+    </message>
+    <message>
+        <source>kind is %1</source>
+        <translation>kind ist %1</translation>
+    </message>
+    <message>
+        <source>large,</source>
+        <translation>groß,</translation>
+    </message>
+    <message>
+        <source>lay %1 askew with its %2 side up</source>
+        <translation>lag um %1 schief mit ihrer Seite %2 nach oben</translation>
+    </message>
+    <message>
+        <source>less</source>
+        <translation>weniger</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mehr</translation>
+    </message>
+    <message>
+        <source>never lay still with its %1%2</source>
+        <translation>lag nie still mit %1%2</translation>
+    </message>
+    <message>
+        <source>no board heard it where its distance is known</source>
+        <translation>keine Platine hörte sie dort, wo ihr Abstand bekannt ist</translation>
+    </message>
+    <message>
+        <source>no row follows the header</source>
+        <translation>nach der Kopfzeile folgt keine Zeile</translation>
+    </message>
+    <message>
+        <source>only %1 of %2 measurements can be used</source>
+        <translation>nur %1 von %2 Messungen sind brauchbar</translation>
+    </message>
+    <message>
+        <source>placement %1</source>
+        <translation>Aufstellung %1</translation>
+    </message>
+    <message>
+        <source>placement %1 has more than %2 points of kind %3</source>
+        <translation>Aufstellung %1 hat mehr als %2 Punkte der Art %3</translation>
+    </message>
+    <message>
+        <source>read gravity %1 m/s² off %2</source>
+        <translation>maß die Schwerkraft um %1 m/s² falsch, %2</translation>
+    </message>
+    <message>
+        <source>sent no readings</source>
+        <translation>sandte keine Messwerte</translation>
+    </message>
+    <message>
+        <source>side up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>sides up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>six sides are needed, but it lay still %1%2</source>
+        <translation>sechs Seiten sind nötig, aber sie lag nur %1%2 still</translation>
+    </message>
+    <message>
+        <source>slower</source>
+        <translation>langsamer</translation>
+    </message>
+    <message>
+        <source>small,</source>
+        <translation>klein,</translation>
+    </message>
+    <message>
+        <source>some columns are in metres and some in millimetres</source>
+        <translation>einige Spalten sind in Metern und einige in Millimetern</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>the distance is not above 0</source>
+        <translation>der Abstand ist nicht größer als 0</translation>
+    </message>
+    <message>
+        <source>the marked rest pose</source>
+        <translation>der markierten Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>the take, which marks no rest pose</source>
+        <translation>der Aufnahme, die keine Ruhehaltung markiert</translation>
+    </message>
+    <message>
+        <source>there are %1 cells under %2 columns</source>
+        <translation>unter %2 Spalten stehen %1 Zellen</translation>
+    </message>
+    <message>
+        <source>there is no column %1</source>
+        <translation>es gibt keine Spalte %1</translation>
+    </message>
+    <message>
+        <source>this pair of placement %1 stands in line %2 already</source>
+        <translation>dieses Paar von Aufstellung %1 steht schon in Zeile %2</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Mal</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>Mal</translation>
+    </message>
+    <message>
+        <source>turned about its</source>
+        <translation>drehte sich um ihre Achse</translation>
+    </message>
+    <message>
+        <source>turned about its %1 axis in one direction only</source>
+        <translation>drehte sich um ihre Achse %1 nur in einer Richtung</translation>
+    </message>
+    <message>
+        <source>two columns are named %1</source>
+        <translation>zwei Spalten heißen %1</translation>
+    </message>
+    <message>
+        <source>warmer</source>
+        <translation>wärmer</translation>
+    </message>
+    <message>
+        <source>was moved while its %1 side was up, it lay still for %2 s</source>
+        <translation>wurde bewegt, während ihre Seite %1 oben war; sie lag %2 s lang still</translation>
+    </message>
+    <message>
+        <source>was never turned evenly about its %1 axis</source>
+        <translation>drehte sich nie gleichmäßig um ihre Achse %1</translation>
+    </message>
+    <message>
+        <source>with its %1 side up</source>
+        <translation>mit ihrer Seite %1 nach oben</translation>
+    </message>
+</context>
+<context>
+    <name>core/estimation</name>
+    <message>
+        <source>Calibrate from movement with this performer</source>
+        <translation>Mit diesem Darsteller aus Bewegung kalibrieren</translation>
+    </message>
+    <message>
+        <source>Check that the disk has room, or process without smoothing</source>
+        <translation>Prüfen, ob auf der Platte Platz ist, oder ohne Glättung verarbeiten</translation>
+    </message>
+    <message>
+        <source>calibration of board %1: its flesh moves with joint '%2', which the performer does not have</source>
+        <translation>Kalibrierung von Platine %1: ihr Gewebe bewegt sich mit Gelenk „%2“, das der Darsteller nicht hat</translation>
+    </message>
+    <message>
+        <source>what the smoother had put aside could not be read back</source>
+        <translation>was die Glättung zur Seite gelegt hatte, ließ sich nicht zurücklesen</translation>
+    </message>
+</context>
+<context>
+    <name>core/figure</name>
+    <message>
+        <source>%1 are %2 and %3, which no person has; --bones MAP.json corrects a joint that was taken wrongly</source>
+        <translation>%1 sind %2 und %3, was kein Mensch hat; --bones MAP.json berichtigt ein falsch gewähltes Gelenk</translation>
+    </message>
+    <message>
+        <source>%1 are exchanged in the file, as toes, knees and elbows show; the sides are set right. --bones MAP.json says otherwise</source>
+        <translation>%1 sind in der Datei vertauscht, wie Zehen, Knie und Ellbogen zeigen; die Seiten werden richtiggestellt. --bones MAP.json bestimmt es anders</translation>
+    </message>
+    <message>
+        <source>%1 points up in the file; the motion is turned so that Y does</source>
+        <translation>%1 zeigt in der Datei nach oben; die Bewegung wird so gedreht, dass Y es tut</translation>
+    </message>
+    <message>
+        <source>%1 seem to be exchanged in the bone map: toes, knees and elbows point the other way</source>
+        <translation>%1 scheinen in der Knochenzuordnung vertauscht: Zehen, Knie und Ellbogen zeigen andersherum</translation>
+    </message>
+    <message>
+        <source>%1, which no person is%2</source>
+        <translation>%1; so groß ist kein Mensch%2</translation>
+    </message>
+    <message>
+        <source>%1: %2 at %3 per second; a figure %4 m tall (%5), %6 up; %7; zero pose: %8</source>
+        <translation>%1: %2 mit %3 je Sekunde; eine Figur von %4 m Größe (%5), %6 nach oben; %7; Nullpose: %8</translation>
+    </message>
+    <message>
+        <source>%1: a %2, or another unit%3</source>
+        <translation>%1: ein %2 oder eine andere Einheit%3</translation>
+    </message>
+    <message>
+        <source>%1: its limbs have no length</source>
+        <translation>%1: die Glieder haben keine Länge</translation>
+    </message>
+    <message>
+        <source>%1: no joint was recognised as %2</source>
+        <translation>%1: kein Gelenk wurde erkannt als %2</translation>
+    </message>
+    <message>
+        <source>%1: the bone map gives %2 to two joints</source>
+        <translation>%1: die Knochenzuordnung gibt %2 zwei Gelenken</translation>
+    </message>
+    <message>
+        <source>%1: the bone map says that %2 is %3, and the file has no such joint</source>
+        <translation>%1: die Knochenzuordnung sagt, dass %2 %3 ist, und die Datei hat kein solches Gelenk</translation>
+    </message>
+    <message>
+        <source>%1: the bone map speaks of a joint %2</source>
+        <translation>%1: die Knochenzuordnung spricht von einem Gelenk %2</translation>
+    </message>
+    <message>
+        <source>%1: tracking is lost in %2 of %3 frames: all their angles are zero</source>
+        <translation>%1: das Tracking ist in %2 von %3 Bildern verloren: all ihre Winkel sind null</translation>
+    </message>
+    <message>
+        <source>%1; a child in centimetres would look the same%2</source>
+        <translation>%1; ein Kind in Zentimetern sähe genauso aus%2</translation>
+    </message>
+    <message>
+        <source>'%1' is no axis that can point up</source>
+        <translation>„%1“ ist keine Achse, die nach oben zeigen kann</translation>
+    </message>
+    <message>
+        <source>, %1 by the bone map</source>
+        <translation>, %1 durch die Knochenzuordnung</translation>
+    </message>
+    <message>
+        <source>, %1 of them by shape</source>
+        <translation>, %1 davon nach der Gestalt</translation>
+    </message>
+    <message>
+        <source>; --height M or --bvh-unit corrects it</source>
+        <translation>; --height M oder --bvh-unit berichtigt es</translation>
+    </message>
+    <message>
+        <source>Cut the part out in which the subject was seen</source>
+        <translation>Den Teil ausschneiden, in dem die Person zu sehen war</translation>
+    </message>
+    <message>
+        <source>Export the motion with the skeleton's OFFSETs or position channels</source>
+        <translation>Die Bewegung mit den OFFSETs oder Positionskanälen des Skeletts exportieren</translation>
+    </message>
+    <message>
+        <source>Forearm and upper arm</source>
+        <translation>Unterarm und Oberarm</translation>
+    </message>
+    <message>
+        <source>Frame Time %1 would make hands and feet move at %2 mm/s; it is taken as milliseconds (%3 frames per second)</source>
+        <translation>Mit Frame Time %1 bewegten sich Hände und Füße mit %2 mm/s; der Wert wird als Millisekunden gelesen (%3 Bilder je Sekunde)</translation>
+    </message>
+    <message>
+        <source>Give every joint another one of the file</source>
+        <translation>Jedem Gelenk ein anderes der Datei geben</translation>
+    </message>
+    <message>
+        <source>Give y, z or auto</source>
+        <translation>y, z oder auto angeben</translation>
+    </message>
+    <message>
+        <source>Hands and feet move at %1 m/s on the mean: is the file's Frame Time right, and its unit?</source>
+        <translation>Hände und Füße bewegen sich im Mittel mit %1 m/s: stimmen Frame Time und Einheit der Datei?</translation>
+    </message>
+    <message>
+        <source>Left and right</source>
+        <translation>Links und rechts</translation>
+    </message>
+    <message>
+        <source>Left and right arm</source>
+        <translation>Linker und rechter Arm</translation>
+    </message>
+    <message>
+        <source>Left and right leg</source>
+        <translation>Linkes und rechtes Bein</translation>
+    </message>
+    <message>
+        <source>Names do not say which joint is which of these, the figure's shape does: %1. --bones MAP.json corrects it</source>
+        <translation>Bei diesen sagen nicht die Namen, welches Gelenk welches ist, sondern die Gestalt der Figur: %1. --bones MAP.json berichtigt es</translation>
+    </message>
+    <message>
+        <source>No joint was recognised as %1; these parts stay still. --bones MAP.json names them</source>
+        <translation>Kein Gelenk wurde erkannt als %1; diese Teile bleiben unbewegt. --bones MAP.json benennt sie</translation>
+    </message>
+    <message>
+        <source>Say which joint is which with --bones MAP.json, or rename the file's joints after HumanIK, for example LeftUpLeg, LeftLeg, LeftArm, LeftForeArm</source>
+        <translation>Mit --bones MAP.json angeben, welches Gelenk welches ist, oder die Gelenke der Datei nach HumanIK umbenennen, zum Beispiel LeftUpLeg, LeftLeg, LeftArm, LeftForeArm</translation>
+    </message>
+    <message>
+        <source>Shin and thigh</source>
+        <translation>Unterschenkel und Oberschenkel</translation>
+    </message>
+    <message>
+        <source>Shoulders and height</source>
+        <translation>Schultern und Größe</translation>
+    </message>
+    <message>
+        <source>Take one of LeftUpLeg, LeftLeg, LeftFoot, LeftArm, LeftForeArm, LeftHand, Hips, Spine, Chest, Neck, Head and the like</source>
+        <translation>Eines von LeftUpLeg, LeftLeg, LeftFoot, LeftArm, LeftForeArm, LeftHand, Hips, Spine, Chest, Neck, Head und so weiter nehmen</translation>
+    </message>
+    <message>
+        <source>The %1 is %2 long on the left and %3 on the right; --bones MAP.json corrects a joint that was taken wrongly</source>
+        <translation>%1 ist links %2 lang und rechts %3; --bones MAP.json berichtigt ein falsch gewähltes Gelenk</translation>
+    </message>
+    <message>
+        <source>The %1%2 changes its length by %3 on the mean; its median is taken</source>
+        <translation>%1%2: die Länge ändert sich im Mittel um %3; es gilt ihr Median</translation>
+    </message>
+    <message>
+        <source>The figure is %1 tall with the unit %2</source>
+        <translation>Die Figur ist mit der Einheit %2 %1 groß</translation>
+    </message>
+    <message>
+        <source>The first %1 hold zeros only and are cut off</source>
+        <translation>Die ersten %1 enthalten nur Nullen und werden abgeschnitten</translation>
+    </message>
+    <message>
+        <source>The last %1 hold zeros only and are cut off</source>
+        <translation>Die letzten %1 enthalten nur Nullen und werden abgeschnitten</translation>
+    </message>
+    <message>
+        <source>The position channels of %1 are about zero; they are added to the OFFSETs</source>
+        <translation>Die Positionskanäle von %1 sind etwa null; sie werden zu den OFFSETs addiert</translation>
+    </message>
+    <message>
+        <source>Tracking of %1 was lost in %2; they are bridged between their neighbours</source>
+        <translation>Das Tracking ging in %2 verloren (%1); sie werden zwischen ihren Nachbarn überbrückt</translation>
+    </message>
+    <message>
+        <source>Tracking was lost in %1 (all angles zero, at most %2 in a row); they are bridged between their neighbours</source>
+        <translation>Das Tracking ging in %1 verloren (alle Winkel null, höchstens %2 hintereinander); sie werden zwischen ihren Nachbarn überbrückt</translation>
+    </message>
+    <message>
+        <source>Upper arm and thigh</source>
+        <translation>Oberarm und Oberschenkel</translation>
+    </message>
+    <message>
+        <source>Whether %1 points up is not certain; --up y or --up z says it</source>
+        <translation>Ob %1 nach oben zeigt, ist nicht sicher; --up y oder --up z bestimmt es</translation>
+    </message>
+    <message>
+        <source>With %1 up the body lies, sits low or stands on its head most of the time; if it does not, --up z or --up y turns it</source>
+        <translation>Mit %1 nach oben liegt der Körper, sitzt tief oder steht meist auf dem Kopf; trifft das nicht zu, dreht ihn --up z oder --up y</translation>
+    </message>
+    <message>
+        <source>Write the joint's name as the file has it</source>
+        <translation>Den Namen des Gelenks so schreiben, wie er in der Datei steht</translation>
+    </message>
+    <message>
+        <source>arms down</source>
+        <translation>Arme hängen</translation>
+    </message>
+    <message>
+        <source>bent trunk</source>
+        <translation>Rumpf gebeugt</translation>
+    </message>
+    <message>
+        <source>bones along one axis</source>
+        <translation>Knochen entlang einer Achse</translation>
+    </message>
+    <message>
+        <source>by name</source>
+        <translation>nach Namen</translation>
+    </message>
+    <message>
+        <source>child</source>
+        <translation>Kind</translation>
+    </message>
+    <message>
+        <source>giant</source>
+        <translation>Riese</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>not a standing pose</source>
+        <translation>keine stehende Pose</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>the place of %1</source>
+        <translation>der Ort von %1</translation>
+    </message>
+</context>
+<context>
+    <name>core/film</name>
+    <message>
+        <source>%1 frames instead of %2</source>
+        <translation>%1 Bilder statt %2</translation>
+    </message>
+    <message>
+        <source>%1, which encodes films, cannot be loaded</source>
+        <translation>%1, das Filme kodiert, lässt sich nicht laden</translation>
+    </message>
+    <message>
+        <source>%1: OpenCV finds no encoder for it</source>
+        <translation>%1: OpenCV findet keinen Encoder dafür</translation>
+    </message>
+    <message>
+        <source>%1: a film of %2 x %3 pixels cannot be encoded</source>
+        <translation>%1: ein Film von %2 x %3 Pixeln lässt sich nicht kodieren</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written</source>
+        <translation>%1: lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: No space left on device</source>
+        <translation>%1: lässt sich nicht schreiben: Auf dem Datenträger ist kein Platz mehr</translation>
+    </message>
+    <message>
+        <source>%1: films of this kind cannot be written</source>
+        <translation>%1: Filme dieser Art lassen sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>%1: is no film that can be read</source>
+        <translation>%1: ist kein lesbarer Film</translation>
+    </message>
+    <message>
+        <source>%1: is no picture that can be read</source>
+        <translation>%1: ist kein lesbares Bild</translation>
+    </message>
+    <message>
+        <source>%1: what was written does not read back the same (%2)</source>
+        <translation>%1: das Geschriebene liest sich nicht gleich zurück (%2)</translation>
+    </message>
+    <message>
+        <source>Check the disk and try again</source>
+        <translation>Den Datenträger prüfen und erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Choose an even width and an even height</source>
+        <translation>Eine gerade Breite und eine gerade Höhe wählen</translation>
+    </message>
+    <message>
+        <source>End its name with .mp4, .mkv or .avi</source>
+        <translation>Den Namen auf .mp4, .mkv oder .avi enden lassen</translation>
+    </message>
+    <message>
+        <source>Free some space there or choose another folder</source>
+        <translation>Dort Platz schaffen oder einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Install ffmpeg's libraries, or write an .avi file</source>
+        <translation>Die Bibliotheken von ffmpeg installieren oder eine .avi-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Install the program again; this file belongs beside it</source>
+        <translation>Das Programm neu installieren; diese Datei gehört daneben</translation>
+    </message>
+    <message>
+        <source>Reading %1 again</source>
+        <translation>%1 wird zurückgelesen</translation>
+    </message>
+    <message>
+        <source>Write it again</source>
+        <translation>Noch einmal schreiben</translation>
+    </message>
+    <message>
+        <source>another frame rate</source>
+        <translation>eine andere Bildrate</translation>
+    </message>
+    <message>
+        <source>another size</source>
+        <translation>eine andere Größe</translation>
+    </message>
+    <message>
+        <source>it is no film</source>
+        <translation>es ist kein Film</translation>
+    </message>
+    <message>
+        <source>other colours</source>
+        <translation>andere Farben</translation>
+    </message>
+    <message>
+        <source>other pictures</source>
+        <translation>andere Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>core/formats</name>
+    <message>
+        <source>%1 begins inside joint %2</source>
+        <translation>%1 beginnt mitten in Gelenk %2</translation>
+    </message>
+    <message>
+        <source>%1 has no name</source>
+        <translation>%1 hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is not a unit of BVH lengths</source>
+        <translation>%1 ist keine Einheit für BVH-Längen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (number %3 of the row) is %4</source>
+        <translation>%1 von %2 (Zahl %3 der Zeile) ist %4</translation>
+    </message>
+    <message>
+        <source>%1 where %2 should stand</source>
+        <translation>%1, wo %2 stehen sollte</translation>
+    </message>
+    <message>
+        <source>%1, but %2 complete rows follow; these are used</source>
+        <translation>%1, aber %2 vollständige Zeilen folgen; diese werden verwendet</translation>
+    </message>
+    <message>
+        <source>%1, but no complete row follows</source>
+        <translation>%1, aber keine vollständige Zeile folgt</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3 does not rise (%4)%5</source>
+        <translation>%1, Zeile %2: %3 steigt nicht (%4)%5</translation>
+    </message>
+    <message>
+        <source>%1: frame %2 is not a finite number</source>
+        <translation>%1: Bild %2 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1: frame %2 of joint %3 is not a finite number</source>
+        <translation>%1: Bild %2 von Gelenk %3 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1: it cannot be read again (%2)</source>
+        <translation>%1: lässt sich nicht zurücklesen (%2)</translation>
+    </message>
+    <message>
+        <source>%1: its animation is too long to be read</source>
+        <translation>%1: die Animation ist zu lang zum Lesen</translation>
+    </message>
+    <message>
+        <source>%1: no animation moves its skeleton</source>
+        <translation>%1: keine Animation bewegt das Skelett</translation>
+    </message>
+    <message>
+        <source>%1: the clock jumps at %2 of %3 rows, first by %4 s in line %5.</source>
+        <translation>%1: die Uhr springt bei %2 von %3 Zeilen, zuerst um %4 s in Zeile %5.</translation>
+    </message>
+    <message>
+        <source>%1: the disk does not give back the bytes that were written to it</source>
+        <translation>%1: der Datenträger gibt die Bytes nicht zurück, die auf ihn geschrieben wurden</translation>
+    </message>
+    <message>
+        <source>%1: the figure cannot be written as glTF: %2</source>
+        <translation>%1: die Figur lässt sich nicht als glTF schreiben: %2</translation>
+    </message>
+    <message>
+        <source>%1: the motion has no frames</source>
+        <translation>%1: die Bewegung hat keine Bilder</translation>
+    </message>
+    <message>
+        <source>%1: the motion is too long for one FBX file</source>
+        <translation>%1: die Bewegung ist zu lang für eine FBX-Datei</translation>
+    </message>
+    <message>
+        <source>%1: there is no motion of a body with Hips, which OpenSim calls pelvis</source>
+        <translation>%1: keine Bewegung eines Körpers mit Hips (in OpenSim pelvis) ist vorhanden</translation>
+    </message>
+    <message>
+        <source>%1: this kind of file would not hold the motion as it is (%2); nothing was written</source>
+        <translation>%1: diese Art Datei gäbe die Bewegung nicht so wieder, wie sie ist (%2); nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>%1: what was written does not read back the same%2</source>
+        <translation>%1: das Geschriebene liest sich nicht gleich zurück%2</translation>
+    </message>
+    <message>
+        <source>, nor in %1 other rows</source>
+        <translation>, auch nicht in %1 weiteren Zeilen</translation>
+    </message>
+    <message>
+        <source>Add a line OFFSET with the joint's place in its parent</source>
+        <translation>Eine Zeile OFFSET mit dem Ort des Gelenks in seinem übergeordneten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Angles are in degrees.</source>
+        <translation>Angles are in degrees.</translation>
+    </message>
+    <message>
+        <source>Check that this is a BVH file and that no space is missing here</source>
+        <translation>Prüfen, ob dies eine BVH-Datei ist und hier kein Leerzeichen fehlt</translation>
+    </message>
+    <message>
+        <source>Choose a file with motion</source>
+        <translation>Eine Datei mit Bewegung wählen</translation>
+    </message>
+    <message>
+        <source>Choose a longer part of it</source>
+        <translation>Einen längeren Teil davon wählen</translation>
+    </message>
+    <message>
+        <source>Cut it into parts</source>
+        <translation>In Teile schneiden</translation>
+    </message>
+    <message>
+        <source>Export it in parts, or at fewer frames per second</source>
+        <translation>Sie in Teilen oder mit weniger Bildern je Sekunde exportieren</translation>
+    </message>
+    <message>
+        <source>Export the animation too (in Blender: Bake Animation), or choose another file</source>
+        <translation>Auch die Animation exportieren (in Blender: Bake Animation) oder eine andere Datei wählen</translation>
+    </message>
+    <message>
+        <source>Export the motion again</source>
+        <translation>Die Bewegung noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>Export the motion again; the file is damaged</source>
+        <translation>Die Bewegung noch einmal exportieren; die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Frame Time is %1</source>
+        <translation>Frame Time ist %1</translation>
+    </message>
+    <message>
+        <source>Frame Time is %1, more than %2 seconds; it is taken as milliseconds</source>
+        <translation>Frame Time ist %1, mehr als %2 Sekunden; der Wert wird als Millisekunden gelesen</translation>
+    </message>
+    <message>
+        <source>Frames is %1</source>
+        <translation>Frames ist %1</translation>
+    </message>
+    <message>
+        <source>Give a finite number with a decimal point, or leave the row out</source>
+        <translation>Eine endliche Zahl mit Dezimalpunkt angeben oder die Zeile auslassen</translation>
+    </message>
+    <message>
+        <source>Give at least one row of positions</source>
+        <translation>Wenigstens eine Zeile mit Positionen angeben</translation>
+    </message>
+    <message>
+        <source>Give every row one cell per column</source>
+        <translation>Jeder Zeile eine Zelle je Spalte geben</translation>
+    </message>
+    <message>
+        <source>Give m, cm, mm, inch, cmu, dm or auto</source>
+        <translation>m, cm, mm, inch, cmu, dm oder auto angeben</translation>
+    </message>
+    <message>
+        <source>Give x, y and z of every joint</source>
+        <translation>x, y und z jedes Gelenks angeben</translation>
+    </message>
+    <message>
+        <source>Keep one figure per file</source>
+        <translation>Eine Figur je Datei behalten</translation>
+    </message>
+    <message>
+        <source>Keep one of the two lines</source>
+        <translation>Eine der beiden Zeilen behalten</translation>
+    </message>
+    <message>
+        <source>Name every channel once</source>
+        <translation>Jeden Kanal einmal nennen</translation>
+    </message>
+    <message>
+        <source>Name the columns LeftHand.x, LeftHand.y, LeftHand.z and so on</source>
+        <translation>Die Spalten LeftHand.x, LeftHand.y, LeftHand.z und so weiter nennen</translation>
+    </message>
+    <message>
+        <source>Process the take again or leave this part out</source>
+        <translation>Die Aufnahme neu verarbeiten oder diesen Teil auslassen</translation>
+    </message>
+    <message>
+        <source>Process the take on a body with the canonical joints</source>
+        <translation>Die Aufnahme mit einem Körper mit den üblichen Gelenken verarbeiten</translation>
+    </message>
+    <message>
+        <source>Repair this value in the program that made the motion, or delete the row</source>
+        <translation>Diesen Wert in dem Programm berichtigen, das die Bewegung gemacht hat, oder die Zeile löschen</translation>
+    </message>
+    <message>
+        <source>Report this with the take</source>
+        <translation>Dies mit der Aufnahme melden</translation>
+    </message>
+    <message>
+        <source>Sort the rows by time, each time once; where the clock was set anew, cut the table there</source>
+        <translation>Die Zeilen nach der Zeit ordnen, jede Zeit einmal; wo die Uhr neu gestellt wurde, die Tabelle dort teilen</translation>
+    </message>
+    <message>
+        <source>Units are S.I. units (second, meters, Newtons, ...)</source>
+        <translation>Units are S.I. units (second, meters, Newtons, ...)</translation>
+    </message>
+    <message>
+        <source>Use as many of Xposition, Yposition, Zposition, Xrotation, Yrotation and Zrotation as CHANNELS says</source>
+        <translation>So viele von Xposition, Yposition, Zposition, Xrotation, Yrotation und Zrotation verwenden, wie CHANNELS sagt</translation>
+    </message>
+    <message>
+        <source>Write OFFSET and three numbers</source>
+        <translation>OFFSET und drei Zahlen schreiben</translation>
+    </message>
+    <message>
+        <source>Write OFFSET and three numbers into it, and nothing else</source>
+        <translation>OFFSET und drei Zahlen hineinschreiben und sonst nichts</translation>
+    </message>
+    <message>
+        <source>Write OFFSET and three numbers on one line</source>
+        <translation>OFFSET und drei Zahlen in eine Zeile schreiben</translation>
+    </message>
+    <message>
+        <source>Write a count from 0 to 6, a space and the channels' names</source>
+        <translation>Eine Anzahl von 0 bis 6, ein Leerzeichen und die Namen der Kanäle schreiben</translation>
+    </message>
+    <message>
+        <source>Write a number here; a space may be missing</source>
+        <translation>Hier eine Zahl schreiben; vielleicht fehlt ein Leerzeichen</translation>
+    </message>
+    <message>
+        <source>Write another kind of file (GLB or FBX), and report this with the body and the take</source>
+        <translation>Eine andere Art Datei (GLB oder FBX) schreiben und dies mit Körper und Aufnahme melden</translation>
+    </message>
+    <message>
+        <source>Write it to a file of its own</source>
+        <translation>Sie in eine eigene Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Write numbers with a decimal point and put spaces between them</source>
+        <translation>Zahlen mit Dezimalpunkt schreiben und Leerzeichen dazwischensetzen</translation>
+    </message>
+    <message>
+        <source>Write one frame per line with one number per channel</source>
+        <translation>Ein Bild je Zeile mit einer Zahl je Kanal schreiben</translation>
+    </message>
+    <message>
+        <source>Write the file again</source>
+        <translation>Die Datei noch einmal schreiben</translation>
+    </message>
+    <message>
+        <source>Write the joint's name behind it on the same line</source>
+        <translation>Den Namen des Gelenks in derselben Zeile dahinter schreiben</translation>
+    </message>
+    <message>
+        <source>Write the number of rows that follow</source>
+        <translation>Die Anzahl der folgenden Zeilen schreiben</translation>
+    </message>
+    <message>
+        <source>Write the seconds from one frame to the next, for example 0.00833333 for 120 frames a second</source>
+        <translation>Die Sekunden von einem Bild zum nächsten schreiben, zum Beispiel 0.00833333 für 120 Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Write the table again with its angles</source>
+        <translation>Die Tabelle mit ihren Winkeln noch einmal schreiben</translation>
+    </message>
+    <message>
+        <source>Y is not up in it</source>
+        <translation>Y zeigt darin nicht nach oben</translation>
+    </message>
+    <message>
+        <source>a motion belongs to %1, which is no joint</source>
+        <translation>eine Bewegung gehört zu %1, das kein Gelenk ist</translation>
+    </message>
+    <message>
+        <source>a row of numbers follows, but no joint has CHANNELS</source>
+        <translation>eine Zeile mit Zahlen folgt, aber kein Gelenk hat CHANNELS</translation>
+    </message>
+    <message>
+        <source>a second ROOT %1 begins</source>
+        <translation>ein zweites ROOT %1 beginnt</translation>
+    </message>
+    <message>
+        <source>a second joint is named %1; it is called %2 here</source>
+        <translation>ein zweites Gelenk heißt %1; hier heißt es %2</translation>
+    </message>
+    <message>
+        <source>bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>fbx</source>
+        <translation>fbx</translation>
+    </message>
+    <message>
+        <source>frame %1 stands at another time</source>
+        <translation>Bild %1 steht zu einer anderen Zeit</translation>
+    </message>
+    <message>
+        <source>glb</source>
+        <translation>glb</translation>
+    </message>
+    <message>
+        <source>has another frame rate than %1</source>
+        <translation>hat eine andere Bildrate als %1</translation>
+    </message>
+    <message>
+        <source>has other bones than %1</source>
+        <translation>hat andere Knochen als %1</translation>
+    </message>
+    <message>
+        <source>is the name of two motions</source>
+        <translation>ist der Name zweier Bewegungen</translation>
+    </message>
+    <message>
+        <source>it ends before the first row of numbers</source>
+        <translation>sie endet vor der ersten Zeile mit Zahlen</translation>
+    </message>
+    <message>
+        <source>it holds %1 frames instead of %2</source>
+        <translation>sie enthält %1 Bilder statt %2</translation>
+    </message>
+    <message>
+        <source>it holds %1 numbers instead of %2</source>
+        <translation>sie enthält %1 Zahlen statt %2</translation>
+    </message>
+    <message>
+        <source>it runs at another frame rate</source>
+        <translation>sie läuft mit einer anderen Bildrate</translation>
+    </message>
+    <message>
+        <source>its body has %1 materials instead of %2</source>
+        <translation>der Körper hat %1 Materialien statt %2</translation>
+    </message>
+    <message>
+        <source>its body has %1 triangles instead of %2</source>
+        <translation>der Körper hat %1 Dreiecke statt %2</translation>
+    </message>
+    <message>
+        <source>its body has another colour</source>
+        <translation>der Körper hat eine andere Farbe</translation>
+    </message>
+    <message>
+        <source>its materials cover other triangles</source>
+        <translation>die Materialien decken andere Dreiecke ab</translation>
+    </message>
+    <message>
+        <source>its skin hangs on %1, which is no joint</source>
+        <translation>die Haut hängt an %1, das kein Gelenk ist</translation>
+    </message>
+    <message>
+        <source>its texture is another</source>
+        <translation>die Textur ist eine andere</translation>
+    </message>
+    <message>
+        <source>its texture lies elsewhere</source>
+        <translation>die Textur liegt woanders</translation>
+    </message>
+    <message>
+        <source>joint %1 hangs on no joint</source>
+        <translation>Gelenk %1 hängt an keinem Gelenk</translation>
+    </message>
+    <message>
+        <source>joint %1 has %2 CHANNELS</source>
+        <translation>Gelenk %1 hat %2 CHANNELS</translation>
+    </message>
+    <message>
+        <source>joint %1 has %2 where a keyword should stand</source>
+        <translation>Gelenk %1 hat %2, wo ein Schlüsselwort stehen sollte</translation>
+    </message>
+    <message>
+        <source>joint %1 has CHANNELS twice</source>
+        <translation>Gelenk %1 hat CHANNELS zweimal</translation>
+    </message>
+    <message>
+        <source>joint %1 has a second End Site, which is left out</source>
+        <translation>Gelenk %1 hat ein zweites End Site, das ausgelassen wird</translation>
+    </message>
+    <message>
+        <source>joint %1 has no OFFSET</source>
+        <translation>Gelenk %1 hat kein OFFSET</translation>
+    </message>
+    <message>
+        <source>joint %1 has no column %2.%3</source>
+        <translation>Gelenk %1 hat keine Spalte %2.%3</translation>
+    </message>
+    <message>
+        <source>joint %1 has the channel %2</source>
+        <translation>Gelenk %1 hat den Kanal %2</translation>
+    </message>
+    <message>
+        <source>joint %1 has the channel %2 twice</source>
+        <translation>Gelenk %1 hat den Kanal %2 zweimal</translation>
+    </message>
+    <message>
+        <source>joint %1 is missing</source>
+        <translation>Gelenk %1 fehlt</translation>
+    </message>
+    <message>
+        <source>joint%1</source>
+        <translation>joint%1</translation>
+    </message>
+    <message>
+        <source>jpg</source>
+        <translation>jpg</translation>
+    </message>
+    <message>
+        <source>line %1:</source>
+        <translation>Zeile %1:</translation>
+    </message>
+    <message>
+        <source>mm at most can be allowed</source>
+        <translation>mm sind höchstens erlaubt</translation>
+    </message>
+    <message>
+        <source>mm off,</source>
+        <translation>mm daneben,</translation>
+    </message>
+    <message>
+        <source>no motion in it is called %1</source>
+        <translation>keine Bewegung darin heißt %1</translation>
+    </message>
+    <message>
+        <source>of its %1 animations the one that moves most bones is taken: %2</source>
+        <translation>von ihren %1 Animationen gilt die, die die meisten Knochen bewegt: %2</translation>
+    </message>
+    <message>
+        <source>one joint has %1 frames, another %2</source>
+        <translation>ein Gelenk hat %1 Bilder, ein anderes %2</translation>
+    </message>
+    <message>
+        <source>png</source>
+        <translation>png</translation>
+    </message>
+    <message>
+        <source>the End Site of %1</source>
+        <translation>das End Site von %1</translation>
+    </message>
+    <message>
+        <source>the End Site of %1 has no OFFSET</source>
+        <translation>das End Site von %1 hat kein OFFSET</translation>
+    </message>
+    <message>
+        <source>the OFFSET of %1 has %2 for a number</source>
+        <translation>das OFFSET von %1 hat %2 statt einer Zahl</translation>
+    </message>
+    <message>
+        <source>the OFFSET of %1 has %2 of 3 numbers</source>
+        <translation>das OFFSET von %1 hat %2 von 3 Zahlen</translation>
+    </message>
+    <message>
+        <source>the OFFSET of %1 has more than 3 numbers</source>
+        <translation>das OFFSET von %1 hat mehr als 3 Zahlen</translation>
+    </message>
+    <message>
+        <source>the file ends inside joint %1</source>
+        <translation>die Datei endet mitten in Gelenk %1</translation>
+    </message>
+    <message>
+        <source>the file ends where %1 should follow</source>
+        <translation>die Datei endet, wo %1 folgen sollte</translation>
+    </message>
+    <message>
+        <source>the first column is not time</source>
+        <translation>die erste Spalte ist nicht time</translation>
+    </message>
+    <message>
+        <source>the last row has only %1 of %2 numbers and is left out</source>
+        <translation>die letzte Zeile hat nur %1 von %2 Zahlen und wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>the skin</source>
+        <translation>die Haut</translation>
+    </message>
+    <message>
+        <source>there is no column JOINT.x</source>
+        <translation>es gibt keine Spalte JOINT.x</translation>
+    </message>
+    <message>
+        <source>this row has %1 cells, but the header has %2</source>
+        <translation>diese Zeile hat %1 Zellen, aber die Kopfzeile %2</translation>
+    </message>
+    <message>
+        <source>this row has %1 numbers, but the channels add up to %2</source>
+        <translation>diese Zeile hat %1 Zahlen, aber die Kanäle ergeben zusammen %2</translation>
+    </message>
+    <message>
+        <source>this row has more than %1 numbers, which the channels add up to</source>
+        <translation>diese Zeile hat mehr als %1 Zahlen, die Summe aller Kanäle</translation>
+    </message>
+    <message>
+        <source>two columns hold the time</source>
+        <translation>zwei Spalten enthalten die Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>core/import</name>
+    <message>
+        <source>%1 holds %2, which is no number</source>
+        <translation>%1 enthält %2, was keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>%1 is no file of this kind and was left out</source>
+        <translation>%1 ist keine Datei dieser Art und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 is no list of %2 columns</source>
+        <translation>%1 ist keine Liste von %2 Spalten</translation>
+    </message>
+    <message>
+        <source>%1 names column %2, which the table lacks</source>
+        <translation>%1 nennt Spalte %2, die in der Tabelle fehlt</translation>
+    </message>
+    <message>
+        <source>%1 sensors are named for %2; none of them was put there</source>
+        <translation>%1 Sensoren sind nach %2 benannt; keiner davon wurde dort angebracht</translation>
+    </message>
+    <message>
+        <source>%1: %2 messages are damaged and were left out</source>
+        <translation>%1: %2 Nachrichten sind beschädigt und wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 are beyond any sensor's range and were left out</source>
+        <translation>%1: %2 von %3 liegen außerhalb des Messbereichs jedes Sensors und wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 are missing</source>
+        <translation>%1: %2 von %3 fehlen</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 rows lack a marker of a joint and were left out.</source>
+        <translation>%1: in %2 von %3 Zeilen fehlt eine Marke eines Gelenks; sie wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 places are farther than 1 km and were left out; check the unit</source>
+        <translation>%1: %2 Orte sind weiter als 1 km entfernt und wurden ausgelassen; die Einheit prüfen</translation>
+    </message>
+    <message>
+        <source>%1: a recording of the kind %2 is one file</source>
+        <translation>%1: eine Aufnahme der Art %2 ist eine einzige Datei</translation>
+    </message>
+    <message>
+        <source>%1: a table needs a map of its columns; they are %2</source>
+        <translation>%1: eine Tabelle braucht eine Zuordnung ihrer Spalten; sie sind %2</translation>
+    </message>
+    <message>
+        <source>%1: accelerations have a median of %2, which is gravity in no known unit</source>
+        <translation>%1: Beschleunigungen haben einen Median von %2, was in keiner bekannten Einheit die Schwerkraft ist</translation>
+    </message>
+    <message>
+        <source>%1: accelerations were read as %2 and converted to m/s^2</source>
+        <translation>%1: Beschleunigungen wurden als %2 gelesen und in m/s^2 umgerechnet</translation>
+    </message>
+    <message>
+        <source>%1: device %2 has no inertial messages</source>
+        <translation>%1: Gerät %2 hat keine Inertial-Nachrichten</translation>
+    </message>
+    <message>
+        <source>%1: does not say which axis points up</source>
+        <translation>%1: sagt nicht, welche Achse nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>%1: ends in the middle; the whole frames before were taken</source>
+        <translation>%1: endet mittendrin; die ganzen Bilder davor wurden übernommen</translation>
+    </message>
+    <message>
+        <source>%1: gravity turns against the gyroscope; check the gyroscope's axes</source>
+        <translation>%1: die Schwerkraft dreht sich gegen das Gyroskop; die Achsen des Gyroskops prüfen</translation>
+    </message>
+    <message>
+        <source>%1: has %2 sensors</source>
+        <translation>%1: hat %2 Sensoren</translation>
+    </message>
+    <message>
+        <source>%1: has no marker %2</source>
+        <translation>%1: hat keine Marke %2</translation>
+    </message>
+    <message>
+        <source>%1: holds more than %2 files</source>
+        <translation>%1: enthält mehr als %2 Dateien</translation>
+    </message>
+    <message>
+        <source>%1: holds no frame of a motion</source>
+        <translation>%1: enthält kein Bild einer Bewegung</translation>
+    </message>
+    <message>
+        <source>%1: holds one row, a pose to calibrate with and no recording</source>
+        <translation>%1: enthält eine einzige Zeile, eine Pose zum Kalibrieren und keine Aufnahme</translation>
+    </message>
+    <message>
+        <source>%1: in no row all of these markers are seen</source>
+        <translation>%1: in keiner Zeile sind alle diese Marken zu sehen</translation>
+    </message>
+    <message>
+        <source>%1: its columns are %2</source>
+        <translation>%1: die Spalten sind %2</translation>
+    </message>
+    <message>
+        <source>%1: its sensors state different rates</source>
+        <translation>%1: die Sensoren nennen verschiedene Raten</translation>
+    </message>
+    <message>
+        <source>%1: more than half of %2 repeat the one before; the sensor may stand still or the file may hold fewer</source>
+        <translation>%1: mehr als die Hälfte von %2 wiederholen den Wert davor; der Sensor steht vielleicht still, oder die Datei enthält weniger Werte</translation>
+    </message>
+    <message>
+        <source>%1: no device has inertial messages</source>
+        <translation>%1: kein Gerät hat Inertial-Nachrichten</translation>
+    </message>
+    <message>
+        <source>%1: no line has the names of columns or numbers</source>
+        <translation>%1: keine Zeile enthält die Namen von Spalten oder Zahlen</translation>
+    </message>
+    <message>
+        <source>%1: no marker carries a joint's name; they are %2</source>
+        <translation>%1: keine Marke trägt den Namen eines Gelenks; sie sind %2</translation>
+    </message>
+    <message>
+        <source>%1: rates reach %2 rad/s, which no gyroscope measures; they look like deg/s and were left as they are. Give the file as a table with a map that states deg/s</source>
+        <translation>%1: Drehraten erreichen %2 rad/s, was kein Gyroskop misst; sie sehen nach deg/s aus und blieben, wie sie sind. Die Datei als Tabelle mit einer Zuordnung angeben, die deg/s nennt</translation>
+    </message>
+    <message>
+        <source>%1: rates were read as deg/s and converted to rad/s</source>
+        <translation>%1: Drehraten wurden als deg/s gelesen und in rad/s umgerechnet</translation>
+    </message>
+    <message>
+        <source>%1: states %2 frames and holds %3; %4 were taken</source>
+        <translation>%1: nennt %2 Bilder und enthält %3; %4 wurden übernommen</translation>
+    </message>
+    <message>
+        <source>%1: states %2 rows and holds %3; the rows were taken</source>
+        <translation>%1: nennt %2 Zeilen und enthält %3; die Zeilen wurden übernommen</translation>
+    </message>
+    <message>
+        <source>%1: states no rate and brings no clock, as MT Manager writes since 2019.2</source>
+        <translation>%1: nennt keine Rate und bringt keine Uhr mit, wie MT Manager sie seit 2019.2 schreibt</translation>
+    </message>
+    <message>
+        <source>%1: states no unit; mm was taken</source>
+        <translation>%1: nennt keine Einheit; mm wurde angenommen</translation>
+    </message>
+    <message>
+        <source>%1: states no usable frameRate</source>
+        <translation>%1: nennt keine brauchbare frameRate</translation>
+    </message>
+    <message>
+        <source>%1: states the unit %2; mm was taken</source>
+        <translation>%1: nennt die Einheit %2; mm wurde angenommen</translation>
+    </message>
+    <message>
+        <source>%1: the clock stands still or jumps back at %2 rows, which were left out</source>
+        <translation>%1: die Uhr steht still oder springt zurück bei %2 Zeilen, die ausgelassen wurden</translation>
+    </message>
+    <message>
+        <source>%1: the folder holds no file</source>
+        <translation>%1: der Ordner enthält keine Datei</translation>
+    </message>
+    <message>
+        <source>%1: the header states %2 %3, the parameters %4; the parameters were believed</source>
+        <translation>%1: der Kopf nennt %2 %3, die Parameter %4; den Parametern wurde geglaubt</translation>
+    </message>
+    <message>
+        <source>%1: the last line has no end and was left out</source>
+        <translation>%1: die letzte Zeile hat kein Ende und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1: the magnetometer reads zero throughout and is left out</source>
+        <translation>%1: das Magnetometer misst durchgehend null und wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1: the recording was cut in the middle of a message or line, which was left out</source>
+        <translation>%1: die Aufnahme wurde mitten in einer Nachricht oder Zeile abgeschnitten; diese wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1: two sensors are named %2</source>
+        <translation>%1: zwei Sensoren heißen %2</translation>
+    </message>
+    <message>
+        <source>: %zu of %zu rows are lost in %zu gaps, the longest of %.2f s</source>
+        <translation>: %zu von %zu Zeilen fehlen in %zu Lücken, die längste von %.2f s</translation>
+    </message>
+    <message>
+        <source>A recording has 1 to 10000 rows a second; check the unit of the time</source>
+        <translation>Eine Aufnahme hat 1 bis 10000 Zeilen je Sekunde; die Einheit der Zeit prüfen</translation>
+    </message>
+    <message>
+        <source>A take holds 1 to 32 in one suit; import fewer at a time</source>
+        <translation>Eine Aufnahme enthält 1 bis 32 in einem Anzug; weniger auf einmal importieren</translation>
+    </message>
+    <message>
+        <source>A take lasts a week at most; check the rate</source>
+        <translation>Eine Aufnahme dauert höchstens eine Woche; die Rate prüfen</translation>
+    </message>
+    <message>
+        <source>Attitudes take frames to %1</source>
+        <translation>Lagen führen Koordinaten nach %1</translation>
+    </message>
+    <message>
+        <source>Attitudes take the sensor's frame to %1</source>
+        <translation>Lagen führen das Koordinatensystem des Sensors nach %1</translation>
+    </message>
+    <message>
+        <source>Check the folder and its permissions</source>
+        <translation>Den Ordner und seine Zugriffsrechte prüfen</translation>
+    </message>
+    <message>
+        <source>Choose a .mat file of level 5</source>
+        <translation>Eine .mat-Datei der Stufe 5 wählen</translation>
+    </message>
+    <message>
+        <source>Choose other markers</source>
+        <translation>Andere Marken wählen</translation>
+    </message>
+    <message>
+        <source>Columns, units and axes are those of the map</source>
+        <translation>Spalten, Einheiten und Achsen sind die der Zuordnung</translation>
+    </message>
+    <message>
+        <source>Coordinate system:</source>
+        <translation>Coordinate system:</translation>
+    </message>
+    <message>
+        <source>Copy the file again, or save it again with -v7</source>
+        <translation>Die Datei noch einmal kopieren oder noch einmal mit -v7 sichern</translation>
+    </message>
+    <message>
+        <source>Cut the recording at the jump</source>
+        <translation>Die Aufnahme am Sprung teilen</translation>
+    </message>
+    <message>
+        <source>Cut the recording at the jump and import the parts</source>
+        <translation>Die Aufnahme am Sprung teilen und die Teile importieren</translation>
+    </message>
+    <message>
+        <source>DataRate is %1</source>
+        <translation>DataRate ist %1</translation>
+    </message>
+    <message>
+        <source>ENU (X east, Y north, Z up)</source>
+        <translation>ENU (X Osten, Y Norden, Z oben)</translation>
+    </message>
+    <message>
+        <source>Export the markers again</source>
+        <translation>Die Marken noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>Export the recording again</source>
+        <translation>Die Aufnahme noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>Export the recording again with the x-IMU3 GUI or x-IMU3 CSV</source>
+        <translation>Die Aufnahme noch einmal mit x-IMU3 GUI oder x-IMU3 CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Export the recording again, so that all arrays of a sensor have one length</source>
+        <translation>Die Aufnahme noch einmal so exportieren, dass alle Felder eines Sensors gleich lang sind</translation>
+    </message>
+    <message>
+        <source>Export the recording as MVNX again</source>
+        <translation>Die Aufnahme noch einmal als MVNX exportieren</translation>
+    </message>
+    <message>
+        <source>Export the recording as text in MT Manager again, with inertial data and the packet counter</source>
+        <translation>Die Aufnahme noch einmal als Text in MT Manager exportieren, mit Inertialdaten und Paketzähler</translation>
+    </message>
+    <message>
+        <source>Give a table with comma, semicolon, tab or blank between its cells</source>
+        <translation>Eine Tabelle mit Komma, Strichpunkt, Tabulator oder Leerzeichen zwischen den Zellen angeben</translation>
+    </message>
+    <message>
+        <source>Give each sensor an id</source>
+        <translation>Jedem Sensor eine id geben</translation>
+    </message>
+    <message>
+        <source>Give each sensor one segment</source>
+        <translation>Jedem Sensor ein Glied geben</translation>
+    </message>
+    <message>
+        <source>Give each sensor's file once, and the files of one recording only</source>
+        <translation>Die Datei jedes Sensors einmal angeben, und nur die Dateien einer einzigen Aufnahme</translation>
+    </message>
+    <message>
+        <source>Give it: --rate HZ, 1 to 10000</source>
+        <translation>Sie angeben: --rate HZ, 1 bis 10000</translation>
+    </message>
+    <message>
+        <source>Give it: --up y (OpenSim) or --up z (most laboratories)</source>
+        <translation>Sie angeben: --up y (OpenSim) oder --up z (die meisten Labore)</translation>
+    </message>
+    <message>
+        <source>Give the folder that holds Inertial.csv, or the .ximu3 file</source>
+        <translation>Den Ordner, der Inertial.csv enthält, oder die .ximu3-Datei angeben</translation>
+    </message>
+    <message>
+        <source>Give the folder that the recording was written to</source>
+        <translation>Den Ordner angeben, in den die Aufnahme geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>Give the rate of the recording: --rate HZ</source>
+        <translation>Die Rate der Aufnahme angeben: --rate HZ</translation>
+    </message>
+    <message>
+        <source>Gyroscopes are deg/s and accelerometers g in x-IMU3's messages; they were converted to rad/s and m/s^2</source>
+        <translation>In den Nachrichten von x-IMU3 stehen Gyroskope in deg/s und Beschleunigungssensoren in g; sie wurden in rad/s und m/s^2 umgerechnet</translation>
+    </message>
+    <message>
+        <source>Import one recording at a time</source>
+        <translation>Eine Aufnahme nach der anderen importieren</translation>
+    </message>
+    <message>
+        <source>Import the sensors of one recording at a time</source>
+        <translation>Die Sensoren einer einzigen Aufnahme auf einmal importieren</translation>
+    </message>
+    <message>
+        <source>Import the trial's table instead</source>
+        <translation>Stattdessen die Tabelle des Versuchs importieren</translation>
+    </message>
+    <message>
+        <source>Its columns are: %1</source>
+        <translation>Ihre Spalten sind: %1</translation>
+    </message>
+    <message>
+        <source>Its markers are: %1</source>
+        <translation>Ihre Marken sind: %1</translation>
+    </message>
+    <message>
+        <source>Its sensors are: %1</source>
+        <translation>Ihre Sensoren sind: %1</translation>
+    </message>
+    <message>
+        <source>Known units: %1</source>
+        <translation>Bekannte Einheiten: %1</translation>
+    </message>
+    <message>
+        <source>MATLAB files of level 5 (BROAD, qmt)</source>
+        <translation>MATLAB-Dateien der Stufe 5 (BROAD, qmt)</translation>
+    </message>
+    <message>
+        <source>MT Manager's text export, one file per sensor</source>
+        <translation>Textexport von MT Manager, eine Datei je Sensor</translation>
+    </message>
+    <message>
+        <source>MVNX holds no gyroscope; accelerations were derived from sensorFreeAcceleration, gravity and the sensors' attitudes</source>
+        <translation>MVNX enthält kein Gyroskop; Beschleunigungen wurden aus sensorFreeAcceleration, Schwerkraft und den Lagen der Sensoren abgeleitet</translation>
+    </message>
+    <message>
+        <source>MVNX version %1</source>
+        <translation>MVNX-Version %1</translation>
+    </message>
+    <message>
+        <source>NED (X north, Y east, Z down)</source>
+        <translation>NED (X Norden, Y Osten, Z unten)</translation>
+    </message>
+    <message>
+        <source>NWU (X north or forward, Y west or left, Z up)</source>
+        <translation>NWU (X Norden oder vorn, Y Westen oder links, Z oben)</translation>
+    </message>
+    <message>
+        <source>Name at least one of them</source>
+        <translation>Wenigstens eines davon nennen</translation>
+    </message>
+    <message>
+        <source>Name the N x 3 arrays of each sensor so that they end in gyr, acc and mag</source>
+        <translation>Die N x 3 großen Felder jedes Sensors so benennen, dass sie auf gyr, acc und mag enden</translation>
+    </message>
+    <message>
+        <source>Name the files or the folder of one recording</source>
+        <translation>Die Dateien oder den Ordner einer einzigen Aufnahme nennen</translation>
+    </message>
+    <message>
+        <source>No coordinate system is stated; attitudes were taken as ENU, MT Manager's usual one (--world replaces it)</source>
+        <translation>Kein Koordinatensystem ist genannt; Lagen gelten als ENU, das übliche von MT Manager (--world ersetzt es)</translation>
+    </message>
+    <message>
+        <source>No file given is of the kind %1</source>
+        <translation>Keine angegebene Datei ist von der Art %1</translation>
+    </message>
+    <message>
+        <source>Noctule's (X west or left, Y up, Z north or forward)</source>
+        <translation>Boden von Noctule (X Westen oder links, Y oben, Z Norden oder vorn)</translation>
+    </message>
+    <message>
+        <source>Not imported: %1</source>
+        <translation>Nicht importiert: %1</translation>
+    </message>
+    <message>
+        <source>OpenSense's table of quaternions</source>
+        <translation>Quaternionentabelle von OpenSense</translation>
+    </message>
+    <message>
+        <source>OpenSim's ground (X forward, Y up, Z right)</source>
+        <translation>Boden von OpenSim (X vorn, Y oben, Z rechts)</translation>
+    </message>
+    <message>
+        <source>Put one sensor on each segment</source>
+        <translation>Auf jedes Glied einen Sensor setzen</translation>
+    </message>
+    <message>
+        <source>Rates are rad/s, accelerations m/s^2 with gravity, as MT Manager writes them</source>
+        <translation>Drehraten sind rad/s, Beschleunigungen m/s^2 mit Schwerkraft, wie MT Manager sie schreibt</translation>
+    </message>
+    <message>
+        <source>Record with inertial messages switched on</source>
+        <translation>Mit eingeschalteten Inertial-Nachrichten aufnehmen</translation>
+    </message>
+    <message>
+        <source>Save it again in MATLAB or Octave with -v7</source>
+        <translation>Sie in MATLAB oder Octave noch einmal mit -v7 sichern</translation>
+    </message>
+    <message>
+        <source>Segments are those of the map</source>
+        <translation>Glieder sind die der Zuordnung</translation>
+    </message>
+    <message>
+        <source>Segments are: %1</source>
+        <translation>Glieder sind: %1</translation>
+    </message>
+    <message>
+        <source>Sensors are aligned by their packet counters</source>
+        <translation>Sensoren sind nach ihren Paketzählern ausgerichtet</translation>
+    </message>
+    <message>
+        <source>The devices' clocks do not run together; all were taken to begin at the same instant. Switch on synchronisation before recording</source>
+        <translation>Die Uhren der Geräte laufen nicht gemeinsam; für alle wurde derselbe Anfang angenommen. Vor der Aufnahme die Synchronisierung einschalten</translation>
+    </message>
+    <message>
+        <source>The devices' clocks run together and were taken as one, as network synchronisation makes them</source>
+        <translation>Die Uhren der Geräte laufen gemeinsam und gelten als eine, wie die Synchronisierung im Netz sie macht</translation>
+    </message>
+    <message>
+        <source>The file has no attitudes of sensors; those of its segments stand for them</source>
+        <translation>Die Datei enthält keine Lagen von Sensoren; die ihrer Glieder stehen dafür</translation>
+    </message>
+    <message>
+        <source>The file has no whole body with positions, so it brings no reference</source>
+        <translation>Die Datei enthält keinen ganzen Körper mit Positionen und bringt daher keine Referenz mit</translation>
+    </message>
+    <message>
+        <source>The header states %1 rows a second, SampleTimeFine shows %2; the header's was taken, --rate HZ replaces it</source>
+        <translation>Der Kopf nennt %1 Zeilen je Sekunde, SampleTimeFine zeigt %2; der Wert im Kopf wurde genommen, --rate HZ ersetzt ihn</translation>
+    </message>
+    <message>
+        <source>The header states %1 rows a second, the times show %2; the times were believed</source>
+        <translation>Der Kopf nennt %1 Zeilen je Sekunde, die Zeiten zeigen %2; den Zeiten wurde geglaubt</translation>
+    </message>
+    <message>
+        <source>The map: %1</source>
+        <translation>Die Zuordnung: %1</translation>
+    </message>
+    <message>
+        <source>The markers of %1 are no list of names</source>
+        <translation>Die Marken von %1 sind keine Liste von Namen</translation>
+    </message>
+    <message>
+        <source>The sensors are of different lengths: %1 to %2 s</source>
+        <translation>Die Sensoren sind verschieden lang: %1 bis %2 s</translation>
+    </message>
+    <message>
+        <source>The table does not say what its ground is; ENU was assumed, as MT Manager's data have it (--world opensim for tables in OpenSim's axes)</source>
+        <translation>Die Tabelle sagt nicht, was ihr Boden ist; ENU wurde angenommen, wie in Daten von MT Manager (--world opensim für Tabellen in den Achsen von OpenSim)</translation>
+    </message>
+    <message>
+        <source>The table holds attitudes only: no rates, accelerations or field</source>
+        <translation>Die Tabelle enthält nur Lagen: keine Drehraten, Beschleunigungen oder Magnetfeld</translation>
+    </message>
+    <message>
+        <source>Timestamp (us)</source>
+        <translation>Timestamp (us)</translation>
+    </message>
+    <message>
+        <source>Timestamp (us),</source>
+        <translation>Timestamp (us),</translation>
+    </message>
+    <message>
+        <source>Timestamp (us),Gyroscope X</source>
+        <translation>Timestamp (us),Gyroscope X</translation>
+    </message>
+    <message>
+        <source>Write enu, nwu, ned, opensim or noctule</source>
+        <translation>enu, nwu, ned, opensim oder noctule schreiben</translation>
+    </message>
+    <message>
+        <source>Write it as ["name", ...]</source>
+        <translation>Als ["name", ...] schreiben</translation>
+    </message>
+    <message>
+        <source>Write one as core/import/README.md shows and give it: --map MAP.json</source>
+        <translation>Eine schreiben, wie core/import/README.md zeigt, und sie angeben: --map MAP.json</translation>
+    </message>
+    <message>
+        <source>Write the table with OpenSense again</source>
+        <translation>Die Tabelle noch einmal mit OpenSense schreiben</translation>
+    </message>
+    <message>
+        <source>Write three different axes that keep right-handed: ["y", "-x", "z"]</source>
+        <translation>Drei verschiedene Achsen schreiben, die rechtshändig bleiben: ["y", "-x", "z"]</translation>
+    </message>
+    <message>
+        <source>Xsens MVN: attitudes, and MVN's result as reference</source>
+        <translation>Xsens MVN: Lagen, und das Ergebnis von MVN als Referenz</translation>
+    </message>
+    <message>
+        <source>a compressed array is damaged or cut off</source>
+        <translation>ein komprimiertes Feld ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>a sensor has no id</source>
+        <translation>ein Sensor hat keine id</translation>
+    </message>
+    <message>
+        <source>a small element claims %1 bytes; at most 4 fit</source>
+        <translation>ein kleines Element gibt %1 Bytes an; höchstens 4 passen hinein</translation>
+    </message>
+    <message>
+        <source>an array without flags or dimensions</source>
+        <translation>ein Feld ohne Flags oder Dimensionen</translation>
+    </message>
+    <message>
+        <source>an element of %1 bytes is cut off</source>
+        <translation>ein Element von %1 Bytes ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>an element of frame %1 never ends</source>
+        <translation>ein Element von Bild %1 endet nie</translation>
+    </message>
+    <message>
+        <source>an element's header is cut off</source>
+        <translation>der Kopf eines Elements ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>any table of numbers, with --map</source>
+        <translation>jede Tabelle mit Zahlen, mit --map</translation>
+    </message>
+    <message>
+        <source>array %1 holds %2 numbers, its dimensions ask for another count</source>
+        <translation>Feld %1 enthält %2 Zahlen, seine Dimensionen verlangen eine andere Anzahl</translation>
+    </message>
+    <message>
+        <source>as first block</source>
+        <translation>als ersten Block</translation>
+    </message>
+    <message>
+        <source>as scale</source>
+        <translation>als Maßstab</translation>
+    </message>
+    <message>
+        <source>axes %1 are no turn</source>
+        <translation>die Achsen %1 sind keine Drehung</translation>
+    </message>
+    <message>
+        <source>column %1 holds %2, which is no number</source>
+        <translation>Spalte %1 enthält %2, was keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>does not state where its data begin or their scale</source>
+        <translation>sagt nicht, wo ihre Daten beginnen oder welchen Maßstab sie haben</translation>
+    </message>
+    <message>
+        <source>frame %1, %2: %3 is no number</source>
+        <translation>Bild %1, %2: %3 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>frame %1, %2: %3 numbers instead of %4</source>
+        <translation>Bild %1, %2: %3 Zahlen statt %4</translation>
+    </message>
+    <message>
+        <source>frames a second</source>
+        <translation>Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>has %1 numbers in a row for %2 quaternions</source>
+        <translation>hat %1 Zahlen in einer Zeile für %2 Quaternionen</translation>
+    </message>
+    <message>
+        <source>holds %1 points</source>
+        <translation>enthält %1 Punkte</translation>
+    </message>
+    <message>
+        <source>holds fewer than two rows with an instant</source>
+        <translation>enthält weniger als zwei Zeilen mit einem Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>holds fewer than two rows with rising instants</source>
+        <translation>enthält weniger als zwei Zeilen mit steigenden Zeitpunkten</translation>
+    </message>
+    <message>
+        <source>holds no whole frame</source>
+        <translation>enthält kein ganzes Bild</translation>
+    </message>
+    <message>
+        <source>is %1</source>
+        <translation>ist %1</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>is no C3D file: its second byte is not 50 (hexadecimal)</source>
+        <translation>ist keine C3D-Datei: ihr zweites Byte ist nicht 50 (hexadezimal)</translation>
+    </message>
+    <message>
+        <source>it declares a document type, which MVNX files do not have</source>
+        <translation>sie deklariert einen Dokumenttyp, den MVNX-Dateien nicht haben</translation>
+    </message>
+    <message>
+        <source>it does not begin with PathFileType</source>
+        <translation>sie beginnt nicht mit PathFileType</translation>
+    </message>
+    <message>
+        <source>it ends before the first whole row of numbers</source>
+        <translation>sie endet vor der ersten ganzen Zeile mit Zahlen</translation>
+    </message>
+    <message>
+        <source>it has %1 cells instead of %2</source>
+        <translation>sie hat %1 Zellen statt %2</translation>
+    </message>
+    <message>
+        <source>it has more rows than any recording</source>
+        <translation>sie hat mehr Zeilen als irgendeine Aufnahme</translation>
+    </message>
+    <message>
+        <source>it has more segments, sensors, joints or frames than any suit</source>
+        <translation>sie hat mehr Glieder, Sensoren, Gelenke oder Bilder als irgendein Anzug</translation>
+    </message>
+    <message>
+        <source>it has no list of 1 to 100 sensors</source>
+        <translation>sie hat keine Liste von 1 bis 100 Sensoren</translation>
+    </message>
+    <message>
+        <source>it holds no row of markers</source>
+        <translation>sie enthält keine Zeile mit Marken</translation>
+    </message>
+    <message>
+        <source>it is XML, but no MVNX</source>
+        <translation>es ist XML, aber kein MVNX</translation>
+    </message>
+    <message>
+        <source>it names %1 markers</source>
+        <translation>sie nennt %1 Marken</translation>
+    </message>
+    <message>
+        <source>it states no usable DataRate</source>
+        <translation>sie nennt keine brauchbare DataRate</translation>
+    </message>
+    <message>
+        <source>it unpacks to more than %1 MiB</source>
+        <translation>entpackt ist es mehr als %1 MiB groß</translation>
+    </message>
+    <message>
+        <source>its clock jumps by days</source>
+        <translation>die Uhr springt um Tage</translation>
+    </message>
+    <message>
+        <source>its clock jumps: %1 rows would be spread over %2</source>
+        <translation>die Uhr springt: %1 Zeilen wären über %2 verteilt</translation>
+    </message>
+    <message>
+        <source>its first row has no packet counter</source>
+        <translation>die erste Zeile hat keinen Paketzähler</translation>
+    </message>
+    <message>
+        <source>its packet counter is empty</source>
+        <translation>der Paketzähler ist leer</translation>
+    </message>
+    <message>
+        <source>line %1 is neither a // line nor the names of the columns</source>
+        <translation>Zeile %1 ist weder eine //-Zeile noch die Namen der Spalten</translation>
+    </message>
+    <message>
+        <source>no numeric arrays</source>
+        <translation>keine Zahlenfelder</translation>
+    </message>
+    <message>
+        <source>no sensor was found; the file holds %1</source>
+        <translation>kein Sensor wurde gefunden; die Datei enthält %1</translation>
+    </message>
+    <message>
+        <source>numbers of the unknown type %1</source>
+        <translation>Zahlen des unbekannten Typs %1</translation>
+    </message>
+    <message>
+        <source>one sensor</source>
+        <translation>ein Sensor</translation>
+    </message>
+    <message>
+        <source>orientation of the recording</source>
+        <translation>Lage der Sensoren der Aufnahme</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>sensor %1</source>
+        <translation>Sensor %1</translation>
+    </message>
+    <message>
+        <source>sensor %1 has %2 rows of gyr and %3 of %4</source>
+        <translation>Sensor %1 hat %2 Zeilen gyr und %3 Zeilen %4</translation>
+    </message>
+    <message>
+        <source>sensor %1 has neither gyro, accel nor quaternion</source>
+        <translation>Sensor %1 hat weder gyro noch accel noch quaternion</translation>
+    </message>
+    <message>
+        <source>sensor %1 is not in the recording</source>
+        <translation>Sensor %1 kommt in der Aufnahme nicht vor</translation>
+    </message>
+    <message>
+        <source>sensor %1 is put on %2, which no body has</source>
+        <translation>Sensor %1 sitzt auf %2, das kein Körper hat</translation>
+    </message>
+    <message>
+        <source>sensor %1 stands there twice</source>
+        <translation>Sensor %1 steht zweimal da</translation>
+    </message>
+    <message>
+        <source>sensors %1 and %2 are both put on %3</source>
+        <translation>Sensoren %1 und %2 sitzen beide auf %3</translation>
+    </message>
+    <message>
+        <source>states no usable rate</source>
+        <translation>nennt keine brauchbare Rate</translation>
+    </message>
+    <message>
+        <source>structs are nested deeper than %1</source>
+        <translation>Strukturen sind tiefer verschachtelt als %1</translation>
+    </message>
+    <message>
+        <source>the decompressor does not start</source>
+        <translation>das Entpacken beginnt nicht</translation>
+    </message>
+    <message>
+        <source>the file states no usable sampling rate</source>
+        <translation>die Datei nennt keine brauchbare Abtastrate</translation>
+    </message>
+    <message>
+        <source>the line of names does not begin with Frame#</source>
+        <translation>die Zeile mit den Namen beginnt nicht mit Frame#</translation>
+    </message>
+    <message>
+        <source>the usual step of its clock is %1 s</source>
+        <translation>der übliche Schritt der Uhr ist %1 s</translation>
+    </message>
+    <message>
+        <source>there is no line with the columns' names</source>
+        <translation>es gibt keine Zeile mit den Namen der Spalten</translation>
+    </message>
+    <message>
+        <source>this is a MATLAB file of version 7.3 (HDF5), which is not read</source>
+        <translation>dies ist eine MATLAB-Datei der Version 7.3 (HDF5), die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>this is no MATLAB file of level 5: the byte order mark is missing</source>
+        <translation>dies ist keine MATLAB-Datei der Stufe 5: die Kennung der Bytefolge fehlt</translation>
+    </message>
+    <message>
+        <source>this is no MATLAB file: it is too short</source>
+        <translation>dies ist keine MATLAB-Datei: sie ist zu kurz</translation>
+    </message>
+    <message>
+        <source>time names no column</source>
+        <translation>time nennt keine Spalte</translation>
+    </message>
+    <message>
+        <source>world is %1</source>
+        <translation>world ist %1</translation>
+    </message>
+    <message>
+        <source>x-IMU3 does not say which axes its attitudes have; NWU was taken, its factory setting (--world replaces it)</source>
+        <translation>x-IMU3 sagt nicht, welche Achsen die Lagen haben; NWU wurde angenommen, die Werkseinstellung (--world ersetzt sie)</translation>
+    </message>
+    <message>
+        <source>x-IMU3: folders of CSV tables, or .ximu3</source>
+        <translation>x-IMU3: Ordner mit CSV-Tabellen oder .ximu3</translation>
+    </message>
+</context>
+<context>
+    <name>core/job</name>
+    <message>
+        <source>%1 exists already</source>
+        <translation>%1 gibt es schon</translation>
+    </message>
+    <message>
+        <source>%1 is not a file</source>
+        <translation>%1 ist keine Datei</translation>
+    </message>
+    <message>
+        <source>%1: %2 cannot be kept there</source>
+        <translation>%1: %2 lässt sich dort nicht ablegen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2</source>
+        <translation>%1: lässt sich nicht lesen: %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: lässt sich nicht schreiben: %2</translation>
+    </message>
+    <message>
+        <source>%1: holds more than %2 MB, the most that is read</source>
+        <translation>%1: enthält mehr als %2 MB, das Höchste, was gelesen wird</translation>
+    </message>
+    <message>
+        <source>Check that it is a file that you may read</source>
+        <translation>Prüfen, ob es eine Datei mit Leserecht ist</translation>
+    </message>
+    <message>
+        <source>Check that it is the right file, or cut it into parts</source>
+        <translation>Prüfen, ob es die richtige Datei ist, oder sie in Teile schneiden</translation>
+    </message>
+    <message>
+        <source>Check the disk or choose another folder</source>
+        <translation>Den Datenträger prüfen oder einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Check the path</source>
+        <translation>Den Pfad prüfen</translation>
+    </message>
+    <message>
+        <source>Choose a folder that you may write to</source>
+        <translation>Einen Ordner mit Schreibrecht wählen</translation>
+    </message>
+    <message>
+        <source>Choose a shorter name</source>
+        <translation>Einen kürzeren Namen wählen</translation>
+    </message>
+    <message>
+        <source>Choose another name or give --overwrite</source>
+        <translation>Einen anderen Namen wählen oder --overwrite angeben</translation>
+    </message>
+    <message>
+        <source>Create the folder %1 first or correct the path</source>
+        <translation>Zuerst den Ordner %1 anlegen oder den Pfad berichtigen</translation>
+    </message>
+    <message>
+        <source>Give the path of a file</source>
+        <translation>Den Pfad einer Datei angeben</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>not usable</source>
+        <translation>nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>the output has no name</source>
+        <translation>die Ausgabe hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>unnamed</source>
+        <translation>unbenannt</translation>
+    </message>
+</context>
+<context>
+    <name>core/live</name>
+    <message>
+        <source>Check that you may write there, or process without smoothing</source>
+        <translation>Prüfen, ob dort Schreibrecht besteht, oder ohne Glättung verarbeiten</translation>
+    </message>
+    <message>
+        <source>Did you mean %1? `noctule --batch estimators` lists all</source>
+        <translation>War %1 gemeint? `noctule --batch estimators` führt alle auf</translation>
+    </message>
+    <message>
+        <source>Record first, then process the take with --estimator orientation</source>
+        <translation>Zuerst aufnehmen, dann die Aufnahme mit --estimator orientation verarbeiten</translation>
+    </message>
+    <message>
+        <source>a sample rate of %1 Hz is outside what boards can be received at</source>
+        <translation>eine Abtastrate von %1 Hz liegt außerhalb dessen, womit Platinen empfangen werden können</translation>
+    </message>
+    <message>
+        <source>estimator orientation needs a whole take</source>
+        <translation>der Schätzer orientation braucht eine ganze Aufnahme</translation>
+    </message>
+    <message>
+        <source>extended Kalman filter with rotations on the manifold, adaptive noise and smoothers</source>
+        <translation>erweitertes Kalman-Filter mit Drehungen auf der Mannigfaltigkeit, anpassendem Rauschen und Glättung</translation>
+    </message>
+    <message>
+        <source>suits of independent inertial sensors: each one's orientation, then the body's pose; whole takes</source>
+        <translation>Anzüge aus unabhängigen Inertialsensoren: die Lage jedes einzelnen, dann die Pose des Körpers; ganze Aufnahmen</translation>
+    </message>
+    <message>
+        <source>the Kalman filter of Vlasic 2007 to the letter, as a baseline</source>
+        <translation>das Kalman-Filter von Vlasic 2007 buchstabengetreu, als Vergleichsgrundlage</translation>
+    </message>
+    <message>
+        <source>there is no estimator '%1'</source>
+        <translation>es gibt keinen Schätzer „%1“</translation>
+    </message>
+    <message>
+        <source>what smoothing puts aside</source>
+        <translation>was die Glättung zur Seite legt</translation>
+    </message>
+</context>
+<context>
+    <name>core/mesh</name>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 lässt sich nicht starten: %2</translation>
+    </message>
+    <message>
+        <source>%1 hangs on a bone that does not exist</source>
+        <translation>%1 hängt an einem Knochen, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>%1 has a weight outside 0 to 1</source>
+        <translation>%1 hat ein Gewicht außerhalb von 0 bis 1</translation>
+    </message>
+    <message>
+        <source>%1 has fewer matrices than joints</source>
+        <translation>%1 hat weniger Matrizen als Gelenke</translation>
+    </message>
+    <message>
+        <source>%1 has no joints</source>
+        <translation>%1 hat keine Gelenke</translation>
+    </message>
+    <message>
+        <source>%1 has no place on its texture</source>
+        <translation>%1 hat keinen Ort auf der Textur</translation>
+    </message>
+    <message>
+        <source>%1 has weights that do not sum to 1</source>
+        <translation>%1 hat Gewichte, deren Summe nicht 1 ist</translation>
+    </message>
+    <message>
+        <source>%1 holds too many numbers</source>
+        <translation>%1 enthält zu viele Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 is none</source>
+        <translation>%1 ist keines</translation>
+    </message>
+    <message>
+        <source>%1 names a joint that does not exist</source>
+        <translation>%1 nennt ein Gelenk, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 vertices of %3 hang on no bone</source>
+        <translation>%1 von %2 Eckpunkten von %3 hängen an keinem Knochen</translation>
+    </message>
+    <message>
+        <source>%1 points outside of its buffer</source>
+        <translation>%1 zeigt über seinen Puffer hinaus</translation>
+    </message>
+    <message>
+        <source>%1 stands nowhere</source>
+        <translation>%1 steht nirgends</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3; %4 at most can be used</source>
+        <translation>%1: %2 %3; höchstens %4 sind möglich</translation>
+    </message>
+    <message>
+        <source>%1: %2 has no place</source>
+        <translation>%1: %2 hat keinen Ort</translation>
+    </message>
+    <message>
+        <source>%1: a newer version of the program wrote this map of bones</source>
+        <translation>%1: eine neuere Version des Programms schrieb diese Knochenzuordnung</translation>
+    </message>
+    <message>
+        <source>%1: bones belong to no joint: %2</source>
+        <translation>%1: Knochen gehören zu keinem Gelenk: %2</translation>
+    </message>
+    <message>
+        <source>%1: it has more than %2 vertices</source>
+        <translation>%1: mehr als %2 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>%1: it has too many bones</source>
+        <translation>%1: zu viele Knochen</translation>
+    </message>
+    <message>
+        <source>%1: it needs the extension %2, which cannot be read</source>
+        <translation>%1: die Erweiterung %2 ist nötig, die sich nicht lesen lässt</translation>
+    </message>
+    <message>
+        <source>%1: its animations hold too many keys</source>
+        <translation>%1: die Animationen enthalten zu viele Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>%1: its legs have no length</source>
+        <translation>%1: die Beine haben keine Länge</translation>
+    </message>
+    <message>
+        <source>%1: meshes of this kind cannot be read</source>
+        <translation>%1: Netze dieser Art sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1: no mesh in it has a skin</source>
+        <translation>%1: kein Netz darin hat eine Haut</translation>
+    </message>
+    <message>
+        <source>%1: no part of its surface hangs on the bone %2 (%3%4) or below it</source>
+        <translation>%1: kein Teil der Oberfläche hängt am Knochen %2 (%3%4) oder darunter</translation>
+    </message>
+    <message>
+        <source>%1: no pipe to a reader: %2</source>
+        <translation>%1: keine Pipe zu einem Leseprogramm: %2</translation>
+    </message>
+    <message>
+        <source>%1: reading it broke off</source>
+        <translation>%1: das Lesen brach ab</translation>
+    </message>
+    <message>
+        <source>%1: the file %2, which holds its data, is not beside it</source>
+        <translation>%1: die Datei %2, die die Daten enthält, liegt nicht daneben</translation>
+    </message>
+    <message>
+        <source>%1: the performer's skeleton has no %2 for the bone %3</source>
+        <translation>%1: das Skelett des Darstellers hat kein %2 für den Knochen %3</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file</source>
+        <translation>%1: diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1: there is no triangle in it</source>
+        <translation>%1: kein Dreieck ist darin</translation>
+    </message>
+    <message>
+        <source>%1: these are no landmarks of a body; %2 is missing</source>
+        <translation>%1: das sind keine Orte der Gelenke eines Körpers; %2 fehlt</translation>
+    </message>
+    <message>
+        <source>%1: this is no map of bones</source>
+        <translation>%1: das ist keine Knochenzuordnung</translation>
+    </message>
+    <message>
+        <source>%1: this is no mesh that can be read (%2)</source>
+        <translation>%1: das ist kein lesbares Netz (%2)</translation>
+    </message>
+    <message>
+        <source>%1: vertex %2 hangs on no bone</source>
+        <translation>%1: Eckpunkt %2 hängt an keinem Knochen</translation>
+    </message>
+    <message>
+        <source>: no bones are found for %1</source>
+        <translation>: keine Knochen wurden gefunden für %1</translation>
+    </message>
+    <message>
+        <source>: no human skeleton is found in it</source>
+        <translation>: kein menschliches Skelett wurde darin gefunden</translation>
+    </message>
+    <message>
+        <source>Choose a .glb or .gltf file</source>
+        <translation>Eine .glb- oder .gltf-Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose a .glb, .gltf, .vrm, .fbx, .dae, .obj or .ply file</source>
+        <translation>Eine .glb-, .gltf-, .vrm-, .fbx-, .dae-, .obj- oder .ply-Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose a file that was saved as a bone map</source>
+        <translation>Eine Datei wählen, die als Knochenzuordnung gesichert wurde</translation>
+    </message>
+    <message>
+        <source>Choose a file that was saved as landmarks</source>
+        <translation>Eine Datei wählen, in der Orte der Gelenke gesichert wurden</translation>
+    </message>
+    <message>
+        <source>Choose another bone for it</source>
+        <translation>Einen anderen Knochen dafür wählen</translation>
+    </message>
+    <message>
+        <source>Choose other bones for thighs, shins and feet</source>
+        <translation>Andere Knochen für Oberschenkel, Unterschenkel und Füße wählen</translation>
+    </message>
+    <message>
+        <source>Close other programs and try again</source>
+        <translation>Andere Programme schließen und erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Copy that file into the same folder, or export the body as .glb, which is one file</source>
+        <translation>Diese Datei in denselben Ordner kopieren oder den Körper als .glb exportieren, das eine einzige Datei ist</translation>
+    </message>
+    <message>
+        <source>Export the body again without compression</source>
+        <translation>Den Körper noch einmal ohne Komprimierung exportieren</translation>
+    </message>
+    <message>
+        <source>Export the body again, best as binary glTF (.glb)</source>
+        <translation>Den Körper noch einmal exportieren, am besten als binäres glTF (.glb)</translation>
+    </message>
+    <message>
+        <source>Export the body as .glb, .fbx, .dae, .obj or .ply</source>
+        <translation>Den Körper als .glb, .fbx, .dae, .obj oder .ply exportieren</translation>
+    </message>
+    <message>
+        <source>Export the body as binary glTF (.glb)</source>
+        <translation>Den Körper als binäres glTF (.glb) exportieren</translation>
+    </message>
+    <message>
+        <source>Export the body together with its armature and skin weights</source>
+        <translation>Den Körper zusammen mit Armature und Hautgewichten exportieren</translation>
+    </message>
+    <message>
+        <source>Export the body with fewer bones</source>
+        <translation>Den Körper mit weniger Knochen exportieren</translation>
+    </message>
+    <message>
+        <source>Export the body without its animations</source>
+        <translation>Den Körper ohne Animationen exportieren</translation>
+    </message>
+    <message>
+        <source>Export the body's surface as a mesh</source>
+        <translation>Die Oberfläche des Körpers als Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Export the mesh again, best as binary glTF (.glb)</source>
+        <translation>Das Netz noch einmal exportieren, am besten als binäres glTF (.glb)</translation>
+    </message>
+    <message>
+        <source>Export the mesh again, simpler if it is very large; the file may be damaged</source>
+        <translation>Das Netz noch einmal exportieren, einfacher, falls es sehr groß ist; die Datei kann beschädigt sein</translation>
+    </message>
+    <message>
+        <source>Export the mesh again; the file is damaged</source>
+        <translation>Das Netz noch einmal exportieren; die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Export the mesh again; this file is damaged or was written wrongly</source>
+        <translation>Das Netz noch einmal exportieren; diese Datei ist beschädigt oder wurde falsch geschrieben</translation>
+    </message>
+    <message>
+        <source>Finding bones</source>
+        <translation>Knochen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Fitting a skeleton</source>
+        <translation>Skelett wird eingepasst</translation>
+    </message>
+    <message>
+        <source>Give every vertex a weight (in Blender: Parent, With Automatic Weights), and export again</source>
+        <translation>Jedem Eckpunkt ein Gewicht geben (in Blender: Parent, With Automatic Weights) und noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>Give every vertex of the skin a weight</source>
+        <translation>Jedem Eckpunkt der Haut ein Gewicht geben</translation>
+    </message>
+    <message>
+        <source>Give the skin weights, or say in a map of bones which bones move it</source>
+        <translation>Der Haut Gewichte geben oder in einer Knochenzuordnung angeben, welche Knochen sie bewegen</translation>
+    </message>
+    <message>
+        <source>Install the program again; this one belongs beside it</source>
+        <translation>Das Programm neu installieren; dieses gehört daneben</translation>
+    </message>
+    <message>
+        <source>Looking for each point's bone</source>
+        <translation>Zu jedem Punkt wird der Knochen gesucht</translation>
+    </message>
+    <message>
+        <source>Name its bones as HumanIK, Mixamo, VRM or Rigify do, or say which bone is which in a map of bones</source>
+        <translation>Die Knochen wie HumanIK, Mixamo, VRM oder Rigify benennen oder in einer Knochenzuordnung angeben, welcher Knochen welcher ist</translation>
+    </message>
+    <message>
+        <source>Name the bones as HumanIK or Mixamo do: Hips, Spine, LeftArm, LeftForeArm</source>
+        <translation>Die Knochen wie HumanIK oder Mixamo benennen: Hips, Spine, LeftArm, LeftForeArm</translation>
+    </message>
+    <message>
+        <source>Open it with that version, or map the bones again</source>
+        <translation>Sie mit dieser Version öffnen oder die Knochen neu zuordnen</translation>
+    </message>
+    <message>
+        <source>Repair the mesh: it must be the closed surface of a body</source>
+        <translation>Das Netz reparieren: es muss die geschlossene Oberfläche eines Körpers sein</translation>
+    </message>
+    <message>
+        <source>Set all joints of the body</source>
+        <translation>Alle Gelenke des Körpers setzen</translation>
+    </message>
+    <message>
+        <source>Simplify the mesh in the program that made it</source>
+        <translation>Das Netz in dem Programm vereinfachen, mit dem es gemacht wurde</translation>
+    </message>
+    <message>
+        <source>Spreading heat</source>
+        <translation>Wärme wird verteilt</translation>
+    </message>
+    <message>
+        <source>Use a figure that stands upright with its arms away from its body, or set the joints by hand</source>
+        <translation>Eine Figur verwenden, die aufrecht steht und die Arme vom Körper weghält, oder die Gelenke von Hand setzen</translation>
+    </message>
+    <message>
+        <source>Use a skeleton with the canonical joints, or leave that bone out</source>
+        <translation>Ein Skelett mit den üblichen Gelenken verwenden oder diesen Knochen auslassen</translation>
+    </message>
+    <message>
+        <source>Weights cannot be found: parts of the surface stay cold</source>
+        <translation>Gewichte lassen sich nicht finden: Teile der Oberfläche bleiben kalt</translation>
+    </message>
+    <message>
+        <source>Weights cannot be found: the surface has no area</source>
+        <translation>Gewichte lassen sich nicht finden: die Oberfläche hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>a chunk of it ends early</source>
+        <translation>ein Abschnitt darin endet zu früh</translation>
+    </message>
+    <message>
+        <source>a node shows a mesh that does not exist</source>
+        <translation>ein Knoten zeigt ein Netz, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a triangle uses a vertex that does not exist</source>
+        <translation>ein Dreieck verwendet einen Eckpunkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>a vertex hangs on a joint that its skin does not have</source>
+        <translation>ein Eckpunkt hängt an einem Gelenk, das die Haut nicht hat</translation>
+    </message>
+    <message>
+        <source>accessor %1 holds elements of %2 numbers instead of %3</source>
+        <translation>Accessor %1 enthält Elemente von %2 Zahlen statt %3</translation>
+    </message>
+    <message>
+        <source>accessor %1 holds what is no index</source>
+        <translation>Accessor %1 enthält, was kein Index ist</translation>
+    </message>
+    <message>
+        <source>accessor %1 replaces what is not there</source>
+        <translation>Accessor %1 ersetzt, was nicht da ist</translation>
+    </message>
+    <message>
+        <source>an animation has no usable name or length</source>
+        <translation>eine Animation hat keinen brauchbaren Namen oder keine brauchbare Länge</translation>
+    </message>
+    <message>
+        <source>an animation moves a node that does not exist, or has no keys</source>
+        <translation>eine Animation bewegt einen Knoten, den es nicht gibt, oder hat keine Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>an animation of it holds no usable keys</source>
+        <translation>eine Animation darin enthält keine brauchbaren Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>animation keys</source>
+        <translation>Schlüsselbilder von Animationen</translation>
+    </message>
+    <message>
+        <source>bone %1 has a weight that is negative or no number</source>
+        <translation>Knochen %1 hat ein Gewicht, das negativ oder keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>bone %1 has no node</source>
+        <translation>Knochen %1 hat keinen Knoten</translation>
+    </message>
+    <message>
+        <source>bone %1 is bound by a matrix without inverse</source>
+        <translation>Knochen %1 ist durch eine Matrix ohne Inverse gebunden</translation>
+    </message>
+    <message>
+        <source>bone %1 is not in its tree</source>
+        <translation>Knochen %1 ist nicht in seinem Baum</translation>
+    </message>
+    <message>
+        <source>bone %1 weighs a vertex that does not exist</source>
+        <translation>Knochen %1 gewichtet einen Eckpunkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>bones and their nodes do not match</source>
+        <translation>Knochen und ihre Knoten passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>bytes of texture</source>
+        <translation>Bytes einer Textur</translation>
+    </message>
+    <message>
+        <source>bytes of textures</source>
+        <translation>Bytes von Texturen</translation>
+    </message>
+    <message>
+        <source>it cannot be read; the reader broke down over it</source>
+        <translation>sie ist nicht lesbar; das Leseprogramm ist daran abgestürzt</translation>
+    </message>
+    <message>
+        <source>it ends early: %1 of %2 bytes are there</source>
+        <translation>sie endet zu früh: %1 von %2 Bytes sind da</translation>
+    </message>
+    <message>
+        <source>it has fewer normals than vertices</source>
+        <translation>es hat weniger Normalen als Eckpunkte</translation>
+    </message>
+    <message>
+        <source>it has fewer texture coordinates than vertices</source>
+        <translation>es hat weniger Texturkoordinaten als Eckpunkte</translation>
+    </message>
+    <message>
+        <source>it has fewer weights than vertices</source>
+        <translation>es hat weniger Gewichte als Eckpunkte</translation>
+    </message>
+    <message>
+        <source>it has more than %1 nodes</source>
+        <translation>es hat mehr als %1 Knoten</translation>
+    </message>
+    <message>
+        <source>it has more than %1 vertices</source>
+        <translation>es hat mehr als %1 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>it is glTF of version %1, not 2</source>
+        <translation>es ist glTF der Version %1, nicht 2</translation>
+    </message>
+    <message>
+        <source>its colour is none</source>
+        <translation>die Farbe ist keine</translation>
+    </message>
+    <message>
+        <source>its materials do not hold its triangles</source>
+        <translation>die Materialien enthalten nicht die Dreiecke</translation>
+    </message>
+    <message>
+        <source>its nodes hang on each other in a circle</source>
+        <translation>die Knoten hängen im Kreis aneinander</translation>
+    </message>
+    <message>
+        <source>its parts do not hold its triangles</source>
+        <translation>die Teile enthalten nicht die Dreiecke</translation>
+    </message>
+    <message>
+        <source>its texture has another size than it says</source>
+        <translation>die Textur hat eine andere Größe, als sie angibt</translation>
+    </message>
+    <message>
+        <source>its texture is neither PNG nor JPEG</source>
+        <translation>die Textur ist weder PNG noch JPEG</translation>
+    </message>
+    <message>
+        <source>key %1 of the animation of %2 is no place or time</source>
+        <translation>Schlüsselbild %1 der Animation von %2 ist kein Ort oder keine Zeit</translation>
+    </message>
+    <message>
+        <source>no ankle was found</source>
+        <translation>kein Knöchel wurde gefunden</translation>
+    </message>
+    <message>
+        <source>no arm was found on the %1</source>
+        <translation>kein Arm wurde gefunden: %1</translation>
+    </message>
+    <message>
+        <source>no bone is %1</source>
+        <translation>kein Knochen ist %1</translation>
+    </message>
+    <message>
+        <source>no thigh was found</source>
+        <translation>kein Oberschenkel wurde gefunden</translation>
+    </message>
+    <message>
+        <source>no two legs were found</source>
+        <translation>keine zwei Beine wurden gefunden</translation>
+    </message>
+    <message>
+        <source>node %1 hangs on two others</source>
+        <translation>Knoten %1 hängt an zwei anderen</translation>
+    </message>
+    <message>
+        <source>node %1 has a child that does not exist</source>
+        <translation>Knoten %1 hat einen untergeordneten Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>node %1 has a name of %2 bytes</source>
+        <translation>Knoten %1 hat einen Namen von %2 Bytes</translation>
+    </message>
+    <message>
+        <source>node %1 stands before its parent</source>
+        <translation>Knoten %1 steht vor seinem übergeordneten Knoten</translation>
+    </message>
+    <message>
+        <source>node %1 stands nowhere</source>
+        <translation>Knoten %1 steht nirgends</translation>
+    </message>
+    <message>
+        <source>reading it takes more than %1 MB of memory</source>
+        <translation>das Lesen braucht mehr als %1 MB Speicher</translation>
+    </message>
+    <message>
+        <source>reading it took longer than %1 s</source>
+        <translation>das Lesen dauerte länger als %1 s</translation>
+    </message>
+    <message>
+        <source>the bone %1 is to be both %2 and %3</source>
+        <translation>der Knochen %1 soll sowohl %2 als auch %3 sein</translation>
+    </message>
+    <message>
+        <source>the bone %1, which is to be %2, does not hang below %3</source>
+        <translation>der Knochen %1, der %2 sein soll, hängt nicht unter %3</translation>
+    </message>
+    <message>
+        <source>the figure does not stand upright</source>
+        <translation>die Figur steht nicht aufrecht</translation>
+    </message>
+    <message>
+        <source>the mesh has no bone %1, which is to be %2</source>
+        <translation>das Netz hat keinen Knochen %1, der %2 sein soll</translation>
+    </message>
+    <message>
+        <source>there is no joint %1</source>
+        <translation>es gibt kein Gelenk %1</translation>
+    </message>
+    <message>
+        <source>this is no mesh that can be read: it holds no glTF</source>
+        <translation>das ist kein lesbares Netz: es enthält kein glTF</translation>
+    </message>
+    <message>
+        <source>triangle %1 uses a vertex that does not exist</source>
+        <translation>Dreieck %1 verwendet einen Eckpunkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>vertex %1 holds something that is no number</source>
+        <translation>Eckpunkt %1 enthält etwas, das keine Zahl ist</translation>
+    </message>
+</context>
+<context>
+    <name>core/motion</name>
+    <message>
+        <source>%1 does not fit its skeleton of %2 joints</source>
+        <translation>%1 passt nicht zum Skelett von %2 Gelenken</translation>
+    </message>
+    <message>
+        <source>%1 is not later than the one before it</source>
+        <translation>%1 ist nicht später als der davor</translation>
+    </message>
+    <message>
+        <source>Align their times first, or look at the part where both were recorded</source>
+        <translation>Zuerst ihre Zeiten ausrichten oder den Teil ansehen, in dem beide aufgenommen wurden</translation>
+    </message>
+    <message>
+        <source>Name the reference's joints as the actor does, or give the actor aliases for them</source>
+        <translation>Die Gelenke der Referenz wie die des Darstellers benennen oder dem Darsteller Aliasnamen dafür geben</translation>
+    </message>
+    <message>
+        <source>Use the actor that the poses were made with</source>
+        <translation>Den Darsteller verwenden, mit dem die Posen gemacht wurden</translation>
+    </message>
+    <message>
+        <source>Write the poses in the order of their times</source>
+        <translation>Die Posen in der Reihenfolge ihrer Zeiten schreiben</translation>
+    </message>
+    <message>
+        <source>does not match at any shift (best correlation</source>
+        <translation>passt bei keiner Verschiebung (beste Korrelation</translation>
+    </message>
+    <message>
+        <source>does not match at any shift (best correlation %1)</source>
+        <translation>passt bei keiner Verschiebung (beste Korrelation %1)</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>passen</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>passt</translation>
+    </message>
+    <message>
+        <source>moves too little to tell the shift better than within %1</source>
+        <translation>bewegt sich zu wenig, um die Verschiebung genauer als auf %1 zu bestimmen</translation>
+    </message>
+    <message>
+        <source>repeats itself: %1%2 about as well as %3</source>
+        <translation>wiederholt sich: %1%2 etwa so gut wie %3</translation>
+    </message>
+    <message>
+        <source>the estimate</source>
+        <translation>die Schätzung</translation>
+    </message>
+    <message>
+        <source>the estimate and the reference have no instant in common</source>
+        <translation>die Schätzung und die Referenz haben keinen Zeitpunkt gemeinsam</translation>
+    </message>
+    <message>
+        <source>the estimate and the reference share no joint that moves</source>
+        <translation>die Schätzung und die Referenz haben kein bewegtes Gelenk gemeinsam</translation>
+    </message>
+    <message>
+        <source>the reference</source>
+        <translation>die Referenz</translation>
+    </message>
+</context>
+<context>
+    <name>core/orientation</name>
+    <message>
+        <source>complementary filter of Miller 2004, equations 1 to 14</source>
+        <translation>Komplementärfilter von Miller 2004, Gleichungen 1 bis 14</translation>
+    </message>
+    <message>
+        <source>complementary filter with a Gauss-Newton correction (Miller 2004, equation 15)</source>
+        <translation>Komplementärfilter mit Gauß-Newton-Korrektur (Miller 2004, Gleichung 15)</translation>
+    </message>
+    <message>
+        <source>error-state Kalman filter with biases, scale and the magnetometer's lag</source>
+        <translation>Fehlerzustands-Kalman-Filter mit Nullpunktfehlern, Maßstab und Verzögerung des Magnetometers</translation>
+    </message>
+</context>
+<context>
+    <name>core/posing</name>
+    <message>
+        <source>Import the recording with --assign names or auto</source>
+        <translation>Die Aufnahme mit --assign names oder auto importieren</translation>
+    </message>
+    <message>
+        <source>No walking was found: the performer is believed to stand upright in the first still second.</source>
+        <translation>Kein Gehen wurde gefunden: es wird angenommen, dass der Darsteller in der ersten ruhigen Sekunde aufrecht steht.</translation>
+    </message>
+    <message>
+        <source>Sensor %1 does not read while the performer stands and is left out.</source>
+        <translation>Sensor %1 misst nichts, während der Darsteller steht, und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Sensor %1 sits on no segment of the actor and is left out.</source>
+        <translation>Sensor %1 sitzt auf keinem Glied des Darstellers und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Stand still for a second, then move</source>
+        <translation>Eine Sekunde still stehen, dann bewegen</translation>
+    </message>
+    <message>
+        <source>The heading of sensor %1 is hardly known: neither its field nor its joints' movement tells it. Walk for ten seconds and more.</source>
+        <translation>Die Richtung von Sensor %1 ist kaum bekannt: weder sein Magnetfeld noch die Bewegung seiner Gelenke verrät sie. Zehn Sekunden und länger gehen.</translation>
+    </message>
+    <message>
+        <source>Which way the body faces is hardly known: record ten seconds of walking, or bend the knees</source>
+        <translation>Wohin der Körper blickt, ist kaum bekannt: zehn Sekunden Gehen aufnehmen oder die Knie beugen</translation>
+    </message>
+    <message>
+        <source>no sensor sits on a segment of the actor</source>
+        <translation>kein Sensor sitzt auf einem Glied des Darstellers</translation>
+    </message>
+    <message>
+        <source>the recording is shorter than 2 s</source>
+        <translation>die Aufnahme ist kürzer als 2 s</translation>
+    </message>
+</context>
+<context>
+    <name>core/processing</name>
+    <message>
+        <source>%1 (is %2, calibrated was %3)</source>
+        <translation>%1 (ist %2, kalibriert wurde %3)</translation>
+    </message>
+    <message>
+        <source>%1 and %2 sound on</source>
+        <translation>%1 und %2 tönen auf</translation>
+    </message>
+    <message>
+        <source>%1 cannot be joined to the others: while the rest pose was held, too few distances to them or to the room fit. These poses are their own.</source>
+        <translation>%1 lässt sich nicht mit den anderen verbinden: während der Ruhehaltung passten zu wenige Entfernungen zu ihnen oder zum Raum. Diese Posen stehen für sich.</translation>
+    </message>
+    <message>
+        <source>%1 is not heard after %2: the box was lost. From there on the others are estimated without it.</source>
+        <translation>%1 ist nach %2 nicht mehr zu hören: die Box ging verloren. Von da an werden die anderen ohne sie geschätzt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows lie outside the take of %3</source>
+        <translation>%1 von %2 Zeilen liegen außerhalb der Aufnahme von %3</translation>
+    </message>
+    <message>
+        <source>%1 rows of %2 could not be used, first %3.</source>
+        <translation>%1 Zeilen von %2 waren nicht brauchbar, die erste: %3.</translation>
+    </message>
+    <message>
+        <source>%1 times %2</source>
+        <translation>%1 mal %2</translation>
+    </message>
+    <message>
+        <source>%1 wears several suits: only suit %2 is used yet.</source>
+        <translation>%1 trägt mehrere Anzüge: bisher wird nur Anzug %2 verwendet.</translation>
+    </message>
+    <message>
+        <source>%1%2. `noctule --batch calibrate sources --detector matched` says better.</source>
+        <translation>%1%2. Genauer sagt es `noctule --batch calibrate sources --detector matched`.</translation>
+    </message>
+    <message>
+        <source>%1, and the reference is aligned with one</source>
+        <translation>%1, und die Referenz wird an einem ausgerichtet</translation>
+    </message>
+    <message>
+        <source>%1, or give --align MILLISECONDS</source>
+        <translation>%1 oder --align MILLISECONDS angeben</translation>
+    </message>
+    <message>
+        <source>%1: %2 and were left out.</source>
+        <translation>%1: %2 und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of the take's %3 moving joints were recognised.</source>
+        <translation>%1: %2 der %3 beweglichen Gelenke der Aufnahme wurden erkannt.</translation>
+    </message>
+    <message>
+        <source>%1: %2; the times look like %3</source>
+        <translation>%1: %2; die Zeiten sehen aus wie %3</translation>
+    </message>
+    <message>
+        <source>%1: --between on needs two subjects, there is one</source>
+        <translation>%1: --between on braucht zwei Darsteller, es gibt einen</translation>
+    </message>
+    <message>
+        <source>%1: --room on needs anchors, the take has none</source>
+        <translation>%1: --room on braucht Anker, die Aufnahme hat keine</translation>
+    </message>
+    <message>
+        <source>%1: compared with run '%2' of %3, the motion %4</source>
+        <translation>%1: verglichen mit Ergebnis „%2“ von %3: die Bewegung %4</translation>
+    </message>
+    <message>
+        <source>%1: has %2 already</source>
+        <translation>%1: hat schon %2</translation>
+    </message>
+    <message>
+        <source>%1: has no pose run %2</source>
+        <translation>%1: hat kein Ergebnis %2 mit Posen</translation>
+    </message>
+    <message>
+        <source>%1: has no run '%2'</source>
+        <translation>%1: hat kein Ergebnis '%2'</translation>
+    </message>
+    <message>
+        <source>%1: has no subject '%2'</source>
+        <translation>%1: hat keine Person '%2'</translation>
+    </message>
+    <message>
+        <source>%1: has not been processed, there is no pose run</source>
+        <translation>%1: ist nicht verarbeitet, es gibt kein Ergebnis mit Posen</translation>
+    </message>
+    <message>
+        <source>%1: has other boards than %2</source>
+        <translation>%1: hat andere Platinen als %2</translation>
+    </message>
+    <message>
+        <source>%1: holds %2 joints of the hips, three are needed to see how they are turned</source>
+        <translation>%1: enthält %2 Gelenke der Hüfte; drei sind nötig, um ihre Drehung zu sehen</translation>
+    </message>
+    <message>
+        <source>%1: holds no reference</source>
+        <translation>%1: enthält keine Referenz</translation>
+    </message>
+    <message>
+        <source>%1: is not JSON</source>
+        <translation>%1: ist kein JSON</translation>
+    </message>
+    <message>
+        <source>%1: it holds more distances between suits than fit into memory</source>
+        <translation>%1: enthält mehr Abstände zwischen Anzügen, als in den Speicher passen</translation>
+    </message>
+    <message>
+        <source>%1: it is too short or holds no sound: no pose came out</source>
+        <translation>%1: zu kurz oder ohne Ton: es kam keine Pose heraus</translation>
+    </message>
+    <message>
+        <source>%1: its columns are not those of the take's body</source>
+        <translation>%1: die Spalten sind nicht die des Körpers der Aufnahme</translation>
+    </message>
+    <message>
+        <source>%1: no board has a magnetometer</source>
+        <translation>%1: keine Platine hat ein Magnetometer</translation>
+    </message>
+    <message>
+        <source>%1: no joint that it shares with run '%2' of %3 moves for two seconds, so the shift cannot be told</source>
+        <translation>%1: kein Gelenk darin, das auch Ergebnis „%2“ von %3 hat, bewegt sich zwei Sekunden lang; die Verschiebung lässt sich nicht bestimmen</translation>
+    </message>
+    <message>
+        <source>%1: none of its rows within the take shows how the hips are turned</source>
+        <translation>%1: keine der Zeilen innerhalb der Aufnahme zeigt, wie die Hüfte gedreht ist</translation>
+    </message>
+    <message>
+        <source>%1: positions cannot be aligned in time by themselves</source>
+        <translation>%1: Positionen lassen sich nicht von selbst zeitlich ausrichten</translation>
+    </message>
+    <message>
+        <source>%1: positions do not say how the limbs are twisted, so angles cannot be compared with them</source>
+        <translation>%1: Positionen sagen nicht, wie die Glieder verdreht sind; Winkel lassen sich also nicht damit vergleichen</translation>
+    </message>
+    <message>
+        <source>%1: subjects cannot be estimated together: %2</source>
+        <translation>%1: Darsteller lassen sich nicht gemeinsam schätzen: %2</translation>
+    </message>
+    <message>
+        <source>%1: the field is bent for %2 of the time</source>
+        <translation>%1: das Magnetfeld ist %2 der Zeit verzerrt</translation>
+    </message>
+    <message>
+        <source>%1: the unit of its lengths is not one that can be checked</source>
+        <translation>%1: die Einheit der Längen lässt sich nicht prüfen</translation>
+    </message>
+    <message>
+        <source>%1: there is no pose in the part to export</source>
+        <translation>%1: im zu exportierenden Teil ist keine Pose</translation>
+    </message>
+    <message>
+        <source>%1; its names, axes and zero pose are taken as they are (Y up, unit %2)</source>
+        <translation>%1; ihre Namen, Achsen und Nullhaltung werden übernommen, wie sie sind (Y nach oben, Einheit %2)</translation>
+    </message>
+    <message>
+        <source>%1carriers only %2 apart: their pulses disturb each other. 5 kHz are needed.</source>
+        <translation>%1Trägerfrequenzen, die nur %2 auseinanderliegen: ihre Pulse stören einander. 5 kHz sind nötig.</translation>
+    </message>
+    <message>
+        <source>%1it is too short or holds no sound: no pose came out</source>
+        <translation>%1zu kurz oder ohne Ton: es kam keine Pose heraus</translation>
+    </message>
+    <message>
+        <source>%1one carrier, %2: nobody can tell whose pulse was heard</source>
+        <translation>%1einer Trägerfrequenz, %2: niemand kann sagen, wessen Puls gehört wurde</translation>
+    </message>
+    <message>
+        <source>: a contact of</source>
+        <translation>: ein Kontakt von</translation>
+    </message>
+    <message>
+        <source>: a marker at</source>
+        <translation>: eine Marke bei</translation>
+    </message>
+    <message>
+        <source>A take of sound needs them measured first; check that the suits heard each other</source>
+        <translation>In einer Aufnahme mit Schall müssen sie zuerst gemessen werden; prüfen, ob die Anzüge einander hörten</translation>
+    </message>
+    <message>
+        <source>Accelerometers and gyroscopes of %1 boards</source>
+        <translation>Beschleunigungssensoren und Gyroskope von %1 Platinen</translation>
+    </message>
+    <message>
+        <source>Add --subjects NAME, one of %1</source>
+        <translation>--subjects NAME hinzufügen, eine von %1</translation>
+    </message>
+    <message>
+        <source>Anchor %1 contradicts the other anchors: it was moved, or its place was surveyed wrongly. Survey the room again.</source>
+        <translation>Anker %1 widerspricht den anderen Ankern: er wurde bewegt, oder sein Ort wurde falsch eingemessen. Den Raum neu einmessen.</translation>
+    </message>
+    <message>
+        <source>Attach one first</source>
+        <translation>Zuerst eine anhängen</translation>
+    </message>
+    <message>
+        <source>Board %1 has no readings and was left out</source>
+        <translation>Platine %1 hat keine Messwerte und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Board %1 has no row with both gyroscope and accelerometer and was left out</source>
+        <translation>Platine %1 hat keine Zeile mit Gyroskop und Beschleunigungssensor zugleich und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>Calibrate takes of one suit at a time</source>
+        <translation>Aufnahmen eines einzigen Anzugs auf einmal kalibrieren</translation>
+    </message>
+    <message>
+        <source>Check --align</source>
+        <translation>--align prüfen</translation>
+    </message>
+    <message>
+        <source>Check that it is the right file</source>
+        <translation>Prüfen, ob es die richtige Datei ist</translation>
+    </message>
+    <message>
+        <source>Check that it shows this take, or give --align MILLISECONDS</source>
+        <translation>Prüfen, ob sie diese Aufnahme zeigt, oder --align MILLISECONDS angeben</translation>
+    </message>
+    <message>
+        <source>Check that it shows this take, or give --align MILLISECONDS, the time of the file's start on the take's clock</source>
+        <translation>Prüfen, ob sie diese Aufnahme zeigt, oder --align MILLISECONDS angeben, die Zeit des Dateianfangs auf der Uhr der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Check that you may write there and that it has room</source>
+        <translation>Prüfen, ob dort geschrieben werden darf und Platz ist</translation>
+    </message>
+    <message>
+        <source>Check the calibration and the actor; another choice of sensors may work</source>
+        <translation>Kalibrierung und Körpermaße prüfen; eine andere Wahl der Sensoren kann helfen</translation>
+    </message>
+    <message>
+        <source>Choose --from and --to within the take's duration</source>
+        <translation>--from und --to innerhalb der Dauer der Aufnahme wählen</translation>
+    </message>
+    <message>
+        <source>Choose one that was made of this suit; its boards begin with %1</source>
+        <translation>Eine wählen, die mit diesem Anzug entstand; dessen Platinen beginnen mit %1</translation>
+    </message>
+    <message>
+        <source>Comparing runs</source>
+        <translation>Ergebnisse werden verglichen</translation>
+    </message>
+    <message>
+        <source>Counting pulses</source>
+        <translation>Pulse werden gezählt</translation>
+    </message>
+    <message>
+        <source>Distances between suits are not used, each one's poses are its own: %1.</source>
+        <translation>Abstände zwischen Anzügen werden nicht verwendet, die Posen jedes Einzelnen sind seine eigenen: %1.</translation>
+    </message>
+    <message>
+        <source>Export the take again</source>
+        <translation>Die Aufnahme noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>Free some space there and process the take</source>
+        <translation>Dort Platz schaffen und die Aufnahme verarbeiten</translation>
+    </message>
+    <message>
+        <source>Give --align MILLISECONDS, the time of the file's start on the take's clock</source>
+        <translation>--align MILLISECONDS angeben, die Zeit des Dateianfangs auf der Uhr der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Give columns for Hips, Spine, LeftUpLeg and RightUpLeg, or a BVH file</source>
+        <translation>Spalten für Hips, Spine, LeftUpLeg und RightUpLeg oder eine BVH-Datei angeben</translation>
+    </message>
+    <message>
+        <source>Give columns of joints that do not lie on a line</source>
+        <translation>Spalten von Gelenken angeben, die nicht auf einer Geraden liegen</translation>
+    </message>
+    <message>
+        <source>Give the calibration of this suit</source>
+        <translation>Die Kalibrierung dieses Anzugs angeben</translation>
+    </message>
+    <message>
+        <source>Give the motion as BVH, or attach the positions with --as external-root</source>
+        <translation>Die Bewegung als BVH angeben oder die Positionen mit --as external-root anhängen</translation>
+    </message>
+    <message>
+        <source>Gravity: rms error of its length at rest. Turns: rms angle between gravity carried by the gyroscope and gravity seen.</source>
+        <translation>Schwerkraft: quadratisches Mittel des Fehlers ihrer Länge in Ruhe. Drehungen: quadratisches Mittel des Winkels zwischen der vom Gyroskop mitgeführten und der gemessenen Schwerkraft.</translation>
+    </message>
+    <message>
+        <source>Hard and soft iron of %1 magnetometers</source>
+        <translation>Hart- und weichmagnetische Störungen von %1 Magnetometern</translation>
+    </message>
+    <message>
+        <source>Import a recording that brings one, as BROAD's trials do</source>
+        <translation>Eine Aufzeichnung importieren, die eine mitbringt, wie die Versuche von BROAD</translation>
+    </message>
+    <message>
+        <source>In the take</source>
+        <translation>In der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Inertial sensors by hand</source>
+        <translation>Inertialsensoren von Hand</translation>
+    </message>
+    <message>
+        <source>Its runs are %1</source>
+        <translation>Ihre Ergebnisse sind %1</translation>
+    </message>
+    <message>
+        <source>Its subjects are %1</source>
+        <translation>Ihre Personen sind %1</translation>
+    </message>
+    <message>
+        <source>Joints in the file are elsewhere than in the take.</source>
+        <translation>Gelenke in der Datei sind an anderen Orten als in der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Joints in the file are turned otherwise than in the take.</source>
+        <translation>Gelenke in der Datei sind anders gedreht als in der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Keep away from iron, magnets and cables, or expect a worse heading there</source>
+        <translation>Von Eisen, Magneten und Kabeln fernhalten oder dort mit einer schlechteren Richtung rechnen</translation>
+    </message>
+    <message>
+        <source>Learning the sources' pulses</source>
+        <translation>Die Pulse der Quellen werden gelernt</translation>
+    </message>
+    <message>
+        <source>Leave out --between on and --room on, or what stands in their way</source>
+        <translation>--between on und --room on weglassen oder das, was ihnen im Weg steht</translation>
+    </message>
+    <message>
+        <source>Leave out --between, or name more of them with --subjects</source>
+        <translation>--between weglassen oder mit --subjects mehr davon nennen</translation>
+    </message>
+    <message>
+        <source>Leave out --room</source>
+        <translation>--room weglassen</translation>
+    </message>
+    <message>
+        <source>Look at the take with inspect</source>
+        <translation>Die Aufnahme mit inspect ansehen</translation>
+    </message>
+    <message>
+        <source>Look at the take with inspect; a take of sound is processed by the others</source>
+        <translation>Die Aufnahme mit inspect ansehen; eine Aufnahme mit Ton wird von den anderen verarbeitet</translation>
+    </message>
+    <message>
+        <source>Made again by</source>
+        <translation>Neu erzeugen mit</translation>
+    </message>
+    <message>
+        <source>Magnetometer of %1</source>
+        <translation>Magnetometer von %1</translation>
+    </message>
+    <message>
+        <source>Name the column %1, or give the times in seconds</source>
+        <translation>Die Spalte %1 nennen oder die Zeiten in Sekunden angeben</translation>
+    </message>
+    <message>
+        <source>No distances from a source: %1.</source>
+        <translation>Keine Entfernungen von einer Quelle: %1.</translation>
+    </message>
+    <message>
+        <source>No rest pose is marked: the motion is believed to begin in it.</source>
+        <translation>Keine Ruhehaltung ist markiert: es wird angenommen, dass die Bewegung in ihr beginnt.</translation>
+    </message>
+    <message>
+        <source>No unit makes the figure in %1 as tall as a person</source>
+        <translation>Keine Einheit macht die Figur in %1 so groß wie einen Menschen</translation>
+    </message>
+    <message>
+        <source>Not usable: %1</source>
+        <translation>Nicht brauchbar: %1</translation>
+    </message>
+    <message>
+        <source>Of %1 %2 only the first %3 are listed.</source>
+        <translation>Von %1 %2 sind nur die ersten %3 aufgeführt.</translation>
+    </message>
+    <message>
+        <source>Offsets for detector matched were derived from those for inflection for</source>
+        <translation>Versätze für den Detektor matched wurden aus denen für inflection abgeleitet für</translation>
+    </message>
+    <message>
+        <source>Only %1 joints of the reference were recognised by their names.</source>
+        <translation>Nur %1 Gelenke der Referenz wurden an ihren Namen erkannt.</translation>
+    </message>
+    <message>
+        <source>Open the take again to see its runs</source>
+        <translation>Aufnahme erneut öffnen, um ihre Ergebnisse zu sehen</translation>
+    </message>
+    <message>
+        <source>Orientation needs 10 to 10000 readings a second</source>
+        <translation>Die Lage braucht 10 bis 10000 Messwerte je Sekunde</translation>
+    </message>
+    <message>
+        <source>Orientation of %1</source>
+        <translation>Lage von %1</translation>
+    </message>
+    <message>
+        <source>Orientation of each sensor</source>
+        <translation>Orientierung jedes Sensors</translation>
+    </message>
+    <message>
+        <source>Process a part of the take, or with --between off</source>
+        <translation>Einen Teil der Aufnahme verarbeiten oder mit --between off</translation>
+    </message>
+    <message>
+        <source>Process it again</source>
+        <translation>Erneut verarbeiten</translation>
+    </message>
+    <message>
+        <source>Process sigma</source>
+        <translation>Prozess-Sigma</translation>
+    </message>
+    <message>
+        <source>Process the take's sound first, or record both; attitudes that came with a recording are a run already</source>
+        <translation>Zuerst den Schall der Aufnahme verarbeiten oder beides aufnehmen; Lagen, die mit einer Aufnahme kamen, sind schon ein Ergebnis</translation>
+    </message>
+    <message>
+        <source>Processing readings</source>
+        <translation>Messwerte werden verarbeitet</translation>
+    </message>
+    <message>
+        <source>Processing sound</source>
+        <translation>Ton wird verarbeitet</translation>
+    </message>
+    <message>
+        <source>Processing together</source>
+        <translation>Gemeinsam wird verarbeitet</translation>
+    </message>
+    <message>
+        <source>Reading poses</source>
+        <translation>Posen werden gelesen</translation>
+    </message>
+    <message>
+        <source>Reading sound</source>
+        <translation>Schall wird gelesen</translation>
+    </message>
+    <message>
+        <source>Record it again</source>
+        <translation>Noch einmal aufnehmen</translation>
+    </message>
+    <message>
+        <source>Record with magnetometers switched on</source>
+        <translation>Mit eingeschalteten Magnetometern aufnehmen</translation>
+    </message>
+    <message>
+        <source>Run `noctule --batch process %1` first</source>
+        <translation>Zuerst `noctule --batch process %1` ausführen</translation>
+    </message>
+    <message>
+        <source>Sensor %1 has neither readings nor attitudes and is left out.</source>
+        <translation>Sensor %1 hat weder Messwerte noch Lagen und wird ausgelassen.</translation>
+    </message>
+    <message>
+        <source>Sensors laid down and turned by hand</source>
+        <translation>Sensoren von Hand hingelegt und gedreht</translation>
+    </message>
+    <message>
+        <source>Set it between the take's start and end</source>
+        <translation>Ihn zwischen Anfang und Ende der Aufnahme setzen</translation>
+    </message>
+    <message>
+        <source>Speed of sound</source>
+        <translation>Schallgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Spread: how much the field's strength differs between directions.</source>
+        <translation>Streuung: wie stark sich die Stärke des Magnetfelds zwischen den Richtungen unterscheidet.</translation>
+    </message>
+    <message>
+        <source>The calibration is of other parts: %1. Its values are used all the same; calibrate these parts.</source>
+        <translation>Die Kalibrierung gehört zu anderen Teilen: %1. Ihre Werte werden trotzdem verwendet; diese Teile kalibrieren.</translation>
+    </message>
+    <message>
+        <source>The calibration lacks %1; nominal values are used there.</source>
+        <translation>In der Kalibrierung fehlt %1; dort werden Nennwerte verwendet.</translation>
+    </message>
+    <message>
+        <source>The calibration lacks the shape of pulses; it was learnt from this take's sound for</source>
+        <translation>Der Kalibrierung fehlt die Form der Pulse; sie wurde aus dem Ton dieser Aufnahme gelernt für</translation>
+    </message>
+    <message>
+        <source>The clock of suit %1 cannot be joined to that of suit %2: no transceivers of both hear each other. It stands alone, at the recorder's guess, which may be 5 ms off.</source>
+        <translation>Die Uhr von Anzug %1 lässt sich nicht mit der von Anzug %2 verbinden: keine Sender und Empfänger beider hören einander. Sie steht für sich, nach der Schätzung des Rekorders, die um 5 ms abweichen kann.</translation>
+    </message>
+    <message>
+        <source>The figure in the file faces another way than the performer.</source>
+        <translation>Die Figur in der Datei blickt in eine andere Richtung als der Darsteller.</translation>
+    </message>
+    <message>
+        <source>The figure in the file has another height than the performer.</source>
+        <translation>Die Figur in der Datei hat eine andere Größe als der Darsteller.</translation>
+    </message>
+    <message>
+        <source>The file holds %1 frames, the take has %2 in this range.</source>
+        <translation>Die Datei enthält %1 Bilder, die Aufnahme hat in diesem Bereich %2.</translation>
+    </message>
+    <message>
+        <source>The file name asks for %1, which is not known</source>
+        <translation>Der Dateiname verlangt %1, was nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>The file name is empty</source>
+        <translation>Der Dateiname ist leer</translation>
+    </message>
+    <message>
+        <source>The file names %1 of the take's %2 joints.</source>
+        <translation>Die Datei nennt %1 der %2 Gelenke der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The file runs at another frame rate than asked for.</source>
+        <translation>Die Datei läuft mit einer anderen Bildrate als verlangt.</translation>
+    </message>
+    <message>
+        <source>The pictures have another size than asked for.</source>
+        <translation>Die Bilder haben eine andere Größe als verlangt.</translation>
+    </message>
+    <message>
+        <source>The reference has other axes or another rest pose, and its bones do not show how %1 segments are turned. That was taken from the run: constant errors of these are not counted: %2.</source>
+        <translation>Die Referenz hat andere Achsen oder eine andere Ruhehaltung, und ihre Knochen zeigen nicht, wie %1 Glieder gedreht sind. Das wurde dem Ergebnis entnommen: ihre konstanten Fehler zählen nicht mit: %2.</translation>
+    </message>
+    <message>
+        <source>The room</source>
+        <translation>Der Raum</translation>
+    </message>
+    <message>
+        <source>The room has no calibration: its anchors are believed to hang where the suit's file says.</source>
+        <translation>Der Raum hat keine Kalibrierung: es wird angenommen, dass seine Anker hängen, wo die Anzugdatei es sagt.</translation>
+    </message>
+    <message>
+        <source>The take has more ranges between suits than are used for its clocks: their last rates are carried on to the end.</source>
+        <translation>Die Aufnahme hat mehr Entfernungen zwischen Anzügen, als für ihre Uhren verwendet werden: deren letzte Raten werden bis zum Ende fortgeführt.</translation>
+    </message>
+    <message>
+        <source>The take names no actor: the default actor of 1.75 m is used.</source>
+        <translation>Die Aufnahme nennt keinen Darsteller: der Standarddarsteller von 1,75 m wird verwendet.</translation>
+    </message>
+    <message>
+        <source>The take was never closed: it is being recorded, or the recording was cut short.</source>
+        <translation>Die Aufnahme wurde nie abgeschlossen: sie läuft noch, oder sie wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>There is no reference: how far the angles are off cannot be said.</source>
+        <translation>Es gibt keine Referenz: wie weit die Winkel danebenliegen, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>Use --overwrite to replace it</source>
+        <translation>Mit --overwrite ersetzen</translation>
+    </message>
+    <message>
+        <source>Use --root free, or attach the other system's motion with --as external-root</source>
+        <translation>--root free verwenden oder die Bewegung des anderen Systems mit --as external-root anhängen</translation>
+    </message>
+    <message>
+        <source>Write metres, centimetres, millimetres or inches</source>
+        <translation>Meter, Zentimeter, Millimeter oder Zoll schreiben</translation>
+    </message>
+    <message>
+        <source>`noctule --batch inspect` shows what is in it</source>
+        <translation>`noctule --batch inspect` zeigt, was darin ist</translation>
+    </message>
+    <message>
+        <source>a reference</source>
+        <translation>eine Referenz</translation>
+    </message>
+    <message>
+        <source>an external root</source>
+        <translation>eine Wurzel von außen</translation>
+    </message>
+    <message>
+        <source>batch</source>
+        <translation>batch</translation>
+    </message>
+    <message>
+        <source>board %1 is said to read other than 140 times a second, which sound cannot carry</source>
+        <translation>Platine %1 soll anders als 140-mal je Sekunde messen, was der Schall nicht übertragen kann</translation>
+    </message>
+    <message>
+        <source>board %1 reads at %2 Hz</source>
+        <translation>Platine %1 misst mit %2 Hz</translation>
+    </message>
+    <message>
+        <source>directions of 26</source>
+        <translation>Richtungen von 26</translation>
+    </message>
+    <message>
+        <source>estimator %1 knows one body only</source>
+        <translation>der Schätzer %1 kennt nur einen Körper</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>voll</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>gegeben</translation>
+    </message>
+    <message>
+        <source>gravity before m/s^2</source>
+        <translation>Schwerkraft vorher m/s^2</translation>
+    </message>
+    <message>
+        <source>imu6</source>
+        <translation>imu6</translation>
+    </message>
+    <message>
+        <source>imu9</source>
+        <translation>imu9</translation>
+    </message>
+    <message>
+        <source>it has no readings</source>
+        <translation>sie hat keine Messwerte</translation>
+    </message>
+    <message>
+        <source>its readings were dropped while it was processed</source>
+        <translation>ihre Messwerte wurden während der Verarbeitung verworfen</translation>
+    </message>
+    <message>
+        <source>lag</source>
+        <translation>lag</translation>
+    </message>
+    <message>
+        <source>linear in temperature</source>
+        <translation>linear in der Temperatur</translation>
+    </message>
+    <message>
+        <source>microseconds</source>
+        <translation>Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>Millisekunden</translation>
+    </message>
+    <message>
+        <source>nanoseconds</source>
+        <translation>Nanosekunden</translation>
+    </message>
+    <message>
+        <source>no board has readings of gyroscope and accelerometer</source>
+        <translation>keine Platine hat Messwerte von Gyroskop und Beschleunigungssensor</translation>
+    </message>
+    <message>
+        <source>no instant of the run has a reference</source>
+        <translation>kein Zeitpunkt des Ergebnisses hat eine Referenz</translation>
+    </message>
+    <message>
+        <source>no sensor has readings or attitudes</source>
+        <translation>kein Sensor hat Messwerte oder Lagen</translation>
+    </message>
+    <message>
+        <source>noctule --batch process %1</source>
+        <translation>noctule --batch process %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>one calibration or actor cannot be that of several subjects</source>
+        <translation>eine Kalibrierung oder Körpermaße können nicht für mehrere Personen gelten</translation>
+    </message>
+    <message>
+        <source>ours</source>
+        <translation>ours</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>own</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>residual uT</source>
+        <translation>Rest uT</translation>
+    </message>
+    <message>
+        <source>s does not lie in the take of</source>
+        <translation>s liegt nicht in der Aufnahme von</translation>
+    </message>
+    <message>
+        <source>s lies outside the take of</source>
+        <translation>s liegt außerhalb der Aufnahme von</translation>
+    </message>
+    <message>
+        <source>signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>smoothed</source>
+        <translation>geglättet</translation>
+    </message>
+    <message>
+        <source>spread after %</source>
+        <translation>Streuung nachher %</translation>
+    </message>
+    <message>
+        <source>spread before %</source>
+        <translation>Streuung vorher %</translation>
+    </message>
+    <message>
+        <source>strength uT</source>
+        <translation>Stärke uT</translation>
+    </message>
+    <message>
+        <source>the calibration knows none of its boards</source>
+        <translation>die Kalibrierung kennt keine ihrer Platinen</translation>
+    </message>
+    <message>
+        <source>the calibration knows none of the suit's boards (%1)</source>
+        <translation>die Kalibrierung kennt keine der Platinen des Anzugs (%1)</translation>
+    </message>
+    <message>
+        <source>the estimator lost its state at %1 s: the data contradict each other</source>
+        <translation>der Schätzer verlor seinen Zustand bei %1 s: die Daten widersprechen einander</translation>
+    </message>
+    <message>
+        <source>the results could not be kept beside the take</source>
+        <translation>die Ergebnisse ließen sich nicht neben der Aufnahme ablegen</translation>
+    </message>
+    <message>
+        <source>the room (suit %1)</source>
+        <translation>der Raum (Anzug %1)</translation>
+    </message>
+    <message>
+        <source>the sound holds %1 boards, the suit describes %2</source>
+        <translation>der Schall enthält %1 Platinen, der Anzug beschreibt %2</translation>
+    </message>
+    <message>
+        <source>the take holds no distances between its suits</source>
+        <translation>die Aufnahme enthält keine Abstände zwischen ihren Anzügen</translation>
+    </message>
+    <message>
+        <source>there is no reference of a single sensor to compare with</source>
+        <translation>es gibt keine Referenz eines einzelnen Sensors zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>turns before deg</source>
+        <translation>Drehungen vorher deg</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>with --root given another system says where everybody is</source>
+        <translation>mit --root given sagt ein anderes System, wo alle sind</translation>
+    </message>
+</context>
+<context>
+    <name>core/recording</name>
+    <message>
+        <source>%1 ORDER BY id</source>
+        <translation>%1 ORDER BY id</translation>
+    </message>
+    <message>
+        <source>%1 ORDER BY range.pulse,%2,range.board</source>
+        <translation>%1 ORDER BY range.pulse,%2,range.board</translation>
+    </message>
+    <message>
+        <source>%1 WHERE id=?</source>
+        <translation>%1 WHERE id=?</translation>
+    </message>
+    <message>
+        <source>%1 from others</source>
+        <translation>%1 von anderen</translation>
+    </message>
+    <message>
+        <source>%1 has no name or no list of suits</source>
+        <translation>%1 hat keinen Namen oder keine Liste von Anzügen</translation>
+    </message>
+    <message>
+        <source>%1 has suit %2, which the take does not describe</source>
+        <translation>%1 hat Anzug %2, den die Aufnahme nicht beschreibt</translation>
+    </message>
+    <message>
+        <source>%1 of suit %2</source>
+        <translation>%1 von Anzug %2</translation>
+    </message>
+    <message>
+        <source>%1%2 AND %3 AND board=? ORDER BY frame</source>
+        <translation>%1%2 AND %3 AND board=? ORDER BY frame</translation>
+    </message>
+    <message>
+        <source>%1%2 AND run=%3 ORDER BY 1,2</source>
+        <translation>%1%2 AND run=%3 ORDER BY 1,2</translation>
+    </message>
+    <message>
+        <source>%1%2 ORDER BY id DESC LIMIT 1</source>
+        <translation>%1%2 ORDER BY id DESC LIMIT 1</translation>
+    </message>
+    <message>
+        <source>%1: %2%3 stands beside it, so it is in use</source>
+        <translation>%1: %2%3 liegt daneben, die Datei ist also in Gebrauch</translation>
+    </message>
+    <message>
+        <source>%1: a number to be stored is not finite</source>
+        <translation>%1: eine zu speichernde Zahl ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>%1: a row contradicts another one%2</source>
+        <translation>%1: eine Zeile widerspricht einer anderen%2</translation>
+    </message>
+    <message>
+        <source>%1: another program holds a lock on the file</source>
+        <translation>%1: ein anderes Programm hält eine Sperre auf die Datei</translation>
+    </message>
+    <message>
+        <source>%1: cannot be opened%2</source>
+        <translation>%1: lässt sich nicht öffnen%2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read</source>
+        <translation>%1: lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read to its end</source>
+        <translation>%1: lässt sich nicht bis zum Ende lesen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written%2</source>
+        <translation>%1: lässt sich nicht schreiben%2</translation>
+    </message>
+    <message>
+        <source>%1: exists already</source>
+        <translation>%1: gibt es schon</translation>
+    </message>
+    <message>
+        <source>%1: is a take of format version %2, this program reads version %3</source>
+        <translation>%1: ist eine Aufnahme der Formatversion %2, dieses Programm liest Version %3</translation>
+    </message>
+    <message>
+        <source>%1: is being recorded, so it is left alone</source>
+        <translation>%1: wird gerade aufgenommen und bleibt deshalb unberührt</translation>
+    </message>
+    <message>
+        <source>%1: is damaged: %2</source>
+        <translation>%1: ist beschädigt: %2</translation>
+    </message>
+    <message>
+        <source>%1: is not a take, it is a database of another kind</source>
+        <translation>%1: ist keine Aufnahme, es ist eine Datenbank anderer Art</translation>
+    </message>
+    <message>
+        <source>%1: is not a take, it is no SQLite database</source>
+        <translation>%1: ist keine Aufnahme, es ist keine SQLite-Datenbank</translation>
+    </message>
+    <message>
+        <source>%1: is not a take, its '%2' is a %3%4 instead of a table of rows</source>
+        <translation>%1: ist keine Aufnahme, '%2' ist %3%4 statt einer Tabelle mit Zeilen</translation>
+    </message>
+    <message>
+        <source>%1: is not a take, its format is '%2'</source>
+        <translation>%1: ist keine Aufnahme, das Format ist '%2'</translation>
+    </message>
+    <message>
+        <source>%1: its -wal file cannot be used in this folder</source>
+        <translation>%1: die -wal-Datei lässt sich in diesem Ordner nicht verwenden</translation>
+    </message>
+    <message>
+        <source>%1: meta subjects: %2</source>
+        <translation>%1: meta subjects: %2</translation>
+    </message>
+    <message>
+        <source>%1: reading one row takes too long</source>
+        <translation>%1: eine Zeile zu lesen dauert zu lange</translation>
+    </message>
+    <message>
+        <source>%1: reading or writing the disk failed%2</source>
+        <translation>%1: Lesen oder Schreiben auf dem Datenträger schlug fehl%2</translation>
+    </message>
+    <message>
+        <source>%1: run 0 is the recording itself and is never dropped</source>
+        <translation>%1: Ergebnis 0 ist die Aufzeichnung selbst und wird nie verworfen</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full</source>
+        <translation>%1: der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>%1: the file is damaged%2</source>
+        <translation>%1: die Datei ist beschädigt%2</translation>
+    </message>
+    <message>
+        <source>%1: the pose at %2 ns is not finite</source>
+        <translation>%1: die Pose bei %2 ns ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>%1: there is no such marker any more</source>
+        <translation>%1: diese Marke gibt es nicht mehr</translation>
+    </message>
+    <message>
+        <source>%1: unexpected content%2</source>
+        <translation>%1: unerwarteter Inhalt%2</translation>
+    </message>
+    <message>
+        <source>AND (pulse.id IS NULL OR %1)</source>
+        <translation>AND (pulse.id IS NULL OR %1)</translation>
+    </message>
+    <message>
+        <source>AND range.pulse BETWEEN %1 AND %2</source>
+        <translation>AND range.pulse BETWEEN %1 AND %2</translation>
+    </message>
+    <message>
+        <source>AND run=%1</source>
+        <translation>AND run=%1</translation>
+    </message>
+    <message>
+        <source>AND sample BETWEEN %1 AND %2</source>
+        <translation>AND sample BETWEEN %1 AND %2</translation>
+    </message>
+    <message>
+        <source>Add the number of boards (1 to 32) to its meta table</source>
+        <translation>Die Anzahl der Platinen (1 bis 32) in ihre Tabelle meta eintragen</translation>
+    </message>
+    <message>
+        <source>Add the rate with which the take was recorded to its meta table</source>
+        <translation>Die Rate, mit der aufgenommen wurde, in die Tabelle meta der Aufnahme eintragen</translation>
+    </message>
+    <message>
+        <source>Ask its author what is in it; `noctule --batch recover` may save the rest</source>
+        <translation>Beim Ersteller nachfragen, was darin ist; `noctule --batch recover` kann den Rest retten</translation>
+    </message>
+    <message>
+        <source>Check that the folder has room</source>
+        <translation>Prüfen, ob der Ordner Platz hat</translation>
+    </message>
+    <message>
+        <source>Check that the same data is not added twice</source>
+        <translation>Prüfen, ob dieselben Daten zweimal hinzugefügt werden</translation>
+    </message>
+    <message>
+        <source>Check that you may write there</source>
+        <translation>Prüfen, ob dort geschrieben werden darf</translation>
+    </message>
+    <message>
+        <source>Check the disk</source>
+        <translation>Den Datenträger prüfen</translation>
+    </message>
+    <message>
+        <source>Check the path and its permissions</source>
+        <translation>Den Pfad und seine Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>Check the path and the permissions of the file and its folder</source>
+        <translation>Pfad und Rechte von Datei und Ordner prüfen</translation>
+    </message>
+    <message>
+        <source>Choose a .noctule file</source>
+        <translation>Eine .noctule-Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose a .noctule file from a source that you trust</source>
+        <translation>Eine .noctule-Datei aus vertrauenswürdiger Quelle wählen</translation>
+    </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>Einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>Choose another name, or run `noctule --batch recover` on it first</source>
+        <translation>Einen anderen Namen wählen oder zuerst `noctule --batch recover` darauf ausführen</translation>
+    </message>
+    <message>
+        <source>Copy both files to a folder where you may write</source>
+        <translation>Beide Dateien in einen Ordner kopieren, in dem geschrieben werden darf</translation>
+    </message>
+    <message>
+        <source>Copy the file to a folder where you may write</source>
+        <translation>Die Datei in einen Ordner kopieren, in dem geschrieben werden darf</translation>
+    </message>
+    <message>
+        <source>Correct subjects in the take's meta table, or remove it</source>
+        <translation>subjects in der Tabelle meta der Aufnahme berichtigen oder entfernen</translation>
+    </message>
+    <message>
+        <source>FROM range LEFT JOIN pulse ON pulse.id=range.pulse%1 AND +%2</source>
+        <translation>FROM range LEFT JOIN pulse ON pulse.id=range.pulse%1 AND +%2</translation>
+    </message>
+    <message>
+        <source>Free some space and try again</source>
+        <translation>Platz schaffen und erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Install a newer Noctule</source>
+        <translation>Ein neueres Noctule installieren</translation>
+    </message>
+    <message>
+        <source>Keep the file and its -wal; nothing was changed</source>
+        <translation>Die Datei und ihre -wal-Datei aufbewahren; nichts wurde verändert</translation>
+    </message>
+    <message>
+        <source>Look at the take again</source>
+        <translation>Die Aufnahme erneut ansehen</translation>
+    </message>
+    <message>
+        <source>Name a derived run</source>
+        <translation>Ein abgeleitetes Ergebnis nennen</translation>
+    </message>
+    <message>
+        <source>Name one with --%1</source>
+        <translation>Eines mit --%1 nennen</translation>
+    </message>
+    <message>
+        <source>PRIMARY KEY(run, pulse, suit, board)</source>
+        <translation>PRIMARY KEY(run, pulse, suit, board)</translation>
+    </message>
+    <message>
+        <source>PRIMARY KEY(run, suit, board, frame)</source>
+        <translation>PRIMARY KEY(run, suit, board, frame)</translation>
+    </message>
+    <message>
+        <source>Please report this with the take</source>
+        <translation>Zusammen mit der Aufnahme melden</translation>
+    </message>
+    <message>
+        <source>Process the take first</source>
+        <translation>Zuerst die Aufnahme verarbeiten</translation>
+    </message>
+    <message>
+        <source>Run `noctule --batch inspect` on it to see what is there</source>
+        <translation>`noctule --batch inspect` darauf ausführen, um zu sehen, was da ist</translation>
+    </message>
+    <message>
+        <source>Run `noctule --batch recover` on it, which saves what can be read into a new file</source>
+        <translation>`noctule --batch recover` darauf ausführen, das alles Lesbare in eine neue Datei rettet</translation>
+    </message>
+    <message>
+        <source>Use a take whose suit table has it</source>
+        <translation>Eine Aufnahme verwenden, deren Tabelle suit ihn enthält</translation>
+    </message>
+    <message>
+        <source>WHERE id=%1</source>
+        <translation>WHERE id=%1</translation>
+    </message>
+    <message>
+        <source>WHERE rowid=%1</source>
+        <translation>WHERE rowid=%1</translation>
+    </message>
+    <message>
+        <source>WHERE run=%1</source>
+        <translation>WHERE run=%1</translation>
+    </message>
+    <message>
+        <source>WHERE run=%1 AND %2=%3</source>
+        <translation>WHERE run=%1 AND %2=%3</translation>
+    </message>
+    <message>
+        <source>Wait until the other program is done, or close it, and try again</source>
+        <translation>Warten, bis das andere Programm fertig ist, oder es schließen, dann erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Wait until the recording has ended</source>
+        <translation>Warten, bis die Aufnahme beendet ist</translation>
+    </message>
+    <message>
+        <source>Write the take again</source>
+        <translation>Die Aufnahme erneut schreiben</translation>
+    </message>
+    <message>
+        <source>a count is not a number or out of range</source>
+        <translation>ein Zählwert ist keine Zahl oder liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>a number is missing or out of range</source>
+        <translation>eine Zahl fehlt oder liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>a value is missing or out of range, or a sigma is not greater than zero</source>
+        <translation>ein Wert fehlt oder liegt außerhalb des Bereichs, oder ein Sigma ist nicht größer als null</translation>
+    </message>
+    <message>
+        <source>a value is missing, or it ends before it begins</source>
+        <translation>ein Wert fehlt, oder es endet, bevor es beginnt</translation>
+    </message>
+    <message>
+        <source>actor: the performer's measures</source>
+        <translation>actor: die Maße des Darstellers</translation>
+    </message>
+    <message>
+        <source>board %1 frame %2</source>
+        <translation>Platine %1 Rahmen %2</translation>
+    </message>
+    <message>
+        <source>board is not in the suit</source>
+        <translation>die Platine gehört nicht zum Anzug</translation>
+    </message>
+    <message>
+        <source>calibration: how counts become values</source>
+        <translation>calibration: wie aus Zählwerten Messwerte werden</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked:</source>
+        <translation>lässt sich nicht entpacken:</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked: %1</source>
+        <translation>lässt sich nicht entpacken: %1</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>contacts</translation>
+    </message>
+    <message>
+        <source>contacts_%1</source>
+        <translation>contacts_%1</translation>
+    </message>
+    <message>
+        <source>data has %1 bytes instead of %2</source>
+        <translation>data hat %1 Bytes statt %2</translation>
+    </message>
+    <message>
+        <source>data is missing</source>
+        <translation>data fehlt</translation>
+    </message>
+    <message>
+        <source>frame is not a count</source>
+        <translation>frame ist keine Anzahl</translation>
+    </message>
+    <message>
+        <source>id is not 1, 2, ...</source>
+        <translation>id ist nicht 1, 2, ...</translation>
+    </message>
+    <message>
+        <source>inertial</source>
+        <translation>inertial</translation>
+    </message>
+    <message>
+        <source>inertial: readings</source>
+        <translation>inertial: Messwerte</translation>
+    </message>
+    <message>
+        <source>is no list of subjects</source>
+        <translation>ist keine Liste von Personen</translation>
+    </message>
+    <message>
+        <source>is not a number from %1 to %2</source>
+        <translation>ist keine Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>its codec is not known to this program</source>
+        <translation>sein Codec ist diesem Programm nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its pulse is missing or out of range</source>
+        <translation>ihr Puls fehlt oder liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>key or value is missing</source>
+        <translation>key oder value fehlt</translation>
+    </message>
+    <message>
+        <source>meta says %1 boards, the suit describes %2</source>
+        <translation>meta nennt %1 Platinen, der Anzug beschreibt %2</translation>
+    </message>
+    <message>
+        <source>names nobody but the room</source>
+        <translation>nennt niemanden außer dem Raum</translation>
+    </message>
+    <message>
+        <source>of another board</source>
+        <translation>einer anderen Platine</translation>
+    </message>
+    <message>
+        <source>of suit %1</source>
+        <translation>von Anzug %1</translation>
+    </message>
+    <message>
+        <source>overlaps the block before</source>
+        <translation>überschneidet sich mit dem Block davor</translation>
+    </message>
+    <message>
+        <source>position or rotations are not those of %1 joints</source>
+        <translation>Position oder Drehungen passen nicht zu %1 Gelenken</translation>
+    </message>
+    <message>
+        <source>pulse</source>
+        <translation>pulse</translation>
+    </message>
+    <message>
+        <source>pulse: what the sources sent</source>
+        <translation>pulse: was die Quellen sendeten</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>range</translation>
+    </message>
+    <message>
+        <source>range: distances</source>
+        <translation>range: Entfernungen</translation>
+    </message>
+    <message>
+        <source>run is not 1, 2, ...</source>
+        <translation>run ist nicht 1, 2, ...</translation>
+    </message>
+    <message>
+        <source>sample is missing or out of range</source>
+        <translation>sample fehlt oder liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>sigma does not hold three numbers per joint</source>
+        <translation>sigma enthält nicht drei Zahlen je Gelenk</translation>
+    </message>
+    <message>
+        <source>source is not in the suit</source>
+        <translation>die Quelle gehört nicht zum Anzug</translation>
+    </message>
+    <message>
+        <source>source or board is not in its suit</source>
+        <translation>Quelle oder Platine gehört nicht zum Anzug</translation>
+    </message>
+    <message>
+        <source>source or board is not in the suit</source>
+        <translation>Quelle oder Platine gehört nicht zum Anzug</translation>
+    </message>
+    <message>
+        <source>subject '%1'</source>
+        <translation>Person '%1'</translation>
+    </message>
+    <message>
+        <source>subject '%1' has no actor: suit %2 carries none</source>
+        <translation>Person '%1' hat keine Körpermaße: Anzug %2 enthält keine</translation>
+    </message>
+    <message>
+        <source>suit %1 is named twice</source>
+        <translation>Anzug %1 ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>suit %1 is not described</source>
+        <translation>Anzug %1 ist nicht beschrieben</translation>
+    </message>
+    <message>
+        <source>suit is not 1, 2, ...</source>
+        <translation>suit ist nicht 1, 2, ...</translation>
+    </message>
+    <message>
+        <source>suit: which boards and sources there are</source>
+        <translation>suit: welche Platinen und Quellen es gibt</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>text is missing</source>
+        <translation>text fehlt</translation>
+    </message>
+    <message>
+        <source>the quaternion is not a unit</source>
+        <translation>das Quaternion hat nicht die Länge eins</translation>
+    </message>
+    <message>
+        <source>the room</source>
+        <translation>der Raum</translation>
+    </message>
+    <message>
+        <source>the table has more than %1 rows</source>
+        <translation>die Tabelle hat mehr als %1 Zeilen</translation>
+    </message>
+    <message>
+        <source>the take has more than 64 suits</source>
+        <translation>die Aufnahme hat mehr als 64 Anzüge</translation>
+    </message>
+    <message>
+        <source>there are more than four pulses in a millisecond</source>
+        <translation>es gibt mehr als vier Pulse in einer Millisekunde</translation>
+    </message>
+    <message>
+        <source>there is no %1 %2</source>
+        <translation>es gibt kein %1 %2</translation>
+    </message>
+    <message>
+        <source>there is no pose run %1</source>
+        <translation>es gibt kein Ergebnis %1 mit Posen</translation>
+    </message>
+    <message>
+        <source>time or quaternion is missing</source>
+        <translation>Zeit oder Quaternion fehlt</translation>
+    </message>
+    <message>
+        <source>two subjects are called '%1'</source>
+        <translation>zwei Personen heißen '%1'</translation>
+    </message>
+    <message>
+        <source>with id %1</source>
+        <translation>mit id %1</translation>
+    </message>
+</context>
+<context>
+    <name>core/render</name>
+    <message>
+        <source>A picture of %1 x %2 pixels cannot be drawn</source>
+        <translation>Ein Bild von %1 x %2 Pixeln lässt sich nicht zeichnen</translation>
+    </message>
+    <message>
+        <source>Choose 1 to %1 pixels</source>
+        <translation>1 bis %1 Pixel wählen</translation>
+    </message>
+    <message>
+        <source>EGL does not start</source>
+        <translation>EGL startet nicht</translation>
+    </message>
+    <message>
+        <source>EGL offers no OpenGL</source>
+        <translation>EGL bietet kein OpenGL</translation>
+    </message>
+    <message>
+        <source>EGL's surfaceless platform is missing</source>
+        <translation>die Plattform surfaceless von EGL fehlt</translation>
+    </message>
+    <message>
+        <source>Install Mesa's EGL (libegl1 and libgl1-mesa-dri)</source>
+        <translation>EGL von Mesa installieren (libegl1 und libgl1-mesa-dri)</translation>
+    </message>
+    <message>
+        <source>Install the driver of the graphics card; everything but the 3D view works without it</source>
+        <translation>Den Treiber der Grafikkarte installieren; alles außer der 3D-Ansicht läuft auch ohne ihn</translation>
+    </message>
+    <message>
+        <source>Pictures cannot be drawn without a window: %1</source>
+        <translation>Ohne Fenster lassen sich keine Bilder zeichnen: %1</translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.3, and this computer offers %1</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.3, und dieser Rechner bietet %1</translation>
+    </message>
+    <message>
+        <source>The graphics driver could not link the shaders "%1"</source>
+        <translation>Der Grafiktreiber konnte die Shader "%1" nicht verbinden</translation>
+    </message>
+    <message>
+        <source>The graphics driver refused the shader "%1": %2</source>
+        <translation>Der Grafiktreiber wies den Shader "%1" ab: %2</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver</source>
+        <translation>Den Grafiktreiber aktualisieren</translation>
+    </message>
+    <message>
+        <source>another OpenGL context is in use in this thread</source>
+        <translation>in diesem Thread ist ein anderer OpenGL-Kontext in Gebrauch</translation>
+    </message>
+    <message>
+        <source>there is no OpenGL 3.3</source>
+        <translation>es gibt kein OpenGL 3.3</translation>
+    </message>
+</context>
+<context>
+    <name>core/report</name>
+    <message>
+        <source>%1 against the reference</source>
+        <translation>%1 gegen die Referenz</translation>
+    </message>
+    <message>
+        <source>%1 frames could not be compared because the reference has none near them.</source>
+        <translation>%1 Bilder ließen sich nicht vergleichen, weil die Referenz keines in ihrer Nähe hat.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 more than %2 off on average, worst %3 with %4.</source>
+        <translation>%1 im Mittel um mehr als %2 daneben, am weitesten %3 mit %4.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 were backed by ranges in at least 90 % of the frames. Less: %3.</source>
+        <translation>%1 von %2 wurden in mindestens 90 % der Bilder von Entfernungen gestützt. Weniger: %3.</translation>
+    </message>
+    <message>
+        <source>%1 of the readings are present</source>
+        <translation>%1 der Messwerte sind vorhanden</translation>
+    </message>
+    <message>
+        <source>%1 s of movement</source>
+        <translation>%1 s Bewegung</translation>
+    </message>
+    <message>
+        <source>%1 to %2: mean %3, %4 ranges used, %5 rejected</source>
+        <translation>%1 zu %2: Mittel %3, %4 Entfernungen verwendet, %5 verworfen</translation>
+    </message>
+    <message>
+        <source>%1, orientation difference</source>
+        <translation>%1, Unterschied der Orientierung</translation>
+    </message>
+    <message>
+        <source>%1. Mean joint error %2 against %3.</source>
+        <translation>%1. Mittlerer Gelenkfehler %2 gegen %3.</translation>
+    </message>
+    <message>
+        <source>%1delivered %2 of its readings. Check its plug and cable.</source>
+        <translation>%1lieferte %2 ihrer Messwerte. Stecker und Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>%1was clipped in %2: the motion was faster than its range.</source>
+        <translation>%1war in %2 übersteuert: die Bewegung war schneller als ihr Messbereich.</translation>
+    </message>
+    <message>
+        <source>, its nominal speed</source>
+        <translation>, seine Nenndrehzahl</translation>
+    </message>
+    <message>
+        <source>, residual %1 mm</source>
+        <translation>, Restfehler %1 mm</translation>
+    </message>
+    <message>
+        <source>, root given</source>
+        <translation>, Wurzel gegeben</translation>
+    </message>
+    <message>
+        <source>1, good from 0.5</source>
+        <translation>1, gut ab 0,5</translation>
+    </message>
+    <message>
+        <source>A joint is backed by ranges in a frame when, a moment before, a range in use lay across it. Otherwise it goes on by its boards' inertia, and without these by the model.</source>
+        <translation>Ein Gelenk ist in einem Bild von Entfernungen gestützt, wenn einen Augenblick zuvor eine verwendete Entfernung über ihm lag. Sonst läuft es mit der Trägheit seiner Platinen weiter und ohne diese mit dem Modell.</translation>
+    </message>
+    <message>
+        <source>AGD</source>
+        <translation>AGD</translation>
+    </message>
+    <message>
+        <source>Accelerometers</source>
+        <translation>Beschleunigungssensoren</translation>
+    </message>
+    <message>
+        <source>Accelerometers of %1 boards</source>
+        <translation>Beschleunigungssensoren von %1 Platinen</translation>
+    </message>
+    <message>
+        <source>Actor</source>
+        <translation>Körpermaße</translation>
+    </message>
+    <message>
+        <source>Against the calibration in force.</source>
+        <translation>Gegen die gültige Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>All joints</source>
+        <translation>Alle Gelenke</translation>
+    </message>
+    <message>
+        <source>All pairs</source>
+        <translation>Alle Paare</translation>
+    </message>
+    <message>
+        <source>All that these numbers were made with.</source>
+        <translation>Alles, womit diese Zahlen entstanden.</translation>
+    </message>
+    <message>
+        <source>Angle between the estimated and the reference orientation over time</source>
+        <translation>Winkel zwischen geschätzter und Referenzorientierung über die Zeit</translation>
+    </message>
+    <message>
+        <source>Angle between the estimated and the reference rotation of each joint, of run %1. Curves are Cardan angles in the order Z, X, Y from the T pose, named as the ISB names them; an angle is positive in the direction of its name.</source>
+        <translation>Winkel zwischen geschätzter und Referenzdrehung jedes Gelenks, von Ergebnis %1. Kurven sind Kardanwinkel in der Reihenfolge Z, X, Y ab der T-Haltung, benannt wie von der ISB; ein Winkel ist positiv in der Richtung seines Namens.</translation>
+    </message>
+    <message>
+        <source>Angles in degrees, lengths in metres unless a column says otherwise, time in minutes and seconds of the take.</source>
+        <translation>Winkel in Grad, Längen in Metern, wenn eine Spalte nichts anderes sagt, Zeit in Minuten und Sekunden der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>Bits repaired</source>
+        <translation>Berichtigte Bits</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Platine</translation>
+    </message>
+    <message>
+        <source>Boards</source>
+        <translation>Platinen</translation>
+    </message>
+    <message>
+        <source>Boards aligned: %1 with %2</source>
+        <translation>Ausgerichtete Platinen: %1 mit %2</translation>
+    </message>
+    <message>
+        <source>Bones</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>By source</source>
+        <translation>Nach Quelle</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Cannot be checked: %1</source>
+        <translation>Keine Kontrolle möglich: %1</translation>
+    </message>
+    <message>
+        <source>Chest</source>
+        <translation>Brust</translation>
+    </message>
+    <message>
+        <source>Clipped, accelerometer</source>
+        <translation>Übersteuert, Beschleunigungssensor</translation>
+    </message>
+    <message>
+        <source>Clipped, gyroscope</source>
+        <translation>Übersteuert, Gyroskop</translation>
+    </message>
+    <message>
+        <source>Compared over %1 in %2 after %3 s of rest. Good: mean under %4 and no joint over %5; usable: mean under %6.</source>
+        <translation>Verglichen über %1 in %2 nach %3 s Ruhe. Gut: Mittel unter %4 und kein Gelenk über %5; brauchbar: Mittel unter %6.</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Konfidenz</translation>
+    </message>
+    <message>
+        <source>Confidence of each pulse over time as dots, 0 when not heard, and its mean over a second</source>
+        <translation>Konfidenz jedes Pulses über die Zeit als Punkte, 0 wenn nicht gehört, und ihr Mittel über eine Sekunde</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Difference to the reference over time</source>
+        <translation>Unterschied zur Referenz über die Zeit</translation>
+    </message>
+    <message>
+        <source>Distances of single pairs</source>
+        <translation>Entfernungen einzelner Paare</translation>
+    </message>
+    <message>
+        <source>Drawn are the last %1 of %2 runs.</source>
+        <translation>Gezeichnet sind die letzten %1 von %2 Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>Drift per minute</source>
+        <translation>Drift je Minute</translation>
+    </message>
+    <message>
+        <source>Each distance measured with offsets made without it. The paper had 2.35 mm in the mean, 1.92 mm deviation.</source>
+        <translation>Jede Entfernung, gemessen mit Versätzen, die ohne sie entstanden. Die Arbeit nannte 2,35 mm im Mittel, 1,92 mm Abweichung.</translation>
+    </message>
+    <message>
+        <source>Error of every distance</source>
+        <translation>Fehler jeder Entfernung</translation>
+    </message>
+    <message>
+        <source>Error of every joint</source>
+        <translation>Fehler jedes Gelenks</translation>
+    </message>
+    <message>
+        <source>Error of gravity in every position</source>
+        <translation>Fehler der Schwerkraft in jeder Stellung</translation>
+    </message>
+    <message>
+        <source>Error of the rate in every turn and rest</source>
+        <translation>Fehler der Drehrate bei jeder Drehung und Ruhe</translation>
+    </message>
+    <message>
+        <source>Errors of distances that took no part</source>
+        <translation>Fehler der Entfernungen, die nicht beteiligt waren</translation>
+    </message>
+    <message>
+        <source>Estimate and reference over time; the band is two sigma of the estimate</source>
+        <translation>Schätzung und Referenz über die Zeit; das Band ist zwei Sigma der Schätzung</translation>
+    </message>
+    <message>
+        <source>Estimator</source>
+        <translation>Schätzer</translation>
+    </message>
+    <message>
+        <source>Every joint was backed by ranges in at least 90 % of the frames.</source>
+        <translation>Jedes Gelenk wurde in mindestens 90 % der Bilder von Entfernungen gestützt.</translation>
+    </message>
+    <message>
+        <source>Factor on the length that the performer's measures give.</source>
+        <translation>Faktor auf die Länge, die sich aus den Maßen des Darstellers ergibt.</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>ForeArm</source>
+        <translation>ForeArm</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>From %1.</source>
+        <translation>Aus %1.</translation>
+    </message>
+    <message>
+        <source>From the start of the drive to what the detector reports at distance 0.</source>
+        <translation>Vom Beginn der Ansteuerung bis zu dem, was der Detektor bei Entfernung 0 meldet.</translation>
+    </message>
+    <message>
+        <source>Gyroscopes</source>
+        <translation>Gyroskope</translation>
+    </message>
+    <message>
+        <source>Gyroscopes of %1 boards; the table turned at %2 rpm%3</source>
+        <translation>Gyroskope von %1 Platinen; der Drehteller lief mit %2 U/min%3</translation>
+    </message>
+    <message>
+        <source>Half of the time a joint errs less than its median, 95 % of the time less than the value so headed. NEES compares the errors with what the filter says about them: 1 is honest, more is too sure. Position is that of the joint in the frame of the pelvis, so it gathers the errors of all joints above.</source>
+        <translation>Die Hälfte der Zeit irrt ein Gelenk um weniger als seinen Median, 95 % der Zeit um weniger als den Wert dieser Überschrift. NEES vergleicht die Fehler mit dem, was das Filter über sie sagt: 1 ist ehrlich, mehr ist zu sicher. Position ist die des Gelenks im Bezugssystem des Beckens, sammelt also die Fehler aller Gelenke darüber.</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Heading and position of the root cannot be observed by the suit: nothing on it measures them absolutely, so they drift.</source>
+        <translation>Richtung und Position der Wurzel kann der Anzug nicht beobachten: nichts an ihm misst sie absolut, also driften sie.</translation>
+    </message>
+    <message>
+        <source>Heading, root mean square</source>
+        <translation>Richtung, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>Heard</source>
+        <translation>Gehört</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Verdeckt</translation>
+    </message>
+    <message>
+        <source>How each run of this take compares with the reference: the angle between the two orientations of a joint, its mean and its standard deviation over the take.</source>
+        <translation>Wie jedes Ergebnis dieser Aufnahme gegen die Referenz abschneidet: der Winkel zwischen den beiden Orientierungen eines Gelenks, sein Mittel und seine Standardabweichung über die Aufnahme.</translation>
+    </message>
+    <message>
+        <source>How each sits on its segment. A turn about the vertical cannot be seen in a rest pose.</source>
+        <translation>Wie jede auf ihrem Glied sitzt. Eine Drehung um die Senkrechte ist in einer Ruhehaltung nicht zu sehen.</translation>
+    </message>
+    <message>
+        <source>How each sits on its segment. A turn that no movement shows keeps the sigma that the rest pose leaves it: of hands, feet and head, and of a limb about its own bone.</source>
+        <translation>Wie jede auf ihrem Glied sitzt. Eine Drehung, die keine Bewegung zeigt, behält das Sigma, das die Ruhehaltung ihr lässt: bei Händen, Füßen und Kopf und bei einem Glied um den eigenen Knochen.</translation>
+    </message>
+    <message>
+        <source>How far each board could trust what it heard of each source: strength, continuity and angle, multiplied. Pulses that were not heard count as 0. Dots are single pulses, curves their mean over a second.</source>
+        <translation>Wie weit jede Platine dem trauen konnte, was sie von jeder Quelle hörte: Stärke, Stetigkeit und Winkel, multipliziert. Nicht gehörte Pulse zählen als 0. Punkte sind einzelne Pulse, Kurven ihr Mittel über eine Sekunde.</translation>
+    </message>
+    <message>
+        <source>How far each board leans from its place on the performer</source>
+        <translation>Wie weit jede Platine von ihrem Sitz am Darsteller abgeneigt ist</translation>
+    </message>
+    <message>
+        <source>How far other runs are from the shown run, in degrees</source>
+        <translation>Wie weit andere Ergebnisse vom gezeigten abweichen, in Grad</translation>
+    </message>
+    <message>
+        <source>How far the hips wander from the reference after heading and position were made equal in the first compared frame.</source>
+        <translation>Wie weit die Hüfte von der Referenz wegwandert, nachdem Richtung und Position im ersten verglichenen Bild gleichgesetzt wurden.</translation>
+    </message>
+    <message>
+        <source>How far the values are apart.</source>
+        <translation>Wie weit die Werte auseinanderliegen.</translation>
+    </message>
+    <message>
+        <source>How much later the other one takes each for; 1 µs is a third of a millimetre.</source>
+        <translation>Wie viel später die andere jede ansetzt; 1 µs ist ein drittel Millimeter.</translation>
+    </message>
+    <message>
+        <source>How often ranges backed each joint is not known for this run.</source>
+        <translation>Wie oft Entfernungen jedes Gelenk stützten, ist für dieses Ergebnis nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>How the performer stood, against the rest pose asked for.</source>
+        <translation>Wie der Darsteller stand, verglichen mit der verlangten Ruhehaltung.</translation>
+    </message>
+    <message>
+        <source>Identity</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>Inertia alone</source>
+        <translation>Trägheit allein</translation>
+    </message>
+    <message>
+        <source>Inertial readings</source>
+        <translation>Trägheitsmesswerte</translation>
+    </message>
+    <message>
+        <source>Inertial stream by board</source>
+        <translation>Trägheitsdaten je Platine</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>LeftFoot</source>
+        <translation>LeftFoot</translation>
+    </message>
+    <message>
+        <source>LeftUpLeg</source>
+        <translation>LeftUpLeg</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Bein</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Verloren</translation>
+    </message>
+    <message>
+        <source>M%1h0</source>
+        <translation>M%1h0</translation>
+    </message>
+    <message>
+        <source>M8 1.8a6.2 6.2 0 110 12.4A6.2 6.2 0 018 1.8zM8 4.8v3.9M8 11v.1</source>
+        <translation>M8 1.8a6.2 6.2 0 110 12.4A6.2 6.2 0 018 1.8zM8 4.8v3.9M8 11v.1</translation>
+    </message>
+    <message>
+        <source>M8 1.8a6.2 6.2 0 110 12.4A6.2 6.2 0 018 1.8zM8 7.3v4M8 4.8v.1</source>
+        <translation>M8 1.8a6.2 6.2 0 110 12.4A6.2 6.2 0 018 1.8zM8 7.3v4M8 4.8v.1</translation>
+    </message>
+    <message>
+        <source>M8 2.2L14.5 13.5H1.5zM8 6.5v3.2M8 11.6v.1</source>
+        <translation>M8 2.2L14.5 13.5H1.5zM8 6.5v3.2M8 11.6v.1</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Erstellt</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Mean joint error over time, runs with gyroscopes</source>
+        <translation>Mittlerer Gelenkfehler über die Zeit, Ergebnisse mit Gyroskopen</translation>
+    </message>
+    <message>
+        <source>Mean joint error over time, runs without gyroscopes</source>
+        <translation>Mittlerer Gelenkfehler über die Zeit, Ergebnisse ohne Gyroskope</translation>
+    </message>
+    <message>
+        <source>Mean of all joints</source>
+        <translation>Mittel aller Gelenke</translation>
+    </message>
+    <message>
+        <source>Mean over all joints of the angle to the reference, one curve per run</source>
+        <translation>Mittel des Winkels zur Referenz über alle Gelenke, eine Kurve je Ergebnis</translation>
+    </message>
+    <message>
+        <source>Mean over the take</source>
+        <translation>Mittel über die Aufnahme</translation>
+    </message>
+    <message>
+        <source>Mean, against the worst joint</source>
+        <translation>Mittel, gegen das schlechteste Gelenk</translation>
+    </message>
+    <message>
+        <source>Measured distances over time by what became of them</source>
+        <translation>Gemessene Entfernungen über die Zeit, danach, was aus ihnen wurde</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Fehlend</translation>
+    </message>
+    <message>
+        <source>Model alone</source>
+        <translation>Modell allein</translation>
+    </message>
+    <message>
+        <source>Mounting of %1 boards from %2 with %3 and %4</source>
+        <translation>Sitz von %1 Platinen aus %2 mit %3 und %4</translation>
+    </message>
+    <message>
+        <source>Movement</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>NEES</source>
+        <translation>NEES</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Hals</translation>
+    </message>
+    <message>
+        <source>No run of this take has been compared: it has no reference, or was not processed yet.</source>
+        <translation>Kein Ergebnis dieser Aufnahme wurde verglichen: sie hat keine Referenz oder ist noch nicht verarbeitet.</translation>
+    </message>
+    <message>
+        <source>Not judged. Without a reference the error of this take is not known.</source>
+        <translation>Nicht beurteilt. Ohne Referenz ist der Fehler dieser Aufnahme nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Not processed yet. The take holds no run to judge.</source>
+        <translation>Noch nicht verarbeitet. Die Aufnahme enthält kein Ergebnis zum Beurteilen.</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Nothing could be found from %1</source>
+        <translation>Nichts ließ sich finden aus: %1</translation>
+    </message>
+    <message>
+        <source>Nothing has moved</source>
+        <translation>Nichts ist verrutscht</translation>
+    </message>
+    <message>
+        <source>Offsets</source>
+        <translation>Versätze</translation>
+    </message>
+    <message>
+        <source>Offsets of %1 sources;</source>
+        <translation>Versätze von %1 Quellen;</translation>
+    </message>
+    <message>
+        <source>Orientation differences to the reference by sensors, in degrees</source>
+        <translation>Unterschiede der Orientierung zur Referenz nach Sensoren, in Grad</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>Über die Zeit</translation>
+    </message>
+    <message>
+        <source>Performer</source>
+        <translation>Darsteller</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Position mm</source>
+        <translation>Position mm</translation>
+    </message>
+    <message>
+        <source>Position, root mean square</source>
+        <translation>Position, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>Process the take, then evaluate it again.</source>
+        <translation>Die Aufnahme verarbeiten, dann erneut auswerten.</translation>
+    </message>
+    <message>
+        <source>Pulses</source>
+        <translation>Pulse</translation>
+    </message>
+    <message>
+        <source>Pulses by board</source>
+        <translation>Pulse nach Platine</translation>
+    </message>
+    <message>
+        <source>Pulses by source</source>
+        <translation>Pulse nach Quelle</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>Entfernungen</translation>
+    </message>
+    <message>
+        <source>Readings present</source>
+        <translation>Vorhandene Messwerte</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Aufgenommen</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Reference time added</source>
+        <translation>Zur Referenzzeit addiert</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>Verworfen</translation>
+    </message>
+    <message>
+        <source>Residual mm</source>
+        <translation>Restfehler mm</translation>
+    </message>
+    <message>
+        <source>Rest at its start</source>
+        <translation>Ruhe am Anfang</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>RightArm</source>
+        <translation>RightArm</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>Root</source>
+        <translation>Wurzel</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Run %1</source>
+        <translation>Ergebnis %1</translation>
+    </message>
+    <message>
+        <source>Run %1: sensors %2, estimator %3, smoothing %4, root %5.</source>
+        <translation>Ergebnis %1: Sensoren %2, Schätzer %3, Glättung %4, Wurzel %5.</translation>
+    </message>
+    <message>
+        <source>Sample rate</source>
+        <translation>Abtastrate</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>Sensors and runs</source>
+        <translation>Sensoren und Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Settings, calibration and versions</source>
+        <translation>Einstellungen, Kalibrierung und Versionen</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Share of frames</source>
+        <translation>Anteil der Bilder</translation>
+    </message>
+    <message>
+        <source>Shares</source>
+        <translation>Anteile</translation>
+    </message>
+    <message>
+        <source>Shoulder</source>
+        <translation>Schulter</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Software</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Source offsets</source>
+        <translation>Quellenversätze</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Quellen</translation>
+    </message>
+    <message>
+        <source>Sources in use, by board over time</source>
+        <translation>Verwendete Quellen, nach Platine über die Zeit</translation>
+    </message>
+    <message>
+        <source>Spine</source>
+        <translation>Wirbelsäule</translation>
+    </message>
+    <message>
+        <source>Standard deviations are those that the recording itself implies.</source>
+        <translation>Standardabweichungen sind die, die aus der Aufzeichnung selbst folgen.</translation>
+    </message>
+    <message>
+        <source>Standard deviations of the worst axis. Good: zeros within 0.02 °/s, slopes within 0.03 %.</source>
+        <translation>Standardabweichungen der schlechtesten Achse. Gut: Nullpunkte auf 0,02 °/s, Steigungen auf 0,03 %.</translation>
+    </message>
+    <message>
+        <source>Standard deviations of the worst axis. Good: zeros within 2 mg, slopes within 0.04 %.</source>
+        <translation>Standardabweichungen der schlechtesten Achse. Gut: Nullpunkte auf 2 mg, Steigungen auf 0,04 %.</translation>
+    </message>
+    <message>
+        <source>Still check</source>
+        <translation>Kontrolle im Stillstehen</translation>
+    </message>
+    <message>
+        <source>Summary</source>
+        <translation>Zusammenfassung</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Take report</source>
+        <translation>Bericht zur Aufnahme</translation>
+    </message>
+    <message>
+        <source>The angle between a joint's two orientations, in the mean and below what it is for 95 % of the time. The shown run is %1. Which of two runs is right only a reference tells.</source>
+        <translation>Der Winkel zwischen den beiden Orientierungen eines Gelenks, im Mittel und der Wert, unter dem er 95 % der Zeit liegt. Das gezeigte Ergebnis ist %1. Welches von zwei Ergebnissen stimmt, sagt nur eine Referenz.</translation>
+    </message>
+    <message>
+        <source>The calibration no longer holds</source>
+        <translation>Die Kalibrierung gilt nicht mehr</translation>
+    </message>
+    <message>
+        <source>The clocks of take and reference were not aligned: the reference's motion %1. Check that the reference shows this take.</source>
+        <translation>Die Uhren von Aufnahme und Referenz wurden nicht angeglichen: die Bewegung der Referenz %1. Prüfen, ob die Referenz diese Aufnahme zeigt.</translation>
+    </message>
+    <message>
+        <source>The filter is too sure of itself: its errors are %1 times as large as it says (NEES %2 instead of 1).</source>
+        <translation>Das Filter ist sich zu sicher: seine Fehler sind %1-mal so groß, wie es sagt (NEES %2 statt 1).</translation>
+    </message>
+    <message>
+        <source>The filter rejected %1 of the ranges it tried: a wrong source offset, a board out of place or a pose that has been lost.</source>
+        <translation>Das Filter verwarf %1 der Entfernungen, die es prüfte: ein falscher Quellenversatz, eine verrutschte Platine oder eine verlorene Pose.</translation>
+    </message>
+    <message>
+        <source>The paper's rows are its Table 1: another motion, performer and suit, 30 s against an optical system. They are a scale to read ours by and no contest. Its neck is our head joint.</source>
+        <translation>Die Zeilen der Arbeit sind ihre Tabelle 1: andere Bewegung, anderer Darsteller und Anzug, 30 s gegen ein optisches System. Sie sind ein Maßstab, um unsere zu lesen, und kein Wettstreit. Ihr Hals ist unser Kopfgelenk.</translation>
+    </message>
+    <message>
+        <source>The reference has errors of its own, which are contained in every error of this report.</source>
+        <translation>Die Referenz hat eigene Fehler, die in jedem Fehler dieses Berichts enthalten sind.</translation>
+    </message>
+    <message>
+        <source>The reference is the simulation's own truth: errors contain what the simulation models and nothing that it leaves out.</source>
+        <translation>Die Referenz ist die Wahrheit der Simulation selbst: Fehler enthalten, was die Simulation nachbildet, und nichts, was sie auslässt.</translation>
+    </message>
+    <message>
+        <source>The root came from another system; this report says nothing about how well the suit alone would know it.</source>
+        <translation>Die Wurzel kam von einem anderen System; dieser Bericht sagt nichts darüber, wie gut der Anzug allein sie kennen würde.</translation>
+    </message>
+    <message>
+        <source>The shown run used no gyroscopes: rotation between two ranges or readings is a guess of the model.</source>
+        <translation>Das gezeigte Ergebnis verwendete keine Gyroskope: die Drehung zwischen zwei Entfernungen oder Messwerten ist eine Vermutung des Modells.</translation>
+    </message>
+    <message>
+        <source>The shown run used no ranges: every joint rested on inertia alone and nothing held the angles between segments over long times.</source>
+        <translation>Das gezeigte Ergebnis verwendete keine Entfernungen: jedes Gelenk beruhte allein auf Trägheit, und nichts hielt die Winkel zwischen Gliedern über lange Zeit.</translation>
+    </message>
+    <message>
+        <source>The take describes no boards.</source>
+        <translation>Die Aufnahme beschreibt keine Platinen.</translation>
+    </message>
+    <message>
+        <source>The take holds no pulses, so there is no confidence to show.</source>
+        <translation>Die Aufnahme enthält keine Pulse, also gibt es keine Konfidenz zu zeigen.</translation>
+    </message>
+    <message>
+        <source>The take holds no ranges.</source>
+        <translation>Die Aufnahme enthält keine Entfernungen.</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Tilt of each board against the calibration</source>
+        <translation>Neigung jeder Platine gegen die Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Tilt of the root is held by gravity in the accelerometers.</source>
+        <translation>Die Neigung der Wurzel hält die Schwerkraft in den Beschleunigungssensoren.</translation>
+    </message>
+    <message>
+        <source>Tilt, root mean square</source>
+        <translation>Neigung, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>ToeBase</source>
+        <translation>ToeBase</translation>
+    </message>
+    <message>
+        <source>Trunk</source>
+        <translation>Rumpf</translation>
+    </message>
+    <message>
+        <source>UpLeg</source>
+        <translation>UpLeg</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>Verwendet</translation>
+    </message>
+    <message>
+        <source>What became of every pulse at every board: heard or not, used by the filter or thrown out because it did not fit the pose.</source>
+        <translation>Was aus jedem Puls an jeder Platine wurde: gehört oder nicht, vom Filter verwendet oder verworfen, weil er nicht zur Pose passte.</translation>
+    </message>
+    <message>
+        <source>What each board's stream delivered. A lost frame silences its axes until their next absolute value; a clipped reading lies at the end of its range and is never used.</source>
+        <translation>Was der Datenstrom jeder Platine lieferte. Ein verlorener Rahmen lässt seine Achsen bis zu ihrem nächsten absoluten Wert verstummen; ein übersteuerter Messwert liegt am Ende seines Bereichs und wird nie verwendet.</translation>
+    </message>
+    <message>
+        <source>What each joint rested on</source>
+        <translation>Worauf jedes Gelenk beruhte</translation>
+    </message>
+    <message>
+        <source>What is left over of each board's distances</source>
+        <translation>Was von den Entfernungen jeder Platine übrig bleibt</translation>
+    </message>
+    <message>
+        <source>What was observable</source>
+        <translation>Was beobachtbar war</translation>
+    </message>
+    <message>
+        <source>Where each sits on its segment, and what its distances are too long by.</source>
+        <translation>Wo jede auf ihrem Glied sitzt und um wie viel ihre Entfernungen zu lang sind.</translation>
+    </message>
+    <message>
+        <source>Without a reference the drift is not known.</source>
+        <translation>Ohne Referenz ist die Drift nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Without a reference the joints cannot be scored.</source>
+        <translation>Ohne Referenz lassen sich die Gelenke nicht bewerten.</translation>
+    </message>
+    <message>
+        <source>Without accelerometers nothing holds the tilt of the root.</source>
+        <translation>Ohne Beschleunigungssensoren hält nichts die Neigung der Wurzel.</translation>
+    </message>
+    <message>
+        <source>Written by</source>
+        <translation>Geschrieben von</translation>
+    </message>
+    <message>
+        <source>a distance is right within %1 mm in the mean</source>
+        <translation>eine Entfernung stimmt im Mittel auf %1 mm</translation>
+    </message>
+    <message>
+        <source>accelerometer's zero, mg</source>
+        <translation>Nullpunkt des Beschleunigungssensors, mg</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>axes seen</source>
+        <translation>gesehene Achsen</translation>
+    </message>
+    <message>
+        <source>backed by ranges</source>
+        <translation>von Entfernungen gestützt</translation>
+    </message>
+    <message>
+        <source>bending to the right</source>
+        <translation>Neigung nach rechts</translation>
+    </message>
+    <message>
+        <source>boards heard</source>
+        <translation>gehörte Platinen</translation>
+    </message>
+    <message>
+        <source>by gravity's ripple</source>
+        <translation>nach der Welligkeit der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>by inertia alone</source>
+        <translation>von Trägheit allein</translation>
+    </message>
+    <message>
+        <source>by the model alone</source>
+        <translation>vom Modell allein</translation>
+    </message>
+    <message>
+        <source>change of the speed of sound</source>
+        <translation>Änderung der Schallgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>class="word"</source>
+        <translation>class="word"</translation>
+    </message>
+    <message>
+        <source>deviation, mm</source>
+        <translation>Abweichung, mm</translation>
+    </message>
+    <message>
+        <source>distances heard</source>
+        <translation>gehörte Entfernungen</translation>
+    </message>
+    <message>
+        <source>distances, mm</source>
+        <translation>Entfernungen, mm</translation>
+    </message>
+    <message>
+        <source>dot faint</source>
+        <translation>dot faint</translation>
+    </message>
+    <message>
+        <source>dot rejected</source>
+        <translation>dot rejected</translation>
+    </message>
+    <message>
+        <source>dot unused</source>
+        <translation>dot unused</translation>
+    </message>
+    <message>
+        <source>error of a distance left out, mean</source>
+        <translation>Fehler einer ausgelassenen Entfernung, Mittel</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>Schätzung</translation>
+    </message>
+    <message>
+        <source>estimate with 2 sigma</source>
+        <translation>Schätzung mit 2 Sigma</translation>
+    </message>
+    <message>
+        <source>extended Kalman filter</source>
+        <translation>erweitertes Kalman-Filter</translation>
+    </message>
+    <message>
+        <source>external rotation</source>
+        <translation>Außendrehung</translation>
+    </message>
+    <message>
+        <source>forward rotation</source>
+        <translation>Vorwärtsdrehung</translation>
+    </message>
+    <message>
+        <source>four and more</source>
+        <translation>vier und mehr</translation>
+    </message>
+    <message>
+        <source>given by another system</source>
+        <translation>von einem anderen System gegeben</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>gyroscope's zero, counts</source>
+        <translation>Nullpunkt des Gyroskops, Zählwerte</translation>
+    </message>
+    <message>
+        <source>gyroscope's zero, °/s</source>
+        <translation>Nullpunkt des Gyroskops, °/s</translation>
+    </message>
+    <message>
+        <source>hands, feet and head, mean position error in the frame of the pelvis</source>
+        <translation>Hände, Füße und Kopf, mittlerer Positionsfehler im Bezugssystem des Beckens</translation>
+    </message>
+    <message>
+        <source>heard, not used</source>
+        <translation>gehört, nicht verwendet</translation>
+    </message>
+    <message>
+        <source>hidden by the body</source>
+        <translation>vom Körper verdeckt</translation>
+    </message>
+    <message>
+        <source>horizontal extension</source>
+        <translation>horizontale Streckung</translation>
+    </message>
+    <message>
+        <source>horizontal flexion</source>
+        <translation>horizontale Beugung</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>internal rotation</source>
+        <translation>Innendrehung</translation>
+    </message>
+    <message>
+        <source>its deviation</source>
+        <translation>seine Abweichung</translation>
+    </message>
+    <message>
+        <source>its slopes, %</source>
+        <translation>seine Steigungen, %</translation>
+    </message>
+    <message>
+        <source>joint at the lower end</source>
+        <translation>Gelenk am unteren Ende</translation>
+    </message>
+    <message>
+        <source>joint is</source>
+        <translation>Gelenk liegt</translation>
+    </message>
+    <message>
+        <source>joints are</source>
+        <translation>Gelenke liegen</translation>
+    </message>
+    <message>
+        <source>leg</source>
+        <translation>Bein</translation>
+    </message>
+    <message>
+        <source>mean joint error against the reference</source>
+        <translation>mittlerer Gelenkfehler gegen die Referenz</translation>
+    </message>
+    <message>
+        <source>mean, mm</source>
+        <translation>Mittel, mm</translation>
+    </message>
+    <message>
+        <source>no distance could be judged</source>
+        <translation>keine Entfernung ließ sich beurteilen</translation>
+    </message>
+    <message>
+        <source>no distances to compare</source>
+        <translation>keine Entfernungen zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>no pulses recorded</source>
+        <translation>keine Pulse aufgenommen</translation>
+    </message>
+    <message>
+        <source>no source</source>
+        <translation>keine Quelle</translation>
+    </message>
+    <message>
+        <source>of frames backed by ranges, mean over joints</source>
+        <translation>der Bilder von Entfernungen gestützt, Mittel über die Gelenke</translation>
+    </message>
+    <message>
+        <source>place, mm</source>
+        <translation>Ort, mm</translation>
+    </message>
+    <message>
+        <source>place, sigma, mm</source>
+        <translation>Ort, Sigma, mm</translation>
+    </message>
+    <message>
+        <source>radial deviation</source>
+        <translation>Radialabduktion</translation>
+    </message>
+    <message>
+        <source>range residual, root mean square of the ranges used</source>
+        <translation>Entfernungsrest, quadratisches Mittel der verwendeten Entfernungen</translation>
+    </message>
+    <message>
+        <source>ranges %1, inertia alone %2</source>
+        <translation>Entfernungen %1, Trägheit allein %2</translation>
+    </message>
+    <message>
+        <source>rejected by the gate</source>
+        <translation>von der Schranke verworfen</translation>
+    </message>
+    <message>
+        <source>residual rms, mm</source>
+        <translation>Restfehler RMS, mm</translation>
+    </message>
+    <message>
+        <source>rest pose</source>
+        <translation>Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>rest poses</source>
+        <translation>Ruhehaltungen</translation>
+    </message>
+    <message>
+        <source>scope="row"</source>
+        <translation>scope="row"</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>sigma about x y z, °</source>
+        <translation>Sigma um x y z, °</translation>
+    </message>
+    <message>
+        <source>sigma of the turns that the movement shows</source>
+        <translation>Sigma der Drehungen, die die Bewegung zeigt</translation>
+    </message>
+    <message>
+        <source>sigma of the worst board's upright</source>
+        <translation>Sigma der Senkrechten der schlechtesten Platine</translation>
+    </message>
+    <message>
+        <source>sigma of the worst offset</source>
+        <translation>Sigma des schlechtesten Versatzes</translation>
+    </message>
+    <message>
+        <source>sigma of the worst slope</source>
+        <translation>Sigma der schlechtesten Steigung</translation>
+    </message>
+    <message>
+        <source>sigma of the worst zero</source>
+        <translation>Sigma des schlechtesten Nullpunkts</translation>
+    </message>
+    <message>
+        <source>sigma, mm</source>
+        <translation>Sigma, mm</translation>
+    </message>
+    <message>
+        <source>the %1 reference</source>
+        <translation>die Referenz von %1</translation>
+    </message>
+    <message>
+        <source>the board that has tilted most</source>
+        <translation>die am stärksten gekippte Platine</translation>
+    </message>
+    <message>
+        <source>the board that leans most</source>
+        <translation>die am stärksten geneigte Platine</translation>
+    </message>
+    <message>
+        <source>the largest change of distances</source>
+        <translation>die größte Änderung der Entfernungen</translation>
+    </message>
+    <message>
+        <source>the paper</source>
+        <translation>die Arbeit</translation>
+    </message>
+    <message>
+        <source>the simulated truth</source>
+        <translation>die simulierte Wahrheit</translation>
+    </message>
+    <message>
+        <source>the table, by gravity's ripple</source>
+        <translation>der Drehteller, nach der Welligkeit der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>the table, nominal</source>
+        <translation>der Drehteller, Nennwert</translation>
+    </message>
+    <message>
+        <source>tick end</source>
+        <translation>tick end</translation>
+    </message>
+    <message>
+        <source>tick mid</source>
+        <translation>tick mid</translation>
+    </message>
+    <message>
+        <source>too long, mm</source>
+        <translation>zu lang, mm</translation>
+    </message>
+    <message>
+        <source>turn to the left</source>
+        <translation>Drehung nach links</translation>
+    </message>
+    <message>
+        <source>turns and rests</source>
+        <translation>Drehungen und Ruhe</translation>
+    </message>
+    <message>
+        <source>turns shown</source>
+        <translation>gezeigte Drehungen</translation>
+    </message>
+    <message>
+        <source>ulnar deviation</source>
+        <translation>Ulnarabduktion</translation>
+    </message>
+    <message>
+        <source>with outliers</source>
+        <translation>mit Ausreißern</translation>
+    </message>
+    <message>
+        <source>worst, mm</source>
+        <translation>größter, mm</translation>
+    </message>
+    <message>
+        <source>zero, mg</source>
+        <translation>Nullpunkt, mg</translation>
+    </message>
+</context>
+<context>
+    <name>core/review</name>
+    <message>
+        <source>%1: an overview of the sound needs a column</source>
+        <translation>%1: eine Übersicht des Tons braucht eine Spalte</translation>
+    </message>
+    <message>
+        <source>%1: has no board %2</source>
+        <translation>%1: hat keine Platine %2</translation>
+    </message>
+    <message>
+        <source>%1: holds no sound</source>
+        <translation>%1: enthält keinen Ton</translation>
+    </message>
+    <message>
+        <source>%1: holds readings, not sound</source>
+        <translation>%1: enthält Messwerte, keinen Ton</translation>
+    </message>
+    <message>
+        <source>%1: sound can be shown for 10 s at most</source>
+        <translation>%1: Ton lässt sich für höchstens 10 s zeigen</translation>
+    </message>
+    <message>
+        <source>: holds no reference</source>
+        <translation>: enthält keine Referenz</translation>
+    </message>
+    <message>
+        <source>: the run %1 holds no poses</source>
+        <translation>: Ergebnis %1 enthält keine Posen</translation>
+    </message>
+    <message>
+        <source>Attach a reference first</source>
+        <translation>Zuerst eine Referenz anhängen</translation>
+    </message>
+    <message>
+        <source>Choose a take that was recorded with it</source>
+        <translation>Eine Aufnahme wählen, die mit Ton aufgenommen wurde</translation>
+    </message>
+    <message>
+        <source>Choose one of its %1 boards</source>
+        <translation>Eine ihrer %1 Platinen wählen</translation>
+    </message>
+    <message>
+        <source>Loading ranges</source>
+        <translation>Entfernungen werden geladen</translation>
+    </message>
+    <message>
+        <source>Loading readings</source>
+        <translation>Messwerte werden geladen</translation>
+    </message>
+    <message>
+        <source>Look at its ranges and readings instead</source>
+        <translation>Stattdessen ihre Entfernungen und Messwerte ansehen</translation>
+    </message>
+    <message>
+        <source>Process the take again</source>
+        <translation>Die Aufnahme erneut verarbeiten</translation>
+    </message>
+    <message>
+        <source>Reading the sound</source>
+        <translation>Der Ton wird gelesen</translation>
+    </message>
+    <message>
+        <source>The take lacks a part: %1.</source>
+        <translation>Der Aufnahme fehlt ein Teil: %1.</translation>
+    </message>
+    <message>
+        <source>Widen the plot</source>
+        <translation>Die Kurve breiter machen</translation>
+    </message>
+    <message>
+        <source>Zoom in on a shorter time</source>
+        <translation>Auf eine kürzere Zeit vergrößern</translation>
+    </message>
+</context>
+<context>
+    <name>core/robot</name>
+    <message>
+        <source>%1 is floating or planar, or of no known type</source>
+        <translation>%1 ist floating oder planar oder von unbekanntem Typ</translation>
+    </message>
+    <message>
+        <source>%1 joints move between "%2" and "%3"</source>
+        <translation>%1 Gelenke bewegen sich zwischen "%2" und "%3"</translation>
+    </message>
+    <message>
+        <source>%1 would come too near; the arms brake. Move them apart.</source>
+        <translation>%1 kämen sich zu nah; die Arme bremsen. Sie auseinandernehmen.</translation>
+    </message>
+    <message>
+        <source>%1: is no usable URDF%2</source>
+        <translation>%1: ist keine brauchbare URDF-Datei%2</translation>
+    </message>
+    <message>
+        <source>%1: its shoulders and hips stand in one line</source>
+        <translation>%1: Schultern und Hüften liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>%1: no bone is known as %2%3</source>
+        <translation>%1: kein Knochen ist als %2%3 bekannt</translation>
+    </message>
+    <message>
+        <source>%1: the arm on the %2 has a bone without length</source>
+        <translation>%1: der Arm auf der Seite %2 hat einen Knochen ohne Länge</translation>
+    </message>
+    <message>
+        <source>Apart at one instant, rms</source>
+        <translation>Abstand zum selben Zeitpunkt, RMS</translation>
+    </message>
+    <message>
+        <source>Choose a chain of 1 to %1 moving joints</source>
+        <translation>Eine Kette mit 1 bis %1 beweglichen Gelenken wählen</translation>
+    </message>
+    <message>
+        <source>Choose a chain of joints that are driven</source>
+        <translation>Eine Kette aus angetriebenen Gelenken wählen</translation>
+    </message>
+    <message>
+        <source>Choose another motion</source>
+        <translation>Eine andere Bewegung wählen</translation>
+    </message>
+    <message>
+        <source>Choose another with --arms</source>
+        <translation>Einen anderen mit --arms wählen</translation>
+    </message>
+    <message>
+        <source>Choose the robot's .urdf file</source>
+        <translation>Die .urdf-Datei des Roboters wählen</translation>
+    </message>
+    <message>
+        <source>Correct its mimic element</source>
+        <translation>Sein Element mimic berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct its origin</source>
+        <translation>Den Ursprung berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct the joint or add the link</source>
+        <translation>Das Gelenk berichtigen oder den Link hinzufügen</translation>
+    </message>
+    <message>
+        <source>Correct the profile, or leave it out to have one made</source>
+        <translation>Das Profil berichtigen oder weglassen, damit eines erstellt wird</translation>
+    </message>
+    <message>
+        <source>Exchange the two</source>
+        <translation>Die beiden vertauschen</translation>
+    </message>
+    <message>
+        <source>Give a profile that names the joints (core/robot/README.md)</source>
+        <translation>Ein Profil angeben, das die Gelenke nennt (core/robot/README.md)</translation>
+    </message>
+    <message>
+        <source>Give every part a name</source>
+        <translation>Jedem Teil einen Namen geben</translation>
+    </message>
+    <message>
+        <source>Give it an axis such as 0 0 1</source>
+        <translation>Eine Achse wie 0 0 1 angeben</translation>
+    </message>
+    <message>
+        <source>Joint %1 is %2 from its command. Commands go back to where the robot is; check the joint, then engage again.</source>
+        <translation>Gelenk %1 ist %2 von seinem Befehl entfernt. Die Befehle gehen dorthin zurück, wo der Roboter ist; das Gelenk prüfen, dann erneut einkuppeln.</translation>
+    </message>
+    <message>
+        <source>Joint %1 is %2 from the performer; bring the arm nearer to the robot's posture.</source>
+        <translation>Gelenk %1 ist %2 vom Darsteller entfernt; den Arm näher an die Haltung des Roboters bringen.</translation>
+    </message>
+    <message>
+        <source>Leave --trunk out, or name them in the profile</source>
+        <translation>--trunk weglassen oder sie im Profil nennen</translation>
+    </message>
+    <message>
+        <source>Let it mimic the joint that leads</source>
+        <translation>Es das führende Gelenk nachahmen lassen</translation>
+    </message>
+    <message>
+        <source>Let the base of both arms lie above what they share, or choose one with --arms</source>
+        <translation>Die Basis beider Arme über das legen, was sie teilen, oder einen mit --arms wählen</translation>
+    </message>
+    <message>
+        <source>Let the motion begin and end in about one posture, and at rest</source>
+        <translation>Die Bewegung in etwa gleicher Haltung und in Ruhe beginnen und enden lassen</translation>
+    </message>
+    <message>
+        <source>Name a base nearer to the root</source>
+        <translation>Eine Basis näher an der Wurzel nennen</translation>
+    </message>
+    <message>
+        <source>Name a link of the URDF</source>
+        <translation>Einen Link der URDF-Datei nennen</translation>
+    </message>
+    <message>
+        <source>No fresh pose of the performer; the robot holds. Check the suit.</source>
+        <translation>Keine frische Pose des Darstellers; der Roboter hält. Den Anzug prüfen.</translation>
+    </message>
+    <message>
+        <source>Open the loop at one of the two; only trees of links can be followed</source>
+        <translation>Die Schleife an einem von beiden öffnen; nur Bäume von Links werden unterstützt</translation>
+    </message>
+    <message>
+        <source>Open the loop; only trees of links can be followed</source>
+        <translation>Die Schleife öffnen; nur Bäume von Links werden unterstützt</translation>
+    </message>
+    <message>
+        <source>Points compared</source>
+        <translation>Verglichene Punkte</translation>
+    </message>
+    <message>
+        <source>Rename or remove one of them</source>
+        <translation>Eines davon umbenennen oder entfernen</translation>
+    </message>
+    <message>
+        <source>Rest after the delay, largest</source>
+        <translation>Rest nach der Verzögerung, größter</translation>
+    </message>
+    <message>
+        <source>Rest after the delay, rms</source>
+        <translation>Rest nach der Verzögerung, RMS</translation>
+    </message>
+    <message>
+        <source>Run `xacro FILE -o robot.urdf` and choose the result</source>
+        <translation>`xacro FILE -o robot.urdf` ausführen und das Ergebnis wählen</translation>
+    </message>
+    <message>
+        <source>Shorten it to 1000 characters</source>
+        <translation>Ihn auf 1000 Zeichen kürzen</translation>
+    </message>
+    <message>
+        <source>Take --mapping posture</source>
+        <translation>--mapping posture verwenden</translation>
+    </message>
+    <message>
+        <source>Take a longer motion, or leave the loop out</source>
+        <translation>Eine längere Bewegung verwenden oder die Schleife weglassen</translation>
+    </message>
+    <message>
+        <source>Take a motion whose skeleton has a trunk</source>
+        <translation>Eine Bewegung verwenden, deren Skelett einen Rumpf hat</translation>
+    </message>
+    <message>
+        <source>Take a motion with both arms, or rename its joints</source>
+        <translation>Eine Bewegung mit beiden Armen verwenden oder ihre Gelenke umbenennen</translation>
+    </message>
+    <message>
+        <source>Take a motion with whole arms</source>
+        <translation>Eine Bewegung mit vollständigen Armen verwenden</translation>
+    </message>
+    <message>
+        <source>Take a simpler model</source>
+        <translation>Ein einfacheres Modell verwenden</translation>
+    </message>
+    <message>
+        <source>Take the URDF that the commands were made for</source>
+        <translation>Die URDF-Datei verwenden, für die die Befehle entstanden</translation>
+    </message>
+    <message>
+        <source>The hand leaves the robot's workspace; the robot stays at its border.</source>
+        <translation>Die Hand verlässt den Arbeitsraum des Roboters; der Roboter bleibt an dessen Rand.</translation>
+    </message>
+    <message>
+        <source>The pose is uncertain; the robot moves slowly.</source>
+        <translation>Die Pose ist unsicher; der Roboter bewegt sich langsam.</translation>
+    </message>
+    <message>
+        <source>The robot does not answer; it is told to hold. Check its program and the network.</source>
+        <translation>Der Roboter antwortet nicht; er soll halten. Sein Programm und das Netz prüfen.</translation>
+    </message>
+    <message>
+        <source>The robot refuses: the command is too far from where it is. Commands go back to it; then engage again.</source>
+        <translation>Der Roboter weigert sich: der Befehl ist zu weit von seiner Haltung entfernt. Die Befehle gehen dorthin zurück; dann erneut einkuppeln.</translation>
+    </message>
+    <message>
+        <source>Use fixed, revolute, continuous and prismatic joints</source>
+        <translation>Gelenke vom Typ fixed, revolute, continuous und prismatic verwenden</translation>
+    </message>
+    <message>
+        <source>Write the limit from the robot's data sheet</source>
+        <translation>Die Grenze aus dem Datenblatt des Roboters eintragen</translation>
+    </message>
+    <message>
+        <source>a %1 has no name</source>
+        <translation>ein %1 hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>arm %1 has %2 joints, its reference or speeds have another number</source>
+        <translation>Arm %1 hat %2 Gelenke, seine Referenz oder seine Geschwindigkeiten haben eine andere Anzahl</translation>
+    </message>
+    <message>
+        <source>arm %1: its shoulder has %2 joints, the mapping of Miller needs three</source>
+        <translation>Arm %1: seine Schulter hat %2 Gelenke, die Abbildung nach Miller braucht drei</translation>
+    </message>
+    <message>
+        <source>arm %1: the axes of its shoulder are no Euler sequence</source>
+        <translation>Arm %1: die Achsen seiner Schulter sind keine Euler-Folge</translation>
+    </message>
+    <message>
+        <source>has more than 2000 links</source>
+        <translation>hat mehr als 2000 Links</translation>
+    </message>
+    <message>
+        <source>is a xacro file, from which a URDF has yet to be made</source>
+        <translation>ist eine xacro-Datei, aus der erst noch eine URDF-Datei zu erstellen ist</translation>
+    </message>
+    <message>
+        <source>is no URDF</source>
+        <translation>ist keine URDF-Datei</translation>
+    </message>
+    <message>
+        <source>joint "%1" in the chain follows another joint</source>
+        <translation>Gelenk "%1" in der Kette folgt einem anderen Gelenk</translation>
+    </message>
+    <message>
+        <source>joint "%1" is not in arm %2</source>
+        <translation>Gelenk "%1" gehört nicht zu Arm %2</translation>
+    </message>
+    <message>
+        <source>joint "%1" mimics a joint that mimics too</source>
+        <translation>Gelenk "%1" ahmt ein Gelenk nach, das selbst nachahmt</translation>
+    </message>
+    <message>
+        <source>joint "%1" mimics no joint that is there</source>
+        <translation>Gelenk "%1" ahmt kein vorhandenes Gelenk nach</translation>
+    </message>
+    <message>
+        <source>joint %1 names no %2 link that is there%3</source>
+        <translation>Gelenk %1 nennt als %2 keinen vorhandenen Link%3</translation>
+    </message>
+    <message>
+        <source>joint %1 states no %2 limit, %3 is assumed</source>
+        <translation>Gelenk %1 nennt keine Grenze %2, %3 wird angenommen</translation>
+    </message>
+    <message>
+        <source>link "%1" does not hang below link "%2"</source>
+        <translation>Link "%1" hängt nicht unter Link "%2"</translation>
+    </message>
+    <message>
+        <source>link %1 hangs below itself: the robot has a loop</source>
+        <translation>Link %1 hängt unter sich selbst: der Roboter hat eine Schleife</translation>
+    </message>
+    <message>
+        <source>no arm of 4 to 7 joints is known by its names (%1 found)</source>
+        <translation>kein Arm mit 4 bis 7 Gelenken ist an seinen Namen zu erkennen (%1 gefunden)</translation>
+    </message>
+    <message>
+        <source>robot %1 has no arm on the side asked for</source>
+        <translation>Roboter %1 hat auf der verlangten Seite keinen Arm</translation>
+    </message>
+    <message>
+        <source>robot %1 has no joints in its trunk</source>
+        <translation>Roboter %1 hat keine Gelenke im Rumpf</translation>
+    </message>
+    <message>
+        <source>robot %1: joint "%2" belongs to two arms</source>
+        <translation>Roboter %1: Gelenk "%2" gehört zu zwei Armen</translation>
+    </message>
+    <message>
+        <source>shoulder, elbow and wrist of arm %1 do not follow one another</source>
+        <translation>Schulter, Ellbogen und Handgelenk von Arm %1 folgen nicht aufeinander</translation>
+    </message>
+    <message>
+        <source>the %1 %2 stands in it twice</source>
+        <translation>%1 %2 steht zweimal darin</translation>
+    </message>
+    <message>
+        <source>the %1 limit of joint %2 is no finite number (%3)</source>
+        <translation>die Grenze %1 von Gelenk %2 ist keine endliche Zahl (%3)</translation>
+    </message>
+    <message>
+        <source>the axis of %1 has no direction</source>
+        <translation>die Achse von %1 hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>the commands have fewer than three frames</source>
+        <translation>die Befehle haben weniger als drei Bilder</translation>
+    </message>
+    <message>
+        <source>the joints %1 and %2 both hold link %3: the robot has a loop</source>
+        <translation>die Gelenke %1 und %2 halten beide Link %3: der Roboter hat eine Schleife</translation>
+    </message>
+    <message>
+        <source>the lower limit of joint %1 is above its upper limit</source>
+        <translation>die untere Grenze von Gelenk %1 liegt über der oberen</translation>
+    </message>
+    <message>
+        <source>the motion cannot be closed to a loop within the robot's limits</source>
+        <translation>die Bewegung lässt sich innerhalb der Grenzen des Roboters nicht zur Schleife schließen</translation>
+    </message>
+    <message>
+        <source>the name of a</source>
+        <translation>der Name von</translation>
+    </message>
+    <message>
+        <source>the name of a %1 is too long</source>
+        <translation>der Name von %1 ist zu lang</translation>
+    </message>
+    <message>
+        <source>the origin of %1 is no place</source>
+        <translation>der Ursprung von %1 ist kein Ort</translation>
+    </message>
+    <message>
+        <source>the profile does not fit the robot: %1</source>
+        <translation>das Profil passt nicht zum Roboter: %1</translation>
+    </message>
+    <message>
+        <source>the reference of joint "%1" is outside its limits</source>
+        <translation>die Referenz von Gelenk "%1" liegt außerhalb seiner Grenzen</translation>
+    </message>
+    <message>
+        <source>the robot has no joint "%1"</source>
+        <translation>der Roboter hat kein Gelenk "%1"</translation>
+    </message>
+    <message>
+        <source>the velocity limit of joint "%1" is beyond 100 rad/s and says nothing; the profile's limit holds</source>
+        <translation>die Geschwindigkeitsgrenze von Gelenk "%1" liegt über 100 rad/s und besagt nichts; es gilt die Grenze des Profils</translation>
+    </message>
+    <message>
+        <source>the velocity limit of joint %1 is not above 0</source>
+        <translation>die Geschwindigkeitsgrenze von Gelenk %1 liegt nicht über 0</translation>
+    </message>
+    <message>
+        <source>there is no link "%1"</source>
+        <translation>es gibt keinen Link "%1"</translation>
+    </message>
+    <message>
+        <source>upper arm or forearm of arm %1 is shorter than 1 cm</source>
+        <translation>Ober- oder Unterarm von Arm %1 ist kürzer als 1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>core/sensor_calibration</name>
+    <message>
+        <source>Lay it down for two seconds each in 12 positions or more, also with %1 upward</source>
+        <translation>Sie je zwei Sekunden lang in 12 oder mehr Stellungen hinlegen, auch mit %1 nach oben</translation>
+    </message>
+    <message>
+        <source>Lay it down with %1 upward too</source>
+        <translation>Sie auch mit %1 nach oben hinlegen</translation>
+    </message>
+    <message>
+        <source>Lay it on something firm and let go of it</source>
+        <translation>Sie auf etwas Festes legen und loslassen</translation>
+    </message>
+    <message>
+        <source>Record a minute in which the board is turned through all directions</source>
+        <translation>Eine Minute aufnehmen, in der die Platine durch alle Richtungen gedreht wird</translation>
+    </message>
+    <message>
+        <source>Stay in one place, away from iron, and turn the board again</source>
+        <translation>An einem Ort bleiben, fern von Eisen, und die Platine erneut drehen</translation>
+    </message>
+    <message>
+        <source>Stay in one place, away from iron, magnets and cables, and turn the board again</source>
+        <translation>An einem Ort bleiben, fern von Eisen, Magneten und Kabeln, und die Platine erneut drehen</translation>
+    </message>
+    <message>
+        <source>Turn it by half a turn and more about each axis between positions</source>
+        <translation>Sie zwischen den Stellungen um jede Achse eine halbe Umdrehung oder mehr drehen</translation>
+    </message>
+    <message>
+        <source>Turn it more slowly, below its full scale, and about all axes</source>
+        <translation>Sie langsamer drehen, unterhalb des Messbereichsendes, und um alle Achsen</translation>
+    </message>
+    <message>
+        <source>Turn the board about all its axes, slowly, in one place</source>
+        <translation>Die Platine langsam um alle ihre Achsen drehen, am selben Ort</translation>
+    </message>
+    <message>
+        <source>Turn the board until its field has pointed along %1</source>
+        <translation>Die Platine drehen, bis ihr Feld entlang %1 gezeigt hat</translation>
+    </message>
+    <message>
+        <source>gravity differs between positions by %1 m/s^2 after the fit</source>
+        <translation>die Schwerkraft unterscheidet sich nach der Anpassung zwischen Stellungen um %1 m/s^2</translation>
+    </message>
+    <message>
+        <source>it lay still in %1 different positions</source>
+        <translation>sie lag in %1 verschiedenen Stellungen still</translation>
+    </message>
+    <message>
+        <source>it was turned too little about</source>
+        <translation>sie wurde zu wenig gedreht um</translation>
+    </message>
+    <message>
+        <source>it was turned too little about %1</source>
+        <translation>sie wurde zu wenig um %1 gedreht</translation>
+    </message>
+    <message>
+        <source>the field changed while the board was turned</source>
+        <translation>das Feld änderte sich, während die Platine gedreht wurde</translation>
+    </message>
+    <message>
+        <source>the field was read in %1 different directions or fewer</source>
+        <translation>das Feld wurde in %1 verschiedenen Richtungen oder weniger gelesen</translation>
+    </message>
+    <message>
+        <source>the field was seen along %1 of %2 directions</source>
+        <translation>das Feld war in %1 von %2 Richtungen zu sehen</translation>
+    </message>
+    <message>
+        <source>the positions do not determine the accelerometer</source>
+        <translation>die Stellungen bestimmen den Beschleunigungssensor nicht</translation>
+    </message>
+    <message>
+        <source>the readings lie on no ellipsoid that soft iron makes</source>
+        <translation>die Messwerte liegen auf keinem Ellipsoid, wie weiches Eisen es erzeugt</translation>
+    </message>
+    <message>
+        <source>the turns do not determine the fit</source>
+        <translation>die Drehungen bestimmen die Anpassung nicht</translation>
+    </message>
+    <message>
+        <source>the turns do not fit the positions: %1 deg remain</source>
+        <translation>die Drehungen passen nicht zu den Stellungen: %1 Grad bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>core/session</name>
+    <message>
+        <source>%1 is in the list already</source>
+        <translation>%1 steht schon in der Liste</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more. Put it back, or remove the take from the list.</source>
+        <translation>%1 ist nicht mehr da. Wieder zurücklegen oder die Aufnahme aus der Liste entfernen.</translation>
+    </message>
+    <message>
+        <source>%1: a take cannot be called "%2"</source>
+        <translation>%1: eine Aufnahme kann nicht "%2" heißen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be made: %2</source>
+        <translation>%1: lässt sich nicht anlegen: %2</translation>
+    </message>
+    <message>
+        <source>%1: holds no session</source>
+        <translation>%1: enthält keine Sitzung</translation>
+    </message>
+    <message>
+        <source>%1: is finished already</source>
+        <translation>%1: ist schon abgeschlossen</translation>
+    </message>
+    <message>
+        <source>%1: is not a session with takes and a damaged list</source>
+        <translation>%1: ist keine Sitzung mit Aufnahmen und beschädigter Liste</translation>
+    </message>
+    <message>
+        <source>%1: is not a take of this session</source>
+        <translation>%1: ist keine Aufnahme dieser Sitzung</translation>
+    </message>
+    <message>
+        <source>%1: is not empty</source>
+        <translation>%1: ist nicht leer</translation>
+    </message>
+    <message>
+        <source>%1: the recording was not finished. What was written is safe; recover it.</source>
+        <translation>%1: die Aufnahme wurde nicht abgeschlossen. Was geschrieben wurde, ist sicher; sie wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>%1: there is a take of that name already, or one in the trash</source>
+        <translation>%1: es gibt schon eine Aufnahme dieses Namens, oder eine im Papierkorb</translation>
+    </message>
+    <message>
+        <source>%1: there is no such folder</source>
+        <translation>%1: diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>. Its %1 takes are safe</source>
+        <translation>. Ihre %1 Aufnahmen sind sicher</translation>
+    </message>
+    <message>
+        <source>. Its take is safe</source>
+        <translation>. Ihre Aufnahme ist sicher</translation>
+    </message>
+    <message>
+        <source>Choose another name or folder</source>
+        <translation>Einen anderen Namen oder Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Choose another one</source>
+        <translation>Eine andere wählen</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a session</source>
+        <translation>Den Ordner einer Sitzung wählen</translation>
+    </message>
+    <message>
+        <source>Looking at takes</source>
+        <translation>Aufnahmen werden angesehen</translation>
+    </message>
+    <message>
+        <source>Open it as it is</source>
+        <translation>So öffnen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Rebuild the session from its takes; a damaged session.json is kept beside the new one</source>
+        <translation>Die Sitzung aus ihren Aufnahmen neu aufbauen; eine beschädigte session.json bleibt neben der neuen erhalten</translation>
+    </message>
+    <message>
+        <source>Rename or remove the one that is there first</source>
+        <translation>Zuerst die vorhandene umbenennen oder entfernen</translation>
+    </message>
+    <message>
+        <source>There is nothing to recover</source>
+        <translation>Es gibt nichts wiederherzustellen</translation>
+    </message>
+    <message>
+        <source>Use letters, digits, hyphens and underscores</source>
+        <translation>Buchstaben, Ziffern, Bindestriche und Unterstriche verwenden</translation>
+    </message>
+    <message>
+        <source>dual</source>
+        <translation>dual</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+</context>
+<context>
+    <name>core/simulation</name>
+    <message>
+        <source>%1 and %2 both sound at %3%4, and only carriers 5 kHz apart can be told from each other</source>
+        <translation>%1 und %2 klingen beide bei %3%4, und nur Trägerfrequenzen im Abstand von 5 kHz lassen sich unterscheiden</translation>
+    </message>
+    <message>
+        <source>%1 begin in one place in their files and stand in a row instead</source>
+        <translation>%1 beginnen in ihren Dateien am selben Ort und stehen stattdessen in einer Reihe</translation>
+    </message>
+    <message>
+        <source>%1 bias walk</source>
+        <translation>%1 bias walk</translation>
+    </message>
+    <message>
+        <source>%1 cannot sound at %2</source>
+        <translation>%1 kann nicht bei %2 klingen</translation>
+    </message>
+    <message>
+        <source>%1 is not a text</source>
+        <translation>%1 ist kein Text</translation>
+    </message>
+    <message>
+        <source>%1 must be true or false</source>
+        <translation>%1 muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>%1: frame %2, joint %3: a value is not a finite number</source>
+        <translation>%1: Bild %2, Gelenk %3: ein Wert ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1: its figure would be %2 m tall</source>
+        <translation>%1: ihre Figur wäre %2 m groß</translation>
+    </message>
+    <message>
+        <source>%1: pulses of %2 cycles do not fit into their interval of %3 samples</source>
+        <translation>%1: Pulse von %2 Schwingungen passen nicht in ihren Abstand von %3 Abtastwerten</translation>
+    </message>
+    <message>
+        <source>%1: subject %2: mag: magnetometers of a cast are not simulated; it is left out</source>
+        <translation>%1: Darsteller %2: mag: Magnetometer einer Besetzung werden nicht simuliert; es wird ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1: there is no motion in it</source>
+        <translation>%1: es ist keine Bewegung darin</translation>
+    </message>
+    <message>
+        <source>A calibration on the %1 rig does not fit into %2 s</source>
+        <translation>Eine Kalibrierung mit dem Aufbau %1 passt nicht in %2 s</translation>
+    </message>
+    <message>
+        <source>A subject is called "room" beside the room</source>
+        <translation>Ein Darsteller heißt "room" neben dem Raum</translation>
+    </message>
+    <message>
+        <source>A take cannot last %1 s</source>
+        <translation>Eine Aufnahme kann nicht %1 s dauern</translation>
+    </message>
+    <message>
+        <source>Add --level readings</source>
+        <translation>--level readings hinzufügen</translation>
+    </message>
+    <message>
+        <source>Choose a file with frames</source>
+        <translation>Eine Datei mit Bildern wählen</translation>
+    </message>
+    <message>
+        <source>Choose ideal, nominal or realistic</source>
+        <translation>ideal, nominal oder realistic wählen</translation>
+    </message>
+    <message>
+        <source>Correct it in the cast</source>
+        <translation>In der Besetzung berichtigen</translation>
+    </message>
+    <message>
+        <source>Give 0 to 3600 seconds</source>
+        <translation>0 bis 3600 Sekunden angeben</translation>
+    </message>
+    <message>
+        <source>Give at least %1 seconds</source>
+        <translation>Mindestens %1 Sekunden angeben</translation>
+    </message>
+    <message>
+        <source>Give at most a day (86400 seconds)</source>
+        <translation>Höchstens einen Tag angeben (86400 Sekunden)</translation>
+    </message>
+    <message>
+        <source>Give both the same segment in the suit's description</source>
+        <translation>Beiden in der Beschreibung des Anzugs dasselbe Glied geben</translation>
+    </message>
+    <message>
+        <source>Give every subject a name of its own</source>
+        <translation>Jedem Darsteller einen eigenen Namen geben</translation>
+    </message>
+    <message>
+        <source>Give it one with "motion"</source>
+        <translation>Ihm mit "motion" eine geben</translation>
+    </message>
+    <message>
+        <source>Give the person's height with --height M, or the file's unit with --bvh-unit</source>
+        <translation>Die Größe der Person mit --height M oder die Einheit der Datei mit --bvh-unit angeben</translation>
+    </message>
+    <message>
+        <source>Give the subject another name</source>
+        <translation>Dem Darsteller einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>Leave out a subject: at most eight suits, the room's among them, fit between 24 and 68 kHz</source>
+        <translation>Einen Darsteller weglassen: höchstens acht Anzüge, der des Raums eingeschlossen, passen zwischen 24 und 68 kHz</translation>
+    </message>
+    <message>
+        <source>Leave out a subject: no carrier between 24 and 68 kHz is free</source>
+        <translation>Einen Darsteller weglassen: zwischen 24 und 68 kHz ist keine Trägerfrequenz frei</translation>
+    </message>
+    <message>
+        <source>Name at least one, with its motion</source>
+        <translation>Mindestens einen nennen, mit seiner Bewegung</translation>
+    </message>
+    <message>
+        <source>No carrier is left for %1</source>
+        <translation>Für %1 bleibt keine Trägerfrequenz</translation>
+    </message>
+    <message>
+        <source>Repair or cut that frame</source>
+        <translation>Dieses Bild reparieren oder herausschneiden</translation>
+    </message>
+    <message>
+        <source>Set its segment to null and its position to that in the world</source>
+        <translation>segment auf null setzen und position auf die in der Welt</translation>
+    </message>
+    <message>
+        <source>The cast has no subjects</source>
+        <translation>Die Besetzung hat keine Darsteller</translation>
+    </message>
+    <message>
+        <source>The rest pose cannot be held for %1 s</source>
+        <translation>Die Ruhehaltung lässt sich nicht %1 s lang halten</translation>
+    </message>
+    <message>
+        <source>There is no scenario "%1"</source>
+        <translation>Es gibt kein Szenario "%1"</translation>
+    </message>
+    <message>
+        <source>Two subjects are called "%1"</source>
+        <translation>Zwei Darsteller heißen "%1"</translation>
+    </message>
+    <message>
+        <source>accel axes</source>
+        <translation>accel axes</translation>
+    </message>
+    <message>
+        <source>accel bias</source>
+        <translation>accel bias</translation>
+    </message>
+    <message>
+        <source>accel calibration</source>
+        <translation>accel calibration</translation>
+    </message>
+    <message>
+        <source>air instruments</source>
+        <translation>air instruments</translation>
+    </message>
+    <message>
+        <source>and %1</source>
+        <translation>und %1</translation>
+    </message>
+    <message>
+        <source>board %1 reads %2 times a second, but sound carries 140 readings a second</source>
+        <translation>Platine %1 liest %2-mal je Sekunde, aber der Schall trägt 140 Messwerte je Sekunde</translation>
+    </message>
+    <message>
+        <source>board gain</source>
+        <translation>board gain</translation>
+    </message>
+    <message>
+        <source>board mounting</source>
+        <translation>board mounting</translation>
+    </message>
+    <message>
+        <source>click times</source>
+        <translation>click times</translation>
+    </message>
+    <message>
+        <source>clock offset</source>
+        <translation>clock offset</translation>
+    </message>
+    <message>
+        <source>clock rate</source>
+        <translation>clock rate</translation>
+    </message>
+    <message>
+        <source>clock rate wander</source>
+        <translation>clock rate wander</translation>
+    </message>
+    <message>
+        <source>clock wander</source>
+        <translation>clock wander</translation>
+    </message>
+    <message>
+        <source>external root</source>
+        <translation>external root</translation>
+    </message>
+    <message>
+        <source>first guess of the clock</source>
+        <translation>first guess of the clock</translation>
+    </message>
+    <message>
+        <source>gyro axes</source>
+        <translation>gyro axes</translation>
+    </message>
+    <message>
+        <source>gyro bias</source>
+        <translation>gyro bias</translation>
+    </message>
+    <message>
+        <source>gyro calibration</source>
+        <translation>gyro calibration</translation>
+    </message>
+    <message>
+        <source>has more than %1 subjects</source>
+        <translation>hat mehr als %1 Darsteller</translation>
+    </message>
+    <message>
+        <source>has no motion</source>
+        <translation>hat keine Bewegung</translation>
+    </message>
+    <message>
+        <source>held rest pose</source>
+        <translation>held rest pose</translation>
+    </message>
+    <message>
+        <source>is not an object</source>
+        <translation>ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>jig</source>
+        <translation>Messgestell</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>waagrechte Platte</translation>
+    </message>
+    <message>
+        <source>level plate</source>
+        <translation>waagrechte Platte</translation>
+    </message>
+    <message>
+        <source>low frequency noise</source>
+        <translation>low frequency noise</translation>
+    </message>
+    <message>
+        <source>mic delay</source>
+        <translation>mic delay</translation>
+    </message>
+    <message>
+        <source>must be a %snumber from %g to %g</source>
+        <translation>muss eine %sZahl von %g bis %g sein</translation>
+    </message>
+    <message>
+        <source>placement</source>
+        <translation>placement</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>position</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>room %1: %2 '%3' sits on segment '%4', but anchors hang in the room</source>
+        <translation>Raum %1: %2 '%3' sitzt auf Glied '%4', aber Anker hängen im Raum</translation>
+    </message>
+    <message>
+        <source>soft tissue</source>
+        <translation>soft tissue</translation>
+    </message>
+    <message>
+        <source>source gain</source>
+        <translation>source gain</translation>
+    </message>
+    <message>
+        <source>source ka</source>
+        <translation>source ka</translation>
+    </message>
+    <message>
+        <source>source mounting</source>
+        <translation>source mounting</translation>
+    </message>
+    <message>
+        <source>source offset error</source>
+        <translation>source offset error</translation>
+    </message>
+    <message>
+        <source>source resonance</source>
+        <translation>source resonance</translation>
+    </message>
+    <message>
+        <source>start delay</source>
+        <translation>start delay</translation>
+    </message>
+    <message>
+        <source>stream phase</source>
+        <translation>stream phase</translation>
+    </message>
+    <message>
+        <source>subject %1 has no motion</source>
+        <translation>Darsteller %1 hat keine Bewegung</translation>
+    </message>
+    <message>
+        <source>subjects is no list of performers</source>
+        <translation>subjects ist keine Liste von Darstellern</translation>
+    </message>
+    <message>
+        <source>suit %1: source '%2' sits on another segment than board '%3', with which it shares a housing</source>
+        <translation>Anzug %1: Quelle '%2' sitzt auf einem anderen Glied als Platine '%3', mit der sie ein Gehäuse teilt</translation>
+    </message>
+    <message>
+        <source>turntable</source>
+        <translation>Drehteller</translation>
+    </message>
+    <message>
+        <source>turntable speed</source>
+        <translation>turntable speed</translation>
+    </message>
+    <message>
+        <source>turntable tilt</source>
+        <translation>turntable tilt</translation>
+    </message>
+    <message>
+        <source>two subjects are called "%1"</source>
+        <translation>zwei Darsteller heißen "%1"</translation>
+    </message>
+    <message>
+        <source>ultrasonic noise</source>
+        <translation>ultrasonic noise</translation>
+    </message>
+    <message>
+        <source>whole</source>
+        <translation>ganze</translation>
+    </message>
+</context>
+<context>
+    <name>core/suit</name>
+    <message>
+        <source>%1: %2 '%3' sits on segment '%4', which the actor does not have</source>
+        <translation>%1: %2 '%3' sitzt auf Glied '%4', das in den Körpermaßen nicht vorkommt</translation>
+    </message>
+    <message>
+        <source>%1: is not a JSON object</source>
+        <translation>%1: ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>%1: source '%2' sits on board '%3', which the suit does not have</source>
+        <translation>%1: Quelle '%2' sitzt auf Platine '%3', die der Anzug nicht hat</translation>
+    </message>
+    <message>
+        <source>Correct the board in the suit's description</source>
+        <translation>Die Platine in der Beschreibung des Anzugs berichtigen</translation>
+    </message>
+    <message>
+        <source>Correct the segment in the suit's description or use an actor that has it</source>
+        <translation>Das Glied in der Beschreibung des Anzugs berichtigen oder Körpermaße verwenden, die es enthalten</translation>
+    </message>
+    <message>
+        <source>Correct this member and try again</source>
+        <translation>Diesen Eintrag berichtigen und erneut versuchen</translation>
+    </message>
+    <message>
+        <source>See core/recording/README.md for the format</source>
+        <translation>Das Format steht in core/recording/README.md</translation>
+    </message>
+    <message>
+        <source>is there twice</source>
+        <translation>steht zweimal darin</translation>
+    </message>
+    <message>
+        <source>must be "%1"</source>
+        <translation>muss "%1" sein</translation>
+    </message>
+    <message>
+        <source>must be %1 in this program</source>
+        <translation>muss in diesem Programm %1 sein</translation>
+    </message>
+    <message>
+        <source>must be 10 to 1000 readings a second</source>
+        <translation>muss 10 bis 1000 Messwerte je Sekunde sein</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be a list</source>
+        <translation>muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>must be a unit quaternion w, x, y, z</source>
+        <translation>muss ein Einheitsquaternion w, x, y, z sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 1 on</source>
+        <translation>muss eine ganze Zahl ab 1 sein</translation>
+    </message>
+    <message>
+        <source>must be an object</source>
+        <translation>muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>must be cramer, linear or fixed</source>
+        <translation>muss cramer, linear oder fixed sein</translation>
+    </message>
+    <message>
+        <source>must be greater than zero</source>
+        <translation>muss größer als null sein</translation>
+    </message>
+    <message>
+        <source>must be imu6 or imu9</source>
+        <translation>muss imu6 oder imu9 sein</translation>
+    </message>
+    <message>
+        <source>must be invertible</source>
+        <translation>muss invertierbar sein</translation>
+    </message>
+    <message>
+        <source>must be six entries of three finite numbers</source>
+        <translation>muss aus sechs Einträgen von je drei endlichen Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>must be text</source>
+        <translation>muss Text sein</translation>
+    </message>
+    <message>
+        <source>must be three finite numbers</source>
+        <translation>muss aus drei endlichen Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>must be three rows of three finite numbers</source>
+        <translation>muss aus drei Zeilen von je drei endlichen Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>must be two names, null where there is none</source>
+        <translation>muss aus zwei Namen bestehen, null, wo es keinen gibt</translation>
+    </message>
+    <message>
+        <source>must have a direction, its length is zero</source>
+        <translation>muss eine Richtung haben, die Länge ist null</translation>
+    </message>
+    <message>
+        <source>must not be empty</source>
+        <translation>darf nicht leer sein</translation>
+    </message>
+    <message>
+        <source>must not have more than 32 entries</source>
+        <translation>darf nicht mehr als 32 Einträge haben</translation>
+    </message>
+    <message>
+        <source>of '%1' must be a finite number</source>
+        <translation>von '%1' muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>source offsets</source>
+        <translation>Quellenversätze</translation>
+    </message>
+    <message>
+        <source>this take has no calibration. Process it with one.</source>
+        <translation>diese Aufnahme hat keine Kalibrierung. Mit einer verarbeiten.</translation>
+    </message>
+    <message>
+        <source>this take was made without calibration of %1. Process it with a calibration that has them.</source>
+        <translation>diese Aufnahme entstand ohne Kalibrierung für %1. Mit einer verarbeiten, die sie hat.</translation>
+    </message>
+</context>
+<context>
+    <name>core/vision</name>
+    <message>
+        <source>%1 fits badly: %2 px, others %3 px</source>
+        <translation>%1 passt schlecht: %2 px, andere %3 px</translation>
+    </message>
+    <message>
+        <source>%1%2 and is not used</source>
+        <translation>%1%2 und wird nicht verwendet</translation>
+    </message>
+    <message>
+        <source>%1: its distances in placement %2 are known to %3 mm only</source>
+        <translation>%1: die Abstände in Aufstellung %2 sind nur auf %3 mm bekannt</translation>
+    </message>
+    <message>
+        <source>%1: its marker %2 does not lie where the others say in %3%4</source>
+        <translation>%1: die zugehörige Marke %2 liegt nicht dort, wo die anderen es in %3 angeben%4</translation>
+    </message>
+    <message>
+        <source>%1: its marker %2 is %3 of placement%4%5</source>
+        <translation>%1: die zugehörige Marke %2 ist %3 von Aufstellung%4%5</translation>
+    </message>
+    <message>
+        <source>%1: its marker %2 is seen twice in %3 and is not used in placement %4</source>
+        <translation>%1: die zugehörige Marke %2 ist in %3 zweimal zu sehen und wird in Aufstellung %4 nicht verwendet</translation>
+    </message>
+    <message>
+        <source>%1: the file's name does not begin with a placement of the take%2</source>
+        <translation>%1: der Dateiname beginnt nicht mit einer Aufstellung der Aufnahme%2</translation>
+    </message>
+    <message>
+        <source>, and is not used in placement %1</source>
+        <translation>, und wird in Aufstellung %1 nicht verwendet</translation>
+    </message>
+    <message>
+        <source>, which has none</source>
+        <translation>, die keine hat</translation>
+    </message>
+    <message>
+        <source>100 mm: measure it on the paper</source>
+        <translation>100 mm: auf dem Papier nachmessen</translation>
+    </message>
+    <message>
+        <source>Add photographs of it from other sides and nearer</source>
+        <translation>Fotografien davon von anderen Seiten und aus größerer Nähe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add photographs that show sources and boards at the same time</source>
+        <translation>Fotografien hinzufügen, die Quellen und Platinen zugleich zeigen</translation>
+    </message>
+    <message>
+        <source>Copy it from the camera again, or leave it out and take another photograph</source>
+        <translation>Erneut von der Kamera kopieren oder weglassen und eine andere Fotografie machen</translation>
+    </message>
+    <message>
+        <source>Finding where the cameras stood</source>
+        <translation>Die Standorte der Kameras werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking for markers in %1</source>
+        <translation>In %1 werden Marken gesucht</translation>
+    </message>
+    <message>
+        <source>Measure the distances with a digitizer or a tape</source>
+        <translation>Die Abstände mit Messarm oder Maßband messen</translation>
+    </message>
+    <message>
+        <source>Name photographs PLACEMENT_*.jpg, for example %1_1.jpg</source>
+        <translation>Fotografien PLACEMENT_*.jpg nennen, zum Beispiel %1_1.jpg</translation>
+    </message>
+    <message>
+        <source>Noctule: markers of suit %1, page %2 of %3</source>
+        <translation>Noctule: Marken von Anzug %1, Seite %2 von %3</translation>
+    </message>
+    <message>
+        <source>Photograph every placement at least twice, all markers in sight</source>
+        <translation>Jede Aufstellung mindestens zweimal fotografieren, alle Marken im Blick</translation>
+    </message>
+    <message>
+        <source>Photograph it whole and sharp, from at least two sides</source>
+        <translation>Sie ganz und scharf fotografieren, von mindestens zwei Seiten</translation>
+    </message>
+    <message>
+        <source>Print at 100 % ("actual size"), on matt paper. If the line below is not 100 mm long, give the side measured on</source>
+        <translation>Mit 100 % („tatsächliche Größe“) auf mattes Papier drucken. Ist die Linie unten nicht 100 mm lang, die Seite angeben, gemessen auf</translation>
+    </message>
+    <message>
+        <source>See that it is flat, of the same size as the others and does not move between photographs</source>
+        <translation>Darauf achten, dass sie flach und so groß wie die anderen ist und sich zwischen den Fotografien nicht bewegt</translation>
+    </message>
+    <message>
+        <source>Take another one from another side while nothing has moved</source>
+        <translation>Eine weitere von einer anderen Seite machen, ohne dass sich etwas bewegt hat</translation>
+    </message>
+    <message>
+        <source>Take it again nearer, in better light and sharp</source>
+        <translation>Erneut aus größerer Nähe, bei besserem Licht und scharf aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take it again sharp, with the same camera and no zoom</source>
+        <translation>Erneut scharf aufnehmen, mit derselben Kamera und ohne Zoom</translation>
+    </message>
+    <message>
+        <source>Take it off the jig, or stick the sheet of this suit on</source>
+        <translation>Sie vom Messgestell nehmen oder den Bogen dieses Anzugs aufkleben</translation>
+    </message>
+    <message>
+        <source>Take photographs that overlap, with nothing moved in between</source>
+        <translation>Fotografien machen, die sich überlappen, ohne dazwischen etwas zu bewegen</translation>
+    </message>
+    <message>
+        <source>Take the wrong one off the jig and photograph the placement again</source>
+        <translation>Die falsche vom Messgestell nehmen und die Aufstellung erneut fotografieren</translation>
+    </message>
+    <message>
+        <source>Take them sharp, with one camera and without zoom, markers flat and all of one size, nothing moved between those of one placement</source>
+        <translation>Sie scharf aufnehmen, mit einer Kamera und ohne Zoom, Marken flach und alle gleich groß, zwischen denen einer Aufstellung nichts bewegt</translation>
+    </message>
+    <message>
+        <source>The middle of the marker lies over the middle of the source's face, of a board over its microphone's opening;</source>
+        <translation>Die Mitte der Marke liegt über der Mitte der Vorderseite der Quelle, bei einer Platine über der Öffnung ihres Mikrofons;</translation>
+    </message>
+    <message>
+        <source>The photographs do not fit together: %1 px per corner, 0.3 px is usual</source>
+        <translation>Die Fotografien passen nicht zusammen: %1 px je Ecke, 0,3 px ist üblich</translation>
+    </message>
+    <message>
+        <source>The photographs give no distance:</source>
+        <translation>Die Fotografien ergeben keinen Abstand:</translation>
+    </message>
+    <message>
+        <source>and _ (%1)</source>
+        <translation>und _ (%1)</translation>
+    </message>
+    <message>
+        <source>does not fit the others</source>
+        <translation>passt nicht zu den anderen</translation>
+    </message>
+    <message>
+        <source>in its middle for the sound. The origin stands anywhere still, where many photographs show it.</source>
+        <translation>in ihrer Mitte für den Schall. Der Ursprung steht irgendwo still, wo viele Fotografien ihn zeigen.</translation>
+    </message>
+    <message>
+        <source>in no photograph</source>
+        <translation>auf keiner Fotografie</translation>
+    </message>
+    <message>
+        <source>in one photograph only</source>
+        <translation>nur auf einer Fotografie</translation>
+    </message>
+    <message>
+        <source>is not a photograph that can be read</source>
+        <translation>ist keine lesbare Fotografie</translation>
+    </message>
+    <message>
+        <source>is too small to look for markers</source>
+        <translation>ist zu klein, um darin Marken zu suchen</translation>
+    </message>
+    <message>
+        <source>it may be turned any way. Take it off while sound is recorded, or punch a hole of at most %1 mm</source>
+        <translation>sie darf beliebig gedreht sein. Sie beim Aufnehmen von Ton abnehmen oder ein Loch stanzen von höchstens %1 mm</translation>
+    </message>
+    <message>
+        <source>marker %1 stands in the photographs and belongs to no part of the suit</source>
+        <translation>Marke %1 steht auf den Fotografien und gehört zu keinem Teil des Anzugs</translation>
+    </message>
+    <message>
+        <source>no marker is found in %1</source>
+        <translation>in %1 ist keine Marke zu finden</translation>
+    </message>
+    <message>
+        <source>no placement has markers that two photographs show</source>
+        <translation>keine Aufstellung hat Marken, die zwei Fotografien zeigen</translation>
+    </message>
+    <message>
+        <source>no source and board can be measured together</source>
+        <translation>keine Quelle und Platine lassen sich zusammen messen</translation>
+    </message>
+    <message>
+        <source>placement %1 has only one photograph, %2</source>
+        <translation>Aufstellung %1 hat nur eine Fotografie, %2</translation>
+    </message>
+    <message>
+        <source>shows no marker that ties it to the others</source>
+        <translation>zeigt keine Marke, die sie mit den anderen verbindet</translation>
+    </message>
+    <message>
+        <source>suit %1 has %2 sources and %3 boards; there are markers for %4 and %5</source>
+        <translation>Anzug %1 hat %2 Quellen und %3 Platinen; es gibt Marken für %4 und %5</translation>
+    </message>
+    <message>
+        <source>the paper as --marker-mm instead of %1. Cut along the grey lines, keep the white margin, stick on flat card.</source>
+        <translation>dem Papier, als --marker-mm statt %1. An den grauen Linien schneiden, den weißen Rand lassen, auf flachen Karton kleben.</translation>
+    </message>
+    <message>
+        <source>the photograph is cut off</source>
+        <translation>die Fotografie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the photographs</source>
+        <translation>die Fotografien</translation>
+    </message>
+    <message>
+        <source>without a name</source>
+        <translation>ohne Namen</translation>
+    </message>
+</context>
+<context>
+    <name>devices/device</name>
+    <message>
+        <source>'%1' is no address of a device: %2</source>
+        <translation>'%1' ist keine Adresse eines Geräts: %2</translation>
+    </message>
+    <message>
+        <source>'%1' is no name or number of a computer</source>
+        <translation>'%1' ist weder Name noch Nummer eines Rechners</translation>
+    </message>
+    <message>
+        <source>1 is as fast as it was recorded, 2 twice as fast, 0 as fast as possible</source>
+        <translation>1 ist so schnell wie aufgenommen, 2 doppelt so schnell, 0 so schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>Addresses look like tcp://10.0.0.7:41941, serial:///dev/ttyACM0 or replay:walk_001.noctule</source>
+        <translation>Adressen lauten etwa tcp://10.0.0.7:41941, serial:///dev/ttyACM0 oder replay:walk_001.noctule</translation>
+    </message>
+    <message>
+        <source>Check that the box is switched on, in the same network, and that this is its address and port</source>
+        <translation>Prüfen, ob die Box eingeschaltet und im selben Netz ist und ob Adresse und Port stimmen</translation>
+    </message>
+    <message>
+        <source>Check the cable and that the box is switched on</source>
+        <translation>Prüfen, ob das Kabel in Ordnung und die Box eingeschaltet ist</translation>
+    </message>
+    <message>
+        <source>Choose a take of sound</source>
+        <translation>Eine Aufnahme mit Ton wählen</translation>
+    </message>
+    <message>
+        <source>Choose a take recorded from a suit or simulated with --level signal</source>
+        <translation>Eine Aufnahme wählen, die von einem Anzug stammt oder mit --level signal simuliert ist</translation>
+    </message>
+    <message>
+        <source>Choose another take</source>
+        <translation>Eine andere Aufnahme wählen</translation>
+    </message>
+    <message>
+        <source>Close the program that uses it, or have your account added to the group dialout</source>
+        <translation>Das Programm schließen, das sie verwendet, oder das eigene Konto in die Gruppe dialout aufnehmen lassen</translation>
+    </message>
+    <message>
+        <source>Connect a driver box for that</source>
+        <translation>Dafür eine Steuerbox verbinden</translation>
+    </message>
+    <message>
+        <source>Plug the box in, or see with 'noctule --batch devices' which ports there are</source>
+        <translation>Die Box einstecken oder mit 'noctule --batch devices' ansehen, welche Schnittstellen es gibt</translation>
+    </message>
+    <message>
+        <source>Stop it first</source>
+        <translation>Sie zuerst anhalten</translation>
+    </message>
+    <message>
+        <source>a port is a number from 1 to 65535</source>
+        <translation>ein Port ist eine Zahl von 1 bis 65535</translation>
+    </message>
+    <message>
+        <source>a serial port is named by its whole path, after three slashes</source>
+        <translation>eine serielle Schnittstelle wird mit ihrem ganzen Pfad genannt, nach drei Schrägstrichen</translation>
+    </message>
+    <message>
+        <source>a take cannot be played at this speed</source>
+        <translation>eine Aufnahme lässt sich nicht mit dieser Geschwindigkeit abspielen</translation>
+    </message>
+    <message>
+        <source>a take that is played again can neither be set nor light up</source>
+        <translation>eine abgespielte Aufnahme lässt sich weder einstellen noch zum Leuchten bringen</translation>
+    </message>
+    <message>
+        <source>driver box</source>
+        <translation>Steuerbox</translation>
+    </message>
+    <message>
+        <source>it begins with none of tcp://, serial:// and replay:</source>
+        <translation>sie beginnt weder mit tcp:// noch mit serial:// oder replay:</translation>
+    </message>
+    <message>
+        <source>it holds no sound</source>
+        <translation>sie enthält keinen Ton</translation>
+    </message>
+    <message>
+        <source>it holds readings and no sound, which a driver box would send</source>
+        <translation>sie enthält Messwerte und keinen Ton, wie ihn eine Steuerbox sendet</translation>
+    </message>
+    <message>
+        <source>it names no computer</source>
+        <translation>sie nennt keinen Rechner</translation>
+    </message>
+    <message>
+        <source>it names no take</source>
+        <translation>sie nennt keine Aufnahme</translation>
+    </message>
+    <message>
+        <source>its suit has no boards</source>
+        <translation>ihr Anzug hat keine Platinen</translation>
+    </message>
+    <message>
+        <source>no connection within 3 s</source>
+        <translation>keine Verbindung innerhalb von 3 s</translation>
+    </message>
+    <message>
+        <source>no take is open</source>
+        <translation>keine Aufnahme ist geöffnet</translation>
+    </message>
+    <message>
+        <source>take</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>the box has closed the connection</source>
+        <translation>die Box hat die Verbindung geschlossen</translation>
+    </message>
+    <message>
+        <source>the take is being played already</source>
+        <translation>die Aufnahme wird schon abgespielt</translation>
+    </message>
+</context>
+<context>
+    <name>devices/driver_box</name>
+    <message>
+        <source>%1 names no protocol</source>
+        <translation>%1 nennt kein Protokoll</translation>
+    </message>
+    <message>
+        <source>%1: suit of HELLO</source>
+        <translation>%1: Anzug in HELLO</translation>
+    </message>
+    <message>
+        <source>%1: the box speaks protocol %2, this program speaks 1</source>
+        <translation>%1: die Box spricht Protokoll %2, dieses Programm spricht 1</translation>
+    </message>
+    <message>
+        <source>'%1' is not what it should be</source>
+        <translation>'%1' ist nicht, was es sein soll</translation>
+    </message>
+    <message>
+        <source>ANNOUNCE is no JSON object</source>
+        <translation>ANNOUNCE ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>ANNOUNCE: '%1' is missing or not what it should be</source>
+        <translation>ANNOUNCE: '%1' fehlt oder ist nicht, was es sein soll</translation>
+    </message>
+    <message>
+        <source>Check that it is switched on and that this is its address or port</source>
+        <translation>Prüfen, ob sie eingeschaltet ist und ob Adresse oder Port stimmt</translation>
+    </message>
+    <message>
+        <source>Check the cable and try again</source>
+        <translation>Das Kabel prüfen und erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Check the cable and update the box's firmware</source>
+        <translation>Das Kabel prüfen und die Firmware der Box aktualisieren</translation>
+    </message>
+    <message>
+        <source>Choose the suit that is plugged in, or add this serial number to its file</source>
+        <translation>Den eingesteckten Anzug wählen oder diese Seriennummer in seine Datei eintragen</translation>
+    </message>
+    <message>
+        <source>Connect first</source>
+        <translation>Zuerst verbinden</translation>
+    </message>
+    <message>
+        <source>Connect, or stop the running take first</source>
+        <translation>Verbinden oder zuerst die laufende Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>HELLO describes no board</source>
+        <translation>HELLO beschreibt keine Platine</translation>
+    </message>
+    <message>
+        <source>HELLO is no JSON object</source>
+        <translation>HELLO ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>HELLO: '%1' is missing or not what it should be</source>
+        <translation>HELLO: '%1' fehlt oder ist nicht, was es sein soll</translation>
+    </message>
+    <message>
+        <source>Is another program connected to it?</source>
+        <translation>Ist ein anderes Programm mit ihr verbunden?</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Erneut starten</translation>
+    </message>
+    <message>
+        <source>The studio tries again by itself; check the cable and the box's battery</source>
+        <translation>Das Studio versucht es von selbst wieder; das Kabel und den Akku der Box prüfen</translation>
+    </message>
+    <message>
+        <source>The suit '</source>
+        <translation>Der Anzug '</translation>
+    </message>
+    <message>
+        <source>The suit '%1' has no %2 with the serial number of '%3' (%4)</source>
+        <translation>Der Anzug '%1' hat keine %2 mit der Seriennummer von '%3' (%4)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Update this program or the box's firmware</source>
+        <translation>Dieses Programm oder die Firmware der Box aktualisieren</translation>
+    </message>
+    <message>
+        <source>What was recorded until then is complete; start a new take</source>
+        <translation>Was bis dahin aufgenommen wurde, ist vollständig; eine neue Aufnahme beginnen</translation>
+    </message>
+    <message>
+        <source>another box, or another suit, has answered</source>
+        <translation>eine andere Box oder ein anderer Anzug hat geantwortet</translation>
+    </message>
+    <message>
+        <source>bad payload</source>
+        <translation>fehlerhafte Nutzdaten</translation>
+    </message>
+    <message>
+        <source>battery low</source>
+        <translation>Akku schwach</translation>
+    </message>
+    <message>
+        <source>board found</source>
+        <translation>Platine gefunden</translation>
+    </message>
+    <message>
+        <source>board lost</source>
+        <translation>Platine verloren</translation>
+    </message>
+    <message>
+        <source>board restarted</source>
+        <translation>Platine neu gestartet</translation>
+    </message>
+    <message>
+        <source>code %1</source>
+        <translation>Code %1</translation>
+    </message>
+    <message>
+        <source>hardware fault</source>
+        <translation>Hardwarefehler</translation>
+    </message>
+    <message>
+        <source>is no JSON object</source>
+        <translation>ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>no box is connected</source>
+        <translation>keine Box ist verbunden</translation>
+    </message>
+    <message>
+        <source>no box is ready to start</source>
+        <translation>keine Box ist startbereit</translation>
+    </message>
+    <message>
+        <source>no driver box answers</source>
+        <translation>keine Steuerbox antwortet</translation>
+    </message>
+    <message>
+        <source>no sound for 3 s</source>
+        <translation>seit 3 s kein Ton</translation>
+    </message>
+    <message>
+        <source>not now (busy or wrong state)</source>
+        <translation>nicht jetzt (beschäftigt oder falscher Zustand)</translation>
+    </message>
+    <message>
+        <source>not supported</source>
+        <translation>nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>shutting down</source>
+        <translation>wird ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>the box accepted START but sends no sound</source>
+        <translation>die Box nahm START an, sendet aber keinen Ton</translation>
+    </message>
+    <message>
+        <source>the box does not answer</source>
+        <translation>die Box antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the box does not answer %1</source>
+        <translation>die Box antwortet nicht auf %1</translation>
+    </message>
+    <message>
+        <source>the box has been silent for 3 s</source>
+        <translation>die Box ist seit 3 s stumm</translation>
+    </message>
+    <message>
+        <source>the box has restarted</source>
+        <translation>die Box hat neu gestartet</translation>
+    </message>
+    <message>
+        <source>the box refuses %1, %2</source>
+        <translation>die Box weist %1 ab, %2</translation>
+    </message>
+    <message>
+        <source>the box speaks version %1 of the link, this program speaks 1</source>
+        <translation>die Box spricht Version %1 der Verbindung, dieses Programm spricht 1</translation>
+    </message>
+    <message>
+        <source>the client does not read</source>
+        <translation>der Client liest nicht</translation>
+    </message>
+    <message>
+        <source>the client has been silent for 10 s</source>
+        <translation>der Client ist seit 10 s stumm</translation>
+    </message>
+    <message>
+        <source>the connection was closed</source>
+        <translation>die Verbindung wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>the connection was closed before a box answered</source>
+        <translation>die Verbindung wurde geschlossen, bevor eine Box antwortete</translation>
+    </message>
+    <message>
+        <source>the link is too slow, sound was dropped</source>
+        <translation>die Verbindung ist zu langsam, Ton ging verloren</translation>
+    </message>
+    <message>
+        <source>the link was closed while recording</source>
+        <translation>die Verbindung wurde während der Aufnahme geschlossen</translation>
+    </message>
+    <message>
+        <source>type 0x%02x</source>
+        <translation>Typ 0x%02x</translation>
+    </message>
+    <message>
+        <source>unknown type</source>
+        <translation>unbekannter Typ</translation>
+    </message>
+</context>
+<context>
+    <name>devices/live</name>
+    <message>
+        <source>%1 Driver box: %2</source>
+        <translation>%1 Steuerbox: %2</translation>
+    </message>
+    <message>
+        <source>%1 `noctule --batch recover` on it</source>
+        <translation>%1 `noctule --batch recover` darauf ausführen</translation>
+    </message>
+    <message>
+        <source>%1%2%3 of sound waited in memory and %4 beside the take%5</source>
+        <translation>%1%2%3 Ton warteten im Speicher und %4 neben der Aufnahme%5</translation>
+    </message>
+    <message>
+        <source>%1: another program has locked the take for two minutes</source>
+        <translation>%1: ein anderes Programm sperrt die Aufnahme seit zwei Minuten</translation>
+    </message>
+    <message>
+        <source>%1: another program reads the take, so a -wal file stands beside it; keep both together until the take is opened again.</source>
+        <translation>%1: ein anderes Programm liest die Aufnahme, deshalb liegt eine -wal-Datei daneben; beide zusammenlassen, bis die Aufnahme erneut geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>%1: internal error: %2</source>
+        <translation>%1: interner Fehler: %2</translation>
+    </message>
+    <message>
+        <source>%1: is not ready to start</source>
+        <translation>%1: ist nicht startbereit</translation>
+    </message>
+    <message>
+        <source>%1: no driver box answers</source>
+        <translation>%1: keine Steuerbox antwortet</translation>
+    </message>
+    <message>
+        <source>%1: the recording was ended because only %2 are free on the disk; %3 are safe in the file</source>
+        <translation>%1: die Aufnahme wurde beendet, weil auf der Platte nur %2 frei sind; %3 sind sicher in der Datei</translation>
+    </message>
+    <message>
+        <source>(not yet as one file)</source>
+        <translation>(noch nicht als eine Datei)</translation>
+    </message>
+    <message>
+        <source>, nothing was lost.</source>
+        <translation>, nichts ging verloren.</translation>
+    </message>
+    <message>
+        <source>: another program held the take for up to %.1f s;</source>
+        <translation>: ein anderes Programm hielt die Aufnahme bis zu %.1f s lang;</translation>
+    </message>
+    <message>
+        <source>; another program holds the take, what comes waits</source>
+        <translation>; ein anderes Programm hält die Aufnahme, was ankommt, wartet</translation>
+    </message>
+    <message>
+        <source>; the file could not be completed, the first %1 stand in it and in the -wal file beside it</source>
+        <translation>; die Datei ließ sich nicht abschließen, die ersten %1 stehen in ihr und in der -wal-Datei daneben</translation>
+    </message>
+    <message>
+        <source>; the recording has ended, the first %1 are safe in %2</source>
+        <translation>; die Aufnahme ist beendet, die ersten %1 sind sicher in %2</translation>
+    </message>
+    <message>
+        <source>Begin while it streams; a take that is played again has an end</source>
+        <translation>Beginnen, während es sendet; eine abgespielte Aufnahme hat ein Ende</translation>
+    </message>
+    <message>
+        <source>Check that it has room</source>
+        <translation>Prüfen, ob dort Platz ist</translation>
+    </message>
+    <message>
+        <source>Check that it is switched on and that the address is right</source>
+        <translation>Prüfen, ob sie eingeschaltet ist und die Adresse stimmt</translation>
+    </message>
+    <message>
+        <source>Close the other program</source>
+        <translation>Das andere Programm schließen</translation>
+    </message>
+    <message>
+        <source>Driver box: %1 further errors came too fast to be noted.</source>
+        <translation>Steuerbox: %1 weitere Fehler kamen zu schnell, um vermerkt zu werden.</translation>
+    </message>
+    <message>
+        <source>Free some space and run</source>
+        <translation>Platz schaffen und</translation>
+    </message>
+    <message>
+        <source>Free some space, or record to another disk</source>
+        <translation>Platz schaffen oder auf einen anderen Datenträger aufnehmen</translation>
+    </message>
+    <message>
+        <source>Nothing is processed live: %1.</source>
+        <translation>Nichts wird live verarbeitet: %1.</translation>
+    </message>
+    <message>
+        <source>Please report it</source>
+        <translation>Dem Hersteller melden</translation>
+    </message>
+    <message>
+        <source>Recording %.1f s, %.2f s missing, disk for %.0f min</source>
+        <translation>Nimmt auf %.1f s, %.2f s fehlen, Platte reicht für %.0f min</translation>
+    </message>
+    <message>
+        <source>The device stopped before a recording was begun</source>
+        <translation>Das Gerät hielt an, bevor eine Aufnahme begann</translation>
+    </message>
+    <message>
+        <source>The driver box did not confirm that it had sent everything.</source>
+        <translation>Die Steuerbox hat nicht bestätigt, dass sie alles gesendet hat.</translation>
+    </message>
+    <message>
+        <source>The live results are not in the take: %1.</source>
+        <translation>Die Live-Ergebnisse sind nicht in der Aufnahme: %1.</translation>
+    </message>
+    <message>
+        <source>The suit is not calibrated: all of its sound is kept, but no poses. Process the take with a calibration.</source>
+        <translation>Der Anzug ist nicht kalibriert: sein Ton wird ganz aufgezeichnet, aber keine Posen. Die Aufnahme mit einer Kalibrierung verarbeiten.</translation>
+    </message>
+    <message>
+        <source>The take ended before its rest pose did. All of its sound is there, but no pose.</source>
+        <translation>Die Aufnahme endete vor ihrer Ruhehaltung. Ihr Ton ist vollständig da, aber keine Pose.</translation>
+    </message>
+    <message>
+        <source>Wait until the driver box has answered and the stream before has ended</source>
+        <translation>Warten, bis die Steuerbox geantwortet hat und der vorige Datenstrom beendet ist</translation>
+    </message>
+    <message>
+        <source>Waiting for CaptureStart on UDP port %1</source>
+        <translation>Wartet auf CaptureStart an UDP-Port %1</translation>
+    </message>
+    <message>
+        <source>What is recorded is complete; process the take, and report the mistake</source>
+        <translation>Was aufgenommen ist, ist vollständig; die Aufnahme verarbeiten und den Fehler melden</translation>
+    </message>
+    <message>
+        <source>`noctule --batch recover` on it</source>
+        <translation>`noctule --batch recover` darauf ausführen</translation>
+    </message>
+    <message>
+        <source>processing has ended by a mistake of this program (%1)</source>
+        <translation>die Verarbeitung endete durch einen Fehler dieses Programms (%1)</translation>
+    </message>
+    <message>
+        <source>the live view</source>
+        <translation>die Live-Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>devices/remote</name>
+    <message>
+        <source>%1: is not the address of a computer</source>
+        <translation>%1: ist nicht die Adresse eines Rechners</translation>
+    </message>
+    <message>
+        <source>Choose another port; those below 1024 belong to the administrator</source>
+        <translation>Einen anderen Port wählen; die unter 1024 gehören dem Administrator</translation>
+    </message>
+    <message>
+        <source>Give it in numbers, such as 10.0.0.5</source>
+        <translation>Sie in Zahlen angeben, etwa 10.0.0.5</translation>
+    </message>
+    <message>
+        <source>UDP port %1: cannot be listened to: %2</source>
+        <translation>UDP-Port %1: kein Empfang möglich: %2</translation>
+    </message>
+    <message>
+        <source>remote trigger</source>
+        <translation>Fernauslöser</translation>
+    </message>
+</context>
+<context>
+    <name>devices/robot</name>
+    <message>
+        <source>%1: %2 has no joint "%3"</source>
+        <translation>%1: %2 hat kein Gelenk "%3"</translation>
+    </message>
+    <message>
+        <source>%1: %2 joints cannot be driven</source>
+        <translation>%1: %2 Gelenke lassen sich nicht ansteuern</translation>
+    </message>
+    <message>
+        <source>%1: as many positions as names are needed, and as many or no velocities</source>
+        <translation>%1: es braucht so viele Positionen wie Namen und ebenso viele oder keine Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written to%2</source>
+        <translation>%1: lässt sich nicht beschreiben%2</translation>
+    </message>
+    <message>
+        <source>%1: no UDP port can be had: %2</source>
+        <translation>%1: kein UDP-Port ist verfügbar: %2</translation>
+    </message>
+    <message>
+        <source>%1: no robot answers</source>
+        <translation>%1: kein Roboter antwortet</translation>
+    </message>
+    <message>
+        <source>%1: no rosbridge answers: %2</source>
+        <translation>%1: kein rosbridge antwortet: %2</translation>
+    </message>
+    <message>
+        <source>%1: rosbridge says: %2</source>
+        <translation>%1: rosbridge meldet: %2</translation>
+    </message>
+    <message>
+        <source>%1: sends binary messages</source>
+        <translation>%1: sendet binäre Nachrichten</translation>
+    </message>
+    <message>
+        <source>%1: sends commands instead of states</source>
+        <translation>%1: sendet Befehle statt Zustände</translation>
+    </message>
+    <message>
+        <source>%1: the network knows no computer of this name</source>
+        <translation>%1: das Netz kennt keinen Rechner dieses Namens</translation>
+    </message>
+    <message>
+        <source>%1: the robot's joints are others than those that are driven</source>
+        <translation>%1: die Gelenke des Roboters sind andere als die angesteuerten</translation>
+    </message>
+    <message>
+        <source>'%1' is not the address of a robot</source>
+        <translation>'%1' ist nicht die Adresse eines Roboters</translation>
+    </message>
+    <message>
+        <source>'%1': no interface is called %2</source>
+        <translation>'%1': keine Schnittstelle heißt %2</translation>
+    </message>
+    <message>
+        <source>Check that its program runs and that the address is right</source>
+        <translation>Prüfen, ob sein Programm läuft und die Adresse stimmt</translation>
+    </message>
+    <message>
+        <source>Check that the URDF is this robot's, and the topic of its state</source>
+        <translation>Prüfen, ob die URDF-Datei zu diesem Roboter gehört und das Topic seines Zustands stimmt</translation>
+    </message>
+    <message>
+        <source>Check that this is the robot's address, not a studio's</source>
+        <translation>Prüfen, ob dies die Adresse des Roboters ist und nicht die eines Studios</translation>
+    </message>
+    <message>
+        <source>Check the network and the robot's address</source>
+        <translation>Das Netz und die Adresse des Roboters prüfen</translation>
+    </message>
+    <message>
+        <source>Check the topics and their types</source>
+        <translation>Die Topics und ihre Typen prüfen</translation>
+    </message>
+    <message>
+        <source>Close programs that hold many ports</source>
+        <translation>Programme schließen, die viele Ports belegen</translation>
+    </message>
+    <message>
+        <source>Drive 1 to %1 joints</source>
+        <translation>1 bis %1 Gelenke ansteuern</translation>
+    </message>
+    <message>
+        <source>Give its address in numbers</source>
+        <translation>Seine Adresse in Zahlen angeben</translation>
+    </message>
+    <message>
+        <source>Give the robot the same joint names in the same order</source>
+        <translation>Dem Roboter dieselben Gelenknamen in derselben Reihenfolge geben</translation>
+    </message>
+    <message>
+        <source>Give udp://HOST:PORT or ws://HOST:PORT, such as ws://127.0.0.1:9090</source>
+        <translation>udp://HOST:PORT oder ws://HOST:PORT angeben, etwa ws://127.0.0.1:9090</translation>
+    </message>
+    <message>
+        <source>Run rosbridge without compression, as JSON</source>
+        <translation>rosbridge ohne Kompression betreiben, als JSON</translation>
+    </message>
+    <message>
+        <source>Send datagrams as devices/robot/README.md lays them out, version %1</source>
+        <translation>Datagramme senden, wie devices/robot/README.md sie beschreibt, Version %1</translation>
+    </message>
+    <message>
+        <source>Send rosbridge v2 with the message types of devices/robot/README.md</source>
+        <translation>rosbridge v2 mit den Nachrichtentypen von devices/robot/README.md senden</translation>
+    </message>
+    <message>
+        <source>Start rosbridge on the robot, and check its address and port (9090 is usual)</source>
+        <translation>rosbridge auf dem Roboter starten und Adresse und Port prüfen (9090 ist üblich)</translation>
+    </message>
+    <message>
+        <source>a JointState has no names, or a value that is no number in range</source>
+        <translation>ein JointState hat keine Namen oder einen Wert, der keine Zahl im Bereich ist</translation>
+    </message>
+    <message>
+        <source>a JointTrajectory has a value that is no number in range</source>
+        <translation>eine JointTrajectory hat einen Wert, der keine Zahl im Bereich ist</translation>
+    </message>
+    <message>
+        <source>a JointTrajectory has no points</source>
+        <translation>eine JointTrajectory hat keine Punkte</translation>
+    </message>
+    <message>
+        <source>a PoseStamped has an orientation that is no unit quaternion</source>
+        <translation>ein PoseStamped hat eine Orientierung, die kein Einheitsquaternion ist</translation>
+    </message>
+    <message>
+        <source>a PoseStamped has no pose, or a value that is no number in range</source>
+        <translation>ein PoseStamped hat keine Pose oder einen Wert, der keine Zahl im Bereich ist</translation>
+    </message>
+    <message>
+        <source>a message has no "op", or "op", "topic" or "type" is no text</source>
+        <translation>eine Nachricht hat kein "op", oder "op", "topic" oder "type" ist kein Text</translation>
+    </message>
+    <message>
+        <source>a message is nested too deeply</source>
+        <translation>eine Nachricht ist zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>a message is no JSON object</source>
+        <translation>eine Nachricht ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>a message of %1 bytes is too long</source>
+        <translation>eine Nachricht von %1 Bytes ist zu lang</translation>
+    </message>
+    <message>
+        <source>does not begin with NRC1, NRS1 or NRQ1</source>
+        <translation>beginnt nicht mit NRC1, NRS1 oder NRQ1</translation>
+    </message>
+    <message>
+        <source>has version %1</source>
+        <translation>hat Version %1</translation>
+    </message>
+    <message>
+        <source>holds a joint value that is no number or beyond %1</source>
+        <translation>enthält einen Gelenkwert, der keine Zahl ist oder jenseits von %1 liegt</translation>
+    </message>
+    <message>
+        <source>is damaged: its checksum is wrong</source>
+        <translation>ist beschädigt: die Prüfsumme ist falsch</translation>
+    </message>
+    <message>
+        <source>of %1 bytes does not fit its %2 joints</source>
+        <translation>von %1 Bytes passt nicht zu seinen %2 Gelenken</translation>
+    </message>
+    <message>
+        <source>of %1 bytes is too short</source>
+        <translation>von %1 Bytes ist zu kurz</translation>
+    </message>
+    <message>
+        <source>that is a query has joints</source>
+        <translation>das eine Abfrage ist, hat Gelenke</translation>
+    </message>
+    <message>
+        <source>that is no query has no joints</source>
+        <translation>das keine Abfrage ist, hat keine Gelenke</translation>
+    </message>
+    <message>
+        <source>the connection is closed</source>
+        <translation>die Verbindung ist geschlossen</translation>
+    </message>
+</context>
+</TS>

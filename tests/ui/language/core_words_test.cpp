@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sentences of core on a German screen: patterns take values over, nest and follow each other; errors that
+// core really makes are understood whole.
+#include "ui/language/core_words.h"
+
+#include <gtest/gtest.h>
+
+#include <QLocale>
+
+namespace noctule::ui {
+namespace {
+
+class CoreWords : public testing::Test {
+protected:
+    CoreWords() { QLocale::setDefault(QLocale(QLocale::German)); }
+    ~CoreWords() override { QLocale::setDefault(QLocale(QLocale::English)); }
+
+    SentencePatterns patterns_;
+};
+
+TEST_F(CoreWords, ASentenceTakesItsValuesOver) {
+    patterns_.add("%1: row %2 has %3 cells", "%1: Zeile %2 hat %3 Zellen");
+    EXPECT_EQ(patterns_.translated("a.csv: row 7 has 3 cells"), "a.csv: Zeile 7 hat 3 Zellen");
+}
+
+TEST_F(CoreWords, ValuesMayChangeTheirOrderAndHoldPlaceholders) {
+    patterns_.add("%1 lacks %2", "%2 fehlt in %1");
+    EXPECT_EQ(patterns_.translated("%2 lacks %1"), "%1 fehlt in %2");
+}
+
+TEST_F(CoreWords, TheMostTellingPatternWins) {
+    patterns_.add("%1 is bad", "%1 ist schlecht");
+    patterns_.add("the clock of %1 is bad", "die Uhr von %1 ist schlecht");
+    EXPECT_EQ(patterns_.translated("the clock of box 2 is bad"), "die Uhr von box 2 ist schlecht");
+}
+
+TEST_F(CoreWords, SentencesNestAndFollowEachOther) {
+    patterns_.add("%1: no run has poses", "%1: kein Lauf hat Posen");
+    patterns_.add("cannot be compared (%1)", "ist nicht zu vergleichen (%1)");
+    patterns_.add("it is empty", "sie ist leer");
+    patterns_.add("Process it first", "Erst verarbeiten");
+    EXPECT_EQ(patterns_.translated("walk: no run has poses. Process it first"),
+              "walk: kein Lauf hat Posen. Erst verarbeiten");
+    EXPECT_EQ(patterns_.translated("a.bvh: cannot be compared (it is empty)."),
+              "a.bvh: ist nicht zu vergleichen (sie ist leer).");
+}
+
+TEST_F(CoreWords, WhatIsNotKnownStaysAsItIs) {
+    patterns_.add("%1 is bad", "%1 ist schlecht");
+    EXPECT_EQ(patterns_.translated("/tmp/Is this good.bvh"), "/tmp/Is this good.bvh");
+    EXPECT_EQ(patterns_.translated(" is bad"), " is bad");
+    EXPECT_EQ(patterns_.translated(""), "");
+}
+
+TEST_F(CoreWords, ValuesHaveTheDecimalSignOfTheScreen) {
+    patterns_.add("lasts %1 s, version %2", "dauert %1 s, Fassung %2");
+    EXPECT_EQ(patterns_.translated("lasts 3.25 s, version 1.2.3"), "dauert 3,25 s, Fassung 1.2.3");
+}
+
+TEST_F(CoreWords, TagsAndStylesOfADocumentStayTextsDoNot) {
+    const std::string page =
+        "<html lang=\"en\"><style>p{color:red}</style><p class=\"a\">Joint</p><b aria-label=\"Joint\">&lt;1 "
+        "mm</b></html>";
+    EXPECT_EQ(coreMarkup(page),
+              "<html lang=\"de\"><style>p{color:red}</style><p class=\"a\">Gelenk</p><b "
+              "aria-label=\"Gelenk\">&lt;1 "
+              "mm</b></html>");
+    QLocale::setDefault(QLocale(QLocale::English));
+    EXPECT_EQ(coreMarkup(page), page);
+}
+
+}  // namespace
+}  // namespace noctule::ui

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/language/core_words.h"
+
+#include <QFile>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QXmlStreamReader>
+#include <algorithm>
+#include <mutex>
+#include <optional>
+
+#include "ui/language/language.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr int kDeepest = 4;          ///< sentences within sentences
+constexpr int kLongestSplit = 4000;  ///< letters; longer texts are no sentences
+constexpr int kRemembered = 2000;    ///< sentences
+
+int lettersOf(const QString& text) {
+    return static_cast<int>(std::count_if(text.begin(), text.end(), [](QChar c) { return c.isLetter(); }));
+}
+
+/// Where the values stand in `text`, or nothing when the literals do not fit.
+std::optional<QStringList> valuesIn(const QString& text, const QStringList& literals) {
+    const QString &first = literals.first(), &last = literals.last();
+    const int values = literals.size() - 1;
+    if (text.size() < first.size() + last.size() + values || !text.startsWith(first) || !text.endsWith(last))
+        return std::nullopt;
+    const int end = text.size() - last.size();
+    QStringList found;
+    int at = first.size();
+    for (int v = 0; v < values; ++v) {
+        const bool is_last = v + 1 == values;
+        const int next = is_last ? end : text.indexOf(literals[v + 1], at + 1);
+        if (next <= at || next > end)
+            return std::nullopt;
+        found.append(text.mid(at, next - at));
+        at = is_last ? end : next + literals[v + 1].size();
+    }
+    return found;
+}
+
+/// "3.25" with the decimal sign of the screen.
+QString numberInWords(const QString& text) {
+    static const QRegularExpression number("^([−+-]?\\d+)\\.(\\d+)((?: ?[^\\s\\d.]{1,4})?)$");
+    const auto match = number.match(text);
+    return match.hasMatch()
+               ? match.captured(1) + QLocale().decimalPoint() + match.captured(2) + match.captured(3)
+               : text;
+}
+
+SentencePatterns readPatterns() {
+    SentencePatterns patterns;
+    nameTranslations();
+    QFile file(":/noctule/translations/core_de.ts");
+    require(file.open(QIODevice::ReadOnly), "the program was built without its translations");
+    QXmlStreamReader xml(&file);
+    QString source;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (xml.isStartElement() && xml.name() == "source")
+            source = xml.readElementText();
+        else if (xml.isStartElement() && xml.name() == "translation")
+            if (const QString words = xml.readElementText(); !words.isEmpty())
+                patterns.add(source, words);
+    }
+    return patterns;
+}
+
+QString inGerman(const QString& english) {
+    static const SentencePatterns patterns = readPatterns();
+    static std::mutex mutex;
+    static QHash<QString, QString> remembered;
+    {
+        const std::lock_guard lock(mutex);
+        if (const auto known = remembered.constFind(english); known != remembered.constEnd())
+            return *known;
+    }
+    const QString words = patterns.translated(english);
+    const std::lock_guard lock(mutex);
+    if (remembered.size() >= kRemembered)
+        remembered.clear();
+    remembered.insert(english, words);
+    return words;
+}
+
+QString onScreen(const QString& english) {
+    return QLocale().language() == QLocale::German ? inGerman(english) : english;
+}
+
+QString withoutEntities(QString text) {
+    return text.replace("&lt;", "<")
+        .replace("&gt;", ">")
+        .replace("&quot;", "\"")
+        .replace("&#39;", "'")
+        .replace("&amp;", "&");
+}
+
+}  // namespace
+
+void SentencePatterns::add(const QString& english, const QString& translated) {
+    static const QRegularExpression value("%\\d+");
+    const QStringList literals = english.split(value);
+    if (literals.size() == 1)
+        whole_.insert(english, translated);
+    else
+        patterns_.push_back({literals, translated, lettersOf(literals.join(QString()))});
+}
+
+QString SentencePatterns::translated(const QString& english) const {
+    return find(english, 0).words;
+}
+
+SentencePatterns::Found SentencePatterns::find(const QString& english, int depth) const {
+    if (const auto whole = whole_.constFind(english); whole != whole_.constEnd())
+        return {*whole, lettersOf(english)};
+    if (english.size() > 1 && english.endsWith('.')) {
+        Found inner = find(english.chopped(1), depth);
+        return {inner.words + '.', inner.letters};
+    }
+    if (depth >= kDeepest || english.size() > kLongestSplit)
+        return {english, 0};
+    const Found pattern = byPattern(english, depth), split = bySplitting(english, depth);
+    const Found& best = split.letters > pattern.letters ? split : pattern;
+    return best.letters > 0 ? best : Found{numberInWords(english), 0};
+}
+
+SentencePatterns::Found SentencePatterns::byPattern(const QString& english, int depth) const {
+    const Pattern* best = nullptr;
+    QStringList values;
+    for (const Pattern& pattern : patterns_) {
+        if (best && pattern.letters <= best->letters)
+            continue;
+        if (auto found = valuesIn(english, pattern.literals)) {
+            best = &pattern;
+            values = std::move(*found);
+        }
+    }
+    if (!best)
+        return {english, 0};
+    Found result{best->translated, best->letters};
+    for (int v = values.size(); v >= 1; --v) {  // from the last: %1 is the beginning of %10
+        const Found value = find(values[v - 1], depth + 1);
+        result.words.replace("%" + QString::number(v), QChar(0xE000 + v));
+        result.letters += value.letters;
+        values[v - 1] = value.words;
+    }
+    for (int v = 1; v <= values.size(); ++v)
+        result.words.replace(QChar(0xE000 + v), values[v - 1]);
+    return result;
+}
+
+SentencePatterns::Found SentencePatterns::bySplitting(const QString& english, int depth) const {
+    Found best{english, 0};
+    for (const char* between : {". ", "; ", ": ", ", "}) {
+        const int at = english.indexOf(QLatin1String(between));
+        if (at <= 0)
+            continue;
+        const Found before = find(english.left(at), depth + 1), behind = find(english.mid(at + 2), depth + 1);
+        if (before.letters + behind.letters > best.letters)
+            best = {before.words + between + behind.words, before.letters + behind.letters};
+    }
+    return best;
+}
+
+QString coreWords(const std::string& english) {
+    return onScreen(QString::fromStdString(english));
+}
+
+QString coreWords(const Error& error) {
+    return coreWords(error.text());
+}
+
+std::string coreMarkup(const std::string& html) {
+    if (QLocale().language() != QLocale::German)
+        return html;
+    const QString english = QString::fromStdString(html);
+    static const QRegularExpression text(
+        "<(style|script)\\b.*?</\\1>|(?<=>)[^<>]+(?=<)|(?<=aria-label=\")[^\"]+(?=\")|<html lang=\"en\"",
+        QRegularExpression::DotMatchesEverythingOption);
+    QString german;
+    int done = 0;
+    for (auto match = text.globalMatch(english); match.hasNext();) {
+        const auto one = match.next();
+        german += english.midRef(done, one.capturedStart() - done);
+        const QString found = one.captured(), words = found.trimmed();
+        if (found.startsWith("<html"))
+            german += "<html lang=\"de\"";
+        else if (found.startsWith('<') || words.isEmpty())
+            german += found;
+        else
+            german += QString(found).replace(words, onScreen(withoutEntities(words)).toHtmlEscaped());
+        done = one.capturedEnd();
+    }
+    return (german + english.midRef(done)).toStdString();
+}
+
+}  // namespace noctule::ui
