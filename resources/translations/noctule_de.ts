@@ -2326,7 +2326,7 @@
     </message>
     <message>
         <source>Calibration: %1</source>
-        <translation type="unfinished">Kalibrierung: %1</translation>
+        <translation>Kalibrierung: %1</translation>
     </message>
 </context>
 <context>
