@@ -37,11 +37,11 @@ std::string obstacle(const ProcessRequest& request) {
 
 class Joiner {
 public:
-    Joiner(const Take& take, const ProcessRequest& request, const std::vector<Ingredients>& subjects,
-           const TakeClocks& clocks, std::vector<std::string>& warnings)
+    Joiner(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects, TakeClocks& clocks,
+           std::vector<std::string>& warnings)
         : take_(take), request_(request), subjects_(subjects), clocks_(clocks), warnings_(warnings) {}
 
-    Result<Joining> join() {
+    Result<Joining> join(const std::string& folder, const JobContext& job) {
         joining_.between = request_.between != Wanted::kOff && subjects_.size() > 1;
         if (request_.between == Wanted::kOn && subjects_.size() < 2)
             return Error{ErrorKind::kUsage, take_.path() + ": --between on needs two subjects, there is one",
@@ -56,12 +56,15 @@ public:
             return told_apart.error();
         if (!joining_.between && !joining_.room)
             return std::move(joining_);
+        if (take_.level() == TakeLevel::kSignal)
+            if (Status measured = measure(folder, job); !measured)
+                return measured.error();
         addClocks();
         if (Status read = readDistances(); !read)
             return read.error();
         if (!joining_.joins())
             return giveUp("the take holds no distances between its suits",
-                          "A take of sound needs them measured first; check that the suits heard each other");
+                          "Check that the suits heard each other");
         return std::move(joining_);
     }
 
@@ -143,6 +146,34 @@ private:
         return Done{};
     }
 
+    Status measure(const std::string& folder, const JobContext& job) {
+        std::vector<SoundOfSuit> suits;
+        for (const Ingredients& in : subjects_)
+            suits.push_back({in.subject.suit(), in.suit, in.calibration, in.decoder});
+        if (joining_.room) {
+            take_.view(joining_.room->subject.suit());
+            const TakeHeader& of_room = take_.header();
+            const DecoderSettings decoder{{subjects_.front().decoder.train.sample_rate_hz,
+                                           static_cast<int>(of_room.pulse_interval_samples), of_room.drive_hz,
+                                           static_cast<int>(of_room.pulse_cycles)},
+                                          subjects_.front().decoder.detector};
+            suits.push_back({joining_.room->subject.suit(), joining_.room->suit, joining_.room->calibration,
+                             decoder, false});
+        }
+        auto measured = measureSound(take_, std::move(suits), folder, warnings_, job);
+        if (!measured)
+            return measured.error();
+        joining_.measured = std::move(*measured);
+        auto clocks = joinClocks(*joining_.measured, job);
+        if (!clocks)
+            return clocks.error();
+        clocks_ = std::move(*clocks);
+        for (Ingredients& in : subjects_)
+            if (const auto line = clocks_.lines.find(in.subject.suit()); line != clocks_.lines.end())
+                in.clock = line->second;
+        return Done{};
+    }
+
     void addClock(int suit, bool first) {
         const SuitClock guess = take_.suitClock(suit);
         const auto line = clocks_.lines.find(suit);
@@ -178,6 +209,8 @@ private:
                    : subjects_.front().decoder.train.sample_rate_hz;
     }
 
+    const Take& data() const { return joining_.measured ? *joining_.measured : take_; }
+
     Status readDistances() {
         const int room = static_cast<int>(subjects_.size());
         for (int to = 0; to <= room; ++to) {
@@ -185,7 +218,7 @@ private:
                 break;
             const int suit = joining_.suitOf(static_cast<size_t>(to), subjects_);
             const Status walked =
-                take_.forEachCrossRange(kPrimaryRun, suit, [&](const Take::CrossRange& cross) {
+                data().forEachCrossRange(kPrimaryRun, suit, [&](const Take::CrossRange& cross) {
                     const int from = memberOf(cross.from_suit);
                     const bool concerns_room = from == room || to == room;
                     if (from >= 0 && (concerns_room || joining_.between))
@@ -249,10 +282,10 @@ private:
         of(joining_.room ? joining_.room->calibration : subjects_.front().calibration);
     }
 
-    const Take& take_;
+    Take& take_;
     const ProcessRequest& request_;
-    const std::vector<Ingredients>& subjects_;
-    const TakeClocks& clocks_;
+    std::vector<Ingredients>& subjects_;
+    TakeClocks& clocks_;
     std::vector<std::string>& warnings_;
     Joining joining_;
     std::vector<SpeedOfSound> sound_;
@@ -260,10 +293,10 @@ private:
 
 }  // namespace
 
-Result<Joining> joinSubjects(const Take& take, const ProcessRequest& request,
-                             const std::vector<Ingredients>& subjects, const TakeClocks& clocks,
-                             std::vector<std::string>& warnings) {
-    return Joiner(take, request, subjects, clocks, warnings).join();
+Result<Joining> joinSubjects(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects,
+                             TakeClocks& clocks, const std::string& folder,
+                             std::vector<std::string>& warnings, const JobContext& job) {
+    return Joiner(take, request, subjects, clocks, warnings).join(folder, job);
 }
 
 }  // namespace noctule

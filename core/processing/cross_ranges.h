@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/estimation/joint_filter.h"
-#include "core/processing/ingredients.h"
+#include "core/processing/measure_sound.h"
 #include "core/processing/take_clocks.h"
 
 namespace noctule {
@@ -29,6 +29,7 @@ struct Joining {
     bool clocks_shared = false;
     std::vector<JointDistance> distances;
     std::vector<RangeMeasurement> ranges;  ///< as measured, one per distance
+    std::optional<Take> measured;          ///< of a take of sound: its readings and ranges
 
     bool joins() const { return !distances.empty(); }
     /// Suit of a member.
@@ -37,9 +38,11 @@ struct Joining {
     }
 };
 
-/// Fails where what was asked for (Wanted::kOn) cannot be; otherwise says in `warnings` what is left out.
-Result<Joining> joinSubjects(const Take& take, const ProcessRequest& request,
-                             const std::vector<Ingredients>& subjects, const TakeClocks& clocks,
-                             std::vector<std::string>& warnings);
+/// Fails where what was asked for (Wanted::kOn) cannot be; otherwise says in `warnings` what is left out. Of
+/// a take of sound, `clocks` and the subjects' clocks become those of what was measured; `folder` is where
+/// that is put aside.
+Result<Joining> joinSubjects(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects,
+                             TakeClocks& clocks, const std::string& folder,
+                             std::vector<std::string>& warnings, const JobContext& job);
 
 }  // namespace noctule

@@ -172,10 +172,10 @@ private:
         if (!tracker)
             return tracker.error();
         line.tracker = std::move(*tracker);
-        auto readings = take_.readings(kPrimaryRun, in.subject.suit());
+        auto readings = data().readings(kPrimaryRun, in.subject.suit());
         if (!readings)
             return readings.error();
-        auto ranges = take_.ranges(kPrimaryRun, in.subject.suit());
+        auto ranges = data().ranges(kPrimaryRun, in.subject.suit());
         if (!ranges)
             return ranges.error();
         line.readings = std::move(*readings);
@@ -184,6 +184,8 @@ private:
         Status first = nextReading(lines_.back());
         return first ? nextRange(lines_.back()) : first;
     }
+
+    const Take& data() const { return joining_.measured ? *joining_.measured : take_; }
 
     static Status nextReading(Line& line) {
         auto reading = line.readings->next();
@@ -210,6 +212,11 @@ private:
             results_.summary.frames_seen += 1;
             results_.summary.frames_lost += line.reading->corrected_bits ? 0 : 1;
             line.tracker->add(*line.reading);
+            if (joining_.measured) {
+                results_.goOn(static_cast<size_t>(&line - lines_.data()));
+                if (Status kept = results_.write(std::vector{*line.reading}); !kept)
+                    return kept;
+            }
             if (Status next = nextReading(line); !next)
                 return next;
         }
@@ -325,7 +332,8 @@ private:
 
 Result<bool> processTogether(Take& take, const ProcessRequest& request, const TrackerSettings& settings,
                              std::vector<Ingredients>& subjects, ResultRuns& results, const JobContext& job) {
-    auto joining = joinSubjects(take, request, subjects, results.clocks, results.summary.warnings);
+    auto joining = joinSubjects(take, request, subjects, results.clocks, settings.spool_folder,
+                                results.summary.warnings, job);
     if (!joining)
         return joining.error();
     if (!joining->joins())

@@ -127,6 +127,14 @@ Result<int64_t> TakeTables::addPulse(int64_t sample, int source, int suit) {
     return database_->lastInsertId();
 }
 
+Status TakeTables::addPulse(const Pulse& pulse, int suit) {
+    auto insert = insertInto("pulse");
+    if (!insert)
+        return insert.error();
+    (*insert)->bind(0, pulse.id).bind(1, int64_t{suit}).bind(2, pulse.sample).bind(3, int64_t{pulse.source});
+    return (*insert)->run();
+}
+
 Status TakeTables::addStatus(const StatusRow& row, int suit) {
     suit = seen(suit);
     auto insert = insertInto("status");

@@ -31,6 +31,8 @@ public:
     Result<int64_t> addCalibration(const Calibration& calibration, int suit = kSuitInView);
     Result<int64_t> addActor(const Actor& actor, const std::string& created_utc, int suit = kSuitInView);
     Result<int64_t> addPulse(int64_t sample, int source, int suit = kSuitInView);
+    /// Under the pulse's own id, for a copy.
+    Status addPulse(const Pulse& pulse, int suit);
     Status addStatus(const StatusRow& row, int suit = kSuitInView);
     Status addGap(const GapRow& row, int suit = kSuitInView);
     Status addMarker(const MarkerRow& row, int suit = kSuitInView);
