@@ -55,7 +55,7 @@ Delays delaysOf(const Direction& direction, double pause_end_s, int back) {
 }
 
 struct Agreement {
-    double ahead_s, spread_s;
+    double ahead_s, way_s, spread_s;
 };
 
 std::optional<Agreement> agreementOf(const Delays& there, const Delays& back, const Direction& first,
@@ -80,7 +80,7 @@ std::optional<Agreement> agreementOf(const Delays& there, const Delays& back, co
         one = std::abs(one - ahead_s);
     if (way_s < kNearest_s || way_s > kFarthest_s || std::abs(ahead_s) > kMostAhead_s)
         return std::nullopt;
-    return Agreement{ahead_s, medianIn(ahead)};
+    return Agreement{ahead_s, way_s, medianIn(ahead)};
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ std::optional<CoarseClock> coarseClock(const Direction& there, const Direction& 
         for (int b = -kMostPulses; b <= kMostPulses; ++b) {
             const auto found = agreementOf(delays, delaysOf(back, back_end, b), there, back);
             if (found && found->spread_s < (best ? best->spread_s : kMostSpread_s))
-                best = CoarseClock{found->ahead_s, t, b, found->spread_s};
+                best = CoarseClock{found->ahead_s, t, b, found->way_s, found->spread_s};
         }
     }
     return best;

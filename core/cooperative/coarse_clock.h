@@ -33,6 +33,7 @@ struct CoarseClock {
     int there_pulses =
         0;  ///< an arrival at the second belongs to the pulse so many before the one it was given to
     int back_pulses = 0;
+    double way_s = 0;     ///< median of the sound's ways
     double spread_s = 0;  ///< median absolute deviation between pairs of housings
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <unordered_map>
 
 #include "core/cooperative/coarse_clock.h"
@@ -18,8 +19,11 @@ constexpr double kStretch_s = 1.5, kStretchesApart_s = 10;  ///< in which the cl
 constexpr int kMostStretches = 60;
 constexpr double kLead_s = 0.0004;  ///< before a pulse's emission: clocks are known to less
 constexpr double kOutlier_s = 0.001;
-/// Sound that far away is heard in the next pulse's slot, where that pulse's own is stronger.
-constexpr double kFarthest_m = 2.75;
+/// A slot is 2.7 m of sound long. It lies about where sound has been arriving, so that people may stand
+/// further apart.
+constexpr double kFarthest_m = 8;
+constexpr double kSettles = 0.01;         ///< share of one arrival in where the next are expected
+constexpr double kLeastConfidence = 0.5;  ///< of it
 
 /// ahead of the true take time, as a line of take time.
 struct ClockError {
@@ -131,6 +135,8 @@ private:
         PulseReceiver receiver;
         RangeFinder finder;
         std::unordered_map<int64_t, Sent> sent;  ///< by pulse id
+        double way_s = 0;                        ///< of the sound, lately
+        size_t next_pulse = 0;                   ///< of the log, not yet awaited
     };
 
     Status addParty(SoundOfSuit& suit) {
@@ -234,8 +240,11 @@ private:
                 return there.error();
             if (!back)
                 return back.error();
-            if (const auto found = cooperative::coarseClock(*there, *back))
+            if (const auto found = cooperative::coarseClock(*there, *back)) {
+                if (points.empty())
+                    way_s_[{a, b}] = way_s_[{b, a}] = found->way_s;
                 points.push_back({from_s + kStretch_s / 2, found->ahead_s});
+            }
             job_.progress(0, "Finding the clocks");
             if (job_.cancelled())
                 return JobContext::cancelledError();
@@ -309,20 +318,31 @@ private:
                                           from.of.decoder.detector, settings);
         if (!finder)
             return finder.error();
-        Ear ear{from_index, std::move(*receiver), std::move(*finder), {}};
+        Ear ear{from_index, std::move(*receiver), std::move(*finder), {}, way_s_[{from_index, to_index}]};
         for (const TemperatureStatus& status : to.log.statuses)
             ear.finder.soundSpeed().add(status);
         for (const GapRow& gap : to.log.gaps)
             ear.receiver.markMissing(gap.first_sample, gap.sample_count, gap.board);
-        for (const Pulse& pulse : from.log.pulses) {
+        return ear;
+    }
+
+    /// Makes the slots of all pulses that are sent before a sample of the listener.
+    void await(int64_t until, Ear& ear, const Party& to) const {
+        const Party& from = parties_[ear.from];
+        const double interval_s = from.of.decoder.train.interval_samples / from.rate_hz();
+        for (; ear.next_pulse < from.log.pulses.size(); ++ear.next_pulse) {
+            const Pulse& pulse = from.log.pulses[ear.next_pulse];
             const double guessed_s = from.guessedTake_s(static_cast<double>(pulse.sample));
             const double shift_s = to.error.at(guessed_s) - from.error.at(guessed_s);
             const double emission = to.sampleAt(guessed_s + shift_s);
-            const auto begin = static_cast<int64_t>(std::floor(emission - kLead_s * to.rate_hz()));
-            if (begin >= 0 && ear.receiver.pushPulse({pulse.id, begin, pulse.source}))
-                ear.sent[pulse.id] = {std::llround(emission), to.sampleAt(guessed_s)};
+            if (emission >= static_cast<double>(until))
+                return;
+            const double late_s = std::max(-kLead_s, ear.way_s - interval_s / 2);
+            const auto begin = static_cast<int64_t>(emission + late_s * to.rate_hz());
+            if (emission < 0 || !ear.receiver.pushPulse({pulse.id, begin, pulse.source}))
+                continue;
+            ear.sent[pulse.id] = {std::llround(emission), to.sampleAt(guessed_s)};
         }
-        return ear;
     }
 
     /// As distances between suits stand in a take: by the recorder's guess of both clocks.
@@ -330,9 +350,12 @@ private:
         const Sent& sent = ear.sent.at(detection.pulse.id);
         detection.pulse.sample = sent.sample;
         auto range = ear.finder.process(detection);
-        if (range)
-            range->distance_m += ear.finder.soundSpeed().at(sent.sample) *
-                                 (static_cast<double>(sent.sample) - sent.guessed_sample) / to.rate_hz();
+        if (!range)
+            return range;
+        if (range->confidence() >= kLeastConfidence)
+            ear.way_s += kSettles * (range->distance_m / ear.finder.soundSpeed().at(sent.sample) - ear.way_s);
+        range->distance_m += ear.finder.soundSpeed().at(sent.sample) *
+                             (static_cast<double>(sent.sample) - sent.guessed_sample) / to.rate_hz();
         return range;
     }
 
@@ -363,6 +386,9 @@ private:
                 state = write(*decoder, to, writer);
             }
             for (Ear& ear : ears) {
+                await(block.first_sample +
+                          static_cast<int64_t>(block.values.size() / to.of.described.boards.size()),
+                      ear, to);
                 ear.receiver.pushBlock(block.first_sample, block.values);
                 std::vector<PulseDetection> heard;
                 ear.receiver.advance(ear.receiver.samplesEnd(), heard);
@@ -432,6 +458,7 @@ private:
     std::vector<std::string>& warnings_;
     const JobContext& job_;
     std::vector<Party> parties_;
+    std::map<std::pair<size_t, size_t>, double> way_s_;  ///< of the sound between two at first
 };
 
 }  // namespace

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two people with four housings each, whose boxes' clocks are known to 10 ms: every arrival is given to some
+// pulse, as a receiver that knows nothing would.
+#include "core/cooperative/coarse_clock.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/math/conventions.h"
+
+namespace noctule::cooperative {
+namespace {
+
+constexpr double kSound_m_per_s = 343;
+constexpr int kHousings = 4;
+
+struct Pair {
+    std::vector<Vector3d> first_m, second_m;
+};
+
+/// Chest, two hands and a foot, facing each other.
+Pair standing(double apart_m) {
+    Pair pair;
+    for (const double side : {1.0, -1.0}) {
+        std::vector<Vector3d>& places = side > 0 ? pair.first_m : pair.second_m;
+        const double z = side * apart_m / 2;
+        places = {
+            {0, 1.3, z}, {side * 0.45, 1.0, z - side * 0.2}, {-side * 0.35, 0.9, z}, {side * 0.15, 0.1, z}};
+    }
+    return pair;
+}
+
+Direction heard(const std::vector<Vector3d>& sources_m, const std::vector<Vector3d>& boards_m,
+                double interval_s, double ahead_s, unsigned seed, double lost = 0.3) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise_s(0, 20e-6);
+    std::uniform_real_distribution<double> share(0, 1);
+    Direction direction;
+    direction.interval_s = interval_s;
+    for (int housing = 0; housing < kHousings; ++housing)
+        direction.board_near.push_back(housing);
+    constexpr int kPulses = 120;
+    for (int pulse = 0; pulse < kPulses; ++pulse)
+        direction.sources.push_back(pulse % kHousings);
+    for (int pulse = 0; pulse < kPulses; ++pulse)
+        for (int board = 0; board < kHousings; ++board) {
+            const size_t source = static_cast<size_t>(pulse % kHousings);
+            const double delay_s =
+                (sources_m[source] - boards_m[static_cast<size_t>(board)]).norm() / kSound_m_per_s + ahead_s +
+                noise_s(random);
+            const int late = static_cast<int>(std::floor(delay_s / interval_s));
+            if (share(random) > lost && pulse + late >= 0 && pulse + late < kPulses)
+                direction.arrivals.push_back({pulse + late, board, delay_s - late * interval_s});
+        }
+    return direction;
+}
+
+TEST(CoarseClock, IsFoundWhateverTheGuessAndTheDistance) {
+    for (const double apart_m : {0.6, 1.7, 2.8, 4.0})
+        for (const double ahead_s : {-0.0097, -0.0043, 0.0, 0.0021, 0.0088}) {
+            const Pair pair = standing(apart_m);
+            const auto found = coarseClock(heard(pair.first_m, pair.second_m, 0.008, ahead_s, 1),
+                                           heard(pair.second_m, pair.first_m, 0.0082, -ahead_s, 2));
+            ASSERT_TRUE(found) << apart_m << " m, " << ahead_s << " s";
+            EXPECT_NEAR(found->ahead_s, ahead_s, 50e-6) << apart_m << " m";
+            EXPECT_NEAR(found->way_s, apart_m / kSound_m_per_s, 0.0015) << ahead_s << " s";
+        }
+}
+
+TEST(CoarseClock, IsNotGuessedFromOneDirection) {
+    const Pair pair = standing(1.5);
+    const Direction there = heard(pair.first_m, pair.second_m, 0.008, 0.002, 1);
+    Direction silent = there;
+    silent.arrivals.clear();
+    EXPECT_FALSE(coarseClock(there, silent));
+    EXPECT_FALSE(coarseClock(silent, there));
+}
+
+TEST(CoarseClock, NoiseIsNoClock) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> delay_s(0, 0.008);
+    const Pair pair = standing(1.5);
+    Direction there = heard(pair.first_m, pair.second_m, 0.008, 0, 1);
+    Direction back = heard(pair.second_m, pair.first_m, 0.0082, 0, 2);
+    for (Direction* direction : {&there, &back})
+        for (LooseArrival& arrival : direction->arrivals)
+            arrival.delay_s = delay_s(random);
+    const auto found = coarseClock(there, back);
+    EXPECT_FALSE(found) << found->ahead_s << " s, spread " << found->spread_s;
+}
+
+}  // namespace
+}  // namespace noctule::cooperative
