@@ -23,7 +23,7 @@ constexpr double kOutlier_s = 0.001;
 /// further apart.
 constexpr double kFarthest_m = 8;
 constexpr double kSettles = 0.01;         ///< share of one arrival in where the next are expected
-constexpr double kLeastConfidence = 0.5;  ///< of it
+constexpr double kTrusted = 0.5;  ///< of it
 
 /// ahead of the true take time, as a line of take time.
 struct ClockError {
@@ -352,7 +352,7 @@ private:
         auto range = ear.finder.process(detection);
         if (!range)
             return range;
-        if (range->confidence() >= kLeastConfidence)
+        if (range->confidence() >= kTrusted)
             ear.way_s += kSettles * (range->distance_m / ear.finder.soundSpeed().at(sent.sample) - ear.way_s);
         range->distance_m += ear.finder.soundSpeed().at(sent.sample) *
                              (static_cast<double>(sent.sample) - sent.guessed_sample) / to.rate_hz();

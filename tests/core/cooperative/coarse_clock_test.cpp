@@ -13,7 +13,7 @@
 namespace noctule::cooperative {
 namespace {
 
-constexpr double kSound_m_per_s = 343;
+constexpr double kAir_m_per_s = 343;
 constexpr int kHousings = 4;
 
 struct Pair {
@@ -48,7 +48,7 @@ Direction heard(const std::vector<Vector3d>& sources_m, const std::vector<Vector
         for (int board = 0; board < kHousings; ++board) {
             const size_t source = static_cast<size_t>(pulse % kHousings);
             const double delay_s =
-                (sources_m[source] - boards_m[static_cast<size_t>(board)]).norm() / kSound_m_per_s + ahead_s +
+                (sources_m[source] - boards_m[static_cast<size_t>(board)]).norm() / kAir_m_per_s + ahead_s +
                 noise_s(random);
             const int late = static_cast<int>(std::floor(delay_s / interval_s));
             if (share(random) > lost && pulse + late >= 0 && pulse + late < kPulses)
@@ -65,7 +65,7 @@ TEST(CoarseClock, IsFoundWhateverTheGuessAndTheDistance) {
                                            heard(pair.second_m, pair.first_m, 0.0082, -ahead_s, 2));
             ASSERT_TRUE(found) << apart_m << " m, " << ahead_s << " s";
             EXPECT_NEAR(found->ahead_s, ahead_s, 50e-6) << apart_m << " m";
-            EXPECT_NEAR(found->way_s, apart_m / kSound_m_per_s, 0.0015) << ahead_s << " s";
+            EXPECT_NEAR(found->way_s, apart_m / kAir_m_per_s, 0.0015) << ahead_s << " s";
         }
 }
 
