@@ -12,6 +12,8 @@ namespace {
 constexpr double kMostAhead_s = 0.012;
 constexpr double kNearest_s = 0.0003, kFarthest_s = 0.018;  ///< of sound: 0.1 to 6 m
 constexpr double kMostSpread_s = 0.001;
+/// Median deviation of one pair's ways: 1 m/s during 1.5 s is 1.1 ms, arrivals at any time are 2 ms.
+constexpr double kMostMoved_s = 0.0013;
 constexpr size_t kLeastPairs = 3, kLeastHeard = 3;
 constexpr int kMostPulses = 3;  ///< that a delay may be counted wrong by
 
@@ -48,9 +50,15 @@ Delays delaysOf(const Direction& direction, double pause_end_s, int back) {
             arrival.delay_s + pulses * direction.interval_s);
     }
     Delays medians;
-    for (auto& [pair, delays] : heard)
-        if (delays.size() >= kLeastHeard)
-            medians[pair] = medianIn(delays);
+    for (auto& [pair, delays] : heard) {
+        if (delays.size() < kLeastHeard)
+            continue;
+        const double median_s = medianIn(delays);
+        for (double& delay_s : delays)
+            delay_s = std::abs(delay_s - median_s);
+        if (medianIn(delays) < kMostMoved_s)
+            medians[pair] = median_s;
+    }
     return medians;
 }
 
