@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 namespace noctule::cooperative {
@@ -15,6 +16,13 @@ constexpr double kMostSpread_s = 0.001;
 /// Median deviation of one pair's ways: 1 m/s during 1.5 s is 1.1 ms, arrivals at any time are 2 ms.
 constexpr double kMostMoved_s = 0.0013;
 constexpr size_t kLeastPairs = 3, kLeastHeard = 3;
+constexpr size_t kLeastSources = 6,
+                 kLeastBoards = 3;  ///< that a count rests on: a place and a clock are four unknowns
+constexpr double kMostMisfit_s = 0.0003, kClearly = 1.5;
+constexpr double kMostDrift_s = 0.0015;  ///< of a clock between two stretches
+constexpr double kAir_m_per_s = 344;     ///< temperature changes it by 1 % in 6 degrees
+constexpr double kStart_m = 1.5;
+constexpr int kSteps = 12;
 constexpr int kMostPulses = 3;  ///< that a delay may be counted wrong by
 
 using Delays = std::map<std::pair<int, int>, double>;  ///< median by source and board
@@ -91,21 +99,98 @@ std::optional<Agreement> agreementOf(const Delays& there, const Delays& back, co
     return Agreement{ahead_s, way_s, medianIn(ahead)};
 }
 
+/// Root mean square by which delays from known places miss the best place of a board; its own clock is free.
+/// Seconds.
+double misfitOf(const std::vector<Vector3d>& places_m, const std::vector<double>& delays_s) {
+    const auto n = static_cast<Eigen::Index>(places_m.size());
+    Vector3d middle_m = Vector3d::Zero();
+    double mean_s = 0;
+    for (size_t i = 0; i < places_m.size(); ++i)
+        middle_m += places_m[i] / static_cast<double>(n), mean_s += delays_s[i] / static_cast<double>(n);
+    double best_s = 1;
+    for (int start = 0; start < 8; ++start) {
+        const double turn = start * std::numbers::pi / 4;
+        Eigen::Vector4d at;  // place, clock times the speed of sound
+        at << middle_m + kStart_m * Vector3d(std::sin(turn), 0.1, std::cos(turn)),
+            mean_s * kAir_m_per_s - kStart_m;
+        double damping = 1e-3, error = 1e18;
+        for (int step = 0; step < kSteps; ++step) {
+            Eigen::Matrix<double, Eigen::Dynamic, 4> slope(n, 4);
+            Eigen::VectorXd residual(n);
+            for (Eigen::Index i = 0; i < n; ++i) {
+                const Vector3d way_m = at.head<3>() - places_m[static_cast<size_t>(i)];
+                const double length_m = std::max(way_m.norm(), 1e-6);
+                residual[i] = length_m + at[3] - delays_s[static_cast<size_t>(i)] * kAir_m_per_s;
+                slope.row(i) << way_m.transpose() / length_m, 1;
+            }
+            damping = residual.squaredNorm() < error ? damping / 3 : damping * 10;
+            error = std::min(error, residual.squaredNorm());
+            const Eigen::Matrix4d normal = slope.transpose() * slope;
+            at -= (normal + damping * Eigen::Matrix4d::Identity()).ldlt().solve(slope.transpose() * residual);
+        }
+        best_s = std::min(best_s, std::sqrt(error / static_cast<double>(n - 4)) / kAir_m_per_s);
+    }
+    return best_s;
+}
+
+/// Median misfit of the boards; nothing when too few boards hear enough sources.
+std::optional<double> misfitOf(const Delays& delays, const Direction& direction) {
+    std::map<int, std::pair<std::vector<Vector3d>, std::vector<double>>> boards;
+    for (const auto& [pair, delay_s] : delays) {
+        auto& [places_m, delays_s] = boards[pair.second];
+        places_m.push_back(direction.places_m[static_cast<size_t>(pair.first)]);
+        delays_s.push_back(delay_s);
+    }
+    std::vector<double> misfits;
+    for (const auto& [board, heard] : boards)
+        if (heard.first.size() >= kLeastSources)
+            misfits.push_back(misfitOf(heard.first, heard.second));
+    if (misfits.size() < kLeastBoards)
+        return std::nullopt;
+    return medianIn(misfits);
+}
+
+/// How many pulses arrivals of this direction were counted wrong by; nothing when that cannot be told.
+std::optional<int> countOf(const Direction& direction, double pause_end_s) {
+    std::optional<int> best;
+    double least_s = 1, second_s = 1;
+    for (int pulses = -kMostPulses; pulses <= kMostPulses; ++pulses) {
+        const auto misfit_s = misfitOf(delaysOf(direction, pause_end_s, pulses), direction);
+        if (!misfit_s)
+            continue;
+        if (*misfit_s < least_s)
+            second_s = std::exchange(least_s, *misfit_s), best = pulses;
+        else
+            second_s = std::min(second_s, *misfit_s);
+    }
+    return least_s < kMostMisfit_s && second_s > kClearly * least_s ? best : std::nullopt;
+}
+
 }  // namespace
 
-std::optional<CoarseClock> coarseClock(const Direction& there, const Direction& back) {
+std::optional<CoarseClock> coarseClock(const Direction& there, const Direction& back,
+                                       const std::optional<CoarseClock>& before) {
     if (there.arrivals.empty() || back.arrivals.empty())
         return std::nullopt;
     const double there_end = endOfPause(there), back_end = endOfPause(back);
+    std::optional<int> there_count, back_count;
+    if (!before) {
+        there_count = countOf(there, there_end);
+        back_count = countOf(back, back_end);
+        if (!there_count || !back_count)
+            return std::nullopt;
+    }
     std::optional<CoarseClock> best;
-    for (int t = -kMostPulses; t <= kMostPulses; ++t) {
-        const Delays delays = delaysOf(there, there_end, t);
+    for (int t = -kMostPulses; t <= kMostPulses; ++t)
         for (int b = -kMostPulses; b <= kMostPulses; ++b) {
-            const auto found = agreementOf(delays, delaysOf(back, back_end, b), there, back);
-            if (found && found->spread_s < (best ? best->spread_s : kMostSpread_s))
+            if (!before && (t != *there_count || b != *back_count))
+                continue;
+            const auto found =
+                agreementOf(delaysOf(there, there_end, t), delaysOf(back, back_end, b), there, back);
+            if (found && found->spread_s < (best ? best->spread_s : kMostSpread_s) &&
+                (!before || std::abs(found->ahead_s - before->ahead_s) < kMostDrift_s))
                 best = CoarseClock{found->ahead_s, t, b, found->way_s, found->spread_s};
         }
-    }
     return best;
 }
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The clocks of two boxes to a fraction of a millisecond, from the sound that each heard of the other, before
 // it is known which arrival belongs to which pulse. The recorder's guess is up to 10 ms off, a pulse interval
-// is 8 ms and pulses do not tell their numbers. Two things do: between arrivals of all sources there is a
-// pause in every interval; and only when both directions are counted right, their half difference is the same
-// for every pair of housings.
+// is 8 ms and pulses do not tell their numbers. But the sources sound in turn, and where they are to each
+// other is known: counted right, the delays to one board fit a single place of that board, counted wrong they
+// do not.
 #pragma once
 
 #include <optional>
 #include <vector>
+
+#include "core/math/conventions.h"
 
 namespace noctule::cooperative {
 
@@ -21,8 +23,10 @@ struct LooseArrival {
 
 /// What the boards of one suit heard of the other's sources in a short stretch, a second or so.
 struct Direction {
-    double interval_s = 0;        ///< between pulses
-    std::vector<int> sources;     ///< of the pulses, in their order
+    double interval_s = 0;     ///< between pulses
+    std::vector<int> sources;  ///< of the pulses, in their order
+    std::vector<Vector3d>
+        places_m;  ///< of the sources, in one frame: of a body in its standing pose, or of a room
     std::vector<int> board_near;  ///< by source: the board of its own suit in the same housing or on the same
                                   ///< segment; -1: none
     std::vector<LooseArrival> arrivals;
@@ -37,8 +41,10 @@ struct CoarseClock {
     double spread_s = 0;  ///< median absolute deviation between pairs of housings
 };
 
-/// `there`: sources of the first, boards of the second. Nothing when fewer than three pairs of housings hear
-/// each other both ways, or no counting makes them agree within 1 ms.
-std::optional<CoarseClock> coarseClock(const Direction& there, const Direction& back);
+/// `there`: sources of the first, boards of the second. Bodies stand about as in `places_m`, or what was
+/// found a few seconds before is given as `before`. Nothing when too few of them hear each other, or no
+/// counting fits much better than all others.
+std::optional<CoarseClock> coarseClock(const Direction& there, const Direction& back,
+                                       const std::optional<CoarseClock>& before = std::nullopt);
 
 }  // namespace noctule::cooperative

@@ -35,6 +35,30 @@ std::string obstacle(const ProcessRequest& request) {
     return "";
 }
 
+Vector3d calibratedPlace(const Source& source, const Calibration& calibration) {
+    const SourceCalibration* known = calibration.findSource(source.id);
+    return known && known->p_segment_source_m ? *known->p_segment_source_m : source.p_segment_source_m;
+}
+
+/// Where a body's sources are while it stands; one frame for all of them.
+std::vector<Vector3d> standingSources(const Ingredients& in) {
+    const GlobalPose standing = globalPose(in.actor.skeleton, in.actor.restPose());
+    std::vector<Vector3d> places_m;
+    for (const Source& source : in.suit.sources) {
+        const auto joint = static_cast<size_t>(std::max(0, in.actor.skeleton.find(source.segment)));
+        places_m.push_back(standing.p_world_joint[joint] +
+                           standing.q_world_joint[joint] * calibratedPlace(source, in.calibration));
+    }
+    return places_m;
+}
+
+std::vector<Vector3d> sourcesOfRoom(const RoomOfTake& room) {
+    std::vector<Vector3d> places_m;
+    for (const Source& source : room.suit.sources)
+        places_m.push_back(calibratedPlace(source, room.calibration));
+    return places_m;
+}
+
 class Joiner {
 public:
     Joiner(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects, TakeClocks& clocks,
@@ -149,7 +173,7 @@ private:
     Status measure(const std::string& folder, const JobContext& job) {
         std::vector<SoundOfSuit> suits;
         for (const Ingredients& in : subjects_)
-            suits.push_back({in.subject.suit(), in.suit, in.calibration, in.decoder});
+            suits.push_back({in.subject.suit(), in.suit, in.calibration, in.decoder, standingSources(in)});
         if (joining_.room) {
             take_.view(joining_.room->subject.suit());
             const TakeHeader& of_room = take_.header();
@@ -158,7 +182,7 @@ private:
                                            static_cast<int>(of_room.pulse_cycles)},
                                           subjects_.front().decoder.detector};
             suits.push_back({joining_.room->subject.suit(), joining_.room->suit, joining_.room->calibration,
-                             decoder, false});
+                             decoder, sourcesOfRoom(*joining_.room), false});
         }
         auto measured = measureSound(take_, std::move(suits), folder, warnings_, job);
         if (!measured)

@@ -22,8 +22,8 @@ constexpr double kOutlier_s = 0.001;
 /// A slot is 2.7 m of sound long. It lies about where sound has been arriving, so that people may stand
 /// further apart.
 constexpr double kFarthest_m = 8;
-constexpr double kSettles = 0.01;         ///< share of one arrival in where the next are expected
-constexpr double kTrusted = 0.5;  ///< of it
+constexpr double kSettles = 0.01;  ///< share of one arrival in where the next are expected
+constexpr double kTrusted = 0.5;   ///< of it
 
 /// ahead of the true take time, as a line of take time.
 struct ClockError {
@@ -218,8 +218,8 @@ private:
             if (!party.is_joined)
                 warnings_.push_back(
                     "The clock of suit " + std::to_string(party.of.suit) +
-                    " cannot be found from the sound: it and the others do not hear each other both "
-                    "ways. It stands at the recorder's guess, which may be 5 ms off.");
+                    " cannot be found from the sound: it and the others do not hear each other well "
+                    "enough. Distances to it are not used.");
         return Done{};
     }
 
@@ -233,14 +233,16 @@ private:
         const int stretches =
             std::clamp(static_cast<int>((end_s - begin_s) / kStretchesApart_s) + 1, 1, kMostStretches);
         std::vector<Point> points;
-        for (int i = 0; i < stretches; ++i) {
-            const double from_s = begin_s + (end_s - begin_s - kStretch_s) * (i + 0.5) / stretches;
+        std::optional<cooperative::CoarseClock> before;
+        for (int i = 0; i < stretches; ++i) {  // the first lies where the standing pose is held
+            const double from_s = begin_s + (end_s - begin_s - kStretch_s) * i / stretches;
             auto there = listen(a, b, from_s), back = listen(b, a, from_s);
             if (!there)
                 return there.error();
             if (!back)
                 return back.error();
-            if (const auto found = cooperative::coarseClock(*there, *back)) {
+            if (const auto found = cooperative::coarseClock(*there, *back, before)) {
+                before = found;
                 if (points.empty())
                     way_s_[{a, b}] = way_s_[{b, a}] = found->way_s;
                 points.push_back({from_s + kStretch_s / 2, found->ahead_s});
@@ -268,6 +270,7 @@ private:
         cooperative::Direction direction;
         direction.interval_s = from.of.decoder.train.interval_samples / from.rate_hz();
         direction.board_near = boardsNear(from.of.described);
+        direction.places_m = from.of.source_places_m;
         auto receiver = receiverOf(from, to);
         if (!receiver)
             return receiver.error();
@@ -373,7 +376,7 @@ private:
         }
         std::vector<Ear> ears;
         for (size_t from = 0; from < parties_.size(); ++from)
-            if (from != index && parties_[from].sounds()) {
+            if (from != index && parties_[from].sounds() && parties_[from].is_joined && to.is_joined) {
                 auto ear = earOf(from, index);
                 if (!ear)
                     return ear.error();

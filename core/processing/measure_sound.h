@@ -20,7 +20,8 @@ struct SoundOfSuit {
     Suit described;
     Calibration calibration;
     DecoderSettings decoder;
-    bool has_readings = true;  ///< anchors have none
+    std::vector<Vector3d> source_places_m;  ///< of a body in its standing pose, or in the room
+    bool has_readings = true;               ///< anchors have none
 };
 
 /// Written into `folder` and removed from it at once: the take lives as long as the object. Pulses keep their
