@@ -18,6 +18,7 @@ constexpr double kMostMoved_s = 0.0013;
 constexpr size_t kLeastPairs = 3, kLeastHeard = 3;
 constexpr size_t kLeastSources = 6,
                  kLeastBoards = 3;  ///< that a count rests on: a place and a clock are four unknowns
+constexpr Eigen::Index kLeastDelays = 10;
 constexpr double kMostMisfit_s = 0.0003, kClearly = 1.5;
 constexpr double kMostDrift_s = 0.0015;  ///< of a clock between two stretches
 constexpr double kAir_m_per_s = 344;     ///< temperature changes it by 1 % in 6 degrees
@@ -166,14 +167,77 @@ std::optional<int> countOf(const Direction& direction, double pause_end_s) {
     return least_s < kMostMisfit_s && second_s > kClearly * least_s ? best : std::nullopt;
 }
 
+struct Standing {
+    double ahead_s = 0, misfit_s = 1;
+};
+
+/// Where a body stands on the floor of a room whose boards hear it, and its clock.
+Standing standingIn(const Delays& delays, const Direction& direction) {
+    Standing best;
+    const auto n = static_cast<Eigen::Index>(delays.size());
+    if (n < kLeastDelays)
+        return best;
+    for (int start = 0; start < 8; ++start) {
+        Eigen::Vector4d at(0, 0, start * std::numbers::pi / 4,
+                           0);  // x, z, turn about the vertical, clock in metres
+        double damping = 1e-3, error = 1e18;
+        for (int step = 0; step < 2 * kSteps; ++step) {
+            Eigen::Matrix<double, Eigen::Dynamic, 4> slope(n, 4);
+            Eigen::VectorXd residual(n);
+            Eigen::Index i = 0;
+            for (const auto& [pair, delay_s] : delays) {
+                const Vector3d& source = direction.places_m[static_cast<size_t>(pair.first)];
+                const double sine = std::sin(at[2]), cosine = std::cos(at[2]);
+                const Vector3d turned(cosine * source.x() + sine * source.z(), source.y(),
+                                      -sine * source.x() + cosine * source.z());
+                const Vector3d way_m =
+                    turned + Vector3d(at[0], 0, at[1]) - direction.boards_m[static_cast<size_t>(pair.second)];
+                const Vector3d along = way_m / std::max(way_m.norm(), 1e-6);
+                residual[i] = way_m.norm() + at[3] - delay_s * kAir_m_per_s;
+                slope.row(i++) << along.x(), along.z(), along.x() * turned.z() - along.z() * turned.x(), 1;
+            }
+            damping = residual.squaredNorm() < error ? damping / 3 : damping * 10;
+            error = std::min(error, residual.squaredNorm());
+            const double misfit_s =
+                std::sqrt(residual.squaredNorm() / static_cast<double>(n - 4)) / kAir_m_per_s;
+            if (misfit_s < best.misfit_s)
+                best = {at[3] / kAir_m_per_s, misfit_s};
+            const Eigen::Matrix4d normal = slope.transpose() * slope;
+            at -= (normal + damping * Eigen::Matrix4d::Identity()).ldlt().solve(slope.transpose() * residual);
+        }
+    }
+    return best;
+}
+
+/// By one direction alone: the second's places are known.
+std::optional<CoarseClock> clockOfRoom(const Direction& there, double pause_end_s) {
+    Standing best, second;
+    for (int pulses = -kMostPulses; pulses <= kMostPulses; ++pulses) {
+        const Standing found = standingIn(delaysOf(there, pause_end_s, pulses), there);
+        if (std::abs(found.ahead_s) > kMostAhead_s)
+            continue;
+        if (found.misfit_s < best.misfit_s)
+            second = std::exchange(best, found);
+        else if (found.misfit_s < second.misfit_s)
+            second = found;
+    }
+    if (best.misfit_s > kMostMisfit_s || second.misfit_s < kClearly * best.misfit_s)
+        return std::nullopt;
+    return CoarseClock{best.ahead_s};
+}
+
 }  // namespace
 
 std::optional<CoarseClock> coarseClock(const Direction& there, const Direction& back,
-                                       const std::optional<CoarseClock>& before) {
+                                       const std::optional<CoarseClock>& known) {
     if (there.arrivals.empty() || back.arrivals.empty())
         return std::nullopt;
     const double there_end = endOfPause(there), back_end = endOfPause(back);
+    const std::optional<CoarseClock> before =
+        known || there.boards_m.empty() ? known : clockOfRoom(there, there_end);
     std::optional<int> there_count, back_count;
+    if (!before && !there.boards_m.empty())
+        return std::nullopt;
     if (!before) {
         there_count = countOf(there, there_end);
         back_count = countOf(back, back_end);

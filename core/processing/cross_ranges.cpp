@@ -59,6 +59,16 @@ std::vector<Vector3d> sourcesOfRoom(const RoomOfTake& room) {
     return places_m;
 }
 
+std::vector<Vector3d> boardsOfRoom(const RoomOfTake& room) {
+    std::vector<Vector3d> places_m;
+    for (const Board& board : room.suit.boards) {
+        const BoardCalibration* known = room.calibration.findBoard(board.id);
+        places_m.push_back(known && known->p_segment_board_m ? *known->p_segment_board_m
+                                                             : board.p_segment_board_m);
+    }
+    return places_m;
+}
+
 class Joiner {
 public:
     Joiner(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects, TakeClocks& clocks,
@@ -86,6 +96,7 @@ public:
         addClocks();
         if (Status read = readDistances(); !read)
             return read.error();
+        leaveOutSilentRoom();
         if (!joining_.joins())
             return giveUp("the take holds no distances between its suits",
                           "Check that the suits heard each other");
@@ -173,7 +184,8 @@ private:
     Status measure(const std::string& folder, const JobContext& job) {
         std::vector<SoundOfSuit> suits;
         for (const Ingredients& in : subjects_)
-            suits.push_back({in.subject.suit(), in.suit, in.calibration, in.decoder, standingSources(in)});
+            suits.push_back(
+                {in.subject.suit(), in.suit, in.calibration, in.decoder, standingSources(in), {}});
         if (joining_.room) {
             take_.view(joining_.room->subject.suit());
             const TakeHeader& of_room = take_.header();
@@ -182,7 +194,7 @@ private:
                                            static_cast<int>(of_room.pulse_cycles)},
                                           subjects_.front().decoder.detector};
             suits.push_back({joining_.room->subject.suit(), joining_.room->suit, joining_.room->calibration,
-                             decoder, sourcesOfRoom(*joining_.room), false});
+                             decoder, sourcesOfRoom(*joining_.room), boardsOfRoom(*joining_.room), false});
         }
         auto measured = measureSound(take_, std::move(suits), folder, warnings_, job);
         if (!measured)
@@ -231,6 +243,19 @@ private:
         return static_cast<size_t>(member) < subjects_.size()
                    ? subjects_[static_cast<size_t>(member)].decoder.train.sample_rate_hz
                    : subjects_.front().decoder.train.sample_rate_hz;
+    }
+
+    /// Anchors that nobody hears and that hear nobody join nothing.
+    void leaveOutSilentRoom() {
+        const auto room = static_cast<int>(subjects_.size());
+        if (!joining_.room || std::ranges::any_of(joining_.distances, [room](const JointDistance& one) {
+                return one.from == room || one.to == room;
+            }))
+            return;
+        joining_.room.reset();
+        joining_.guesses.pop_back();
+        joining_.clocks.back() = {};
+        joining_.clock_known.back() = false;
     }
 
     const Take& data() const { return joining_.measured ? *joining_.measured : take_; }

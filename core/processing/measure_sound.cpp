@@ -271,6 +271,7 @@ private:
         direction.interval_s = from.of.decoder.train.interval_samples / from.rate_hz();
         direction.board_near = boardsNear(from.of.described);
         direction.places_m = from.of.source_places_m;
+        direction.boards_m = to.of.board_places_m;
         auto receiver = receiverOf(from, to);
         if (!receiver)
             return receiver.error();

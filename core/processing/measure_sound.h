@@ -21,6 +21,7 @@ struct SoundOfSuit {
     Calibration calibration;
     DecoderSettings decoder;
     std::vector<Vector3d> source_places_m;  ///< of a body in its standing pose, or in the room
+    std::vector<Vector3d> board_places_m;   ///< in the room; empty for a body
     bool has_readings = true;               ///< anchors have none
 };
 

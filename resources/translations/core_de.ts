@@ -3653,6 +3653,10 @@
         <translation>%1: die Spalten sind nicht die des Körpers der Aufnahme</translation>
     </message>
     <message>
+        <source>%1: its suits are not counted from 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>%1: no board has a magnetometer</source>
         <translation>%1: keine Platine hat ein Magnetometer</translation>
     </message>
@@ -3713,10 +3717,6 @@
         <translation>: eine Marke bei</translation>
     </message>
     <message>
-        <source>A take of sound needs them measured first; check that the suits heard each other</source>
-        <translation>In einer Aufnahme mit Schall müssen sie zuerst gemessen werden; prüfen, ob die Anzüge einander hörten</translation>
-    </message>
-    <message>
         <source>Accelerometers and gyroscopes of %1 boards</source>
         <translation>Beschleunigungssensoren und Gyroskope von %1 Platinen</translation>
     </message>
@@ -3761,6 +3761,10 @@
         <translation>Prüfen, ob sie diese Aufnahme zeigt, oder --align MILLISECONDS angeben, die Zeit des Dateianfangs auf der Uhr der Aufnahme</translation>
     </message>
     <message>
+        <source>Check that the suits heard each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Check that you may write there and that it has room</source>
         <translation>Prüfen, ob dort geschrieben werden darf und Platz ist</translation>
     </message>
@@ -3791,6 +3795,10 @@
     <message>
         <source>Export the take again</source>
         <translation>Die Aufnahme noch einmal exportieren</translation>
+    </message>
+    <message>
+        <source>Finding the clocks</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Free some space there and process the take</source>
@@ -3889,6 +3897,10 @@
         <translation>Magnetometer von %1</translation>
     </message>
     <message>
+        <source>Measuring the sound</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Name the column %1, or give the times in seconds</source>
         <translation>Die Spalte %1 nennen oder die Zeiten in Sekunden angeben</translation>
     </message>
@@ -3977,6 +3989,10 @@
         <translation>Noch einmal aufnehmen</translation>
     </message>
     <message>
+        <source>Record it again, or process each subject with --between off --room off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Record with magnetometers switched on</source>
         <translation>Mit eingeschalteten Magnetometern aufnehmen</translation>
     </message>
@@ -4015,6 +4031,10 @@
     <message>
         <source>The calibration lacks the shape of pulses; it was learnt from this take's sound for</source>
         <translation>Der Kalibrierung fehlt die Form der Pulse; sie wurde aus dem Ton dieser Aufnahme gelernt für</translation>
+    </message>
+    <message>
+        <source>The clock of suit %1 cannot be found from the sound: it and the others do not hear each other well enough. Distances to it are not used.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The clock of suit %1 cannot be joined to that of suit %2: no transceivers of both hear each other. It stands alone, at the recorder's guess, which may be 5 ms off.</source>

@@ -14,7 +14,6 @@ namespace noctule::cooperative {
 namespace {
 
 constexpr double kSpeed_m_per_s = 341;  // not what the estimator believes
-constexpr int kHousings = 8;
 
 struct Pair {
     std::vector<Vector3d> first_m, second_m;
@@ -26,8 +25,14 @@ Pair standing(double apart_m) {
     for (const double side : {1.0, -1.0}) {
         std::vector<Vector3d>& places = side > 0 ? pair.first_m : pair.second_m;
         const double z = side * apart_m / 2;
-        places = {
-            {0, 1.3, z}, {side * 0.45, 1.0, z - side * 0.2}, {-side * 0.35, 0.9, z}, {side * 0.15, 0.1, z}};
+        places = {{0, 1.3, z},
+                  {side * 0.45, 1.0, z - side * 0.2},
+                  {-side * 0.35, 0.9, z},
+                  {side * 0.15, 0.1, z},
+                  {0.1, 1.45, z - 0.1},
+                  {-0.1, 1.2, z - 0.1},
+                  {0.05, 1.7, z},
+                  {-0.12, 0.5, z}};
     }
     return pair;
 }
@@ -40,14 +45,15 @@ Direction heard(const std::vector<Vector3d>& sources_m, const std::vector<Vector
     Direction direction;
     direction.interval_s = interval_s;
     direction.places_m = sources_m;
-    for (int housing = 0; housing < kHousings; ++housing)
+    const auto count = static_cast<int>(sources_m.size());
+    for (int housing = 0; housing < count; ++housing)
         direction.board_near.push_back(housing);
     constexpr int kPulses = 120;
     for (int pulse = 0; pulse < kPulses; ++pulse)
-        direction.sources.push_back(pulse % kHousings);
+        direction.sources.push_back(pulse % count);
     for (int pulse = 0; pulse < kPulses; ++pulse)
-        for (int board = 0; board < kHousings; ++board) {
-            const size_t source = static_cast<size_t>(pulse % kHousings);
+        for (int board = 0; board < static_cast<int>(boards_m.size()); ++board) {
+            const auto source = static_cast<size_t>(pulse % count);
             const double delay_s =
                 (sources_m[source] - boards_m[static_cast<size_t>(board)]).norm() / kSpeed_m_per_s + ahead_s +
                 noise_s(random);
@@ -68,6 +74,24 @@ TEST(CoarseClock, IsFoundWhateverTheGuessAndTheDistance) {
             EXPECT_NEAR(found->ahead_s, ahead_s, 50e-6) << apart_m << " m";
             EXPECT_NEAR(found->way_s, apart_m / kSpeed_m_per_s, 0.0015) << ahead_s << " s";
         }
+}
+
+/// Four anchors hear and sound for themselves; four sources do not tell their order.
+TEST(CoarseClock, OfARoomRestsOnItsAnchors) {
+    std::vector<Vector3d> anchors_m;
+    for (const double x : {-2.3, 2.3})
+        for (const double z : {-2.3, 2.3})
+            anchors_m.emplace_back(x, 2.7, z);
+    for (const double ahead_s : {-0.0046, 0.0003, 0.0041}) {
+        const Pair pair = standing(1.1);
+        Direction there = heard(pair.first_m, anchors_m, 0.008, ahead_s, 1);
+        for (Vector3d& place : there.places_m)  // of the body, wherever it stands
+            place = Eigen::AngleAxisd(2.1, Vector3d::UnitY()) * place + Vector3d(0.4, 0, -0.7);
+        there.boards_m = anchors_m;
+        const auto found = coarseClock(there, heard(anchors_m, pair.first_m, 0.0084, -ahead_s, 2));
+        ASSERT_TRUE(found) << ahead_s;
+        EXPECT_NEAR(found->ahead_s, ahead_s, 0.0003);
+    }
 }
 
 TEST(CoarseClock, IsNotGuessedFromOneDirection) {
