@@ -22,6 +22,7 @@ constexpr Eigen::Index kLeastDelays = 10;
 constexpr double kMostMisfit_s = 0.0003, kClearly = 1.5;
 constexpr double kMostDrift_s = 0.0015;  ///< of a clock between two stretches
 constexpr double kAir_m_per_s = 344;     ///< temperature changes it by 1 % in 6 degrees
+constexpr double kEcho_m = 0.05;         ///< what misses by more came around the body or from a wall
 constexpr double kStart_m = 1.5;
 constexpr int kSteps = 12;
 constexpr int kMostPulses = 3;  ///< that a delay may be counted wrong by
@@ -171,7 +172,8 @@ struct Standing {
     double ahead_s = 0, misfit_s = 1;
 };
 
-/// Where a body stands on the floor of a room whose boards hear it, and its clock.
+/// Where a body stands on the floor of a room that it hears or that hears it, and its clock; echoes count
+/// little. The misfit is the median one.
 Standing standingIn(const Delays& delays, const Direction& direction) {
     Standing best;
     const auto n = static_cast<Eigen::Index>(delays.size());
@@ -187,33 +189,43 @@ Standing standingIn(const Delays& delays, const Direction& direction) {
             Eigen::Index i = 0;
             for (const auto& [pair, delay_s] : delays) {
                 const Vector3d& source = direction.places_m[static_cast<size_t>(pair.first)];
+                const Vector3d& board = direction.boards_m[static_cast<size_t>(pair.second)];
+                const Vector3d& worn = direction.from_room ? board : source;
+                const Vector3d& hung = direction.from_room ? source : board;
                 const double sine = std::sin(at[2]), cosine = std::cos(at[2]);
-                const Vector3d turned(cosine * source.x() + sine * source.z(), source.y(),
-                                      -sine * source.x() + cosine * source.z());
-                const Vector3d way_m =
-                    turned + Vector3d(at[0], 0, at[1]) - direction.boards_m[static_cast<size_t>(pair.second)];
+                const Vector3d turned(cosine * worn.x() + sine * worn.z(), worn.y(),
+                                      -sine * worn.x() + cosine * worn.z());
+                const Vector3d way_m = turned + Vector3d(at[0], 0, at[1]) - hung;
                 const Vector3d along = way_m / std::max(way_m.norm(), 1e-6);
                 residual[i] = way_m.norm() + at[3] - delay_s * kAir_m_per_s;
                 slope.row(i++) << along.x(), along.z(), along.x() * turned.z() - along.z() * turned.x(), 1;
             }
-            damping = residual.squaredNorm() < error ? damping / 3 : damping * 10;
-            error = std::min(error, residual.squaredNorm());
-            const double misfit_s =
-                std::sqrt(residual.squaredNorm() / static_cast<double>(n - 4)) / kAir_m_per_s;
-            if (misfit_s < best.misfit_s)
+            const Eigen::VectorXd weight = (1 + (residual / kEcho_m).array().square()).inverse();
+            const double cost = (residual / kEcho_m).array().square().log1p().sum();
+            damping = cost < error ? damping / 3 : damping * 10;
+            error = std::min(error, cost);
+            std::vector<double> misses(residual.data(), residual.data() + n);
+            for (double& miss : misses)
+                miss = std::abs(miss);
+            if (const double misfit_s = medianIn(misses) / kAir_m_per_s; misfit_s < best.misfit_s)
                 best = {at[3] / kAir_m_per_s, misfit_s};
-            const Eigen::Matrix4d normal = slope.transpose() * slope;
-            at -= (normal + damping * Eigen::Matrix4d::Identity()).ldlt().solve(slope.transpose() * residual);
+            const Eigen::Matrix4d normal = slope.transpose() * weight.asDiagonal() * slope;
+            at -= (normal + damping * Eigen::Matrix4d::Identity())
+                      .ldlt()
+                      .solve(slope.transpose() * weight.asDiagonal() * residual);
         }
     }
     return best;
 }
 
-/// By one direction alone: the second's places are known.
-std::optional<CoarseClock> clockOfRoom(const Direction& there, double pause_end_s) {
+/// By one direction alone: the room's places are known, and so are those of a body that stands.
+std::optional<CoarseClock> clockOfRoom(const Direction& direction) {
+    if (direction.arrivals.empty())
+        return std::nullopt;
+    const double pause_end_s = endOfPause(direction);
     Standing best, second;
     for (int pulses = -kMostPulses; pulses <= kMostPulses; ++pulses) {
-        const Standing found = standingIn(delaysOf(there, pause_end_s, pulses), there);
+        const Standing found = standingIn(delaysOf(direction, pause_end_s, pulses), direction);
         if (std::abs(found.ahead_s) > kMostAhead_s)
             continue;
         if (found.misfit_s < best.misfit_s)
@@ -223,21 +235,29 @@ std::optional<CoarseClock> clockOfRoom(const Direction& there, double pause_end_
     }
     if (best.misfit_s > kMostMisfit_s || second.misfit_s < kClearly * best.misfit_s)
         return std::nullopt;
-    return CoarseClock{best.ahead_s};
+    CoarseClock clock{direction.from_room ? -best.ahead_s : best.ahead_s};
+    clock.spread_s = best.misfit_s;
+    std::vector<double> delays;
+    for (const LooseArrival& arrival : direction.arrivals)
+        delays.push_back(arrival.delay_s - best.ahead_s);
+    clock.way_s = medianIn(delays);
+    return clock;
 }
 
 }  // namespace
 
 std::optional<CoarseClock> coarseClock(const Direction& there, const Direction& back,
-                                       const std::optional<CoarseClock>& known) {
+                                       const std::optional<CoarseClock>& before) {
+    if (back.from_room) {
+        const auto heard = clockOfRoom(back);
+        const auto found = heard ? heard : clockOfRoom(there);
+        return found && before && std::abs(found->ahead_s - before->ahead_s) > kMostDrift_s ? std::nullopt
+                                                                                            : found;
+    }
     if (there.arrivals.empty() || back.arrivals.empty())
         return std::nullopt;
     const double there_end = endOfPause(there), back_end = endOfPause(back);
-    const std::optional<CoarseClock> before =
-        known || there.boards_m.empty() ? known : clockOfRoom(there, there_end);
     std::optional<int> there_count, back_count;
-    if (!before && !there.boards_m.empty())
-        return std::nullopt;
     if (!before) {
         there_count = countOf(there, there_end);
         back_count = countOf(back, back_end);

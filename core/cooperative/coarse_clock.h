@@ -27,7 +27,8 @@ struct Direction {
     std::vector<int> sources;  ///< of the pulses, in their order
     std::vector<Vector3d>
         places_m;  ///< of the sources, in one frame: of a body in its standing pose, or of a room
-    std::vector<Vector3d> boards_m;  ///< in the room, where they are known; a body's are not
+    std::vector<Vector3d> boards_m;  ///< the same of the boards
+    bool from_room = false;          ///< the sources are anchors
     std::vector<int> board_near;  ///< by source: the board of its own suit in the same housing or on the same
                                   ///< segment; -1: none
     std::vector<LooseArrival> arrivals;

@@ -40,33 +40,27 @@ Vector3d calibratedPlace(const Source& source, const Calibration& calibration) {
     return known && known->p_segment_source_m ? *known->p_segment_source_m : source.p_segment_source_m;
 }
 
-/// Where a body's sources are while it stands; one frame for all of them.
-std::vector<Vector3d> standingSources(const Ingredients& in) {
-    const GlobalPose standing = globalPose(in.actor.skeleton, in.actor.restPose());
-    std::vector<Vector3d> places_m;
-    for (const Source& source : in.suit.sources) {
-        const auto joint = static_cast<size_t>(std::max(0, in.actor.skeleton.find(source.segment)));
-        places_m.push_back(standing.p_world_joint[joint] +
-                           standing.q_world_joint[joint] * calibratedPlace(source, in.calibration));
+/// Where sources and boards are while a body stands, in one frame; without a body, in the room.
+void addPlaces(SoundOfSuit& suit, const Actor* actor) {
+    const GlobalPose standing = actor ? globalPose(actor->skeleton, actor->restPose()) : GlobalPose{};
+    const auto placed = [&](const std::string& segment, const Vector3d& p_segment) -> Vector3d {
+        if (!actor)
+            return p_segment;
+        const auto joint = static_cast<size_t>(std::max(0, actor->skeleton.find(segment)));
+        return standing.p_world_joint[joint] + standing.q_world_joint[joint] * p_segment;
+    };
+    for (const Source& source : suit.described.sources) {
+        const SourceCalibration* known = suit.calibration.findSource(source.id);
+        suit.source_places_m.push_back(
+            placed(source.segment, known ? known->p_segment_source_m.value_or(source.p_segment_source_m)
+                                         : source.p_segment_source_m));
     }
-    return places_m;
-}
-
-std::vector<Vector3d> sourcesOfRoom(const RoomOfTake& room) {
-    std::vector<Vector3d> places_m;
-    for (const Source& source : room.suit.sources)
-        places_m.push_back(calibratedPlace(source, room.calibration));
-    return places_m;
-}
-
-std::vector<Vector3d> boardsOfRoom(const RoomOfTake& room) {
-    std::vector<Vector3d> places_m;
-    for (const Board& board : room.suit.boards) {
-        const BoardCalibration* known = room.calibration.findBoard(board.id);
-        places_m.push_back(known && known->p_segment_board_m ? *known->p_segment_board_m
-                                                             : board.p_segment_board_m);
+    for (const Board& board : suit.described.boards) {
+        const BoardCalibration* known = suit.calibration.findBoard(board.id);
+        suit.board_places_m.push_back(
+            placed(board.segment, known ? known->p_segment_board_m.value_or(board.p_segment_board_m)
+                                        : board.p_segment_board_m));
     }
-    return places_m;
 }
 
 class Joiner {
@@ -183,9 +177,10 @@ private:
 
     Status measure(const std::string& folder, const JobContext& job) {
         std::vector<SoundOfSuit> suits;
-        for (const Ingredients& in : subjects_)
-            suits.push_back(
-                {in.subject.suit(), in.suit, in.calibration, in.decoder, standingSources(in), {}});
+        for (const Ingredients& in : subjects_) {
+            suits.push_back({in.subject.suit(), in.suit, in.calibration, in.decoder, {}, {}, false});
+            addPlaces(suits.back(), &in.actor);
+        }
         if (joining_.room) {
             take_.view(joining_.room->subject.suit());
             const TakeHeader& of_room = take_.header();
@@ -193,8 +188,14 @@ private:
                                            static_cast<int>(of_room.pulse_interval_samples), of_room.drive_hz,
                                            static_cast<int>(of_room.pulse_cycles)},
                                           subjects_.front().decoder.detector};
-            suits.push_back({joining_.room->subject.suit(), joining_.room->suit, joining_.room->calibration,
-                             decoder, sourcesOfRoom(*joining_.room), boardsOfRoom(*joining_.room), false});
+            suits.push_back({joining_.room->subject.suit(),
+                             joining_.room->suit,
+                             joining_.room->calibration,
+                             decoder,
+                             {},
+                             {},
+                             true});
+            addPlaces(suits.back(), nullptr);
         }
         auto measured = measureSound(take_, std::move(suits), folder, warnings_, job);
         if (!measured)

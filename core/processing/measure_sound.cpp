@@ -225,7 +225,7 @@ private:
 
     Result<std::optional<ClockError>> clockBetween(size_t a, size_t b) {
         std::optional<ClockError> none;
-        if (!parties_[a].hears() || !parties_[b].hears() || !parties_[a].sounds() || !parties_[b].sounds())
+        if (!parties_[a].sounds())
             return none;
         const Party& first = parties_[a];
         const double begin_s = first.guessedTake_s(static_cast<double>(first.log.pulses.front().sample));
@@ -272,6 +272,7 @@ private:
         direction.board_near = boardsNear(from.of.described);
         direction.places_m = from.of.source_places_m;
         direction.boards_m = to.of.board_places_m;
+        direction.from_room = from.of.is_room;
         auto receiver = receiverOf(from, to);
         if (!receiver)
             return receiver.error();
@@ -368,7 +369,7 @@ private:
         if (!to.hears())
             return Done{};
         std::unique_ptr<SuitDecoder> decoder;
-        if (to.of.has_readings) {
+        if (!to.of.is_room) {
             auto made = SuitDecoder::create(to.of.described, to.of.calibration, to.of.decoder);
             if (!made)
                 return made.error();

@@ -20,9 +20,8 @@ struct SoundOfSuit {
     Suit described;
     Calibration calibration;
     DecoderSettings decoder;
-    std::vector<Vector3d> source_places_m;  ///< of a body in its standing pose, or in the room
-    std::vector<Vector3d> board_places_m;   ///< in the room; empty for a body
-    bool has_readings = true;               ///< anchors have none
+    std::vector<Vector3d> source_places_m, board_places_m;  ///< of a standing body, or in the room
+    bool is_room = false;
 };
 
 /// Written into `folder` and removed from it at once: the take lives as long as the object. Pulses keep their

@@ -76,7 +76,7 @@ TEST(CoarseClock, IsFoundWhateverTheGuessAndTheDistance) {
         }
 }
 
-/// Four anchors hear and sound for themselves; four sources do not tell their order.
+/// Of four sources nobody could tell the order, were their places not known.
 TEST(CoarseClock, OfARoomRestsOnItsAnchors) {
     std::vector<Vector3d> anchors_m;
     for (const double x : {-2.3, 2.3})
@@ -84,13 +84,22 @@ TEST(CoarseClock, OfARoomRestsOnItsAnchors) {
             anchors_m.emplace_back(x, 2.7, z);
     for (const double ahead_s : {-0.0046, 0.0003, 0.0041}) {
         const Pair pair = standing(1.1);
+        std::vector<Vector3d> believed_m;  // of the body, wherever it stands
+        for (const Vector3d& place : pair.first_m)
+            believed_m.emplace_back(Eigen::AngleAxisd(2.1, Vector3d::UnitY()) * place +
+                                    Vector3d(0.4, 0, -0.7));
         Direction there = heard(pair.first_m, anchors_m, 0.008, ahead_s, 1);
-        for (Vector3d& place : there.places_m)  // of the body, wherever it stands
-            place = Eigen::AngleAxisd(2.1, Vector3d::UnitY()) * place + Vector3d(0.4, 0, -0.7);
+        there.places_m = believed_m;
         there.boards_m = anchors_m;
-        const auto found = coarseClock(there, heard(anchors_m, pair.first_m, 0.0084, -ahead_s, 2));
-        ASSERT_TRUE(found) << ahead_s;
-        EXPECT_NEAR(found->ahead_s, ahead_s, 0.0003);
+        Direction back = heard(anchors_m, pair.first_m, 0.0084, -ahead_s, 2);
+        back.boards_m = believed_m;
+        back.from_room = true;
+        Direction silent = back;
+        silent.arrivals.clear();
+        for (const auto& found : {coarseClock(there, back), coarseClock(there, silent)}) {
+            ASSERT_TRUE(found) << ahead_s;
+            EXPECT_NEAR(found->ahead_s, ahead_s, 0.0003);
+        }
     }
 }
 
