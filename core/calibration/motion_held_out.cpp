@@ -37,7 +37,7 @@ Slices sliced(const HeldOutProblem& problem, double from_share, double to_share)
 MotionEvidence slicedEvidence(const MotionEvidence& evidence, int from, int to,
                               std::vector<MotionNode>& nodes) {
     const int rest = evidence.rests.front().count, shift = from - rest;
-    const auto contains = [&](int node) { return node < rest || (node >= from && node < to); };
+    const auto contains = [&](int node) { return (node >= 0 && node < rest) || (node >= from && node < to); };
     const auto moved = [&](int node) { return node < rest ? node : node - shift; };
     const bool seam = shift > 0;
     MotionEvidence slice;
