@@ -7,6 +7,7 @@
 #include "core/body/text.h"
 #include "core/calibration/motion_findings.h"
 #include "core/calibration/motion_fit.h"
+#include "core/calibration/motion_held_out.h"
 #include "core/calibration/motion_start.h"
 #include "core/calibration/worn_part_names.h"
 #include "core/job/staged_progress.h"
@@ -21,7 +22,11 @@ constexpr double kPutOnOtherwise_rad = radians(15);
 /// Of the prior's sigma: below, the movement has shown more than the rest pose and the suit knew.
 constexpr double kObservedShare = 0.25;
 constexpr int kRoughIterations = 4;
-constexpr double kRoughShare = 0.1, kFirstShare = 0.5;  // of the time
+constexpr double kRoughShare = 0.1, kFirstShare = 0.5;                 // of the time of a fit
+constexpr double kFromRest = 0.6, kFitShare = 0.5, kCheckShare = 0.9;  // of all time
+constexpr double kStraySigma = 4;   // of a mounting's prior: straps do not turn so far
+constexpr double kWorse = 1.02;     // cost on seconds held out against the rest pose's
+constexpr double kMostKept = 0.34;  // of all boards keep their rest pose's place
 constexpr double kUnsettled_rad = radians(0.1);
 
 ExpectedConstants expectedOf(const Observations& take) {
@@ -68,8 +73,17 @@ private:
                 flesh};
     }
     bool readTake(const Observations& take, MotionReport& report);
-    Result<MotionFitResult> fitWithoutFlesh(const JobContext& job) const;
+    Result<MotionFitResult> fitWithoutFlesh(const MotionUnknowns& start, const JobContext& job) const;
+    Result<MotionFitResult> fitFrom(MotionUnknowns start, MotionReport& report, const JobContext& job) const;
+    Result<MotionFitResult> fitFromSeveral(MotionReport& report, const JobContext& job) const;
+    MotionUnknowns startAsWorn() const;
+    std::vector<int> strayBoards(const MotionFitResult& found) const;
+    Result<std::vector<int>> worseBoards(const MotionFitResult& found, MotionReport& report,
+                                         const JobContext& job) const;
+    Result<MotionFitResult> fitWithout(const std::vector<int>& boards, const MotionFitResult& found,
+                                       MotionReport& report, const JobContext& job);
     void addUnsettled(const MotionFitResult& found, MotionReport& report) const;
+    void fill(const MotionFitResult& found, MotionReport& report) const;
     void fillBoard(const MotionFitResult& found, int index, BoardInMotion& board) const;
     void fillTissue(const MotionFitResult& found, int index, BoardInMotion& board) const;
     Vector3d sigma(const MotionFitResult& found, int first) const {
@@ -140,7 +154,7 @@ void MovementFitter::addUnsettled(const MotionFitResult& found, MotionReport& re
                                        boardName(takes_[0].suit, int(b)) +
                                            ", has not settled: the last step still turned it by " +
                                            text::number(degrees(found.last_turn_rad[b]), 1) + "°",
-                                       "Swing that limb to all sides and turn it about its own length"});
+                                       howToMove(body_.segment(model_.boardSegment(static_cast<int>(b))))});
 }
 
 void MovementFitter::fillTissue(const MotionFitResult& found, int index, BoardInMotion& board) const {
@@ -175,7 +189,8 @@ void MovementFitter::fillBoard(const MotionFitResult& found, int index, BoardInM
     if (!board.measured)
         return;
     board.q_segment_board = constants.q_segment_board;
-    board.sigma_turn_rad = sigma(found, layout_.mounting(index));
+    const double prior_share = expected_.shareOfSigma(b);  // held fast: no surer than the rest pose
+    board.sigma_turn_rad = sigma(found, layout_.mounting(index)) / prior_share;
     for (int axis = 0; axis < 3; ++axis)
         board.observed[axis] = board.sigma_turn_rad[axis] < kObservedShare * settings_.sigma_mounting_rad;
     const BoardCalibration* known = takes_[0].calibration.findBoard(board.id);
@@ -183,7 +198,7 @@ void MovementFitter::fillBoard(const MotionFitResult& found, int index, BoardInM
         constants.q_segment_board,
         known && known->q_segment_board ? *known->q_segment_board : takes_[0].suit.boards[b].q_segment_board);
     board.p_segment_board_m = constants.p_segment_board_m;
-    board.sigma_place_m = sigma(found, layout_.place(index));
+    board.sigma_place_m = sigma(found, layout_.place(index)) / prior_share;
     board.gyro_zero_rad_per_s = constants.gyro_zero_rad_per_s;
     board.accel_zero_m_per_s2 = constants.accel_zero_m_per_s2;
     if (settings_.flesh)
@@ -197,21 +212,22 @@ void MovementFitter::fillBoard(const MotionFitResult& found, int index, BoardInM
 
 /// How boards move on their flesh is two thirds of all constants, so nine tenths of the time: what does not
 /// depend on it is found before.
-Result<MotionFitResult> MovementFitter::fitWithoutFlesh(const JobContext& job) const {
+Result<MotionFitResult> MovementFitter::fitWithoutFlesh(const MotionUnknowns& start,
+                                                        const JobContext& job) const {
     MotionSettings rough = settings_;
     rough.flesh = false;
     rough.most_iterations = kRoughIterations;
     const MotionLayout layout = layoutOf(false);
     const MotionModel model(body_, takes_[0], layout, settings_.step_s);
-    return MotionFit(body_, model, layout, rough, evidence_, expected_).run(start_, job);
+    return MotionFit(body_, model, layout, rough, evidence_, expected_).run(start, job);
 }
 
-Status MovementFitter::fit(MotionReport& report, const JobContext& job) {
-    MotionUnknowns start = start_;
+Result<MotionFitResult> MovementFitter::fitFrom(MotionUnknowns start, MotionReport& report,
+                                                const JobContext& job) const {
     std::optional<MotionResidualSizes> before;
     const double rough_share = settings_.flesh ? kRoughShare : 0;
     if (settings_.flesh) {
-        auto rough = fitWithoutFlesh(StagedProgress(job, 0, rough_share).job());
+        auto rough = fitWithoutFlesh(start, StagedProgress(job, 0, rough_share).job());
         if (!rough)
             return rough.error();
         start = std::move(rough->unknowns);
@@ -222,37 +238,159 @@ Status MovementFitter::fit(MotionReport& report, const JobContext& job) {
     if (!found)
         return found.error();
     found->before = before.value_or(found->before);
-    report.iterations = found->iterations;
-    if (!found->converged) {
-        // Turns that the movement shows weakly settle last, by a third in each step: they get as many again.
-        auto more = fit.run(std::move(found->unknowns), StagedProgress(job, kFirstShare, 1).job());
-        if (!more)
-            return more.error();
-        report.iterations += more->iterations;
-        more->before = found->before;
-        found = std::move(more);
+    report.iterations += found->iterations;
+    if (found->converged)
+        return found;
+    // Turns that the movement shows weakly settle last, by a third in each step: they get as many again.
+    auto more = fit.run(std::move(found->unknowns), StagedProgress(job, kFirstShare, 1).job());
+    if (!more)
+        return more.error();
+    report.iterations += more->iterations;
+    more->before = found->before;
+    return more;
+}
+
+/// Boards as the suit has them, not as they hung in the rest pose; segments lie as these say.
+MotionUnknowns MovementFitter::startAsWorn() const {
+    MotionUnknowns start = start_;
+    std::vector<bool> turned(static_cast<size_t>(body_.size()), false);
+    for (size_t b = 0; b < start.boards.size(); ++b) {
+        const Quaterniond before = start.boards[b].q_segment_board;
+        start.boards[b] = expected_.boards[b];
+        const auto s = static_cast<size_t>(model_.boardSegment(static_cast<int>(b)));
+        if (turned[s])
+            continue;
+        turned[s] = true;
+        const Matrix3d turn = (before * start.boards[b].q_segment_board.conjugate()).toRotationMatrix();
+        for (MotionNode& node : start.nodes)
+            node.R_world_segment[s] = node.R_world_segment[s] * turn;
     }
-    report.converged = found->converged;
-    if (!report.converged) {
+    return start;
+}
+
+/// Boards that a fit has turned farther than straps turn them.
+std::vector<int> MovementFitter::strayBoards(const MotionFitResult& found) const {
+    std::vector<int> stray;
+    for (int b = 0; b < layout_.boards; ++b) {
+        const auto board = static_cast<size_t>(b);
+        if (angleBetween(found.unknowns.boards[board].q_segment_board, start_.boards[board].q_segment_board) >
+            kStraySigma * settings_.sigma_mounting_rad)
+            stray.push_back(b);
+    }
+    return stray;
+}
+
+/// From the rest pose, and where that does not end well from the suit's mountings as well: the better end.
+Result<MotionFitResult> MovementFitter::fitFromSeveral(MotionReport& report, const JobContext& job) const {
+    auto found = fitFrom(start_, report, StagedProgress(job, 0, kFromRest).job());
+    if (!found || (found->converged && strayBoards(*found).empty()))
+        return found;
+    auto other = fitFrom(startAsWorn(), report, StagedProgress(job, kFromRest, 1).job());
+    if (!other)
+        return other.error();
+    const bool better = other->converged != found->converged ? other->converged : other->cost < found->cost;
+    return better ? std::move(other) : std::move(found);
+}
+
+/// Boards that are better as they hung in the rest pose, on seconds that were held out.
+Result<std::vector<int>> MovementFitter::worseBoards(const MotionFitResult& found, MotionReport& report,
+                                                     const JobContext& job) const {
+    const auto check = checkOnHeldOut(
+        {body_, model_, layout_, settings_, evidence_, expected_, start_, found.unknowns}, job);
+    if (!check)
+        return check.error();
+    std::vector<int> worse;
+    for (int b = 0; b < layout_.boards; ++b) {
+        const double ratio = check->cost_ratio[static_cast<size_t>(b)];
+        if (ratio <= kWorse)
+            continue;
+        worse.push_back(b);
+        report.findings.push_back({Grade::kUsable, report.boards[static_cast<size_t>(b)].id,
+                                   boardName(takes_[0].suit, b) +
+                                       ", keeps its place of the rest pose: with the one that the movement "
+                                       "gave it, seconds that were held out fit worse by " +
+                                       text::number(100 * (ratio - 1), 0) + " %",
+                                   howToMove(body_.segment(model_.boardSegment(b)))});
+    }
+    return worse;
+}
+
+/// These boards stay as they hung in the rest pose, and the others are fitted anew.
+Result<MotionFitResult> MovementFitter::fitWithout(const std::vector<int>& boards,
+                                                   const MotionFitResult& found, MotionReport& report,
+                                                   const JobContext& job) {
+    expected_.held_fast.resize(static_cast<size_t>(layout_.boards), false);
+    MotionUnknowns start = found.unknowns;
+    for (const int board : boards) {
+        const auto b = static_cast<size_t>(board);
+        expected_.held_fast[b] = true;
+        expected_.boards[b] = start.boards[b] = start_.boards[b];
+    }
+    MotionFit fit(body_, model_, layout_, settings_, evidence_, expected_);
+    auto again = fit.run(std::move(start), job);
+    if (!again)
+        return again.error();
+    report.iterations += again->iterations;
+    again->before = found.before;
+    return again;
+}
+
+Status MovementFitter::fit(MotionReport& report, const JobContext& job) {
+    auto found = fitFromSeveral(report, StagedProgress(job, 0, kFitShare).job());
+    if (!found)
+        return found.error();
+    std::vector<int> kept;
+    if (found->converged) {
+        auto worse = worseBoards(*found, report, StagedProgress(job, kFitShare, kCheckShare).job());
+        if (!worse)
+            return worse.error();
+        kept = std::move(*worse);
+    }
+    for (int b = 0; b < layout_.boards; ++b) {
+        const bool unsettled =
+            !found->converged && found->last_turn_rad[static_cast<size_t>(b)] > kUnsettled_rad;
+        const bool stray = std::ranges::count(strayBoards(*found), b) > 0;
+        if ((!unsettled && !stray) || std::ranges::count(kept, b) > 0)
+            continue;
+        kept.push_back(b);
+        report.findings.push_back(
+            {Grade::kUsable, report.boards[static_cast<size_t>(b)].id,
+             boardName(takes_[0].suit, b) +
+                 (stray ? ", keeps its place of the rest pose: the movement would turn it farther than a "
+                          "strap can"
+                        : ", keeps its place of the rest pose: the movement does not settle it"),
+             howToMove(body_.segment(model_.boardSegment(b)))});
+    }
+    const bool too_many = static_cast<double>(kept.size()) > kMostKept * layout_.boards;
+    if (!kept.empty() && !too_many) {
+        found = fitWithout(kept, *found, report, StagedProgress(job, kCheckShare, 1).job());
+        if (!found)
+            return found.error();
+    }
+    report.converged = found->converged && !too_many;
+    if (report.converged)
+        fill(*found, report);
+    else
         addUnsettled(*found, report);
-        return Done{};
-    }
+    return Done{};
+}
+
+void MovementFitter::fill(const MotionFitResult& found, MotionReport& report) const {
     for (int b = 0; b < layout_.boards; ++b)
-        fillBoard(*found, b, report.boards[static_cast<size_t>(b)]);
-    const auto sigmaOf = [&](int column) { return std::sqrt(found->cov_border(column, column)); };
+        fillBoard(found, b, report.boards[static_cast<size_t>(b)]);
+    const auto sigmaOf = [&](int column) { return std::sqrt(found.cov_border(column, column)); };
     for (int s = 0; s < layout_.sources && report.distances > 0; ++s) {
-        const SourceConstants& source = found->unknowns.sources[static_cast<size_t>(s)];
+        const SourceConstants& source = found.unknowns.sources[static_cast<size_t>(s)];
         report.sources.push_back({takes_[0].suit.sources[static_cast<size_t>(s)].id,
-                                  source.p_segment_source_m, sigma(*found, layout_.source(s)),
-                                  source.offset_m, sigmaOf(layout_.offset(s))});
+                                  source.p_segment_source_m, sigma(found, layout_.source(s)), source.offset_m,
+                                  sigmaOf(layout_.offset(s))});
     }
     for (int bone = 0; bone < layout_.bones; ++bone)
         report.bones.push_back({takes_[0].actor.skeleton.joint(body_.bones()[static_cast<size_t>(bone)]).name,
-                                found->unknowns.bone_scale[static_cast<size_t>(bone)],
+                                found.unknowns.bone_scale[static_cast<size_t>(bone)],
                                 sigmaOf(layout_.bone(bone))});
-    report.sound_scale = 1 / found->unknowns.sound_scale;
+    report.sound_scale = 1 / found.unknowns.sound_scale;
     report.sigma_sound_scale = sigmaOf(layout_.soundScale());
-    return Done{};
 }
 
 }  // namespace

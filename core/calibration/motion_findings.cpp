@@ -18,6 +18,24 @@ constexpr double kMuchTurn_rad = radians(25), kMuchShift_m = 0.04;
 const char* const kMoveAgain =
     "Move again: squats, arm circles, leg swings, turns of trunk and head, bends of elbows, knees and wrists";
 
+/// By the end of the joint's name.
+struct Movement {
+    const char* joint;
+    const char* how;
+};
+constexpr Movement kMovements[] = {
+    {"ForeArm", "Bend that elbow all the way and turn the palm up and down"},
+    {"Arm", "Circle that arm and turn it about its own length"},
+    {"Hand", "Bend that wrist up and down and to both sides, and turn the palm up and down"},
+    {"Shoulder", "Shrug and roll that shoulder"},
+    {"UpLeg", "Swing that leg forwards and sideways and turn it about its own length"},
+    {"Leg", "Bend that knee all the way, with the thigh turned in and out"},
+    {"Foot", "Bend that ankle up and down and circle the foot"},
+    {"Head", "Nod, tilt the head to both shoulders and look over both"},
+    {"Chest", "Bend forwards and sideways and turn the trunk to both sides"},
+    {"Spine", "Bend forwards and sideways and turn the trunk to both sides"},
+    {"Hips", "Squat, lean to all sides and turn around"}};
+
 /// How far the segment turns against its parent, about its mean.
 double turnSpread_rad(const MotionBody& body, const std::vector<MotionNode>& nodes, int segment) {
     const auto s = static_cast<size_t>(segment), parent = static_cast<size_t>(body.segment(segment).parent);
@@ -65,13 +83,18 @@ void addMovementFindings(const MotionSettings& settings, const MotionBody& body,
                         "There are only " + text::number(moved_s, 0) + " s of movement after the rest pose",
                         "Move for 30 to 60 seconds"});
     std::vector<std::string> still;
+    std::string how;
     int joints = 0;
     for (int s = 1; s < body.size(); ++s) {
         if (std::ranges::find(board_segments, s) == board_segments.end())
             continue;
         ++joints;
-        if (turnSpread_rad(body, nodes, s) < kLeastTurn_rad)
-            still.push_back(text::jointLabel(body.segment(s).name));
+        if (turnSpread_rad(body, nodes, s) >= kLeastTurn_rad)
+            continue;
+        still.push_back(text::jointLabel(body.segment(s).name));
+        const std::string movement = howToMove(body.segment(s));
+        if (how.find(movement) == std::string::npos)
+            how += (how.empty() ? "" : ". ") + movement;
     }
     if (still.empty())
         return;
@@ -80,7 +103,14 @@ void addMovementFindings(const MotionSettings& settings, const MotionBody& body,
         names += (names.empty() ? "" : ", ") + name;
     const bool too_many = static_cast<double>(still.size()) > kStillJointsAllowed * joints;
     into.push_back({too_many ? Grade::kNotUsable : Grade::kUsable, "",
-                    "Too little movement to show how boards sit at: " + names, kMoveAgain});
+                    "Too little movement to show how boards sit at: " + names, too_many ? kMoveAgain : how});
+}
+
+std::string howToMove(const BodySegment& segment) {
+    for (const auto& [joint, how] : kMovements)
+        if (segment.name.ends_with(joint))
+            return how;
+    return "Swing that limb to all sides and turn it about its own length";
 }
 
 void addResultFindings(const Observations& take, const MotionReport& report, std::vector<Finding>& into) {

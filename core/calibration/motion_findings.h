@@ -17,6 +17,8 @@ void addEvidenceFindings(const Observations& take, const StillStretch& still, co
 void addMovementFindings(const MotionSettings& settings, const MotionBody& body,
                          const std::vector<int>& board_segments, const std::vector<MotionNode>& nodes,
                          double moved_s, std::vector<Finding>& into);
+/// Which movement shows how the board on a segment sits: one sentence without its full stop.
+std::string howToMove(const BodySegment& segment);
 /// Of what was found.
 void addResultFindings(const Observations& take, const MotionReport& report, std::vector<Finding>& into);
 

@@ -42,6 +42,7 @@ struct MotionFit::Sizes {
 struct MotionFit::Round {
     ArrowheadSystem system;
     Sizes sizes;
+    std::vector<double> board_cost;
     double cost = 0;
 };
 
@@ -67,16 +68,18 @@ MotionFit::MotionFit(const MotionBody& body, const MotionModel& model, const Mot
         board_segments_.push_back(model.boardSegment(b));
 }
 
-/// `copies`: so many neighbours say the same.
-void MotionFit::addData(ResidualBlock& block, double sigma, double copies, std::vector<double>& sizes,
-                        Round& round) const {
+/// `copies`: so many neighbours say the same. Returns its cost.
+double MotionFit::addData(ResidualBlock& block, double sigma, double copies, std::vector<double>& sizes,
+                          Round& round) const {
     const double square = block.residual.head(block.rows).squaredNorm() / (sigma * sigma * block.rows);
     const double scale_square = kLossScale * kLossScale;
-    round.cost += block.rows * scale_square * std::log1p(square / scale_square) / copies;
+    const double cost = block.rows * scale_square * std::log1p(square / scale_square) / copies;
+    round.cost += cost;
     block.weight.setConstant(1 / (sigma * sigma * copies * (1 + square / scale_square)));
     round.system.add(block);
     for (int row = 0; row < block.rows; ++row)
         sizes.push_back(std::abs(block.residual[row]));
+    return cost;
 }
 
 void MotionFit::addReadings(const MotionUnknowns& unknowns, size_t index, Round& round,
@@ -91,12 +94,14 @@ void MotionFit::addReadings(const MotionUnknowns& unknowns, size_t index, Round&
                 const BoardTurn& turn = take.turns[board][static_cast<size_t>(k)];
                 auto block = model_.gyro(unknowns, b, firstNode(index) + k, turn, since_middle_s);
                 const double angle_rad = angleBetween(turn.q_begin_end, Quaterniond::Identity());
-                addData(block, std::hypot(settings_.sigma_turn_rad, settings_.turn_share * angle_rad), copies,
-                        round.sizes.gyro[board], round);
+                round.board_cost[board] +=
+                    addData(block, std::hypot(settings_.sigma_turn_rad, settings_.turn_share * angle_rad),
+                            copies, round.sizes.gyro[board], round);
             }
             if (const BoardForce& force = take.forces[board][static_cast<size_t>(k)]; force.heard) {
                 auto block = model_.accel(unknowns, b, firstNode(index) + k, force);
-                addData(block, noise_.accel_m_per_s2[board], copies, round.sizes.accel[board], round);
+                round.board_cost[board] +=
+                    addData(block, noise_.accel_m_per_s2[board], copies, round.sizes.accel[board], round);
             }
         }
     }
@@ -105,8 +110,9 @@ void MotionFit::addReadings(const MotionUnknowns& unknowns, size_t index, Round&
             return;
         const auto board = static_cast<size_t>(heard.board);
         auto block = model_.distance(unknowns, heard, firstNode(index));
-        addData(block, noise_.distance_m[board] / heard.confidence,
-                std::max(1.0, settings_.correlation_s / kEachPair_s), round.sizes.distance[board], round);
+        round.board_cost[board] +=
+            addData(block, noise_.distance_m[board] / heard.confidence,
+                    std::max(1.0, settings_.correlation_s / kEachPair_s), round.sizes.distance[board], round);
     }
 }
 
@@ -167,9 +173,12 @@ Result<MotionFitResult> MotionFit::run(MotionUnknowns start, const JobContext& j
         model_.freezeFlesh(result.unknowns, rest_of_node_);
         Round round{ArrowheadSystem(static_cast<int>(result.unknowns.nodes.size()), layout_.nodeSize(),
                                     layout_.borderSize()),
-                    Sizes(noise_.accel_m_per_s2.size())};
+                    Sizes(noise_.accel_m_per_s2.size()),
+                    std::vector<double>(noise_.accel_m_per_s2.size(), 0.0)};
         assemble(result.unknowns, round, job);
         result.after = round.sizes.sizes();
+        result.board_cost = round.board_cost;
+        result.cost = round.cost;
         if (result.iterations == 0)
             result.before = result.after;
         const bool solved = std::isfinite(round.cost) && round.system.solve(kDamping, job);
@@ -188,7 +197,7 @@ Result<MotionFitResult> MotionFit::run(MotionUnknowns start, const JobContext& j
         result.converged =
             result.iterations >= kFewestIterations &&
             *std::max_element(result.last_turn_rad.begin(), result.last_turn_rad.end()) < kTurnThatEnds_rad;
-        if (result.iterations >= kFirstLearning)
+        if (learns_noise_ && result.iterations >= kFirstLearning)
             learnNoise(result.after);
     }
 }

@@ -22,6 +22,8 @@ struct MotionFitResult {
         after{};  ///< what the first trajectory left over with the constants expected
     int iterations = 0;
     bool converged = false;
+    std::vector<double> board_cost{};     ///< of each board's readings, robust, in squared sigma
+    double cost = 0;                      ///< of all terms
     std::vector<double> last_turn_rad{};  ///< by which each board's mounting moved in the last step
 };
 
@@ -34,6 +36,13 @@ public:
 
     /// From first nodes and constants, or from where an earlier run ended: the noise it learnt stays.
     Result<MotionFitResult> run(MotionUnknowns start, const JobContext& job);
+    /// Of readings and distances, per board, as learnt.
+    const MotionResidualSizes& noise() const { return noise_; }
+    /// Takes another fit's and learns none: costs of two fits with the same noise can be compared.
+    void keepNoise(const MotionResidualSizes& noise) {
+        noise_ = noise;
+        learns_noise_ = false;
+    }
 
 private:
     struct Round;
@@ -42,8 +51,8 @@ private:
     std::vector<double> turnsOf(const ArrowheadSystem& solved) const;
     void addReadings(const MotionUnknowns& unknowns, size_t take, Round& round, const JobContext& job) const;
     void addTies(const MotionUnknowns& unknowns, size_t take, const ResidualSink& sink) const;
-    void addData(ResidualBlock& block, double sigma, double copies, std::vector<double>& sizes,
-                 Round& round) const;
+    double addData(ResidualBlock& block, double sigma, double copies, std::vector<double>& sizes,
+                   Round& round) const;
     void learnNoise(const MotionResidualSizes& sizes);
     int firstNode(size_t take) const { return first_node_[take]; }
 
@@ -55,6 +64,7 @@ private:
     const ExpectedConstants& expected_;
     MotionPriors priors_;
     MotionResidualSizes noise_;
+    bool learns_noise_ = true;
     std::vector<int> first_node_, rest_of_node_, board_segments_;
 };
 

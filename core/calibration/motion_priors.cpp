@@ -39,40 +39,45 @@ Eigen::Matrix<double, 2, 3> across(const Vector3d& axis) {
 
 }  // namespace
 
-void MotionPriors::addBoard(const BoardConstants& board, const BoardConstants& expected, int index,
+void MotionPriors::addBoard(const BoardConstants& board, const ExpectedConstants& all_expected, int index,
                             const Vector3d& along, const ResidualSink& sink) const {
     const auto add = [&](int first, const Vector3d& residual, double sigma, const Matrix3d& J) {
         ResidualBlock block = blockOf(0, residual, sigma);
         block.addBorder(first, J);
         sink(block);
     };
+    const auto b = static_cast<size_t>(index);
+    const BoardConstants& expected = all_expected.boards[b];
+    const double share = all_expected.shareOfSigma(b);
     const Matrix3d I = Matrix3d::Identity();
     const Vector3d turn = logQuaternion(expected.q_segment_board.conjugate() * board.q_segment_board);
-    add(layout_.mounting(index), turn, settings_.sigma_mounting_rad, rightJacobian(turn).inverse());
-    add(layout_.place(index), board.p_segment_board_m - expected.p_segment_board_m, settings_.sigma_place_m,
-        I);
+    add(layout_.mounting(index), turn, share * settings_.sigma_mounting_rad, rightJacobian(turn).inverse());
+    add(layout_.place(index), board.p_segment_board_m - expected.p_segment_board_m,
+        share * settings_.sigma_place_m, I);
     add(layout_.gyroZero(index), board.gyro_zero_rad_per_s, settings_.sigma_gyro_zero_rad_per_s, I);
     add(layout_.gyroDrift(index), board.gyro_drift_rad_per_s2, settings_.sigma_gyro_drift_rad_per_s2, I);
     add(layout_.accelZero(index), board.accel_zero_m_per_s2, settings_.sigma_accel_zero_m_per_s2, I);
+    const double sigma_tilt_rad = share * settings_.sigma_tilt_rad;
     for (int f = 0; layout_.flesh && f < 6; ++f) {
         // A lag behind the axial turn tilts about the bone with the own joint's turn about it: 2 features a
         // turn.
-        ResidualBlock tilt = blockOf(0, board.tilt_rad.col(f), settings_.sigma_tilt_rad);
+        ResidualBlock tilt = blockOf(0, board.tilt_rad.col(f) - expected.tilt_rad.col(f), sigma_tilt_rad);
         if (f < 3)
             for (int axis = 0; axis < 3; ++axis)
                 tilt.weight[axis] = informationOf(std::hypot(
-                    settings_.sigma_tilt_rad, 2 * settings_.sigma_twist_lag * along[axis] * along[f]));
+                    sigma_tilt_rad, 2 * share * settings_.sigma_twist_lag * along[axis] * along[f]));
         tilt.addBorder(layout_.tilt(index, f), I);
         sink(tilt);
-        add(layout_.shift(index, f), board.shift_m.col(f), settings_.sigma_shift_m, I);
+        add(layout_.shift(index, f), board.shift_m.col(f) - expected.shift_m.col(f),
+            share * settings_.sigma_shift_m, I);
     }
 }
 
 void MotionPriors::addConstants(const MotionUnknowns& unknowns, const ExpectedConstants& expected,
                                 const std::vector<int>& board_segments, const ResidualSink& sink) const {
     for (size_t b = 0; b < unknowns.boards.size(); ++b)
-        addBoard(unknowns.boards[b], expected.boards[b], static_cast<int>(b),
-                 body_.segment(board_segments[b]).along, sink);
+        addBoard(unknowns.boards[b], expected, static_cast<int>(b), body_.segment(board_segments[b]).along,
+                 sink);
     const auto addScalar = [&](int column, double residual, double sigma) {
         ResidualBlock block = blockOf(0, {residual, 0, 0}, sigma);
         block.rows = 1;

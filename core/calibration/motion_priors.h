@@ -17,6 +17,12 @@ using ResidualSink = std::function<void(const ResidualBlock&)>;
 struct ExpectedConstants {
     std::vector<BoardConstants> boards{};
     std::vector<SourceConstants> sources{};
+    std::vector<bool> held_fast{};             ///< per board: it stays where it is expected; empty: none does
+    static constexpr double kHeldFast = 1e-3;  ///< of a prior's sigma
+
+    double shareOfSigma(size_t board) const {
+        return board < held_fast.size() && held_fast[board] ? kHeldFast : 1;
+    }
 };
 
 class MotionPriors {
@@ -39,7 +45,7 @@ public:
 
 private:
     void addLevel(const Matrix3d& R_world_segment, int node, int segment, const ResidualSink& sink) const;
-    void addBoard(const BoardConstants& board, const BoardConstants& expected, int index,
+    void addBoard(const BoardConstants& board, const ExpectedConstants& all_expected, int index,
                   const Vector3d& along, const ResidualSink& sink) const;
 
     const MotionBody& body_;

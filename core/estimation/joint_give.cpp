@@ -66,6 +66,11 @@ JointGive::JointGive(const Skeleton& actor, const KinematicTree& tree, const std
     }
     for (Constraint& constraint : constraints_)
         constraint.variance_rad2 = square(parameters_.initial_rad);
+    is_taught_ = std::ranges::any_of(constraints_, &Constraint::seen) || std::ranges::count(seen, true) == 0;
+    if (!is_taught_) {
+        flesh_share_ = 1;
+        mean_variance_rad2_ = square(parameters_.untaught_rad);
+    }
 }
 
 /// With zero variance. h = fixed^T R moving, and R exp(d) changes it by d^T (moving x R^T fixed). Of a hinge
@@ -88,6 +93,25 @@ ObservationBlock JointGive::blockOf(const Constraint& constraint, const MotionSt
             slope.transpose(),
             Eigen::VectorXd::Constant(1, -deviation),
             Eigen::VectorXd::Zero(1)};
+}
+
+std::vector<LimbRanging::Held> JointGive::held(const KinematicTree& tree, int link,
+                                               const MotionState& motion) const {
+    std::vector<LimbRanging::Held> held;
+    for (const Constraint& constraint : constraints_) {
+        const Matrix3d R = motion.q_parent_link[static_cast<size_t>(constraint.link)].toRotationMatrix();
+        const double c = constraint.fixed_parent.dot(constraint.moving_link);
+        const bool is_own = constraint.link == link;
+        if (!is_own && tree.movingLink(tree.link(constraint.link).parent) != link)
+            continue;
+        const Vector3d &moving = constraint.moving_link, &fixed = constraint.fixed_parent;
+        held.push_back(is_own ? LimbRanging::Held{R.transpose() * fixed, moving, c}
+                              : LimbRanging::Held{R * moving, fixed, c});
+        if (constraint.hinge)  // and its axis is not turned round
+            held.push_back(is_own ? LimbRanging::Held{R.transpose() * moving, moving, 1}
+                                  : LimbRanging::Held{R * moving, moving, 1});
+    }
+    return held;
 }
 
 std::vector<int> JointGive::lostLinks(const MotionState& motion) const {
@@ -159,6 +183,8 @@ std::vector<ObservationBlock> JointGive::observe(const MotionState& motion, cons
         blocks.push_back(std::move(block));
     }
     seen_s_ += interval_s;
+    if (!is_taught_)
+        return blocks;
     flesh_share_ = share / std::max(1.0, count);
     mean_variance_rad2_ = variance / std::max(1.0, count);
     return blocks;

@@ -4,8 +4,9 @@
 // a ball joint that is held where the actor's joint could be. How stiffly follows from the motion itself: the
 // deviations that come and go are the variance of those to come, and a joint that hardly gives counts as
 // rigid (automatic relevance determination). What joints give together tells how much the boards ride on
-// flesh. Where a segment carries no gyroscope nobody sees what the joints at its ends give: they count as the
-// others do in the mean.
+// flesh. An actor of ball joints alone teaches nothing: then boards count as riding on flesh, for a filter
+// that takes them for rigid is sure of a wrong pose within a second. Where a segment carries no gyroscope
+// nobody sees what the joints at its ends give: they count as the others do in the mean.
 #pragma once
 
 #include <cmath>
@@ -13,6 +14,7 @@
 
 #include "core/body/kinematics.h"
 #include "core/estimation/covariance.h"
+#include "core/estimation/limb_ranging.h"
 
 namespace noctule {
 
@@ -29,6 +31,9 @@ struct GiveParameters {
     double trembles_s = 0.1;
     double lasts_s = 10;
     double lasts_on_flesh_s = 400;  ///< longer: flesh goes with the pose, which comes again and again
+    /// Where every joint that is seen is a ball joint nothing teaches: boards count as riding on flesh, and
+    /// attitudes between them as this unsure.
+    double untaught_rad = 0.06;
 };
 
 /// The actor's skeleton with ball joints where `gives` (per joint) and the joint is universal or a hinge.
@@ -45,6 +50,9 @@ public:
     std::vector<ObservationBlock> initial(const MotionState& motion) const;
     /// The same once per `interval_s`, after learning how much the joints give.
     std::vector<ObservationBlock> observe(const MotionState& motion, const Covariance& P, double interval_s);
+    /// What the actor's joints at both ends of a link say of an error D of its attitude: a^T D b = c, a and b
+    /// in the link's frame.
+    std::vector<LimbRanging::Held> held(const KinematicTree& tree, int link, const MotionState& motion) const;
     /// Links on hinges that the state has turned farther than any hinge gives.
     std::vector<int> lostLinks(const MotionState& motion) const;
     /// What observe() said of a joint, again about another state; of zero variance.
@@ -80,6 +88,7 @@ private:
 
     GiveParameters parameters_;
     std::vector<Constraint> constraints_;
+    bool is_taught_ = true;  ///< some constraint is seen, or nothing is worn that would tell more
     double seen_s_ = 0;
     double flesh_share_ = 0, mean_variance_rad2_ = 0;
 };

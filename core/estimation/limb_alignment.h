@@ -43,7 +43,8 @@ public:
     /// Where the limb is, if `R_world_limb` cannot be right.
     struct Found {
         Quaterniond q_believed_limb;
-        Vector3d variance_rad2;  ///< of right perturbations
+        Vector3d variance_rad2;  ///< of right perturbations, along the axes of
+        Quaterniond q_limb_axes = Quaterniond::Identity();
     };
     std::optional<Found> contradict(const Matrix3d& R_world_limb) const;
 

@@ -82,6 +82,11 @@ std::vector<double> boardRates(const SuitModel& suit) {
     return rates_hz;
 }
 
+/// Some writers leave out the axes that clip.
+bool lacksAxes(const TriadReading& reading) {
+    return reading.count > 0 && !sensedVector(reading);
+}
+
 int64_t nanoseconds(double time_s) {
     return std::llround(time_s * 1e9);
 }
@@ -120,6 +125,7 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
     now_.board_noise.assign(suit_.boards.size(), BoardNoise(parameters_.board_noise, suit_.sources.size()));
     now_.gains.assign(suit_.boards.size(), VelocityGain(parameters_.velocity_gain));
     now_.alignments.assign(suit_.boards.size(), LimbAlignment(parameters_.alignment));
+    now_.rangings.assign(tree_.links().size(), LimbRanging(parameters_.ranging));
     Eigen::VectorXd variance = Eigen::VectorXd::Constant(n, std::pow(parameters_.joint_accel_rad_per_s2, 2));
     std::vector<bool> adapts;
     for (const Link& link : tree_.links()) {
@@ -185,7 +191,12 @@ void ManifoldFilter::step(const StepInput& input) {
         updateVelocityGains(input.inertial);
         alignLimbs(input.inertial);
     }
+    if (parameters_.sensors.gyroscopes)
+        watchLimbs(input.inertial);
     updateDistances(input.distances);
+    const auto search_steps = std::max<int64_t>(1, std::llround(parameters_.search_interval_s / step_s_));
+    if (now_.step_index % search_steps == 0)
+        searchLimbs();
     updateGround(input.inertial);
     const auto prior_steps = std::max<int64_t>(1, std::llround(parameters_.prior_interval_s / step_s_));
     if (now_.step_index % prior_steps == 0)
@@ -201,10 +212,16 @@ void ManifoldFilter::step(const StepInput& input) {
 /// Per link: the gyroscope that turns with it is at the end of its range.
 std::vector<bool> ManifoldFilter::clippedLinks(const std::vector<InertialMeasurement>& measurements) const {
     std::vector<bool> clipped(tree_.links().size(), false);
-    for (const InertialMeasurement& measurement : measurements)
-        if (const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
-            link >= 0 && measurement.gyro.isClipped())
+    for (const InertialMeasurement& measurement : measurements) {
+        const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
+        if (link < 0)
+            continue;
+        // Some writers leave out the axes that clip; a single reading without them is a lost one.
+        const bool silent =
+            lacksAxes(measurement.gyro) && now_.rangings[static_cast<size_t>(link)].hasBeenSilent(seconds());
+        if (measurement.gyro.isClipped() || silent)
             clipped[static_cast<size_t>(tree_.movingLink(link))] = true;
+    }
     return clipped;
 }
 
@@ -331,8 +348,11 @@ void ManifoldFilter::updateDistances(const std::vector<DistanceMeasurement>& mea
         decision.innovation_m = block.residual[0];
         if (decision.w_a == 0)
             decision.fate = RangeFate::kBehindSource;
-        else if (measurement.confidence >= kMinimumConfidence && judgeDistance(known, block, decision))
-            blocks.push_back(std::move(block));
+        else if (measurement.confidence >= kMinimumConfidence) {
+            noteForLimbs(known);
+            if (judgeDistance(known, block, decision))
+                blocks.push_back(std::move(block));
+        }
         decisions_.push_back(decision);
     }
     observe(std::move(blocks));

@@ -18,6 +18,7 @@
 #include "core/estimation/ground_contacts.h"
 #include "core/estimation/joint_give.h"
 #include "core/estimation/limb_alignment.h"
+#include "core/estimation/limb_ranging.h"
 #include "core/estimation/limb_turn.h"
 #include "core/estimation/motion_noise.h"
 #include "core/estimation/reading_grid.h"
@@ -50,6 +51,8 @@ struct ManifoldParameters {
     double accel_bias_m_per_s2 = 0.05, accel_bias_walk = 0.001;
     BoardNoiseParameters board_noise;
     LimbAlignmentParameters alignment;
+    LimbRangingParameters ranging;
+    double search_interval_s = 0.2;  ///< between looks for lost limbs by distances
     VelocityGainParameters velocity_gain;
     double source_offset_m = 0.0008;  ///< 1.5 us of offset error, and what the detector adds per source
     double sound_scale = 0.0015;
@@ -122,6 +125,7 @@ public:
         int64_t step_index = 0;
         std::vector<BoardNoise> board_noise;
         std::vector<LimbAlignment> alignments;  ///< per board
+        std::vector<LimbRanging> rangings;      ///< per link
         std::vector<VelocityGain> gains;        ///< per board
         GroundContacts ground;
         double gated_share = 0;  ///< running, over about 60 distances
@@ -207,8 +211,13 @@ private:
     void alignLimbs(const std::vector<InertialMeasurement>& measurements);
     void loosen(int link, double sigma_rad);
     void turnLimb(int link, const LimbAlignment::Found& found);
-    /// That a limb turns like this against its parent; of zero variance.
-    ObservationBlock turnOf(int link, const Quaterniond& q_parent_limb, const MotionState& motion) const;
+    using LimbTarget = Eigen::Matrix<double, 8, 1>;
+    void watchLimbs(const std::vector<InertialMeasurement>& measurements);
+    void noteForLimbs(const DistanceMeasurement& measurement);
+    void searchLimbs();
+    /// That a limb turns like this against its parent, along the axes of another frame; of zero variance.
+    /// `target`: both quaternions, x y z w.
+    ObservationBlock turnOf(int link, const LimbTarget& target, const MotionState& motion) const;
     void updateDistances(const std::vector<DistanceMeasurement>& measurements);
     bool judgeDistance(const DistanceMeasurement& known, ObservationBlock& block, DistanceDecision& decision);
     void useCarrier(DistanceMeasurement& measurement, ObservationBlock& block) const;

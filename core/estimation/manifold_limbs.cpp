@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the filter finds limbs again that it has lost, most often while a gyroscope was at the end of its
 // range.
+#include <algorithm>
 #include <cmath>
 
 #include "core/estimation/manifold_filter.h"
@@ -38,7 +39,76 @@ void ManifoldFilter::alignLimbs(const std::vector<InertialMeasurement>& measurem
         if (const auto found = alignment.contradict(chain.end().R_world_link)) {
             turnLimb(board.link, *found);
             alignment.breakOff(seconds());
+            for (LimbRanging& ranging : now_.rangings)
+                ranging.forget();
         }
+    }
+}
+
+/// Which limbs' turns gyroscopes see.
+void ManifoldFilter::watchLimbs(const std::vector<InertialMeasurement>& measurements) {
+    for (const InertialMeasurement& measurement : measurements) {
+        const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
+        if (link <= 0 || tree_.link(link).type != LinkType::kBall)
+            continue;
+        LimbRanging& ranging = now_.rangings[static_cast<size_t>(link)];
+        if (measurement.gyro.isClipped())
+            ranging.breakOff(seconds());
+        else if (sensedVector(measurement.gyro))  // some writers leave out the axes that clip
+            ranging.turnSeen(seconds());
+    }
+}
+
+/// For the limbs on the way to the microphone, from the outermost to the first that is suspected: what a
+/// suspected one carries lies where nobody knows.
+void ManifoldFilter::noteForLimbs(const DistanceMeasurement& measurement) {
+    const int end = suit_.boards[static_cast<size_t>(measurement.board)].link;
+    if (end <= 0)
+        return;
+    const std::vector<int>& links = tree_.chain(end);
+    size_t k = links.size();
+    while (k > 0 && !now_.rangings[static_cast<size_t>(links[k - 1])].isSuspected())
+        --k;
+    if (k == 0)
+        return;
+    const size_t at = k - 1;
+    const MountedSource& source = suit_.sources[static_cast<size_t>(measurement.source)];
+    if (source.link >= 0 && std::ranges::count(tree_.chain(source.link), links[at]) > 0)
+        return;
+    ChainMotion chain;
+    chain.evaluate(tree_, now_.state.motion, end, measurement.arrival_s - seconds());
+    const Vector3d p_mic = chain
+                               .point(placeBoard(suit_.boards[static_cast<size_t>(measurement.board)], tree_,
+                                                 now_.state.motion, measurement.arrival_s - seconds())
+                                          .p_mic_m)
+                               .p_m;
+    const ChainMotion::Frame& limb = chain.frames()[at];
+    const bool is_end = at + 1 == links.size();
+    const Vector3d p_turning = is_end ? p_mic : chain.frames()[at + 1].p_m;
+    const double sigma_m = measurement.sigma_m / measurement.confidence;
+    now_.rangings[static_cast<size_t>(links[at])].add(
+        {measurement.arrival_s, measurement.distance_m, sigma_m * sigma_m,
+         observations_.sourceEnd(now_.state, measurement.source, measurement.emission_s - seconds())
+             .p_world_m,
+         p_mic - p_turning + limb.p_m, limb.R_world_link.transpose() * (p_turning - limb.p_m),
+         limb.R_world_link},
+        now_.give.fleshShare());
+}
+
+/// By distances, from the trunk outwards; what a limb carries is looked at anew once it has been found.
+void ManifoldFilter::searchLimbs() {
+    for (size_t link = 1; link < now_.rangings.size(); ++link) {
+        LimbRanging& ranging = now_.rangings[link];
+        if (!ranging.isSuspected())
+            continue;
+        const auto found =
+            ranging.contradict(now_.give.held(tree_, static_cast<int>(link), now_.state.motion));
+        if (!found)
+            continue;
+        turnLimb(static_cast<int>(link), {found->q_believed_limb, found->variance_rad2, found->q_limb_axes});
+        for (LimbRanging& other : now_.rangings)
+            other.forget();
+        return;
     }
 }
 
@@ -47,7 +117,9 @@ void ManifoldFilter::turnLimb(int link, const LimbAlignment::Found& found) {
     loosen(link, kUnknownTurn_rad);
     const Quaterniond q_parent_limb =
         now_.state.motion.q_parent_link[static_cast<size_t>(link)] * found.q_believed_limb;
-    ObservationBlock block = turnOf(link, q_parent_limb, now_.state.motion);
+    LimbTarget target;
+    target << q_parent_limb.coeffs(), found.q_limb_axes.coeffs();
+    ObservationBlock block = turnOf(link, target, now_.state.motion);
     block.variance = found.variance_rad2;
     observe({block});
     fitErrors();  // it may have turned far, and this step's frame is yet to come
@@ -70,15 +142,16 @@ void ManifoldFilter::loosen(int link, double sigma_rad) {
     }
 }
 
-ObservationBlock ManifoldFilter::turnOf(int link, const Quaterniond& q_parent_limb,
-                                        const MotionState& motion) const {
+ObservationBlock ManifoldFilter::turnOf(int link, const LimbTarget& target, const MotionState& motion) const {
     const int first = layout_.theta(tree_.link(link).first);
+    const Quaterniond q_parent_limb(Eigen::Vector4d(target.head<4>()));
+    const Matrix3d to_axes = Quaterniond(Eigen::Vector4d(target.tail<4>())).toRotationMatrix().transpose();
     const Quaterniond& q = motion.q_parent_link[static_cast<size_t>(link)];
     return {{first, first + 1, first + 2},
-            Matrix3d::Identity(),
-            logQuaternion(q.conjugate() * q_parent_limb),
+            to_axes,
+            to_axes * logQuaternion(q.conjugate() * q_parent_limb),
             Vector3d::Zero(),
-            {ObservationOrigin::Kind::kTurn, link, q_parent_limb.coeffs()}};
+            {ObservationOrigin::Kind::kTurn, link, target}};
 }
 
 /// A hinge that stands where none can has been lost.

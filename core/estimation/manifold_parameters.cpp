@@ -196,6 +196,46 @@ Rows limbAlignment() {
     };
 }
 
+Rows limbRanging() {
+    return {
+        {"limb_ranging.memory", "s", 0.01, 100,
+         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::memory_s),
+         "Time over which ranges are gathered in the search for a lost limb.", "tuned on simulations"},
+        {"limb_ranging.suspected", "s", 0, 1000,
+         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::suspected_s),
+         "Time after a gap in a gyroscope's readings during which its limb may be found lost.",
+         "tuned on simulations"},
+        {"limb_ranging.error", "m", 0.0001, 1,
+         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::error_m),
+         "Standard deviation added to a range in that search.", "tuned on simulations"},
+        {"limb_ranging.soft_tissue", "m", 0, 1,
+         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::flesh_m),
+         "The same, added on soft tissue.", "tuned on simulations"},
+        {"limb_ranging.laxity", "rad", 0.001, 3,
+         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::held_rad),
+         "Standard deviation of a joint in directions without freedom, in that search.",
+         "tuned on simulations"},
+        {"limb_ranging.alike", "count", 1, 1000,
+         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::alike),
+         "Ranges in a row that share one error.", "tuned on simulations"},
+        {"limb_ranging.contradicted", "-", 0.1, 1000,
+         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::contradicted),
+         "Mean squared normalised residual from which a limb is searched for.", "tuned on simulations"},
+        {"limb_ranging.lost", "rad", 0.01, 3,
+         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::lost_rad),
+         "Attitude error from which a limb counts as lost.", "tuned on simulations"},
+        {"limb_ranging.lost_sigma", "sigma", 0.5, 100,
+         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::lost_sigma),
+         "Significance which that error needs.", "tuned on simulations"},
+        {"limb_ranging.explained", "-", 0.1, 1000,
+         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::explained),
+         "Largest mean squared normalised residual of a limb that was found.", "tuned on simulations"},
+        {"limb_ranging.interval", "s", 0.01, 100,
+         at(&ManifoldSetup::filter, &ManifoldParameters::search_interval_s),
+         "Interval between searches for lost limbs by ranges.", "tuned on simulations"},
+    };
+}
+
 Rows deltaVelocity() {
     return {
         {"delta_velocity.frames", "count", 2, 14000,
@@ -342,6 +382,10 @@ Rows jointLaxity() {
         {"joint_laxity.correlation_soft_tissue", "s", 0.001, 100000,
          at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::lasts_on_flesh_s),
          "Correlation time of deviations on soft tissue.", "tuned on simulations"},
+        {"joint_laxity.untaught", "rad", 0, 3,
+         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::untaught_rad),
+         "Soft tissue's share in the uncertainty of a joint, for actors with ball joints only.",
+         "scenario realistic: two boards 3 degrees off"},
     };
 }
 
@@ -438,8 +482,8 @@ const ParameterTable<ManifoldSetup>& manifoldParameters() {
     static const Rows kTable = [] {
         Rows all;
         for (const Rows& part : {stepParameters(), processNoise(), constantsAndRanges(), measurementNoise(),
-                                 limbAlignment(), deltaVelocity(), initialValues(), clippedReadings(),
-                                 posePrior(), jointLaxity(), groundContact(), smoothers()})
+                                 limbAlignment(), limbRanging(), deltaVelocity(), initialValues(),
+                                 clippedReadings(), posePrior(), jointLaxity(), groundContact(), smoothers()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

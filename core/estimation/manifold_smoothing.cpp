@@ -34,7 +34,7 @@ ObservationBlock ManifoldFilter::again(const ObservationBlock& taped, const Step
                 block.residual[i] -= valueOf(state, block.columns[static_cast<size_t>(i)]);
             return block;
         case ObservationOrigin::Kind::kTurn:
-            block = turnOf(origin.index, Quaterniond(Eigen::Vector4d(origin.target)), state.motion);
+            block = turnOf(origin.index, LimbTarget(origin.target), state.motion);
             break;
         case ObservationOrigin::Kind::kGyro:
             block = observations_.gyro(state, input.inertial[index], input.inertial[index].time_s - at_s);

@@ -44,8 +44,9 @@ struct ObservationOrigin {
     /// Of the reading in its step; of the joint's constraint; kTurn: of the link; kGain: of the board.
     int index = 0;
     /// kGive: of the deviation what was let be, if not all counts; kDistance: the distance that was believed;
-    /// kPull: the values; kTurn: the quaternion from its parent, x y z w; kGain: the packed windows; kGyro,
-    /// kAccel: what the readings' ends of ranges stood for, less those ends, empty when there were none.
+    /// kPull: the values; kTurn: the quaternions from its parent and to the axes of its variances, x y z w;
+    /// kGain: the packed windows; kGyro, kAccel: what the readings' ends of ranges stood for, less those
+    /// ends, empty when there were none.
     Eigen::VectorXd target;
 };
 

@@ -158,6 +158,48 @@ TEST_F(JointGiveTest, WithNothingSeenHiddenJointsAreRigid) {
         EXPECT_LT(std::sqrt(block.variance[0]), 0.001);
 }
 
+/// Ball joints alone teach nothing. Taken for rigid, boards on people made a filter sure of wrong poses.
+TEST(JointGiveUntaught, ActorsOfBallJointsAloneRideOnFlesh) {
+    std::vector<Joint> joints = testing::smallSkeleton().joints();
+    for (size_t j = 1; j < joints.size(); ++j) {
+        joints[j].type = JointType::kBall;
+        joints[j].dof = {{"x", Vector3d::UnitX()}, {"y", Vector3d::UnitY()}, {"z", Vector3d::UnitZ()}};
+    }
+    const Skeleton balls = Skeleton::make(joints).value();
+    const KinematicTree tree(balls, BallCoordinates::kManifold);
+    const std::vector<bool> all(4, true), none(4, false);
+    JointGive give(balls, tree, all, {false, true, true, true}, {});
+    EXPECT_EQ(give.fleshShare(), 1);
+    const Covariance P(Eigen::VectorXd::Constant(3 * tree.freedoms(), 1e-6));
+    EXPECT_TRUE(give.observe(tree.stateFromPose(balls.zeroPose()), P, 0.1).empty());
+    EXPECT_EQ(give.fleshShare(), 1);
+    EXPECT_NEAR(std::sqrt(give.meanVariance_rad2()), GiveParameters{}.untaught_rad, 1e-12);
+    EXPECT_EQ(JointGive(balls, tree, none, none, {}).fleshShare(), 0) << "nothing is worn that tells more";
+}
+
+/// held() is the constraint of an error of the limb's attitude, at both of the limb's ends.
+TEST_F(JointGiveTest, HeldDirectionsAreTheConstraintsOfATurnedLimb) {
+    const MotionState motion = at(0.7, 0.2);
+    const Quaterniond D = axisAngle(Vector3d(1, 2, -1).normalized(), 0.6);
+    for (const int joint : {2, 3}) {
+        const int link = tree.linkOfJoint(joint);
+        MotionState turned = motion;
+        turned.q_parent_link[static_cast<size_t>(link)] = motion.q_parent_link[static_cast<size_t>(link)] * D;
+        if (joint == 2)  // the forearm stays as it lies in the world
+            turned.q_parent_link[static_cast<size_t>(tree.linkOfJoint(3))] =
+                D.conjugate() * motion.q_parent_link[static_cast<size_t>(tree.linkOfJoint(3))];
+        std::vector<double> before, after;
+        for (const auto& held : give.held(tree, link, motion))
+            before.push_back(held.c - held.a.dot(D * held.b));
+        for (const auto& held : give.held(tree, link, turned))
+            after.push_back(held.c - held.a.dot(held.b));
+        ASSERT_EQ(before.size(), joint == 2 ? 5u : 4u);
+        ASSERT_EQ(before.size(), after.size());
+        for (size_t i = 0; i < before.size(); ++i)
+            EXPECT_NEAR(before[i], after[i], 1e-12);
+    }
+}
+
 TEST_F(JointGiveTest, OneFarDeviationAfterAnOutageTeachesLittle) {
     observed(0);
     give.observe(at(10.1, 0.6), P, 0.1);
