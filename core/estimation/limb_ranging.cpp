@@ -13,7 +13,7 @@
 namespace noctule {
 namespace {
 
-constexpr size_t kLeastReadings = 24;
+constexpr size_t kLeastSilentReadings = 24;
 constexpr int kSteps = 10;
 constexpr double kUnheld_rad = 1.5;  ///< prior of the error: where no distance tells, the limb stays
 constexpr double kCauchy = 3;        ///< normalised residual whose weight is a half
@@ -131,7 +131,7 @@ LimbRanging::Fit LimbRanging::fitFrom(const Quaterniond& start, const std::vecto
 }
 
 std::optional<LimbRanging::Found> LimbRanging::contradict(const std::vector<Held>& held) const {
-    if (readings_.size() < kLeastReadings ||
+    if (readings_.size() < kLeastSilentReadings ||
         readings_.back().time_s - readings_.front().time_s < 0.5 * parameters_.memory_s)
         return std::nullopt;
     const Fit believed = evaluate(Quaterniond::Identity(), held);
