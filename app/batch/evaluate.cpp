@@ -5,6 +5,7 @@
 #include "core/body/text.h"
 #include "core/job/atomic_file.h"
 #include "core/processing/evaluate_between.h"
+#include "core/processing/evaluate_points.h"
 #include "core/processing/evaluate_take.h"
 #include "core/processing/orient_take.h"
 #include "core/processing/run_subjects.h"
@@ -110,6 +111,10 @@ Outcome orientationOutcome(const std::string& take, const OrientationEvaluation&
             std::nullopt};
 }
 
+nlohmann::json orNull(std::optional<double> value) {
+    return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
+}
+
 /// Where the subjects are to each other; nothing where a reference lacks.
 Status addBetween(const VerbContext& context, const EvaluateRequest& request,
                   const std::vector<TakeSubject>& subjects, Outcome& outcome) {
@@ -119,20 +124,25 @@ Status addBetween(const VerbContext& context, const EvaluateRequest& request,
     if (!between)
         return between.error();
     for (const BetweenEvaluation& pair : *between) {
-        outcome.json["between"].push_back(
-            {{"a", pair.a},
-             {"b", pair.b},
-             {"from", pair.from},
-             {"to", pair.to},
-             {"rms_mm", pair.rms_mm},
-             {"rms_near_mm", pair.rms_near_mm ? nlohmann::json(*pair.rms_near_mm) : nlohmann::json(nullptr)},
-             {"rms_world_mm", pair.rms_world_mm},
-             {"heading_deg", pair.heading_deg}});
-        outcome.text += "between " + pair.a + " " + pair.from + " and " + pair.b + " " + pair.to + ": " +
-                        fixed(pair.rms_mm, 1) + " mm rms" +
-                        (pair.rms_near_mm ? ", " + fixed(*pair.rms_near_mm, 1) + " mm when nearer than 0.3 m"
-                                          : std::string()) +
-                        "; relative heading " + fixed(pair.heading_deg) + " deg\n";
+        outcome.json["between"].push_back({{"a", pair.a},
+                                           {"b", pair.b},
+                                           {"from", pair.from},
+                                           {"to", pair.to},
+                                           {"rms_mm", pair.rms_mm},
+                                           {"rms_near_mm", orNull(pair.rms_near_mm)},
+                                           {"rms_world_mm", pair.rms_world_mm},
+                                           {"sigma_mm", orNull(pair.sigma_mm)},
+                                           {"nees", orNull(pair.nees)},
+                                           {"heading_deg", pair.heading_deg}});
+        outcome.text +=
+            "between " + pair.a + " " + pair.from + " and " + pair.b + " " + pair.to + ": " +
+            fixed(pair.rms_mm, 1) + " mm rms" +
+            (pair.rms_near_mm ? ", " + fixed(*pair.rms_near_mm, 1) + " mm when nearer than 0.3 m"
+                              : std::string()) +
+            "; relative heading " + fixed(pair.heading_deg) + " deg" +
+            (pair.sigma_mm ? "; stated " + fixed(*pair.sigma_mm, 1) + " mm, NEES " + fixed(*pair.nees)
+                           : std::string()) +
+            "\n";
     }
     return Done{};
 }
@@ -164,8 +174,64 @@ Status addSubjects(const VerbContext& context, EvaluateRequest request,
     return Done{};
 }
 
+/// Tables of points against the take's reference.
+Result<Outcome> runEvaluatePoints(const VerbContext& context) {
+    const Arguments& arguments = context.arguments;
+    for (const char* name : {"run", "reference", "csv"})
+        if (arguments.given(name))
+            return Error{ErrorKind::kUsage,
+                         "--" + std::string(name) +
+                             " does not go with --points, which are compared with the "
+                             "take's own reference",
+                         "Leave it out"};
+    const std::string take = arguments.operands()[0], report_path = arguments.text("report");
+    const std::vector<std::string> tables = arguments.texts("points");
+    if (Status free = checkOutputs({report_path}, arguments.given("overwrite"), tables); !free)
+        return free.error();
+    std::vector<PointsEvaluation> all;
+    Outcome outcome;
+    outcome.json = {{"take", take}};
+    for (const std::string& path : tables) {
+        const auto table = readPointsTable(path);
+        if (!table)
+            return table.error();
+        auto found = evaluatePoints(take, *table, context.job());
+        if (!found)
+            return found.error();
+        nlohmann::json points = nlohmann::json::array();
+        for (const PointEvaluation& point : found->points)
+            points.push_back(
+                {{"subject", point.subject}, {"device", point.device}, {"rms_mm", point.rms_mm}});
+        outcome.json["tables"].push_back({{"points", path},
+                                          {"rms_mm", found->rms_mm},
+                                          {"between_rms_mm", orNull(found->between_rms_mm)},
+                                          {"between_near_rms_mm", orNull(found->between_near_rms_mm)},
+                                          {"nees", found->nees},
+                                          {"instants", found->instants},
+                                          {"devices", points}});
+        outcome.text +=
+            path + ": " + fixed(found->rms_mm, 1) + " mm rms over " + std::to_string(found->points.size()) +
+            " points" +
+            (found->between_rms_mm ? ", " + fixed(*found->between_rms_mm, 1) + " mm between subjects"
+                                   : std::string()) +
+            "; NEES " + fixed(found->nees) + "\n";
+        all.push_back(std::move(*found));
+    }
+    if (!report_path.empty()) {
+        if (Status written = writeFileAtomically(report_path, pointsReport(takeName(take), tables, all),
+                                                 arguments.given("overwrite"));
+            !written)
+            return written.error();
+        outcome.json["report"] = report_path;
+        outcome.text += "report                " + report_path + "\n";
+    }
+    return outcome;
+}
+
 Result<Outcome> runEvaluate(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
+    if (arguments.given("points"))
+        return runEvaluatePoints(context);
     const bool overwrite = arguments.given("overwrite");
     const std::string report_path = arguments.text("report");
     const std::string csv_path = arguments.text("csv");
@@ -238,11 +304,13 @@ Verb evaluateVerb() {
     verb.operands = "T.noctule";
     verb.min_operands = verb.max_operands = 1;
     verb.example = "noctule --batch evaluate hops_001.noctule --report hops.html";
-    verb.options = {text("run", "NAME", "the run to judge; the last one when not given"),
-                    text("reference", "M.bvh|M.fbx|M.glb",
-                         "another system's motion, aligned in time; else the take's own"),
-                    text("report", "R.html", "write the whole report, with every run of the take"),
-                    text("csv", "J.csv", "write the joints of every run as a table")};
+    verb.options = {
+        text("run", "NAME", "the run to judge; the last one when not given"),
+        text("reference", "M.bvh|M.fbx|M.glb",
+             "another system's motion, aligned in time; else the take's own"),
+        texts("points", "P.csv", "tables that process --estimator comocap --points wrote, instead of a run"),
+        text("report", "R.html", "write the whole report, with every run of the take"),
+        text("csv", "J.csv", "write the joints of every run as a table")};
     for (Option& option : motionOptions("reference"))
         verb.options.push_back(std::move(option));
     verb.remarks = {

@@ -9,6 +9,9 @@
 #include "app/batch/program.h"
 #include "app/batch/takes.h"
 #include "core/estimation/paper_parameters.h"
+#include "core/job/atomic_file.h"
+#include "core/live/point_estimators.h"
+#include "core/processing/points_table.h"
 #include "core/processing/process_take.h"
 #include "core/recording/take_copy.h"
 #include "devices/device/clock.h"
@@ -79,9 +82,9 @@ Result<ProcessRequest> requestOf(const Arguments& arguments) {
     request.tracker.estimator = arguments.text("estimator");
     const EstimatorEntry& estimator = *findEstimator(request.tracker.estimator);
     request.tracker.smoother = *smootherFromName(arguments.text("smooth"));
-    if (estimator.whole_take && !arguments.given("smooth"))
+    if (estimator.whole_take && estimator.smooths && !arguments.given("smooth"))
         request.tracker.smoother = Smoother::kFull;
-    if (estimator.whole_take && request.tracker.smoother != Smoother::kFull &&
+    if (estimator.whole_take && estimator.smooths && request.tracker.smoother != Smoother::kFull &&
         request.tracker.smoother != Smoother::kNone)
         return Error{ErrorKind::kUsage,
                      "--smooth " + arguments.text("smooth") + " does not go with estimator " + estimator.name,
@@ -205,13 +208,80 @@ Result<ProcessSummary> processOne(const Arguments& arguments, ProcessRequest req
     return summary;
 }
 
+/// Points are a table beside the take: nothing that belongs to poses goes with them.
+Status checkPointOptions(const Arguments& arguments) {
+    const std::string estimator = arguments.text("estimator");
+    if (!givesPoints(estimator))
+        return arguments.given("points")
+                   ? Status(Error{ErrorKind::kUsage,
+                                  "--points does not go with estimator " + estimator + ", which gives poses",
+                                  "Leave out --points, or take --estimator comocap"})
+                   : Done{};
+    for (const char* name : {"run-name", "out-dir", "select", "detector"})
+        if (arguments.given(name))
+            return Error{ErrorKind::kUsage,
+                         "--" + std::string(name) + " does not go with estimator " + estimator +
+                             ", which gives points and writes no run",
+                         "Leave it out" + std::string(name == std::string("select")
+                                                          ? "; --param share=0.5 chooses ranges of ms-comocap"
+                                                          : "")};
+    if (arguments.text("root") == "given" || !arguments.given("points"))
+        return Error{ErrorKind::kUsage,
+                     "estimator " + estimator + " gives places of points, not poses" +
+                         (arguments.given("points") ? ": --root given means nothing to it" : ""),
+                     arguments.given("points") ? "Leave out --root" : "Add --points P.csv, where they go"};
+    if (arguments.operands().size() > 1)
+        return Error{ErrorKind::kUsage, "--points names one table, there are several takes",
+                     "Process them one by one"};
+    return checkOutputs({arguments.text("points")}, arguments.given("overwrite"), arguments.operands());
+}
+
+Result<Outcome> runPoints(const VerbContext& context, ProcessRequest request) {
+    const Arguments& arguments = context.arguments;
+    request.take_path = arguments.operands()[0];
+    PointsTableWriter table;
+    const auto summary = trackPoints(request, table.sink(), context.job());
+    if (!summary)
+        return summary.error();
+    for (const std::string& warning : summary->warnings)
+        context.console.warn(request.take_path + ": " + warning);
+    const std::string path = arguments.text("points");
+    if (Status written = writeFileAtomically(path, table.text(), arguments.given("overwrite")); !written)
+        return written.error();
+    Outcome outcome;
+    outcome.json = {{"take", request.take_path},
+                    {"estimator", request.tracker.estimator},
+                    {"points", path},
+                    {"devices", summary->points.size()},
+                    {"instants", summary->frames},
+                    {"ranges",
+                     {{"heard", summary->heard},
+                      {"used", summary->used},
+                      {"gated", summary->gated},
+                      {"room", summary->of_room},
+                      {"own", summary->own},
+                      {"between", summary->between}}},
+                    {"warnings", summary->warnings}};
+    outcome.text = path + ": " + std::to_string(summary->points.size()) + " points at " +
+                   std::to_string(summary->frames) + " instants; of " + std::to_string(summary->heard) +
+                   " ranges (" + std::to_string(summary->of_room) + " with the room, " +
+                   std::to_string(summary->own) + " within, " + std::to_string(summary->between) +
+                   " between subjects) " + std::to_string(summary->used) + " were used, " +
+                   std::to_string(summary->gated) + " gated.\n";
+    return outcome;
+}
+
 Result<Outcome> runProcess(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
+    if (Status points = checkPointOptions(arguments); !points)
+        return points.error();
     if (Status sensible = checkTakes(arguments); !sensible)
         return sensible.error();
     const auto request = requestOf(arguments);
     if (!request)
         return request.error();
+    if (givesPoints(request->tracker.estimator))
+        return runPoints(context, *request);
     const size_t cores = std::max(1U, std::thread::hardware_concurrency());
     const size_t jobs = static_cast<size_t>(arguments.whole("jobs").value_or(static_cast<int64_t>(cores)));
     return forEachTake(context, jobs, [&](const std::string& take, const JobContext& job) -> Result<Outcome> {
@@ -252,7 +322,8 @@ Verb processVerb() {
                "what finds the pulses in the sound: matched, or the paper's inflection, which is the default "
                "with --estimator paper"),
         choice("estimator", estimatorNames(),
-               "paper: Vlasic 2007 to the letter; orientation: poses of other makers' sensors")
+               "paper: Vlasic 2007 to the letter; orientation: poses of other makers' sensors; comocap, "
+               "ms-comocap, environment: Welch 2018, points of several people (--points)")
             .orElse(kManifoldEstimator),
         texts("param", "NAME=VALUE", "sets a parameter of the estimator; `estimators` lists them"),
         text("params", "F.json", "parameters by name, or the settings of a run"),
@@ -271,6 +342,7 @@ Verb processVerb() {
             .orElse("auto"),
         number("select", "SHARE", 0, 1,
                "share of the ranges between suits that is used, most informative first (default 1)"),
+        text("points", "P.csv", "where the points of comocap, ms-comocap and environment go"),
         text("run-name", "NAME", "name of the new run; from sensors, estimator and smoother when not given"),
         text("out-dir", "D", "copy the take there and write into the copy")};
     verb.remarks = {"Nothing is replaced: every call adds a run, and the raw data stay as they are."};

@@ -72,7 +72,12 @@ size_t PointFilter::correct(const std::vector<PointRange>& ranges, int target) {
         }
         rows = std::move(kept);
     }
-    cooperative::correct(points_, rows);
+    // Both are the same update. The gain costs in proportion to the rows, the other one hardly does.
+    constexpr size_t kFewRows = 4;
+    if (kFewRows * rows.size() < static_cast<size_t>(points_.p_m.size()))
+        correctByGain(points_, rows);
+    else
+        cooperative::correct(points_, rows);
     return used;
 }
 

@@ -100,6 +100,13 @@ Eigen::MatrixXd JointCovariance::expected(const std::vector<JointRow>& rows,
     return HPH;
 }
 
+Eigen::MatrixXd JointCovariance::of(const std::vector<JointRow>& rows) const {
+    std::vector<Eigen::MatrixXd> seen;
+    for (size_t k = 0; k < members(); ++k)
+        seen.push_back(seenBy(k, rows));
+    return expected(rows, seen);
+}
+
 Eigen::VectorXd JointCovariance::update(std::vector<JointRow> rows, const Judge& judge) {
     Eigen::VectorXd correction = Eigen::VectorXd::Zero(common_.rows());
     if (rows.empty())

@@ -39,6 +39,9 @@ public:
     /// innovation's covariance is not positive definite.
     Eigen::VectorXd update(std::vector<JointRow> rows, const Judge& judge = {});
 
+    /// H P H^T: covariance of what the rows speak of.
+    Eigen::MatrixXd of(const std::vector<JointRow>& rows) const;
+
     const Eigen::MatrixXd& common() const { return common_; }
     /// Of the errors of a body (rows) with those of another one (columns); one past the last body: the common
     /// state.

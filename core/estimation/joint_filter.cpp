@@ -9,9 +9,14 @@
 namespace noctule {
 namespace {
 
-constexpr double kSound_m_per_s = 344;  ///< a clock's error in metres
-constexpr int64_t kTriedBefore = 200;   ///< an anchor is judged
-constexpr double kMovedShare = 0.6;     ///< of its ranges contradict the others
+constexpr double kSound_m_per_s = 344;    ///< a clock's error in metres
+constexpr int64_t kTriedBefore = 200;     ///< an anchor is judged
+constexpr double kMovedShare = 0.6;       ///< of its ranges contradict the others
+constexpr double kOffMemory = 100;        ///< ranges of an anchor over which the share that is off is learnt
+constexpr double kOffShare = 0.7;         ///< of a moved anchor's ranges
+constexpr double kOthersOffShare = 0.35;  ///< at most, of the other anchors'
+constexpr double kOffSigma = 4;           ///< of what is stated
+constexpr double kMovedNoise_m = 0.04;    ///< beyond a survey's errors
 
 }  // namespace
 
@@ -59,6 +64,13 @@ void JointFilter::start(size_t body, const Pose& rest_pose, const RestReadings& 
 
 double JointFilter::now_s(size_t body) const {
     return alignment_.clocks[body].common_s(bodies_[body].filter->seconds());
+}
+
+double JointFilter::reached_s() const {
+    double least_s = now_s(0);
+    for (size_t i = 1; i < bodies_.size(); ++i)
+        least_s = std::min(least_s, now_s(i));
+    return least_s;
 }
 
 void JointFilter::carryCommon(double time_s) {
@@ -147,11 +159,36 @@ bool JointFilter::isUsed(const JointDistance& distance) const {
         if (index == room() ? !room_ : !bodies_[index].joined)
             return false;
     }
-    const auto moved = [&](int board) { return std::ranges::count(alignment_.moved_anchors, board) > 0; };
-    if (static_cast<size_t>(distance.from) == room() &&
-        moved(room_->housings[static_cast<size_t>(distance.source)]))
-        return false;
-    return static_cast<size_t>(distance.to) != room() || !moved(distance.board);
+    return !isMoved(anchorOf(distance));
+}
+
+/// The board of the room that a range starts or ends at; -1: none.
+int JointFilter::anchorOf(const JointDistance& distance) const {
+    return static_cast<size_t>(distance.from) == room()
+               ? room_->housings[static_cast<size_t>(distance.source)]
+           : static_cast<size_t>(distance.to) == room() ? distance.board
+                                                        : -1;
+}
+
+bool JointFilter::isMoved(int anchor) const {
+    const auto tally = anchors_.find(anchor);
+    return std::ranges::count(alignment_.moved_anchors, anchor) > 0 ||
+           (tally != anchors_.end() && tally->second.moved);
+}
+
+/// A moved anchor is off for nearly all who hear it. What stands in the way of sound is in the way of some;
+/// where others are as far off, it is the body that is elsewhere than believed.
+void JointFilter::noteAnchor(int anchor, bool gated, bool is_off) {
+    Tally& tally = anchors_[anchor];
+    tally.tried += 1;
+    tally.gated += gated ? 1 : 0;
+    tally.off_share += ((is_off ? 1.0 : 0.0) - tally.off_share) / kOffMemory;
+    if (tally.tried < kTriedBefore || tally.off_share < kOffShare)
+        return;
+    tally.moved =
+        tally.moved || std::ranges::all_of(anchors_, [&](const auto& entry) {
+            return entry.first == anchor || isMoved(entry.first) || entry.second.off_share < kOthersOffShare;
+        });
 }
 
 void JointFilter::useDistances(double until_s) {
@@ -221,14 +258,9 @@ std::vector<Eigen::Index> JointFilter::judge(const Eigen::MatrixXd& HPH, std::ve
                                                               : RangeFate::kUsed;
         row.variance += std::max(0.0, ratio / parameters_.huber_sigma - 1) * variance;
         row.variance += noise.whitenedVariance();
-        const int anchor = static_cast<size_t>(distance.from) == room()
-                               ? room_->housings[static_cast<size_t>(distance.source)]
-                           : static_cast<size_t>(distance.to) == room() ? distance.board
-                                                                        : -1;
-        if (anchor >= 0) {
-            anchors_[anchor].tried += 1;
-            anchors_[anchor].gated += gated ? 1 : 0;
-        }
+        if (const int anchor = anchorOf(distance); anchor >= 0)
+            noteAnchor(anchor, gated,
+                       std::abs(row.residual) > std::max(kMovedNoise_m, kOffSigma * std::sqrt(expected[0])));
         if (!gated)
             kept.push_back(at);
     }
@@ -280,11 +312,13 @@ double JointFilter::clockSigma_s(size_t member) const {
 
 std::vector<int> JointFilter::movedAnchors() const {
     std::vector<int> moved = alignment_.moved_anchors;
-    for (const auto& [anchor, tally] : anchors_)
-        if (tally.tried >= kTriedBefore &&
-            static_cast<double>(tally.gated) > kMovedShare * static_cast<double>(tally.tried) &&
-            std::ranges::count(moved, anchor) == 0)
+    for (const auto& [anchor, tally] : anchors_) {
+        const bool contradicts =
+            tally.tried >= kTriedBefore &&
+            static_cast<double>(tally.gated) > kMovedShare * static_cast<double>(tally.tried);
+        if ((tally.moved || contradicts) && std::ranges::count(moved, anchor) == 0)
             moved.push_back(anchor);
+    }
     std::ranges::sort(moved);
     return moved;
 }

@@ -73,6 +73,12 @@ public:
     /// Anchors (boards of the room) whose ranges contradict the others.
     std::vector<int> movedAnchors() const;
 
+    /// Of the vector from a joint of one body to a joint of another, in the frame of the first one's root,
+    /// m^2.
+    Matrix3d relativeCovariance(size_t body, int joint, size_t other, int other_joint);
+    /// Common time that all bodies have reached.
+    double reached_s() const;
+
     /// For judging: covariances between bodies and the place of each member's states.
     const JointCovariance& covariance() const { return covariance_; }
 
@@ -92,6 +98,8 @@ private:
     };
     struct Tally {
         int64_t tried = 0, gated = 0;
+        double off_share = 0;  ///< of the last ranges, those that are plainly off
+        bool moved = false;
     };
 
     size_t room() const { return bodies_.size(); }
@@ -114,6 +122,9 @@ private:
     std::vector<Eigen::Index> mostInformative(Eigen::MatrixXd HPH, const std::vector<JointRow>& rows,
                                               std::vector<Eigen::Index> among);
     bool isUsed(const JointDistance& distance) const;
+    bool isMoved(int anchor) const;
+    int anchorOf(const JointDistance& distance) const;
+    void noteAnchor(int anchor, bool gated, bool is_off);
 
     JointParameters parameters_;
     std::vector<Body> bodies_;

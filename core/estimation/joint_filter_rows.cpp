@@ -35,6 +35,28 @@ Vector3d JointFilter::anchorError(int first) const {
 
 /// The row's residual and Jacobian; its variance is that of the reading. `offset_s`: of its instant against
 /// the common state's time. Nothing where it tells nothing.
+/// r = R^T (p_other - p), whose derivative by a turn of R = R exp(d) is [r]x d.
+Matrix3d JointFilter::relativeCovariance(size_t body, int joint, size_t other, int other_joint) {
+    const BodyState &of = filter(body).state(), &of_other = filter(other).state();
+    const Matrix3d R = of.motion.q_parent_link[0].toRotationMatrix();
+    const auto end = [&](size_t which, int at, const BodyState& state) {
+        return bodies_[which].model->linkEnd(state, filter(which).tree().linkOfJoint(at)).p_world_m;
+    };
+    std::vector<JointRow> rows(3, emptyRow(bodies_.size() + 1));
+    const Vector3d p = end(body, joint, of);
+    for (int axis = 0; axis < 3; ++axis)
+        bodies_[body].model->addEnd(rows[static_cast<size_t>(axis)].of[body], -R.col(axis));
+    const Vector3d p_other = end(other, other_joint, of_other);
+    for (int axis = 0; axis < 3; ++axis)
+        bodies_[other].model->addEnd(rows[static_cast<size_t>(axis)].of[other], R.col(axis));
+    const Matrix3d turned = skew(R.transpose() * (p_other - p));
+    for (int axis = 0; axis < 3; ++axis)
+        for (int k = 0; k < 3; ++k)
+            addColumn(rows[static_cast<size_t>(axis)].of[body], filter(body).layout().theta(3 + k),
+                      turned(axis, k));
+    return covariance_.of(rows);
+}
+
 std::optional<JointRow> JointFilter::rowOf(const JointDistance& distance, double offset_s,
                                            JointDecision& decision) {
     const auto from = static_cast<size_t>(distance.from), to = static_cast<size_t>(distance.to);

@@ -23,34 +23,16 @@ std::vector<RestingMember> JointFilter::restingMembers() const {
     std::vector<RestingMember> members;
     for (size_t i = 0; i < bodies_.size(); ++i) {
         const Body& body = bodies_[i];
-        const MotionState motion = body.tree.stateFromPose(*body.rest_pose);
-        RestingMember member;
-        ChainMotion chain;
-        const auto at = [&](int link, const Vector3d& p) -> Vector3d {
-            if (link < 0)
-                return p;
-            chain.evaluate(body.tree, motion, link, 0);
-            return chain.point(p).p_m;
-        };
-        for (const MountedSource& source : body.made_of.suit.sources)
-            member.sources_m.push_back(at(source.link, source.p_link_source));
-        for (const MountedBoard& board : body.made_of.suit.boards)
-            member.microphones_m.push_back(at(board.link, placeBoard(board, body.tree, motion, 0).p_mic_m));
+        RestingMember member = restingMember(body.tree, body.made_of.suit, *body.rest_pose);
         const ClockLine& clock = alignment_.clocks[i];
         member.from_s = clock.common_s(body.rest.begin_s);
         member.to_s = clock.common_s(std::max(body.rest.end_s, body.rest.begin_s + kAtLeast_s));
         member.clock_known = i == 0 || body.made_of.clock_known || parameters_.clocks_shared;
         members.push_back(std::move(member));
     }
-    RestingMember room;
-    room.is_room = true;
-    if (room_) {
-        room.clock_known = room_->clock_known || parameters_.clocks_shared;
-        for (const MountedSource& source : room_->suit.sources)
-            room.sources_m.push_back(source.p_link_source);
-        for (const MountedBoard& board : room_->suit.boards)
-            room.microphones_m.push_back(board.p_link_mic);
-    }
+    RestingMember room =
+        restingRoom(room_ ? room_->suit : SuitModel{}, room_ ? room_->housings : std::vector<int>{});
+    room.clock_known = room_ && (room_->clock_known || parameters_.clocks_shared);
     members.push_back(std::move(room));
     return members;
 }
@@ -122,7 +104,7 @@ void JointFilter::useRest() {
             return member == room() || (bodies_[member].joined && emitted_s >= still[member].from_s &&
                                         emitted_s <= still[member].to_s);
         };
-        if (!within(from) || !within(to) || distance.confidence < kLeastConfidence)
+        if (!isUsed(distance) || !within(from) || !within(to) || distance.confidence < kLeastConfidence)
             continue;
         const auto bin = static_cast<int>(std::floor((emitted_s - common_s_) / kBin_s));
         Mean& mean = means[{distance.from, distance.source, distance.to, distance.board, bin}];

@@ -174,6 +174,8 @@ ManifoldFilter::StepInput ManifoldFilter::nextInput() {
 void ManifoldFilter::step(const StepInput& input) {
     predict(step_s_);
     ++now_.step_index;
+    if (!input.inertial.empty() || now_.step_index == 1)
+        now_.heard_s = seconds();
     allowForClipping(input.inertial);
     const auto accel_variances = [&] {
         return now_.P.dense().diagonal().segment(layout_.accel(0), layout_.freedoms);

@@ -120,6 +120,7 @@ public:
         JointGive give;
         Covariance P;
         MotionNoise motion_noise;
+        double heard_s = 0;                     ///< of the last step with inertial readings
         std::vector<double> mean_square_rates;  ///< per link, of one axis, while they are seen
         MotionState fitted;                     ///< the motion that P's errors are those of
         int64_t step_index = 0;

@@ -6,6 +6,11 @@
 #include "core/inertial/reading.h"
 
 namespace noctule {
+namespace {
+
+constexpr double kSilent_s = 0.25;  ///< without readings of any board: nothing is seen of any limb
+
+}  // namespace
 
 void ManifoldFilter::updatePriors() {
     for (const int link : now_.give.lostLinks(now_.state.motion))
@@ -18,10 +23,11 @@ void ManifoldFilter::updatePriors() {
         blocks.push_back(
             velocityOfRoot(layout_, now_.state.motion, still, Vector3d::Constant(sigma * sigma)));
     }
+    const bool is_silent = seconds() - now_.heard_s > kSilent_s;
     const Eigen::VectorXd away = coordinateError(tree_, usual_, now_.state.motion);
     for (size_t i = 0; i < tree_.links().size(); ++i) {
         const Link& link = tree_.links()[i];
-        if (!isBlind(link) || (i == 0 && parameters_.root_given))
+        if ((!is_silent && !isBlind(link)) || (i == 0 && parameters_.root_given))
             continue;
         const int rotation = link.type == LinkType::kFree ? 3 : 0;
         for (int index = link.first + rotation; index < link.first + link.count; ++index) {

@@ -229,6 +229,12 @@ ObservationModel::End ObservationModel::boardEnd(const BodyState& state, int boa
     return {pointAt(state, end_link_, p_link_end_, offset_s, chain_), Vector3d::Zero()};
 }
 
+ObservationModel::End ObservationModel::linkEnd(const BodyState& state, int link) {
+    end_link_ = link;
+    p_link_end_ = Vector3d::Zero();
+    return {pointAt(state, end_link_, p_link_end_, 0, chain_), Vector3d::Zero()};
+}
+
 void ObservationModel::addEnd(ObservationBlock& block, const Vector3d& direction) {
     if (end_link_ >= 0)
         addDirectional(block, chain_, p_link_end_, direction);

@@ -106,6 +106,8 @@ public:
     };
     End sourceEnd(const BodyState& state, int source, double offset_s);
     End boardEnd(const BodyState& state, int board, double offset_s);
+    /// The origin of a link.
+    End linkEnd(const BodyState& state, int link);
     /// Adds to a block of one row the derivative, along `direction`, of the end that was asked for last.
     void addEnd(ObservationBlock& block, const Vector3d& direction);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <tuple>
 
 #include "core/math/rotation.h"
@@ -20,9 +21,13 @@ using Matrix5 = Eigen::Matrix<double, 5, 5>;
 constexpr double kBin_s = 0.5;
 constexpr size_t kFewestPairs = 6;
 constexpr int kIterations = 15;
-constexpr double kCoarse_m = 0.15, kFine_m = 0.03;          ///< scale of the Cauchy loss
-constexpr double kWorstFit_m = 0.08;                        ///< a body cannot be said to stand there
-constexpr double kMovedAnchor_m = 0.04;                     ///< beyond a survey's errors
+constexpr double kCoarse_m = 0.15, kFine_m = 0.03;  ///< scale of the Cauchy loss
+constexpr double kWorstFit_m = 0.08;                ///< a body cannot be said to stand there
+constexpr size_t kFewestAnchors = 4;                ///< so that one of them can be told from the others
+constexpr double kSuspicious_m = 0.025;             ///< median residual of an anchor
+constexpr double kPlainlyBetter = 0.5;              ///< share of the misfit that is left without it
+constexpr int kNoAnchor = -1;                       ///< board of no anchor
+constexpr double kMovedAnchor_m = 0.04;             ///< beyond a survey's errors
 constexpr double kAnyClock_m = 3, kAnyRate_m_per_s = 0.01;  ///< prior: 9 ms, 29 parts per million
 constexpr double kKnownClock_m = 0.01, kKnownRate_m_per_s = 2e-4;
 
@@ -56,6 +61,12 @@ public:
         for (const PairRow& row : rows_)
             sum += row.weight * std::log1p(std::pow(residual(row, u, R, nullptr) / scale_m, 2));
         return sum;
+    }
+    double meanCost(const Vector5& u) const {
+        double weight = 1e-9;
+        for (const PairRow& row : rows_)
+            weight += row.weight;
+        return cost(u, kFine_m) / weight;
     }
     Vector5 improve(Vector5 u, double scale_m) const {
         for (int i = 0; i < kIterations; ++i) {
@@ -117,8 +128,8 @@ private:
 class Aligner {
 public:
     Aligner(const std::vector<RestingMember>& members, const std::vector<JointDistance>& distances,
-            std::vector<ClockLine> clocks)
-        : members_(members), distances_(distances) {
+            std::vector<ClockLine> clocks, int without = kNoAnchor)
+        : members_(members), distances_(distances), without_(without) {
         result.clocks = std::move(clocks);
         result.places.resize(members.size());
     }
@@ -148,6 +159,8 @@ public:
     }
 
     RestAlignment result;
+    double misfit = 0;          ///< mean loss per range, of all members
+    double worst_anchor_m = 0;  ///< median residual of the anchor that fits worst
 
 private:
     std::vector<PairRow> rowsOf(size_t member, double bin_s) const {
@@ -157,6 +170,9 @@ private:
             const bool hears = to == member;
             const size_t other = hears ? from : to;
             if ((!hears && from != member) || !result.places[other].placed)
+                continue;
+            const int known_board = hears ? boardOf(members_[other], distance.source) : distance.board;
+            if (members_[other].is_room && known_board == without_)
                 continue;
             const double emitted_s = result.clocks[from].common_s(distance.emission_s);
             if (!isStill(members_[from], emitted_s) || !isStill(members_[to], emitted_s))
@@ -172,7 +188,7 @@ private:
                 row.known_m = inWorld(other, hears ? source : board);
                 row.clock = hears ? 1 : -1;
                 row.known_member = static_cast<int>(other);
-                row.known_board = hears ? distance.source : distance.board;
+                row.known_board = known_board;
             }
             count += weight;
             row.weight += weight;
@@ -183,6 +199,12 @@ private:
         for (auto& [key, mean] : means)
             rows.push_back(mean.first);
         return rows;
+    }
+    /// An anchor without a microphone counts as one of its own, below -1.
+    static int boardOf(const RestingMember& member, int source) {
+        const auto s = static_cast<size_t>(source);
+        const int board = s < member.housings.size() ? member.housings[s] : -1;
+        return board >= 0 ? board : -2 - source;
     }
     static bool isStill(const RestingMember& member, double time_s) {
         return member.is_room || (time_s >= member.from_s && time_s <= member.to_s);
@@ -223,6 +245,9 @@ private:
             std::ranges::nth_element(values, values.begin() + std::ssize(values) / 2);
             return values[values.size() / 2];
         };
+        for (auto& [anchor, values] : of_anchor)
+            worst_anchor_m = std::max(worst_anchor_m, median(values));
+        misfit += fit.meanCost(u);
         RestPlace& place = result.places[member];
         place.rms_m = 1.48 * median(sizes);
         place.placed = place.rms_m < kWorstFit_m;
@@ -231,7 +256,7 @@ private:
         place.p_m = {u[0], 0, u[1]};
         place.heading_rad = std::remainder(u[2], 2 * std::numbers::pi);
         for (auto& [anchor, values] : of_anchor)
-            if (median(values) > kMovedAnchor_m && of_anchor.size() > 3 &&
+            if (anchor >= 0 && median(values) > kMovedAnchor_m && of_anchor.size() > 3 &&
                 std::ranges::count(result.moved_anchors, anchor) == 0)
                 result.moved_anchors.push_back(anchor);
         // d = D - (b_to - b_from): the member's own clock runs late by b, or the other one's early.
@@ -245,22 +270,85 @@ private:
     static constexpr double kTimeOrigin_s = 0, kSound_m_per_s = 344;
     const std::vector<RestingMember>& members_;
     const std::vector<JointDistance>& distances_;
+    int without_;  ///< an anchor that is left out
 };
 
-}  // namespace
-
-RestAlignment alignAtRest(const std::vector<RestingMember>& members,
-                          const std::vector<JointDistance>& distances, std::vector<ClockLine> clocks,
-                          bool uses_room) {
-    Aligner aligner(members, distances, std::move(clocks));
-    const size_t room = members.size() - 1;
+/// The first body's clock is the common time: where the room comes first, its clock gives way.
+void placeAll(Aligner& aligner, size_t room, bool uses_room) {
     aligner.fixFirst(uses_room ? room : 0);
-    // The first body's clock is the common time: where the room comes first, its clock gives way.
     bool room_has_clock = !uses_room;
     for (size_t member = uses_room ? 0 : 1; member < room; ++member)
         if (aligner.place(member, room_has_clock ? member : room))
             room_has_clock = true;
-    return std::move(aligner.result);
+}
+
+std::set<int> anchorsOf(const RestingMember& room) {
+    std::set<int> anchors;
+    for (size_t board = 0; board < room.microphones_m.size(); ++board)
+        anchors.insert(static_cast<int>(board));
+    return anchors;
+}
+
+}  // namespace
+
+RestingMember restingMember(const KinematicTree& tree, const SuitModel& suit, const Pose& rest) {
+    const MotionState motion = tree.stateFromPose(rest);
+    RestingMember member;
+    ChainMotion chain;
+    const auto at = [&](int link, const Vector3d& p) -> Vector3d {
+        if (link < 0)
+            return p;
+        chain.evaluate(tree, motion, link, 0);
+        return chain.point(p).p_m;
+    };
+    for (const MountedSource& source : suit.sources)
+        member.sources_m.push_back(at(source.link, source.p_link_source));
+    for (const MountedBoard& board : suit.boards)
+        member.microphones_m.push_back(at(board.link, placeBoard(board, tree, motion, 0).p_mic_m));
+    return member;
+}
+
+RestingMember restingRoom(const SuitModel& suit, const std::vector<int>& housings) {
+    RestingMember room;
+    room.is_room = true;
+    room.housings = housings;
+    for (const MountedSource& source : suit.sources)
+        room.sources_m.push_back(source.p_link_source);
+    for (const MountedBoard& board : suit.boards)
+        room.microphones_m.push_back(board.p_link_mic);
+    return room;
+}
+
+RestAlignment alignAtRest(const std::vector<RestingMember>& members,
+                          const std::vector<JointDistance>& distances, std::vector<ClockLine> clocks,
+                          bool uses_room) {
+    const size_t room = members.size() - 1;
+    Aligner all(members, distances, clocks);
+    placeAll(all, room, uses_room);
+    const std::set<int> anchors = anchorsOf(members[room]);
+    if (!uses_room || anchors.size() < kFewestAnchors || all.worst_anchor_m < kSuspicious_m)
+        return std::move(all.result);
+    // An anchor that is off draws the fit of few others to itself, and another one seems to be off. So each
+    // is left out in turn: without the right one all bodies fit.
+    std::optional<Aligner> best;
+    int moved = kNoAnchor;
+    for (const int anchor : anchors) {
+        Aligner rest(members, distances, clocks, anchor);
+        placeAll(rest, room, uses_room);
+        const auto placed = [](const Aligner& of) {
+            return std::ranges::count(of.result.places, true, &RestPlace::placed);
+        };
+        if (placed(rest) >= placed(all) && (!best || rest.misfit < best->misfit)) {
+            best.emplace(std::move(rest));
+            moved = anchor;
+        }
+    }
+    if (!best || best->misfit > kPlainlyBetter * all.misfit)
+        return std::move(all.result);
+    RestAlignment& result = best->result;
+    if (std::ranges::count(result.moved_anchors, moved) == 0)
+        result.moved_anchors.push_back(moved);
+    return std::move(result);
 }
 
 }  // namespace noctule

@@ -16,9 +16,15 @@ namespace noctule {
 struct RestingMember {
     std::vector<Vector3d> sources_m, microphones_m;
     bool is_room = false;
+    std::vector<int> housings{};  ///< of the room: per source the board in its housing, -1: none
     double from_s = 0, to_s = 0;  ///< common time within which it is still
     bool clock_known = false;     ///< against the first member, to some microseconds
 };
+
+/// Sources and microphones of a body that holds `rest` over the world's origin.
+RestingMember restingMember(const KinematicTree& tree, const SuitModel& suit, const Pose& rest);
+/// Those of the room; `housings` as in RestingMember.
+RestingMember restingRoom(const SuitModel& suit, const std::vector<int>& housings);
 
 struct RestPlace {
     bool placed = false;

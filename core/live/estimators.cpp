@@ -6,6 +6,7 @@
 #include "core/estimation/manifold_parameters.h"
 #include "core/estimation/paper_parameters.h"
 #include "core/job/nearest_word.h"
+#include "core/live/point_estimators.h"
 
 namespace noctule {
 namespace {
@@ -73,9 +74,14 @@ Result<std::unique_ptr<Estimator>> makePaper(const EstimatorWorld& world) {
         std::make_unique<PaperFilter>(world.actor.skeleton, std::move(*mounted), world.mounted, parameters));
 }
 
-Result<std::unique_ptr<Estimator>> refuseLive(const EstimatorWorld&) {
-    return Error{ErrorKind::kUsage, "estimator orientation needs a whole take",
-                 "Record first, then process the take with --estimator orientation"};
+Result<std::unique_ptr<Estimator>> refuseLive(const EstimatorWorld& world) {
+    const std::string& name = world.settings.estimator;
+    return Error{ErrorKind::kUsage, "estimator " + name + " needs a whole take",
+                 "Record first, then process the take with --estimator " + name};
+}
+
+EstimatorEntry pointEstimator(const std::string& name, const std::string& summary) {
+    return {name, summary, pointParameters(name), false, false, Detector::kInflection, true, refuseLive};
 }
 
 }  // namespace
@@ -98,6 +104,12 @@ const std::vector<EstimatorEntry>& estimators() {
          Detector::kMatched,
          true,
          refuseLive},
+        pointEstimator(
+            "comocap",
+            "Welch 2018: microphones and sources of several people as free points, from the ranges "
+            "to the room, within and between people; a table of points, no poses"),
+        pointEstimator("ms-comocap", "Welch 2018: comocap with a share of the ranges"),
+        pointEstimator("environment", "Welch 2018: the same points from the ranges to the room alone"),
     };
     return kAll;
 }

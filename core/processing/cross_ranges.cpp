@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/acoustics/speed_of_sound.h"
+#include "core/processing/cross_clocks.h"
 
 namespace noctule {
 namespace {
@@ -105,7 +105,7 @@ private:
             return Error{ErrorKind::kUnusable,
                          take_.path() + ": subjects cannot be estimated together: " + why, remedy};
         warnings_.push_back("Distances between suits are not used, each one's poses are its own: " + why +
-                            ".");
+                            ". " + remedy + ".");
         return Joining{};
     }
 
@@ -137,7 +137,13 @@ private:
         return Done{};
     }
 
-    double carrierOf(const Suit& suit) const { return suit.carrier_hz.value_or(take_.header().drive_hz); }
+    double carrierOf(const Suit& suit) const {
+        if (suit.carrier_hz)
+            return *suit.carrier_hz;
+        const auto stated = take_.meta().find("drive_hz");
+        const double hz = stated == take_.meta().end() ? 0 : std::strtod(stated->second.c_str(), nullptr);
+        return hz > 0 ? hz : take_.header().drive_hz;
+    }
 
     /// Suits on one carrier: nobody can tell whose pulse it was.
     Status checkCarriers() {
@@ -211,19 +217,23 @@ private:
         return Done{};
     }
 
-    void addClock(int suit, bool first) {
+    void addClock(int suit) {
+        const bool is_take_time = suit == kTakeTimeSuit;
         const SuitClock guess = take_.suitClock(suit);
         const auto line = clocks_.lines.find(suit);
-        const SuitClock known = line != clocks_.lines.end() ? line->second : guess;
+        const SuitClock best = line != clocks_.lines.end() ? line->second : guess;
         joining_.guesses.push_back(guess);
-        joining_.clocks.push_back({known.offset_ns * 1e-9, known.rate});
-        joining_.clock_known.push_back(first || line != clocks_.lines.end());
+        joining_.clocks.push_back({best.offset_ns * 1e-9, best.rate});
+        const bool known = is_take_time || line != clocks_.lines.end();
+        // Against the first subject, whose clock is the common one.
+        first_known_ = joining_.clock_known.empty() ? known : first_known_;
+        joining_.clock_known.push_back(known && first_known_);
     }
     void addClocks() {
         for (const Ingredients& in : subjects_)
-            addClock(in.subject.suit(), in.subject.suit() == 1);
+            addClock(in.subject.suit());
         if (joining_.room)
-            addClock(joining_.room->subject.suit(), false);
+            addClock(joining_.room->subject.suit());
         else
             joining_.clocks.push_back({}), joining_.clock_known.push_back(false);
         const auto shared = take_.meta().find("clock_shared");
@@ -237,13 +247,6 @@ private:
                 return static_cast<int>(i);
         return joining_.room && joining_.room->subject.suit() == suit ? static_cast<int>(subjects_.size())
                                                                       : -1;
-    }
-    double rateOf(int member) const {
-        if (static_cast<size_t>(member) == subjects_.size() && joining_.room->suit.sample_rate_hz)
-            return static_cast<double>(*joining_.room->suit.sample_rate_hz);
-        return static_cast<size_t>(member) < subjects_.size()
-                   ? subjects_[static_cast<size_t>(member)].decoder.train.sample_rate_hz
-                   : subjects_.front().decoder.train.sample_rate_hz;
     }
 
     /// Anchors that nobody hears and that hear nobody join nothing.
@@ -263,6 +266,13 @@ private:
 
     Status readDistances() {
         const int room = static_cast<int>(subjects_.size());
+        auto clocks = CrossClocks::of(data());
+        if (!clocks)
+            return clocks.error();
+        made_by_ = std::move(*clocks);
+        addSound();
+        for (size_t member = 0; member < subjects_.size() + (joining_.room ? 1 : 0); ++member)
+            rates_hz_.push_back(sampleRateOf(take_, joining_.suitOf(member, subjects_)));
         for (int to = 0; to <= room; ++to) {
             if (to == room && !joining_.room)
                 break;
@@ -286,8 +296,6 @@ private:
     }
 
     void add(int from, int to, const RangeMeasurement& range) {
-        if (sound_.empty())
-            addSound();
         const SuitClock &sent = joining_.guesses[static_cast<size_t>(from)],
                         &heard = joining_.guesses[static_cast<size_t>(to)];
         JointDistance distance;
@@ -295,41 +303,26 @@ private:
         distance.to = to;
         distance.source = range.source;
         distance.board = range.board;
-        distance.emission_s = static_cast<double>(range.pulse_sample) / rateOf(from);
-        distance.arrival_s = range.arrival_sample / rateOf(to);
+        distance.emission_s = static_cast<double>(range.pulse_sample) / rates_hz_[static_cast<size_t>(from)];
+        distance.arrival_s = range.arrival_sample / rates_hz_[static_cast<size_t>(to)];
         distance.c_m_per_s = sound_[static_cast<size_t>(from)].at(range.pulse_sample);
-        distance.beyond_m = range.distance_m - distance.c_m_per_s * (heard.takeTime_s(distance.arrival_s) -
-                                                                     sent.takeTime_s(distance.emission_s));
+        const double by_guess_m = made_by_.byGuess_m(joining_.suitOf(static_cast<size_t>(from), subjects_),
+                                                     joining_.suitOf(static_cast<size_t>(to), subjects_),
+                                                     range, distance.c_m_per_s);
+        distance.beyond_m = by_guess_m - distance.c_m_per_s * (heard.takeTime_s(distance.arrival_s) -
+                                                               sent.takeTime_s(distance.emission_s));
         distance.sigma_m = range.sigma_m > 0 ? range.sigma_m : kUnstated_m;
         distance.confidence = range.w_s * range.w_t;
         joining_.distances.push_back(distance);
         joining_.ranges.push_back(range);
     }
 
-    /// Per member: by the mean of all suits' thermometers.
+    /// Per member.
     void addSound() {
-        TemperatureStatus mean{0, std::nullopt, std::nullopt};
-        double temperatures = 0, humidities = 0;
-        for (const int suit : take_.suitIds())
-            if (const auto rows = take_.statusRows(suit))
-                for (const StatusRow& row : *rows) {
-                    if (row.temperature_c)
-                        mean.temperature_c = mean.temperature_c.value_or(0) + *row.temperature_c,
-                        ++temperatures;
-                    if (row.humidity_percent)
-                        mean.humidity_percent = mean.humidity_percent.value_or(0) + *row.humidity_percent,
-                        ++humidities;
-                }
-        if (temperatures > 0)
-            *mean.temperature_c /= temperatures;
-        if (humidities > 0)
-            *mean.humidity_percent /= humidities;
-        const auto of = [&](const Calibration& calibration) {
-            sound_.emplace_back(calibration.sound, std::span(&mean, 1));
-        };
         for (const Ingredients& in : subjects_)
-            of(in.calibration);
-        of(joining_.room ? joining_.room->calibration : subjects_.front().calibration);
+            sound_.push_back(soundOf(take_, in.calibration));
+        sound_.push_back(
+            soundOf(take_, joining_.room ? joining_.room->calibration : subjects_.front().calibration));
     }
 
     Take& take_;
@@ -339,6 +332,9 @@ private:
     std::vector<std::string>& warnings_;
     Joining joining_;
     std::vector<SpeedOfSound> sound_;
+    std::vector<double> rates_hz_;
+    CrossClocks made_by_;
+    bool first_known_ = false;
 };
 
 }  // namespace

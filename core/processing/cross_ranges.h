@@ -11,6 +11,8 @@
 
 namespace noctule {
 
+inline constexpr int kTakeTimeSuit = 1;  ///< its clock is take time
+
 /// The anchors of a take's room.
 struct RoomOfTake {
     TakeSubject subject;
@@ -25,7 +27,7 @@ struct Joining {
     std::optional<RoomOfTake> room;
     std::vector<SuitClock> guesses;  ///< of the recorder, per subject and then of the room
     std::vector<ClockLine> clocks;   ///< as far as they are known
-    std::vector<bool> clock_known;   ///< joined by transceivers, or shared
+    std::vector<bool> clock_known;   ///< against the first subject's: joined by transceivers
     bool clocks_shared = false;
     std::vector<JointDistance> distances;
     std::vector<RangeMeasurement> ranges;  ///< as measured, one per distance

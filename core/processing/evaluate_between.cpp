@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/processing/evaluate_between.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "core/math/rotation.h"
+#include "core/processing/cross_clocks.h"
 #include "core/processing/pose_runs.h"
 
 namespace noctule {
 namespace {
 
 constexpr double kNear_m = 0.3;
-constexpr int64_t kLongestGap_ns = 50'000'000;
-constexpr std::array<const char*, 3> kEnds{"Hips", "LeftHand", "RightHand"};
 
 /// One subject's estimated and true motion.
 struct Judged {
     std::string name;
     TimedMotion estimate, reference;
     int64_t from_ns = 0;  ///< after the rest
+    int suit = 0;
+    std::vector<RelativeRow> relatives;
 };
 
 double headingAngle(const Quaterniond& q) {
@@ -63,6 +65,26 @@ public:
         if (truth.norm() < kNear_m)
             near_squares_ += error_m2, ++near_;
     }
+    bool isOf(const RelativeRow& row) const { return row.joint == from_ && row.other_joint == to_; }
+    /// Against what the run says of this vector.
+    void judge(const Judged& a, const Judged& b, const std::array<Pose, 4>& poses, const Matrix3d& cov_m2) {
+        const auto seen = [this](const Skeleton& of, const Pose& pose, const Skeleton& of_other,
+                                 const Pose& other) -> std::optional<Vector3d> {
+            const auto from = placeOf(of, pose, from_), to = placeOf(of_other, other, to_);
+            if (!from || !to)
+                return std::nullopt;
+            return pose.q_parent_joint[0].conjugate() * (*to - *from);
+        };
+        const auto found = seen(a.estimate.skeleton, poses[0], b.estimate.skeleton, poses[1]),
+                   truth = seen(a.reference.skeleton, poses[2], b.reference.skeleton, poses[3]);
+        const Eigen::LLT<Matrix3d> factor(cov_m2);
+        if (!found || !truth || factor.info() != Eigen::Success)
+            return;
+        const Vector3d error = *found - *truth;
+        nees_ += error.dot(factor.solve(error)) / 3;
+        variances_m2_ += cov_m2.trace();
+        ++stated_;
+    }
     std::optional<BetweenEvaluation> finish(const Judged& a, const Judged& b) const {
         if (frames_ == 0)
             return std::nullopt;
@@ -74,6 +96,10 @@ public:
             found.rms_near_mm = 1000 * rms(near_squares_, near_);
         found.rms_world_mm = 1000 * rms(world_squares_, frames_);
         found.heading_deg = degrees(rms(heading_squares_, frames_));
+        if (stated_ > 0) {
+            found.sigma_mm = 1000 * rms(variances_m2_, stated_);
+            found.nees = nees_ / static_cast<double>(stated_);
+        }
         return found;
     }
 
@@ -81,6 +107,8 @@ private:
     const char *from_, *to_;
     double squares_ = 0, near_squares_ = 0, world_squares_ = 0, heading_squares_ = 0;
     int64_t frames_ = 0, near_ = 0;
+    double nees_ = 0, variances_m2_ = 0;
+    int64_t stated_ = 0;
 };
 
 Result<Judged> readJudged(const Take& take, int64_t run, const TakeSubject& subject) {
@@ -95,25 +123,43 @@ Result<Judged> readJudged(const Take& take, int64_t run, const TakeSubject& subj
     const auto rest = take.restInterval(subject.suit());
     if (!rest)
         return rest.error();
-    const auto rate = take.sampleRate_hz();
-    if (!rate)
-        return rate.error();
     if (*rest)
         judged.from_ns = std::llround(
             1e9 * take.suitClock(subject.suit())
-                      .takeTime_s(static_cast<double>((*rest)->last) / static_cast<double>(*rate)));
+                      .takeTime_s(static_cast<double>((*rest)->last) / sampleRateOf(take, subject.suit())));
+    auto relatives = take.relatives(run, subject.suit());
+    if (!relatives)
+        return relatives.error();
+    judged.suit = subject.suit();
+    judged.relatives = std::move(*relatives);
     judged.estimate = std::move(*estimate);
     judged.reference = std::move(*reference);
     return judged;
 }
 
+void judgeStated(const Judged& a, const Judged& b, std::vector<EndPair>& pairs) {
+    PoseSampler of_a(a.estimate, bridgeableGap_ns(a.estimate)),
+        of_b(b.estimate, bridgeableGap_ns(b.estimate)), true_a(a.reference, bridgeableGap_ns(a.reference)),
+        true_b(b.reference, bridgeableGap_ns(b.reference));
+    for (const RelativeRow& row : a.relatives) {
+        if (row.other_suit != b.suit || row.time_ns < std::max(a.from_ns, b.from_ns))
+            continue;
+        const auto one = of_a.at(row.time_ns), other = of_b.at(row.time_ns), truth = true_a.at(row.time_ns),
+                   other_truth = true_b.at(row.time_ns);
+        if (one && other && truth && other_truth)
+            for (EndPair& pair : pairs)
+                if (pair.isOf(row))
+                    pair.judge(a, b, {*one, *other, *truth, *other_truth}, row.cov_m2);
+    }
+}
+
 void judgePair(const Judged& a, const Judged& b, std::vector<BetweenEvaluation>& found) {
-    std::vector<EndPair> pairs{{kEnds[0], kEnds[0]}};
-    for (size_t from = 1; from < kEnds.size(); ++from)
-        for (size_t to = 1; to < kEnds.size(); ++to)
-            pairs.emplace_back(kEnds[from], kEnds[to]);
-    PoseSampler of_b(b.estimate, kLongestGap_ns), true_a(a.reference, kLongestGap_ns),
-        true_b(b.reference, kLongestGap_ns);
+    std::vector<EndPair> pairs;
+    for (const auto& [from, to] : kComparedEnds)
+        pairs.emplace_back(from, to);
+    PoseSampler of_b(b.estimate, bridgeableGap_ns(b.estimate)),
+        true_a(a.reference, bridgeableGap_ns(a.reference)),
+        true_b(b.reference, bridgeableGap_ns(b.reference));
     for (const TimedPose& frame : a.estimate.frames) {
         if (!frame.pose || frame.time_ns < std::max(a.from_ns, b.from_ns))
             continue;
@@ -124,6 +170,7 @@ void judgePair(const Judged& a, const Judged& b, std::vector<BetweenEvaluation>&
         for (EndPair& pair : pairs)
             pair.add(a, b, {*frame.pose, *other, *truth, *other_truth});
     }
+    judgeStated(a, b, pairs);
     for (const EndPair& pair : pairs)
         if (auto evaluation = pair.finish(a, b))
             found.push_back(std::move(*evaluation));

@@ -5,12 +5,20 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/job/job.h"
 #include "core/recording/take.h"
 
 namespace noctule {
+
+/// Joints whose vectors are compared: of the first body, of the other one.
+inline constexpr std::pair<const char*, const char*> kComparedEnds[] = {{"Hips", "Hips"},
+                                                                        {"LeftHand", "LeftHand"},
+                                                                        {"LeftHand", "RightHand"},
+                                                                        {"RightHand", "LeftHand"},
+                                                                        {"RightHand", "RightHand"}};
 
 struct BetweenEvaluation {
     std::string a, b;                   ///< subjects
@@ -20,6 +28,9 @@ struct BetweenEvaluation {
     double rms_world_mm = 0;            ///< with the common heading's error
     double heading_deg = 0;             ///< rms of the relative heading's error
     int64_t frames = 0;
+    /// Where subjects were estimated together: what the run says of the vector in the frame of a's root, rms
+    /// over all three axes, and its mean squared error in units of that (1 is honest).
+    std::optional<double> sigma_mm{}, nees{};
 };
 
 /// Every pair of `subjects` that has a reference each; empty where one lacks it. The run is named as in

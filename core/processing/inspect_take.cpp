@@ -351,7 +351,11 @@ Result<TakeInspection> inspectTake(const std::string& path, const JobContext& jo
         return take.error();
     std::vector<std::string> problems;
     const std::vector<SuitSummary> suits = summariseSuits(*take, problems);
-    take->view(1);
+    // The first performer: suit 1 may be the room.
+    const auto subjects = take->subjects();
+    const auto first =
+        subjects ? std::ranges::find(*subjects, false, &TakeSubject::room) : decltype(subjects->begin()){};
+    take->view(subjects && first != subjects->end() ? first->suit() : 1);
     auto inspection = Inspector(*take, job).inspect();
     if (!inspection)
         return inspection;

@@ -8,13 +8,15 @@
 
 #include "core/live/estimators.h"
 #include "core/processing/cross_ranges.h"
+#include "core/processing/evaluate_between.h"
 
 namespace noctule {
 namespace {
 
 constexpr double kPortion_s = 0.1;
 constexpr double kClockEvery_s = 1;
-constexpr double kLost_s = 5;  ///< without any distance: a box was lost
+constexpr double kLost_s = 5;      ///< without any distance: a box was lost
+constexpr double kSilent_s = 0.5;  ///< without readings of any board
 
 /// One body of the joint filter, for a pipeline that knows of its own suit only.
 class BodyOfJoint : public Estimator {
@@ -73,6 +75,8 @@ struct Line {
     std::optional<RangeMeasurement> range{};
     int64_t watermark = 0;
     bool ended = false;
+    double heard_s = 0;  ///< until then there are readings; suit time
+    std::vector<std::pair<double, double>> silences{};
 };
 
 class Together {
@@ -103,6 +107,7 @@ public:
             if (Status written = write(); !written)
                 return written;
             noteClocks(time_s);
+            noteRelatives();
             if (job.cancelled())
                 return JobContext::cancelledError();
             job.progress(std::clamp(time_s / std::max(end_s, kPortion_s), 0.0, 1.0), "Processing together");
@@ -202,6 +207,14 @@ private:
         return Done{};
     }
 
+    static void noteReading(Line& line, double suit_s, bool arrived) {
+        if (!arrived)
+            return;
+        if (suit_s - line.heard_s > kSilent_s)
+            line.silences.emplace_back(line.heard_s, suit_s);
+        line.heard_s = suit_s;
+    }
+
     /// Gives a subject's readings and own ranges up to an instant.
     Status feed(Line& line, double time_s) {
         if (line.ended)
@@ -211,6 +224,7 @@ private:
         while (line.reading && line.reading->sample < static_cast<double>(watermark)) {
             results_.summary.frames_seen += 1;
             results_.summary.frames_lost += line.reading->corrected_bits ? 0 : 1;
+            noteReading(line, line.reading->sample / rate_hz, line.reading->corrected_bits.has_value());
             line.tracker->add(*line.reading);
             if (joining_.measured) {
                 results_.goOn(static_cast<size_t>(&line - lines_.data()));
@@ -237,10 +251,8 @@ private:
     Status write() {
         for (size_t i = 0; i < lines_.size(); ++i) {
             results_.goOn(i);
-            if (joint_->hasBegun()) {
-                const ClockLine& line = joint_->clocks()[i];
-                results_.useClock({line.offset_s * 1e9, line.rate});
-            }
+            if (joint_->hasBegun())
+                results_.useClock(onTakeTime(joint_->clocks()[i], joint_->clocks()));
             if (Status done = results_.write(lines_[i].tracker->takeRanges()); !done)
                 return done;
             if (Status done = results_.write(lines_[i].tracker->takePoses()); !done)
@@ -259,23 +271,60 @@ private:
         return Done{};
     }
 
+    /// The member whose clock is take time; none: the first one's clock stands for it.
+    std::optional<size_t> timekeeper() const {
+        for (size_t member = 0; member < members(); ++member)
+            if (joining_.suitOf(member, subjects_) == kTakeTimeSuit)
+                return member;
+        return std::nullopt;
+    }
+    SuitClock onTakeTime(const ClockLine& line, const std::vector<ClockLine>& all) const {
+        const auto keeper = timekeeper();
+        const ClockLine take = keeper ? all[*keeper] : ClockLine{};
+        return {take.suit_s(line.offset_s) * 1e9, line.rate / take.rate};
+    }
+
     size_t members() const { return subjects_.size() + (joining_.room ? 1 : 0); }
 
     void noteClocks(double time_s) {
         if (!joint_->hasBegun() || time_s < next_clock_s_ || joining_.clocks_shared)
             return;
         next_clock_s_ = time_s + kClockEvery_s;
-        for (size_t member = 1; member < members(); ++member) {
+        const auto keeper = timekeeper();
+        const ClockLine take = keeper ? joint_->clockNow(*keeper) : ClockLine{};
+        for (size_t member = 0; member < members(); ++member) {
+            if (member == keeper || (member == 0 && !keeper))
+                continue;
             const ClockLine line = joint_->clockNow(member);
             const double suit_s = line.suit_s(time_s);
+            const double sigma_s =
+                std::hypot(joint_->clockSigma_s(member), keeper ? joint_->clockSigma_s(*keeper) : 0);
             tracks_[joining_.suitOf(member, subjects_)].points.push_back(
-                {suit_s, time_s - suit_s, line.rate, joint_->clockSigma_s(member)});
+                {suit_s, take.suit_s(time_s) - suit_s, line.rate / take.rate, sigma_s});
         }
+    }
+    /// What evaluateBetween() compares, ten times a second.
+    void noteRelatives() {
+        if (!joint_->hasBegun() || joint_->reached_s() <= reached_s_)
+            return;
+        reached_s_ = joint_->reached_s();
+        const auto time_ns =
+            static_cast<int64_t>(std::llround(onTakeTime({reached_s_, 1}, joint_->clocks()).offset_ns));
+        for (size_t a = 0; a < subjects_.size(); ++a)
+            for (size_t b = a + 1; b < subjects_.size(); ++b)
+                for (const auto& [from, to] : kComparedEnds) {
+                    const int joint = subjects_[a].actor.skeleton.find(from),
+                              other = subjects_[b].actor.skeleton.find(to);
+                    if (joint >= 0 && other >= 0)
+                        results_.relatives.push_back({subjects_[a].subject.suit(),
+                                                      {subjects_[b].subject.suit(), from, to, time_ns,
+                                                       joint_->relativeCovariance(a, joint, b, other)}});
+                }
     }
     /// Clocks that no transceivers join are known by the bodies' poses all the same.
     void keepClocks() {
         for (auto& [suit, track] : tracks_)
-            if (!results_.clocks.tracks.contains(suit) && subjects_.front().subject.suit() == 1) {
+            if (!results_.clocks.tracks.contains(suit) && timekeeper()) {
                 track.joined = true;
                 results_.clocks.tracks[suit] = std::move(track);
             }
@@ -294,8 +343,24 @@ private:
                 warnings.push_back("Anchor " + joining_.room->suit.boards[static_cast<size_t>(anchor)].id +
                                    " contradicts the other anchors: it was moved, or its place was surveyed "
                                    "wrongly. Survey the room again.");
+        for (Line& line : lines_)
+            warnOfSilence(line);
         warnOfLost(end_s);
         return Done{};
+    }
+
+    /// A box from which no readings come.
+    void warnOfSilence(Line& line) {
+        noteReading(line, duration_s(*line.in), true);
+        for (const auto& [from_s, to_s] : line.silences) {
+            char when[80];
+            std::snprintf(when, sizeof when, "from %.1f s to %.1f s of %.1f s",
+                          clockOf(*line.in).takeTime_s(from_s), clockOf(*line.in).takeTime_s(to_s),
+                          clockOf(*line.in).takeTime_s(duration_s(*line.in)));
+            results_.summary.warnings.push_back(line.in->subject.name + " sent no readings " + when +
+                                                ": the box was lost. The poses there are guesses; the others "
+                                                "go on without it.");
+        }
     }
 
     /// A box that nobody hears any more.
@@ -306,8 +371,11 @@ private:
             last = std::max(
                 last, joint_->clocks()[static_cast<size_t>(distance.from)].common_s(distance.emission_s));
         }
+        const auto is_silent = [&](size_t member) {
+            return member < lines_.size() && !lines_[member].silences.empty();
+        };
         for (size_t member = 0; member < members(); ++member)
-            if (last_s[member] > 0 && last_s[member] + kLost_s < end_s) {
+            if (last_s[member] > 0 && last_s[member] + kLost_s < end_s && !is_silent(member)) {
                 char when[64];
                 std::snprintf(when, sizeof when, "%.1f s of %.1f s", last_s[member], end_s);
                 results_.summary.warnings.push_back(
@@ -326,6 +394,7 @@ private:
     std::vector<Line> lines_;
     std::map<int, cooperative::ClockTrack> tracks_;
     double next_clock_s_ = 0;
+    double reached_s_ = -1;  ///< of the last covariances that were noted, common time
 };
 
 }  // namespace

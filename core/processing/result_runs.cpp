@@ -361,6 +361,9 @@ Status ResultRuns::store(Take& take, const ProcessRequest& request, std::vector<
     }
     if (Status stored = storeClocks(*edit); !stored)
         return stored;
+    for (const auto& [suit, row] : relatives)
+        if (Status added = edit->addRelative(summary.pose_run, row, suit); !added)
+            return added;
     return edit->commit();
 }
 

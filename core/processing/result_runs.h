@@ -45,7 +45,8 @@ public:
     Status store(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects);
 
     ProcessSummary summary;
-    TakeClocks clocks;  ///< of the take, where it has several suits
+    TakeClocks clocks;                                   ///< of the take, where it has several suits
+    std::vector<std::pair<int, RelativeRow>> relatives;  ///< with the suit of the first body
 
 private:
     /// What one subject yields; poses and contacts on the take's time.

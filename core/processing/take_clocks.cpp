@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/processing/cross_clocks.h"
+
 namespace noctule {
 namespace {
 
@@ -32,12 +34,9 @@ public:
     Status addSuits() {
         for (const int id : take_.suitIds()) {
             const auto suit = take_.suit(id);
-            const auto rate = take_.sampleRate_hz();
             if (!suit)
                 return suit.error();
-            if (!rate)
-                return rate.error();
-            SuitOfFlights of{id, static_cast<double>(suit->sample_rate_hz.value_or(*rate)), {}, {}};
+            SuitOfFlights of{id, sampleRateOf(take_, id), {}, {}};
             of.board_has_source.assign(suit->boards.size(), 0);
             for (const Source& source : suit->sources) {
                 of.housing_of_source.push_back(source.board.empty() ? -1 : suit->findBoard(source.board));
@@ -48,6 +47,10 @@ public:
             guesses.push_back({clock.offset_ns * 1e-9, clock.rate, isRoom(*suit)});
             suits.push_back(std::move(of));
         }
+        auto clocks = CrossClocks::of(take_);
+        if (!clocks)
+            return clocks.error();
+        made_by_ = std::move(*clocks);
         return Done{};
     }
 
@@ -83,8 +86,10 @@ private:
             cross.range.w_s * cross.range.w_t < kLeastConfidence)
             return;
         const double emission_s = static_cast<double>(cross.range.pulse_sample) / from_suit->rate_hz;
-        const double take_s = guesses[from].offset_s + guesses[from].rate * emission_s +
-                              cross.range.distance_m / kSoundOfFlights_m_per_s;
+        const double take_s =
+            guesses[from].offset_s + guesses[from].rate * emission_s +
+            made_by_.byGuess_m(cross.from_suit, suits[to].id, cross.range, kSoundOfFlights_m_per_s) /
+                kSoundOfFlights_m_per_s;
         const double sigma_m = cross.range.sigma_m > 0 ? cross.range.sigma_m : kUnstatedFlight_m;
         flights.push_back({static_cast<int>(from), static_cast<int>(to), housing, cross.range.board,
                            emission_s, (take_s - guesses[to].offset_s) / guesses[to].rate,
@@ -92,6 +97,7 @@ private:
     }
 
     const Take& take_;
+    CrossClocks made_by_;
 };
 
 SuitClock lineOf(const cooperative::ClockTrack& track) {

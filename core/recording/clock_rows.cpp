@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What joins suits in time: the table `clock`, and ranges from one suit to another, which tell it.
+// What joins suits: the table `clock`, the ranges from one suit to another, which tell it, and the table
+// `relative`.
+#include <array>
 #include <cmath>
 
 #include "core/job/limits.h"
@@ -12,6 +14,10 @@ namespace {
 
 bool isShare(std::optional<double> w) {
     return w && *w >= 0 && *w <= 1;
+}
+/// NULL is unknown: nothing speaks against the range.
+std::optional<double> shareOf(const Statement& row, int column) {
+    return row.isNull(column) ? std::optional(1.0) : row.real(column);
 }
 
 }  // namespace
@@ -40,6 +46,43 @@ Result<std::vector<ClockRow>> Take::clocks(int64_t run, int suit) const {
                                  });
 }
 
+Status TakeTables::addRelative(int64_t run, const RelativeRow& row, int suit) {
+    auto insert = insertInto("relative");
+    if (!insert)
+        return insert.error();
+    Statement& into = **insert;
+    into.bind(0, run).bind(1, int64_t{seen(suit)}).bind(2, int64_t{row.other_suit});
+    into.bind(3, row.joint).bind(4, row.other_joint).bind(5, row.time_ns);
+    const Matrix3d& C = row.cov_m2;
+    into.bind(6, C(0, 0)).bind(7, C(0, 1)).bind(8, C(0, 2));
+    return into.bind(9, C(1, 1)).bind(10, C(1, 2)).bind(11, C(2, 2)).run();
+}
+
+Result<std::vector<RelativeRow>> Take::relatives(int64_t run, int suit) const {
+    const std::string filter = schema_->expression("relative", "run") + "=" + std::to_string(run) + " AND " +
+                               schema_->expression("relative", "suit") + "=" + std::to_string(seen(suit));
+    const std::string sql = schema_->select("relative", {"other_suit", "joint", "other_joint", "time_ns",
+                                                         "xx", "xy", "xz", "yy", "yz", "zz"}) +
+                            (schema_->has("relative") ? " WHERE " + filter + " ORDER BY time_ns" : "");
+    return collectRows<RelativeRow>(
+        *database_, *log_, "relative", sql, [](const Statement& row, RelativeRow& out) -> RowVerdict {
+            const auto other = row.integer(0), time = row.integer(3);
+            if (!other || *other < 1 || *other > 1000 || !time)
+                return "a number is missing or out of range";
+            std::array<double, 6> c{};
+            for (int i = 0; i < 6; ++i) {
+                const auto value = row.real(4 + i);
+                if (!value || std::abs(*value) > limits::kFarthest_m * limits::kFarthest_m)
+                    return "a number is missing or out of range";
+                c[static_cast<size_t>(i)] = *value;
+            }
+            out = {static_cast<int>(*other), row.shortened(1, limits::kName), row.shortened(2, limits::kName),
+                   *time, Matrix3d::Zero()};
+            out.cov_m2 << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+            return "";
+        });
+}
+
 Status Take::forEachCrossRange(int64_t run, int suit,
                                const std::function<bool(const CrossRange&)>& sink) const {
     suit = seen(suit);
@@ -63,7 +106,8 @@ Status Take::forEachCrossRange(int64_t run, int suit,
         [&](const Statement& row, CrossRange& out) -> RowVerdict {
             const auto from = row.integer(1), sample = row.integer(2), source = row.integer(3),
                        board = row.integer(4);
-            const auto arrival = row.real(5), distance = row.real(6), w_s = row.real(7), w_t = row.real(8);
+            const auto arrival = row.real(5), distance = row.real(6), w_s = shareOf(row, 7),
+                       w_t = shareOf(row, 8);
             const auto owner = sources.find(static_cast<int>(from.value_or(-1)));
             if (owner == sources.end() || !source || *source < 0 || *source >= owner->second || !board ||
                 *board < 0 || *board >= *boards)

@@ -65,14 +65,19 @@ bool isConfidence(std::optional<double> w) {
     return w && *w >= 0 && *w <= 1;
 }
 
+/// NULL is unknown: nothing speaks against the range.
+std::optional<double> confidence(const Statement& row, int column) {
+    return row.isNull(column) ? std::optional(1.0) : row.real(column);
+}
+
 RowVerdict readRange(const Statement& row, const RunOfTake& run, RangeMeasurement& range) {
     const auto pulse_sample = row.integer(1);
     const auto source = row.integer(2);
     const auto board = row.integer(3);
     const auto arrival = row.real(4);
     const auto distance = row.real(5);
-    const auto w_s = row.real(6), w_t = row.real(7), sigma = row.real(9);
-    const auto w_a = row.isNull(8) ? std::optional(1.0) : row.real(8);
+    const auto w_s = confidence(row, 6), w_t = confidence(row, 7), w_a = confidence(row, 8),
+               sigma = row.real(9);
     if (!isSample(pulse_sample) || !source)
         return "its pulse is missing or out of range";
     if (*source < 0 || *source >= run.source_count || !board || *board < 0 || *board >= run.board_count)

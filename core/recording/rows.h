@@ -112,6 +112,14 @@ struct ClockRow {
     double sigma_ns = 0;
 };
 
+/// How well a pose run knows the vector from a joint of one suit's body to a joint of another's.
+struct RelativeRow {
+    int other_suit = 0;  ///< counts from 1
+    std::string joint, other_joint;
+    int64_t time_ns = 0;                 ///< take time
+    Matrix3d cov_m2 = Matrix3d::Zero();  ///< of the vector in the frame of the first body's root
+};
+
 /// Both ends belong to it.
 struct SampleInterval {
     int64_t first = 0;

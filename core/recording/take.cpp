@@ -79,6 +79,25 @@ TakeHeader headerFrom(const std::map<std::string, std::string>& meta) {
     return header;
 }
 
+/// One after the last reading, or of a suit without readings, such as a room's, after its last pulse.
+Result<int64_t> samplesOfReadings(const Database& database, const TakeSchema& schema, int suit,
+                                  int64_t last_sample) {
+    for (const std::string table : {"inertial", "pulse"}) {
+        if (!schema.has(table))
+            continue;
+        const std::string primary =
+            table == "inertial" ? schema.expression(table, "run") + "=0 AND " : std::string();
+        const auto last =
+            database.queryInteger("SELECT CAST(max(sample) AS INTEGER)+1 FROM " + table + " WHERE " +
+                                  primary + schema.expression(table, "suit") + "=" + std::to_string(suit));
+        if (!last)
+            return last.error();
+        if (last->value_or(0) > 0)
+            return std::clamp<int64_t>(**last, 0, last_sample);
+    }
+    return int64_t{0};
+}
+
 }  // namespace
 
 Error Take::unusable(const std::string& what, const std::string& remedy) const {
@@ -274,8 +293,18 @@ int64_t Take::lastSample() const {
 Result<int64_t> Take::sampleCount(int suit) const {
     suit = seen(suit);
     const double stated = metaNumber(meta_, "sample_count", 0, 1, static_cast<double>(lastSample()));
-    if (stated > 0 && (suit == 1 || level() == TakeLevel::kReadings))  // meta speaks of suit 1
+    if (stated > 0 && suit == 1)  // meta speaks of suit 1
         return std::llround(stated);
+    const auto rate_hz = [&](int of) {
+        const auto found = suits_.find(of);
+        const bool known = found != suits_.end() && found->second.suit && found->second.suit->sample_rate_hz;
+        return known ? static_cast<double>(*found->second.suit->sample_rate_hz)
+                     : metaNumber(meta_, "sample_rate_hz", 1, 1, limits::kHighestRate_hz);
+    };
+    if (stated > 0 && level() == TakeLevel::kReadings)
+        return std::llround(stated * rate_hz(suit) / rate_hz(1));
+    if (level() == TakeLevel::kReadings)
+        return samplesOfReadings(*database_, *schema_, suit, lastSample());
     if (!schema_->has("adc_block"))
         return int64_t{0};
     // The last few only: they stand in order, and walking through all sound takes long. A few, for the very

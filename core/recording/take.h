@@ -113,6 +113,8 @@ public:
                                        int suit = kSuitInView) const;
     /// Of a run of kind `clock`, in the order of time.
     Result<std::vector<ClockRow>> clocks(int64_t run, int suit = kSuitInView) const;
+    /// Of a pose run that several bodies share, in the order of time.
+    Result<std::vector<RelativeRow>> relatives(int64_t run, int suit = kSuitInView) const;
     /// Attitudes of one sensor in the order of time, of a run of kind `orientation`.
     Result<std::vector<OrientationRow>> orientations(int64_t run, int board, int suit = kSuitInView) const;
 

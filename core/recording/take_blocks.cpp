@@ -106,7 +106,8 @@ Status Take::forEachBlockWhere(const std::string& filter, int suit, const BlockS
     auto rows =
         database_->prepare(schema_->select("adc_block", {"id", "first_sample", "sample_count", "codec"}) +
                            ofSuit("adc_block", suit) + filter + " ORDER BY 2");
-    auto data = database_->prepare(schema_->select("adc_block", {"data"}) + " WHERE id=?");
+    auto data = database_->prepare(schema_->select("adc_block", {"data"}) + " WHERE " +
+                                   schema_->expression("adc_block", "id") + "=?");
     if (!rows || !data)
         return rows ? data.error() : rows.error();
     BlockDecoder decoder(*board_count);

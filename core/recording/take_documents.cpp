@@ -8,7 +8,7 @@ namespace noctule {
 
 Result<std::vector<DocumentRow>> Take::documents(const std::string& table) const {
     return collectRows<DocumentRow>(
-        *database_, *log_, table, schema_->select(table, {"id", "suit", "created_utc"}) + " ORDER BY id",
+        *database_, *log_, table, schema_->select(table, {"id", "suit", "created_utc"}) + " ORDER BY 1",
         [](const Statement& row, DocumentRow& document) -> RowVerdict {
             const int64_t suit = row.integer(1).value_or(0);
             if (suit < 1 || suit > 1000)
@@ -30,7 +30,7 @@ template <class T, class Parse>
 Result<Stored<T>> Take::document(const std::string& table, const std::string& where, const std::string& who,
                                  Parse parse) const {
     Result<Statement> row =
-        database_->prepare(schema_->select(table, {"id", "json"}) + where + " ORDER BY id DESC LIMIT 1");
+        database_->prepare(schema_->select(table, {"id", "json"}) + where + " ORDER BY 1 DESC LIMIT 1");
     if (!row)
         return row.error();
     const Result<bool> there = row->step();

@@ -12,8 +12,8 @@ namespace {
 // processed. Used only as far as needed.
 constexpr const char* kLargeCache = "PRAGMA cache_size=-524288";
 
-constexpr const char* kTablesWithRuns[] = {"derived",     "inertial", "range",  "pose",
-                                           "orientation", "clock",    "contact"};
+constexpr const char* kTablesWithRuns[] = {"derived",     "inertial", "range",   "pose",
+                                           "orientation", "clock",    "contact", "relative"};
 
 }  // namespace
 

@@ -53,6 +53,8 @@ public:
     Status addOrientation(int64_t run, const OrientationRow& row, int suit = kSuitInView);
     /// Of a run of kind `clock`.
     Status addClock(int64_t run, const ClockRow& row, int suit = kSuitInView);
+    /// Of a pose run.
+    Status addRelative(int64_t run, const RelativeRow& row, int suit = kSuitInView);
 
 protected:
     TakeTables(const Database* database, TakeSchema schema)

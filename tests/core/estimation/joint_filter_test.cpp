@@ -246,12 +246,34 @@ double headingSigma(const ManifoldFilter& filter) {
     return std::sqrt(up.dot(filter.covariance().block<3, 3>(3, 3) * up));
 }
 
+/// Of the vector from a joint of body 0 to one of body 1, in the frame of the first one's root.
+double relativeNees(const JointWorld& world, int joint, int other) {
+    const auto seen = [&](const MotionState& a, const MotionState& b) -> Vector3d {
+        const auto at = [&](size_t body, int of, const MotionState& motion) {
+            ChainMotion chain;
+            const KinematicTree& tree = world.joint->filter(body).tree();
+            chain.evaluate(tree, motion, tree.linkOfJoint(of), 0);
+            return chain.end().p_m;
+        };
+        return a.q_parent_link[0].conjugate() * (at(1, other, b) - at(0, joint, a));
+    };
+    const Vector3d error = seen(world.truth(0), world.truth(1)) -
+                           seen(world.joint->filter(0).state().motion, world.joint->filter(1).state().motion);
+    const Matrix3d covariance = world.joint->relativeCovariance(0, joint, 1, other);
+    return error.dot(covariance.ldlt().solve(error)) / 3;
+}
+
 TEST(JointFilter, TwoBodiesKnowHonestlyWhereTheyAreToEachOther) {
-    double nees = 0, place_m = 0, count = 0;
+    const int last = testing::smallSkeleton().size() - 1;
+    double nees = 0, vectors = 0, place_m = 0, count = 0;
     for (unsigned seed = 1; seed <= 4; ++seed) {
         JointWorld world(seed, true, false);
         world.run(4, [&](double) {
             const Relative relative = relativeOf(world);
+            EXPECT_LT((world.joint->relativeCovariance(0, 0, 1, 0) - relative.covariance.topLeftCorner(3, 3))
+                          .norm(),
+                      1e-9);
+            vectors += relativeNees(world, last, last);
             nees += relative.error.dot(relative.covariance.ldlt().solve(relative.error)) / 6;
             place_m += relative.error.head<3>().norm();
             ++count;
@@ -260,7 +282,10 @@ TEST(JointFilter, TwoBodiesKnowHonestlyWhereTheyAreToEachOther) {
         EXPECT_GE(headingSigma(world.joint->filter(1)), world.parameters.initial_pose_rad);
         EXPECT_EQ(world.joint->filter(0).resets() + world.joint->filter(1).resets(), 0);
     }
-    std::printf("joint: NEES %.2f, place %.1f mm\n", nees / count, 1000 * place_m / count);
+    std::printf("joint: NEES %.2f, of vectors between ends %.2f, place %.1f mm\n", nees / count,
+                vectors / count, 1000 * place_m / count);
+    EXPECT_GT(vectors / count, 0.5);
+    EXPECT_LT(vectors / count, 1.5);
     EXPECT_GT(nees / count, 0.6);
     EXPECT_LT(nees / count, 1.3);
     EXPECT_LT(place_m / count, 0.06);

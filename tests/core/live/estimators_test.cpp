@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "core/estimation/manifold_parameters.h"
 #include "core/estimation/paper_parameters.h"
+#include "core/live/point_estimators.h"
 
 namespace noctule {
 namespace {
@@ -14,8 +16,8 @@ namespace {
 TEST(Estimators, EveryParameterIsExplainedAndItsDefaultInRange) {
     for (const EstimatorEntry& entry : estimators()) {
         SCOPED_TRACE(entry.name);
-        // That of whole takes has fixed settings, which core/posing describes.
-        EXPECT_EQ(entry.parameters.empty(), entry.whole_take);
+        // "orientation" has fixed settings, which core/posing describes.
+        EXPECT_EQ(entry.parameters.empty(), entry.whole_take && !givesPoints(entry.name));
         std::set<std::string> names;
         for (const ParameterDescription& row : entry.parameters) {
             SCOPED_TRACE(row.name);
@@ -49,6 +51,20 @@ void expectOwnPlaces(const ParameterTable<Settings>& table) {
 TEST(Estimators, EveryParameterHasAPlaceOfItsOwn) {
     expectOwnPlaces(manifoldParameters());
     expectOwnPlaces(paperParameters());
+}
+
+TEST(Estimators, AShareBelongsToMeasurementSelectionAlone) {
+    const auto has = [](const char* estimator) {
+        return std::ranges::count(pointParameters(estimator), "share", &ParameterDescription::name) > 0;
+    };
+    EXPECT_TRUE(has("ms-comocap"));
+    EXPECT_FALSE(has("comocap") || has("environment"));
+    const PointSetup setup = pointSetup({{"share", 0.5}, {"q", 0.03}});
+    EXPECT_EQ(filterSettings("ms-comocap", setup).share, 0.5);
+    EXPECT_EQ(filterSettings("comocap", setup).share, 1);
+    EXPECT_EQ(filterSettings("environment", setup).method, cooperative::PointMethod::kEnvironment);
+    EXPECT_TRUE(filterSettings("ms-comocap", pointSetup({{"letter", 1}})).keeps_unchosen_rows);
+    EXPECT_FALSE(givesPoints("own") || givesPoints("manifold"));
 }
 
 TEST(Estimators, AValueReachesTheSettings) {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/cross_clocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace noctule {
+namespace {
+
+constexpr size_t kEnough = 20'000;  ///< ranges that a suit heard of others, from the take's beginning
+/// A clock's correction shows beyond it; below it stand wrong offsets of sources (25 samples are 57 mm).
+constexpr double kByOtherClocks_m = 0.1;
+
+/// The detector of the take's ranges; the first one stands for all.
+std::string detectorOf(const Take& take) {
+    for (const int suit : take.suitIds())
+        if (auto ranges = take.ranges(kPrimaryRun, suit))
+            if (const auto first = ranges->next(); first && *first && !ranges->detector().empty())
+                return ranges->detector();
+    return "inflection";
+}
+
+Calibration calibrationOf(const Take& take, int suit) {
+    if (auto stored = take.calibrationInForce(suit))
+        return std::move(stored->value);
+    const auto described = take.suit(suit);
+    return described ? nominalCalibration(*described) : Calibration{};
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + std::ssize(values) / 2;
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+}  // namespace
+
+double sampleRateOf(const Take& take, int suit) {
+    if (const auto described = take.suit(suit); described && described->sample_rate_hz)
+        return static_cast<double>(*described->sample_rate_hz);
+    const auto stated = take.meta().find("sample_rate_hz");
+    const double rate_hz = stated == take.meta().end() ? 0 : std::strtod(stated->second.c_str(), nullptr);
+    return rate_hz > 0 ? rate_hz : static_cast<double>(take.header().sample_rate_hz);
+}
+
+SpeedOfSound soundOf(const Take& take, const Calibration& calibration) {
+    double temperature_c = 0, humidity_percent = 0, temperatures = 0, humidities = 0;
+    for (const int suit : take.suitIds())
+        if (const auto rows = take.statusRows(suit))
+            for (const StatusRow& row : *rows) {
+                temperature_c += row.temperature_c.value_or(0);
+                temperatures += row.temperature_c.has_value();
+                humidity_percent += row.humidity_percent.value_or(0);
+                humidities += row.humidity_percent.has_value();
+            }
+    TemperatureStatus mean{0, std::nullopt, std::nullopt};
+    if (temperatures > 0)
+        mean.temperature_c = temperature_c / temperatures;
+    if (humidities > 0)
+        mean.humidity_percent = humidity_percent / humidities;
+    return SpeedOfSound(calibration.sound, std::span(&mean, 1));
+}
+
+Result<CrossClocks> CrossClocks::of(const Take& take) {
+    CrossClocks clocks;
+    const std::string detector = detectorOf(take);
+    std::map<int, double> c_m_per_s;
+    for (const int id : take.suitIds()) {
+        const auto suit = take.suit(id);
+        if (!suit)
+            return suit.error();
+        const Calibration calibration = calibrationOf(take, id);
+        SuitDelays delays{sampleRateOf(take, id), take.suitClock(id)};
+        for (const Source& source : suit->sources) {
+            const SourceCalibration* of = calibration.findSource(source.id);
+            const auto offset = of ? of->offsets_s.find(detector) : decltype(of->offsets_s.end()){};
+            delays.source_s.push_back(of && offset != of->offsets_s.end() ? offset->second : 0);
+        }
+        for (const Board& board : suit->boards) {
+            const BoardCalibration* of = calibration.findBoard(board.id);
+            delays.board_s.push_back(of ? of->mic_delay_s : 0);
+        }
+        c_m_per_s[id] = soundOf(take, calibration).at(0);
+        clocks.suits_[id] = std::move(delays);
+    }
+    std::map<std::pair<int, int>, std::vector<double>> beyond_m;
+    for (const int to : take.suitIds()) {
+        size_t seen = 0;
+        const Status walked = take.forEachCrossRange(kPrimaryRun, to, [&](const Take::CrossRange& cross) {
+            beyond_m[{cross.from_suit, to}].push_back(
+                cross.range.distance_m - clocks.measured_m(clocks.suits_[cross.from_suit], clocks.suits_[to],
+                                                           cross.range, c_m_per_s[cross.from_suit]));
+            return ++seen < kEnough;
+        });
+        if (!walked)
+            return walked.error();
+    }
+    for (const auto& [pair, errors] : beyond_m)
+        clocks.by_other_clocks_[pair] = std::abs(median(errors)) > kByOtherClocks_m;
+    return clocks;
+}
+
+double CrossClocks::measured_m(const SuitDelays& from, const SuitDelays& to, const RangeMeasurement& range,
+                               double c_m_per_s) const {
+    const double flight_s = to.guess.takeTime_s(range.arrival_sample / to.rate_hz) -
+                            from.guess.takeTime_s(static_cast<double>(range.pulse_sample) / from.rate_hz);
+    return c_m_per_s * (flight_s - from.source_s[static_cast<size_t>(range.source)] -
+                        to.board_s[static_cast<size_t>(range.board)]);
+}
+
+double CrossClocks::byGuess_m(int from_suit, int to_suit, const RangeMeasurement& range,
+                              double c_m_per_s) const {
+    const auto other = by_other_clocks_.find({from_suit, to_suit});
+    return other != by_other_clocks_.end() && other->second
+               ? measured_m(suits_.at(from_suit), suits_.at(to_suit), range, c_m_per_s)
+               : range.distance_m;
+}
+
+}  // namespace noctule

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/track_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/estimation/rest_alignment.h"
+#include "core/live/point_estimators.h"
+#include "core/math/rotation.h"
+#include "core/processing/cross_clocks.h"
+#include "core/processing/cross_ranges.h"
+
+namespace noctule {
+namespace {
+
+constexpr double kUnstatedRange_m = 0.0025;
+constexpr double kUsableConfidence = 0.05;
+constexpr double kLongestStep_s = 0.02;
+
+/// A range with both instants on common time.
+struct Flight {
+    double emission_s = 0, duration_s = 0;
+    int from = 0, source = 0, to = 0, board = 0;
+    double distance_m = 0, sigma_m = 0;
+};
+
+/// Where the points of one member stand in the state; anchors are negative (cooperative::anchorPoint).
+struct MemberPoints {
+    std::vector<int> of_board, of_source;
+    std::vector<double> source_variance_m2;  ///< for the way to the housing's microphone
+};
+
+/// Per source of the room the board in its housing; -1: none.
+std::vector<int> housingsOf(const std::optional<RoomOfTake>& room) {
+    std::vector<int> housings;
+    if (room)
+        for (const Source& source : room->suit.sources)
+            housings.push_back(source.board.empty() ? -1 : room->suit.findBoard(source.board));
+    return housings;
+}
+
+class PointTracker {
+public:
+    PointTracker(const Take& take, const ProcessRequest& request, const PointsSink& sink)
+        : take_(take),
+          sink_(sink),
+          setup_(pointSetup(request.tracker.parameters)),
+          settings_(filterSettings(request.tracker.estimator, setup_)) {}
+
+    Result<PointsSummary> run(const ProcessRequest& request, std::vector<Ingredients> subjects,
+                              const TakeClocks& clocks, const JobContext& job) {
+        subjects_ = std::move(subjects);
+        ProcessRequest joint = request;  // what joins subjects does not depend on what makes use of it
+        joint.tracker = TrackerSettings{};
+        if (subjects_.size() > 1 && request.between == Wanted::kAuto)
+            joint.between = Wanted::kOn;  // what is in the way is an error here
+        auto joining = joinSubjects(take_, joint, subjects_, clocks, summary.warnings);
+        if (!joining)
+            return joining.error();
+        joining_ = std::move(*joining);
+        if (!joining_.joins())
+            return unusableTake(take_, "it holds no ranges between its suits or to a room",
+                                "Points need them: take one that was recorded with anchors");
+        if (settings_.method == cooperative::PointMethod::kEnvironment && !joining_.room)
+            return unusableTake(take_, "estimator environment needs anchors in the room, the take has none",
+                                "Take --estimator comocap");
+        if (Status placed = place(); !placed)
+            return placed.error();
+        if (Status read = readFlights(clocks); !read)
+            return read.error();
+        if (Status filtered = filter(job); !filtered)
+            return filtered.error();
+        return std::move(summary);
+    }
+
+    PointsSummary summary;
+
+private:
+    size_t room() const { return subjects_.size(); }
+
+    /// Where everybody stands at rest, and the points there.
+    Status place() {
+        std::vector<RestingMember> members;
+        begin_s_ = 0;
+        for (size_t i = 0; i < subjects_.size(); ++i) {
+            const Ingredients& in = subjects_[i];
+            const KinematicTree tree(in.actor.skeleton, BallCoordinates::kManifold);
+            const auto mounted = mountSuit(in.suit, in.calibration, in.actor, tree);
+            if (!mounted)
+                return mounted.error();
+            RestingMember member = restingMember(tree, *mounted, in.actor.restPose());
+            const double rate_hz = in.decoder.train.sample_rate_hz;
+            const auto rest = in.rest.value_or(std::pair<int64_t, int64_t>{0, std::llround(rate_hz / 2)});
+            const ClockLine& clock = joining_.clocks[i];
+            member.from_s = clock.common_s(static_cast<double>(rest.first) / rate_hz);
+            member.to_s = clock.common_s(static_cast<double>(rest.second) / rate_hz);
+            member.clock_known = i == 0 || joining_.clock_known[i] || joining_.clocks_shared;
+            begin_s_ = std::max(begin_s_, member.from_s);
+            members.push_back(std::move(member));
+        }
+        SuitModel anchors;
+        if (joining_.room) {
+            const Actor& any = subjects_.front().actor;
+            auto mounted = mountSuit(joining_.room->suit, joining_.room->calibration, any,
+                                     KinematicTree(any.skeleton, BallCoordinates::kManifold));
+            if (!mounted)
+                return mounted.error();
+            anchors = std::move(*mounted);
+        }
+        members.push_back(restingRoom(anchors, housingsOf(joining_.room)));
+        members.back().clock_known = joining_.room && (joining_.clock_known.back() || joining_.clocks_shared);
+        alignment_ = alignAtRest(members, joining_.distances, joining_.clocks, joining_.room.has_value());
+        std::vector<Vector3d> places_m;
+        std::vector<int> user_of_point;
+        for (size_t i = 0; i < subjects_.size(); ++i) {
+            if (!alignment_.places[i].placed)
+                return unusableTake(take_,
+                                    "nothing tells where " + subjects_[i].subject.name +
+                                        " stands: while the rest pose was held, too few ranges fit",
+                                    "Leave this subject out with --subjects, or record again");
+            addPoints(i, members[i], places_m);
+            user_of_point.resize(places_m.size(), static_cast<int>(i));
+        }
+        addAnchors(members.back());
+        filter_.emplace(settings_, cooperative::startPoints(places_m, setup_.start_m, setup_.start_m_per_s),
+                        user_of_point, anchors_m_);
+        warnOfPlaces();
+        return Done{};
+    }
+
+    void warnOfPlaces() {
+        if (!joining_.room)
+            summary.warnings.push_back(
+                "There are no anchors: the common place and turn of all points is that of the start, "
+                "and drifts.");
+        for (const int anchor : alignment_.moved_anchors)
+            summary.warnings.push_back(
+                "Anchor " + joining_.room->suit.boards[static_cast<size_t>(anchor)].id +
+                " contradicts the other anchors: it was moved, or its place was surveyed wrongly. Survey the "
+                "room again.");
+    }
+
+    void addPoints(size_t member, const RestingMember& at_rest, std::vector<Vector3d>& places_m) {
+        const Ingredients& in = subjects_[member];
+        const RestPlace& place = alignment_.places[member];
+        const auto inWorld = [&](const Vector3d& p) -> Vector3d {
+            return place.p_m + axisAngle(Vector3d::UnitY(), place.heading_rad) * p;
+        };
+        MemberPoints points;
+        for (size_t b = 0; b < in.suit.boards.size(); ++b) {
+            points.of_board.push_back(static_cast<int>(places_m.size()));
+            places_m.push_back(inWorld(at_rest.microphones_m[b]));
+            summary.points.push_back({in.subject.name, in.suit.boards[b].id, in.subject.suit(), false});
+        }
+        for (size_t s = 0; s < in.suit.sources.size(); ++s) {
+            const Source& source = in.suit.sources[s];
+            const int board = source.board.empty() ? -1 : in.suit.findBoard(source.board);
+            points.of_source.push_back(board >= 0 ? points.of_board[static_cast<size_t>(board)]
+                                                  : static_cast<int>(places_m.size()));
+            points.source_variance_m2.push_back(
+                board >= 0 ? (at_rest.sources_m[s] - at_rest.microphones_m[static_cast<size_t>(board)])
+                                     .squaredNorm() /
+                                 3
+                           : 0);
+            if (board >= 0)
+                continue;
+            places_m.push_back(inWorld(at_rest.sources_m[s]));
+            summary.points.push_back({in.subject.name, source.id, in.subject.suit(), true});
+        }
+        points_.push_back(std::move(points));
+    }
+
+    void addAnchors(const RestingMember& anchors) {
+        MemberPoints points;
+        const auto add = [&](const Vector3d& p) {
+            anchors_m_.push_back(p);
+            return cooperative::anchorPoint(static_cast<int>(anchors_m_.size()) - 1);
+        };
+        for (const Vector3d& p : anchors.microphones_m)
+            points.of_board.push_back(add(p));
+        for (const Vector3d& p : anchors.sources_m)
+            points.of_source.push_back(add(p));
+        points.source_variance_m2.assign(anchors.sources_m.size(), 0);
+        points_.push_back(std::move(points));
+    }
+
+    double commonTime_s(size_t member, double suit_s) const {
+        const auto& track = tracks_[member];
+        return track ? cooperative::takeTime_s(*track, suit_s) : alignment_.clocks[member].common_s(suit_s);
+    }
+
+    bool isMoved(const JointDistance& distance) const {
+        int board = -1;
+        if (static_cast<size_t>(distance.to) == room())
+            board = distance.board;
+        if (static_cast<size_t>(distance.from) == room()) {
+            const std::string& id = joining_.room->suit.sources[static_cast<size_t>(distance.source)].board;
+            board = id.empty() ? -1 : joining_.room->suit.findBoard(id);
+        }
+        return std::ranges::count(alignment_.moved_anchors, board) > 0;
+    }
+
+    Status readFlights(const TakeClocks& clocks) {
+        // A clock that follows its wander is better than a line; all members need one, for one common time.
+        const size_t members = joining_.guesses.size();
+        bool tracked = !joining_.clocks_shared;
+        for (size_t member = 0; member < members; ++member)
+            tracked = tracked && joining_.clock_known[member];
+        tracks_.resize(room() + 1);
+        for (size_t member = 0; tracked && member < members; ++member) {
+            const auto track = clocks.tracks.find(joining_.suitOf(member, subjects_));
+            tracks_[member] =
+                track != clocks.tracks.end() ? track->second : cooperative::ClockTrack{true, {{0, 0, 1, 0}}};
+        }
+        if (!tracked && !joining_.clocks_shared)
+            summary.warnings.push_back(
+                "The boxes' clocks are known from the rest pose alone, since no transceivers of all suits "
+                "hear "
+                "each other both ways: ranges between suits drift.");
+        for (const JointDistance& distance : joining_.distances) {
+            if (distance.confidence < kUsableConfidence || isMoved(distance))
+                continue;
+            const double emission_s = commonTime_s(static_cast<size_t>(distance.from), distance.emission_s),
+                         arrival_s = commonTime_s(static_cast<size_t>(distance.to), distance.arrival_s);
+            flights_.push_back({emission_s, arrival_s - emission_s, distance.from, distance.source,
+                                distance.to, distance.board,
+                                distance.beyond_m + distance.c_m_per_s * (arrival_s - emission_s),
+                                distance.sigma_m / distance.confidence});
+        }
+        for (size_t member = 0; member < subjects_.size(); ++member)
+            if (Status read = readOwn(member); !read)
+                return read;
+        std::ranges::stable_sort(flights_, {}, &Flight::emission_s);
+        return Done{};
+    }
+
+    Status readOwn(size_t member) {
+        auto ranges = take_.ranges(kPrimaryRun, subjects_[member].subject.suit());
+        if (!ranges)
+            return ranges.error();
+        const double rate_hz = subjects_[member].decoder.train.sample_rate_hz;
+        const auto index = static_cast<int>(member);
+        while (true) {
+            const auto range = ranges->next();
+            if (!range)
+                return range.error();
+            if (!*range)
+                return Done{};
+            const RangeMeasurement& own = **range;
+            const double confidence = own.w_s * own.w_t;
+            if (confidence < kUsableConfidence)
+                continue;
+            const double emission_s = commonTime_s(member, static_cast<double>(own.pulse_sample) / rate_hz);
+            flights_.push_back({emission_s, commonTime_s(member, own.arrival_sample / rate_hz) - emission_s,
+                                index, own.source, index, own.board, own.distance_m,
+                                (own.sigma_m > 0 ? own.sigma_m : kUnstatedRange_m) / confidence});
+        }
+    }
+
+    Status filter(const JobContext& job) {
+        sink_.begin(summary.points);
+        next_row_s_ = std::ceil(begin_s_ * setup_.rows_per_s) / setup_.rows_per_s;
+        now_s_ = begin_s_;
+        const double end_s = flights_.empty() ? begin_s_ : flights_.back().emission_s;
+        for (auto flight = flights_.begin(); flight != flights_.end();) {
+            auto after = flight;
+            while (after != flights_.end() && after->emission_s == flight->emission_s &&
+                   after->from == flight->from)
+                ++after;
+            if (flight->emission_s >= begin_s_) {
+                advanceTo(flight->emission_s);
+                correct({flight, after});
+            }
+            flight = after;
+            if (job.cancelled())
+                return JobContext::cancelledError();
+            job.progress(std::clamp((now_s_ - begin_s_) / std::max(end_s - begin_s_, 1e-9), 0.0, 1.0),
+                         "Tracking points");
+        }
+        if (summary.frames == 0)
+            return unusableTake(take_, "no point came out: its ranges end before the rest pose does",
+                                "`noctule --batch inspect` shows what is in it");
+        return Done{};
+    }
+
+    void advanceTo(double time_s) {
+        while (now_s_ < time_s) {
+            const double to_s = std::min({time_s, next_row_s_, now_s_ + kLongestStep_s});
+            filter_->predict(to_s - now_s_);
+            now_s_ = to_s;
+            if (now_s_ >= next_row_s_) {
+                show();
+                ++rows_;
+                next_row_s_ =
+                    std::ceil(begin_s_ * setup_.rows_per_s + static_cast<double>(rows_)) / setup_.rows_per_s;
+            }
+        }
+    }
+
+    void show() {
+        const cooperative::FreePoints& points = filter_->points();
+        PointsFrame frame{now_s_, {}, {}};
+        for (int i = 0; i < points.count(); ++i) {
+            frame.p_m.push_back(points.place(i));
+            frame.sigma_m.push_back(
+                std::sqrt(std::max(0.0, points.cov_pp.block<3, 3>(3 * i, 3 * i).trace() / 3)));
+        }
+        summary.frames += 1;
+        sink_.add(frame);
+    }
+
+    Vector3d velocity(int point) const {
+        return point < 0 ? Vector3d::Zero() : Vector3d(filter_->points().v_m_per_s.segment<3>(3 * point));
+    }
+    Vector3d placeOf(int point) const {
+        return point < 0 ? anchors_m_[static_cast<size_t>(-1 - point)] : filter_->points().place(point);
+    }
+    /// Of the distance along `u` between two points as believed.
+    double expectedVariance(int a, int b, const Vector3d& u) const {
+        const Eigen::MatrixXd& P = filter_->points().cov_pp;
+        const auto block = [&](int i, int k) {
+            return i < 0 || k < 0 ? 0.0 : u.dot(P.block<3, 3>(3 * i, 3 * k) * u);
+        };
+        return block(a, a) + block(b, b) - 2 * block(a, b);
+    }
+
+    /// All that was heard of one pulse.
+    void correct(std::span<const Flight> flights) {
+        std::vector<cooperative::PointRange> ranges;
+        for (const Flight& flight : flights) {
+            const auto from = static_cast<size_t>(flight.from), to = static_cast<size_t>(flight.to);
+            const auto source = static_cast<size_t>(flight.source);
+            const int sent = points_[from].of_source[source],
+                      heard = points_[to].of_board[static_cast<size_t>(flight.board)];
+            summary.heard += 1;
+            (from == room() || to == room() ? summary.of_room
+             : from == to                   ? summary.own
+                                            : summary.between) += 1;
+            if (sent == heard)
+                continue;  // a housing's own pulse
+            const Vector3d way = placeOf(heard) - placeOf(sent);
+            const Vector3d u = way.normalized();
+            const double moved_m = u.dot(velocity(heard)) * flight.duration_s;
+            const double variance = flight.sigma_m * flight.sigma_m + setup_.floor_m * setup_.floor_m +
+                                    points_[from].source_variance_m2[source];
+            const double innovation = flight.distance_m - moved_m - way.norm();
+            if (innovation * innovation >
+                setup_.gate_sigma * setup_.gate_sigma * (expectedVariance(sent, heard, u) + variance)) {
+                summary.gated += 1;
+                continue;
+            }
+            const bool heard_by_anchor = heard < 0;
+            ranges.push_back({heard_by_anchor ? sent : heard, heard_by_anchor ? heard : sent,
+                              flight.distance_m - moved_m, variance});
+        }
+        const size_t target = static_cast<size_t>(flights.front().from) == room()
+                                  ? 0
+                                  : static_cast<size_t>(flights.front().from);
+        summary.used += static_cast<int64_t>(filter_->correct(ranges, static_cast<int>(target)));
+    }
+
+    const Take& take_;
+    const PointsSink& sink_;
+    const PointSetup setup_;
+    const cooperative::PointFilterSettings settings_;
+    std::vector<Ingredients> subjects_;
+    Joining joining_;
+    RestAlignment alignment_;
+    std::vector<MemberPoints> points_;  ///< per subject, then of the room
+    std::vector<Vector3d> anchors_m_;
+    std::vector<std::optional<cooperative::ClockTrack>> tracks_;  ///< per member; none: a line
+    std::vector<Flight> flights_;
+    std::optional<cooperative::PointFilter> filter_;
+    double begin_s_ = 0, now_s_ = 0, next_row_s_ = 0;
+    int64_t rows_ = 0;
+};
+
+Result<std::vector<Ingredients>> ingredientsOf(Take& take, const ProcessRequest& request,
+                                               std::vector<std::string>& warnings) {
+    const auto subjects = take.subjects();
+    if (!subjects)
+        return subjects.error();
+    std::vector<Ingredients> all;
+    for (const TakeSubject& subject : *subjects) {
+        if (subject.room ||
+            (!request.subjects.empty() && std::ranges::count(request.subjects, subject.name) == 0))
+            continue;
+        take.view(subject.suit());
+        auto in = gatherIngredients(take, request, warnings);
+        if (!in)
+            return in.error();
+        in->subject = subject;
+        all.push_back(std::move(*in));
+    }
+    if (all.size() < std::max<size_t>(1, request.subjects.size()))
+        return Error{ErrorKind::kUsage, take.path() + ": has no subject of that name",
+                     "`noctule --batch inspect` lists its subjects"};
+    return all;
+}
+
+}  // namespace
+
+Result<PointsSummary> trackPoints(const ProcessRequest& request, const PointsSink& sink,
+                                  const JobContext& job) {
+    auto take = Take::open(request.take_path, Access::kRead, {job.cancel});
+    if (!take)
+        return take.error();
+    if (take->level() != TakeLevel::kReadings)
+        return unusableTake(*take, "it holds sound, from which ranges between suits are not measured yet",
+                            "Points can be had of takes that hold readings and ranges");
+    PointTracker tracker(*take, request, sink);
+    auto subjects = ingredientsOf(*take, request, tracker.summary.warnings);
+    if (!subjects)
+        return subjects.error();
+    const auto clocks = joinClocks(*take, job);
+    if (!clocks)
+        return clocks.error();
+    return tracker.run(request, std::move(*subjects), *clocks, job);
+}
+
+}  // namespace noctule

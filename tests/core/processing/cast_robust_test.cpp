@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+// Takes of two performers and anchors in which something went wrong: the box of a partner is lost, an anchor
+// was moved, nothing joins the clocks, two suits share a carrier, a choice does not go with joining.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "core/processing/evaluate_between.h"
+#include "core/processing/evaluate_take.h"
+#include "core/processing/process_take.h"
+#include "core/simulation/cast.h"
+#include "tests/core/simulation/simulated_body.h"
+#include "tests/support/take_files.h"
+
+namespace noctule {
+namespace {
+
+using test::Folder;
+using test::runSql;
+
+constexpr double kRest_s = 1, kMotion_s = 3;
+
+void addHousing(Suit& suit, const std::string& id, const std::string& segment, const Vector3d& p_m,
+                const Quaterniond& q = Quaterniond::Identity()) {
+    Board board;
+    board.id = id;
+    board.segment = segment;
+    board.p_segment_board_m = p_m;
+    board.q_segment_board = q;
+    suit.boards.push_back(board);
+    Source source;
+    source.id = source.board = id;
+    source.segment = segment;
+    source.p_segment_source_m = p_m + q * Vector3d(0.01, 0, 0);
+    source.normal_segment = q * Vector3d::UnitZ();
+    suit.sources.push_back(source);
+}
+
+Suit fewHousings() {
+    Suit suit;
+    suit.name = "few";
+    const auto outwards = [](const Vector3d& to) {
+        return Quaterniond::FromTwoVectors(Vector3d::UnitZ(), to);
+    };
+    addHousing(suit, "hips", "Hips", {0, -0.03, 0.125});
+    addHousing(suit, "chest", "Chest", {0, 0.09, 0.13});
+    addHousing(suit, "head", "Head", {0, 0.11, 0.12});
+    addHousing(suit, "l_hand", "LeftHand", {0.085, 0.03, 0}, outwards(Vector3d::UnitY()));
+    addHousing(suit, "r_hand", "RightHand", {-0.085, 0.03, 0}, outwards(Vector3d::UnitY()));
+    return suit;
+}
+
+Suit fourCorners() {
+    Suit room;
+    room.name = "corners";
+    const std::pair<const char*, Vector3d> corners[] = {{"south", {1.6, 2.3, -2}},
+                                                        {"east", {2, 0.8, 1.7}},
+                                                        {"north", {-1.8, 2.2, 2}},
+                                                        {"west", {-2, 1.2, -1.5}}};
+    for (const auto& [id, p] : corners)
+        addHousing(room, id, "", p, Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d(0, 1, 0) - p));
+    return room;
+}
+
+/// Sways where it stands; every joint swings.
+MotionClip swaying() {
+    MotionClip clip = simulation::madeMotion(kMotion_s);
+    for (size_t f = 0; f < clip.frames.size(); ++f) {
+        const double t = static_cast<double>(f) / 120;
+        clip.frames[f].p_world_root = {0.08 * std::sin(1.3 * t), 0.97, 0.08 * std::sin(t)};
+        clip.frames[f].q_parent_joint[0] = axisAngle(Vector3d::UnitY(), 0.2 * std::sin(t));
+    }
+    return clip;
+}
+
+/// The take that each test takes a copy of.
+const std::string& soundTake() {
+    static const Folder folder;
+    static const std::string path = [] {
+        simulation::CastRequest request;
+        for (const std::string name : {"Ada", "Bea"}) {
+            simulation::CastSubject subject;
+            subject.name = name;
+            subject.stage.clip = swaying();
+            subject.stage.suit = fewHousings();
+            subject.place = name == "Ada" ? simulation::StandingPlace{0, -0.6, 0}
+                                          : simulation::StandingPlace{0, 0.7, std::numbers::pi};
+            request.subjects.push_back(std::move(subject));
+        }
+        request.room = fourCorners();
+        request.scenario = *simulation::Scenario::named("nominal");
+        request.rest_seconds = kRest_s;
+        const auto cast = simulation::prepareCast(request);
+        EXPECT_TRUE(cast) << cast.error().text();
+        const simulation::TakeRequest take{.out_path = folder.file("sound.noctule"),
+                                           .level = simulation::Level::kReadings,
+                                           .name = "sound",
+                                           .created_utc = "2026-01-02T03:04:05Z",
+                                           .software = "test"};
+        EXPECT_TRUE(simulation::writeTake(*cast, take, {}).ok());
+        return take.out_path;
+    }();
+    return path;
+}
+
+struct ErrorsOfSuit {
+    double angles_deg = 0, root_m = 0;
+};
+
+/// Of the last run.
+ErrorsOfSuit errorsIn(const std::string& path, int suit) {
+    EvaluateRequest evaluation;
+    evaluation.take_path = path;
+    evaluation.suit = suit;
+    const auto data = evaluateTake(evaluation, {});
+    EXPECT_TRUE(data) << data.error().text();
+    const auto& comparison = data->shownRun()->comparison;
+    EXPECT_TRUE(comparison);
+    std::printf("suit %d: %.2f deg, root %.1f mm\n", suit, comparison->mean_deg,
+                1000 * comparison->root.position_m);
+    return {comparison->mean_deg, comparison->root.position_m};
+}
+
+/// Of the sound take: 11.9 and 12.5 degrees, for few limbs carry a board, and 6.4 and 3.7 mm.
+constexpr double kUsual_deg = 13.5, kUsual_m = 0.0125;
+
+class CastGoneWrong : public testing::Test {
+protected:
+    void SetUp() override {
+        path_ = folder_.file("cast.noctule");
+        std::filesystem::copy_file(soundTake(), path_);
+    }
+    ProcessRequest request() const {
+        ProcessRequest request;
+        request.take_path = path_;
+        request.software = "test";
+        return request;
+    }
+    ProcessSummary processed(const ProcessRequest& request) const {
+        const auto summary = processTake(request, {});
+        EXPECT_TRUE(summary) << summary.error().text();
+        for (const std::string& warning : summary->warnings)
+            std::printf("warning: %s\n", warning.c_str());
+        return *summary;
+    }
+    static bool says(const ProcessSummary& summary, const std::vector<std::string>& words) {
+        return std::ranges::any_of(summary.warnings, [&](const std::string& warning) {
+            return std::ranges::all_of(
+                words, [&](const std::string& word) { return warning.find(word) != std::string::npos; });
+        });
+    }
+    ErrorsOfSuit errorsOf(int suit) const { return errorsIn(path_, suit); }
+    Folder folder_;
+    std::string path_;
+};
+
+/// Everything that comes from or goes to suit 2 from one of its seconds to another.
+std::string without(int from_s, int to_s) {
+    const std::string from = std::to_string(from_s * 150000), to = std::to_string(to_s * 150000);
+    return "DELETE FROM range WHERE suit=2 AND arrival_sample BETWEEN " + from + " AND " + to +
+           ";DELETE FROM range WHERE pulse IN (SELECT id FROM pulse WHERE suit=2 AND sample BETWEEN " + from +
+           " AND " + to + ");DELETE FROM pulse WHERE suit=2 AND sample BETWEEN " + from + " AND " + to +
+           ";DELETE FROM inertial WHERE suit=2 AND sample BETWEEN " + from + " AND " + to + ";";
+}
+
+TEST_F(CastGoneWrong, ALostBoxIsSaidAndThePartnerGoesOn) {
+    runSql(path_, without(3, 100));
+    const ProcessSummary summary = processed(request());
+    ASSERT_TRUE(summary.together);
+    EXPECT_TRUE(says(summary, {"Bea sent no readings from 3.0 s", "the box was lost"}));
+    const ErrorsOfSuit ada = errorsOf(1);
+    EXPECT_LT(ada.angles_deg, kUsual_deg);
+    EXPECT_LT(ada.root_m, kUsual_m);
+}
+
+TEST_F(CastGoneWrong, AfterAGapBothAreKnownAgain) {
+    runSql(path_, without(2, 3));  // then a second is left
+    const ProcessSummary summary = processed(request());
+    EXPECT_TRUE(says(summary, {"Bea sent no readings from 2.0 s to 3.0 s"}));
+    EXPECT_FALSE(says(summary, {"Anchor"}));
+    const ErrorsOfSuit ada = errorsOf(1), bea = errorsOf(2);
+    EXPECT_LT(ada.angles_deg, kUsual_deg);
+    EXPECT_LT(ada.root_m, kUsual_m);
+    EXPECT_LT(bea.root_m, 0.15) << "a second in which nobody knows";
+}
+
+TEST_F(CastGoneWrong, AnAnchorThatWasMovedBeforeIsNamed) {
+    for (const char* table : {"suit", "calibration"})
+        runSql(path_, std::string("UPDATE ") + table +
+                          " SET json=json_set(json,'$.boards[1].p_segment_board_m',json('[2.2,0.8,1.4]'),"
+                          "'$.sources[1].p_segment_source_m',json('[2.2,0.8,1.4]')) WHERE " +
+                          (std::string(table) == "suit" ? "id" : "suit") + "=3");
+    const ProcessSummary summary = processed(request());
+    EXPECT_TRUE(says(summary, {"Anchor east", "moved"}));
+    const std::array moved{errorsOf(1), errorsOf(2)};
+    // As good as if it did not hang there.
+    runSql(path_,
+           "DELETE FROM range WHERE (suit=3 AND board=1) OR pulse IN (SELECT id FROM pulse WHERE suit=3 AND "
+           "source=1)");
+    EXPECT_FALSE(says(processed(request()), {"Anchor"}));
+    for (int suit = 1; suit <= 2; ++suit) {
+        const ErrorsOfSuit without = errorsOf(suit), with = moved[static_cast<size_t>(suit - 1)];
+        EXPECT_LT(with.angles_deg, without.angles_deg + 0.3);
+        EXPECT_LT(with.root_m, 1.2 * without.root_m + 0.001);
+    }
+}
+
+TEST_F(CastGoneWrong, AnAnchorThatIsMovedMeanwhileIsNamed) {
+    // 0.2 m farther from both from 2.5 s on; 87.2 samples of sound.
+    runSql(path_,
+           "UPDATE range SET distance_m=distance_m+0.2, arrival_sample=arrival_sample+87.2 WHERE suit=3 AND "
+           "board=1 AND arrival_sample>375000;"
+           "UPDATE range SET distance_m=distance_m+0.2, arrival_sample=arrival_sample+87.2 WHERE suit<>3 AND "
+           "pulse IN (SELECT id FROM pulse WHERE suit=3 AND source=1 AND sample>375000)");
+    const ProcessSummary summary = processed(request());
+    EXPECT_TRUE(says(summary, {"Anchor east", "moved"}));
+    for (int suit = 1; suit <= 2; ++suit) {
+        const ErrorsOfSuit errors = errorsOf(suit);
+        EXPECT_LT(errors.angles_deg, kUsual_deg);
+        EXPECT_LT(errors.root_m, kUsual_m);
+    }
+}
+
+TEST_F(CastGoneWrong, WhatIsInOrderIsNotCalledMoved) {
+    EXPECT_FALSE(says(processed(request()), {"Anchor"}));
+    EXPECT_LT(errorsOf(1).root_m, kUsual_m);
+    EXPECT_LT(errorsOf(2).root_m, kUsual_m);
+}
+
+TEST_F(CastGoneWrong, WithoutRangesBetweenEachIsAlone) {
+    runSql(path_, "DELETE FROM range WHERE suit<>(SELECT suit FROM pulse WHERE pulse.id=range.pulse)");
+    ProcessRequest wanted = request();
+    wanted.between = Wanted::kOn;
+    const auto refused = processTake(wanted, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::kUnusable);
+    EXPECT_NE(refused.error().message.find("no distances between its suits"), std::string::npos);
+    EXPECT_NE(refused.error().remedy.find("heard each other"), std::string::npos);
+}
+
+TEST_F(CastGoneWrong, WhomNobodyHearsIsNamed) {
+    runSql(path_,
+           "DELETE FROM range WHERE (suit=2)<>((SELECT suit FROM pulse WHERE pulse.id=range.pulse)=2)");
+    const ProcessSummary summary = processed(request());
+    EXPECT_TRUE(summary.together);
+    EXPECT_TRUE(says(summary, {"Bea cannot be joined"}));
+    EXPECT_LT(errorsOf(1).root_m, kUsual_m);
+}
+
+TEST_F(CastGoneWrong, OneCarrierOfTwoSuitsIsSaidWithARemedy) {
+    runSql(path_, "UPDATE suit SET json=json_set(json,'$.carrier_hz',40000) WHERE id=2");
+    const ProcessSummary summary = processed(request());
+    EXPECT_FALSE(summary.together);
+    EXPECT_TRUE(says(summary, {"Ada (suit 1) and Bea (suit 2)", "one carrier", "Record again"}));
+}
+
+TEST_F(CastGoneWrong, SmoothersDoNotGoWithJoining) {
+    ProcessRequest smoothed = request();
+    smoothed.tracker.smoother = Smoother::kLag;
+    smoothed.between = Wanted::kOn;
+    const auto refused = processTake(smoothed, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().kind, ErrorKind::kUnusable);
+    EXPECT_NE(refused.error().message.find("--smooth lag"), std::string::npos) << refused.error().message;
+    EXPECT_TRUE(Take::open(path_)->derivedRuns()->empty()) << "refused, yet something was written";
+}
+
+}  // namespace
+}  // namespace noctule
