@@ -333,6 +333,10 @@
         <translation>%1, schweigt in der Ruhehaltung und behält ihre alten Werte</translation>
     </message>
     <message>
+        <source>%1, keeps its place of the rest pose: with the one that the movement gave it, seconds that were held out fit worse by %2 %</source>
+        <translation>%1, behält seinen Platz aus der Ruhehaltung: mit dem, den die Bewegung ergab, passen zurückgehaltene Sekunden um %2 % schlechter</translation>
+    </message>
+    <message>
         <source>%1, leans %2° otherwise at the end of the rest pose than at its beginning</source>
         <translation>%1, ist am Ende der Ruhehaltung um %2° anders geneigt als am Anfang</translation>
     </message>
@@ -393,6 +397,14 @@
         <translation>, in Aufstellung %1</translation>
     </message>
     <message>
+        <source>, keeps its place of the rest pose: the movement does not settle it</source>
+        <translation>, behält seinen Platz aus der Ruhehaltung: die Bewegung legt ihn nicht fest</translation>
+    </message>
+    <message>
+        <source>, keeps its place of the rest pose: the movement would turn it farther than a strap can</source>
+        <translation>, behält seinen Platz aus der Ruhehaltung: die Bewegung würde es weiter drehen, als ein Band nachgibt</translation>
+    </message>
+    <message>
         <source>, nor %1 other pairs</source>
         <translation>, auch nicht %1 weitere Paare</translation>
     </message>
@@ -411,6 +423,26 @@
     <message>
         <source>Add the points or remove the placement</source>
         <translation>Die Punkte hinzufügen oder die Aufstellung entfernen</translation>
+    </message>
+    <message>
+        <source>Bend forwards and sideways and turn the trunk to both sides</source>
+        <translation>Nach vorn und zur Seite beugen und den Rumpf zu beiden Seiten drehen</translation>
+    </message>
+    <message>
+        <source>Bend that ankle up and down and circle the foot</source>
+        <translation>Dieses Sprunggelenk auf und ab beugen und den Fuß kreisen</translation>
+    </message>
+    <message>
+        <source>Bend that elbow all the way and turn the palm up and down</source>
+        <translation>Diesen Ellbogen ganz beugen und die Handfläche auf und ab drehen</translation>
+    </message>
+    <message>
+        <source>Bend that knee all the way, with the thigh turned in and out</source>
+        <translation>Dieses Knie ganz beugen, mit dem Oberschenkel ein- und auswärts gedreht</translation>
+    </message>
+    <message>
+        <source>Bend that wrist up and down and to both sides, and turn the palm up and down</source>
+        <translation>Dieses Handgelenk auf, ab und zu beiden Seiten beugen und die Handfläche auf und ab drehen</translation>
     </message>
     <message>
         <source>Board %1, hears its sources about %2 cm from where the calibration puts it</source>
@@ -459,6 +491,10 @@
     <message>
         <source>Check whether each sits where it belongs</source>
         <translation>Prüfen, ob jede sitzt, wo sie hingehört</translation>
+    </message>
+    <message>
+        <source>Circle that arm and turn it about its own length</source>
+        <translation>Diesen Arm kreisen und um seine Länge drehen</translation>
     </message>
     <message>
         <source>Close it in the same line</source>
@@ -657,6 +693,10 @@
         <translation>So groß ist kein Anzug: die Zeilen entfernen, die nicht zu ihm gehören</translation>
     </message>
     <message>
+        <source>Nod, tilt the head to both shoulders and look over both</source>
+        <translation>Nicken, den Kopf zu beiden Schultern neigen und über beide blicken</translation>
+    </message>
+    <message>
         <source>Nothing in this take tells boards %1 apart%2: gravity is alike on both and no sound decides</source>
         <translation>Nichts in dieser Aufnahme unterscheidet die Platinen %1%2: die Schwerkraft ist an beiden gleich, und kein Schall entscheidet</translation>
     </message>
@@ -789,6 +829,14 @@
         <translation>Zur Sicherheit die Drehzahl des Drehtellers mit seinem Stroboskop einstellen und wiederholen</translation>
     </message>
     <message>
+        <source>Shrug and roll that shoulder</source>
+        <translation>Diese Schulter heben und rollen</translation>
+    </message>
+    <message>
+        <source>Squat, lean to all sides and turn around</source>
+        <translation>In die Hocke gehen, sich nach allen Seiten neigen und umdrehen</translation>
+    </message>
+    <message>
         <source>Stand still in the rest pose for three seconds</source>
         <translation>Drei Sekunden in der Ruhehaltung still stehen</translation>
     </message>
@@ -799,6 +847,10 @@
     <message>
         <source>State the speed that the table is set to</source>
         <translation>Die Drehzahl angeben, auf die der Drehteller eingestellt ist</translation>
+    </message>
+    <message>
+        <source>Swing that leg forwards and sideways and turn it about its own length</source>
+        <translation>Dieses Bein nach vorn und zur Seite schwingen und um seine Länge drehen</translation>
     </message>
     <message>
         <source>Swing that limb to all sides and turn it about its own length</source>
@@ -2854,6 +2906,14 @@
 <context>
     <name>core/live</name>
     <message>
+        <source>1: the paper to the letter. Unused ranges shrink the covariance, covariances between reference users are dropped, the share is by ratio.</source>
+        <translation>1: der Aufsatz wörtlich. Ungenutzte Entfernungen verkleinern die Kovarianz, Kovarianzen zwischen Bezugspersonen entfallen, der Anteil geht nach dem Verhältnis.</translation>
+    </message>
+    <message>
+        <source>A range farther off than this many standard deviations is left out.</source>
+        <translation>Eine Entfernung, die um mehr als so viele Standardabweichungen abweicht, wird ausgelassen.</translation>
+    </message>
+    <message>
         <source>Check that you may write there, or process without smoothing</source>
         <translation>Prüfen, ob dort Schreibrecht besteht, oder ohne Glättung verarbeiten</translation>
     </message>
@@ -2862,16 +2922,72 @@
         <translation>War %1 gemeint? `noctule --batch estimators` führt alle auf</translation>
     </message>
     <message>
-        <source>Record first, then process the take with --estimator orientation</source>
-        <translation>Zuerst aufnehmen, dann die Aufnahme mit --estimator orientation verarbeiten</translation>
+        <source>Initial standard deviation of each point about the rest pose, per axis.</source>
+        <translation>Anfängliche Standardabweichung jedes Punktes um die Ruhehaltung, je Achse.</translation>
+    </message>
+    <message>
+        <source>Initial standard deviation of each point's velocity, per axis.</source>
+        <translation>Anfängliche Standardabweichung der Geschwindigkeit jedes Punktes, je Achse.</translation>
+    </message>
+    <message>
+        <source>Process noise: white acceleration of each point; 0.03 fits a calm handshake, 0.3 a dance. Larger: faster motion is followed, less is smoothed.</source>
+        <translation>Prozessrauschen: weiße Beschleunigung jedes Punktes; 0,03 passt zu einem ruhigen Händedruck, 0,3 zu einem Tanz. Größer: schnellere Bewegung wird verfolgt, weniger geglättet.</translation>
+    </message>
+    <message>
+        <source>Record first, then process the take with --estimator %1</source>
+        <translation>Erst aufnehmen, dann die Aufnahme mit --estimator %1 verarbeiten</translation>
+    </message>
+    <message>
+        <source>Rows of the table of points per second.</source>
+        <translation>Zeilen der Punktetabelle je Sekunde.</translation>
+    </message>
+    <message>
+        <source>Share of the ranges of each pulse that are used.</source>
+        <translation>Anteil der Entfernungen jedes Pulses, die genutzt werden.</translation>
+    </message>
+    <message>
+        <source>Standard deviation added to the stated one of each range: survey, mounting, offsets of sources.</source>
+        <translation>Standardabweichung, die zur angegebenen jeder Entfernung hinzukommt: Vermessung, Anbringung, Versatz der Quellen.</translation>
+    </message>
+    <message>
+        <source>Welch 2018, equations 17 to 24; greedy: ours</source>
+        <translation>Welch 2018, Gleichungen 17 bis 24; gierig: eigenes</translation>
+    </message>
+    <message>
+        <source>Welch 2018, equations 7 to 9</source>
+        <translation>Welch 2018, Gleichungen 7 bis 9</translation>
+    </message>
+    <message>
+        <source>Welch 2018, section 3</source>
+        <translation>Welch 2018, Abschnitt 3</translation>
+    </message>
+    <message>
+        <source>Welch 2018, section 3.3</source>
+        <translation>Welch 2018, Abschnitt 3.3</translation>
+    </message>
+    <message>
+        <source>Welch 2018: comocap with a share of the ranges</source>
+        <translation>Welch 2018: comocap mit einem Teil der Entfernungen</translation>
+    </message>
+    <message>
+        <source>Welch 2018: microphones and sources of several people as free points, from the ranges to the room, within and between people; a table of points, no poses</source>
+        <translation>Welch 2018: Mikrofone und Quellen mehrerer Personen als freie Punkte, aus den Entfernungen zum Raum, am Körper und zwischen Personen; eine Tabelle von Punkten, keine Posen</translation>
+    </message>
+    <message>
+        <source>Welch 2018: the same points from the ranges to the room alone</source>
+        <translation>Welch 2018: dieselben Punkte allein aus den Entfernungen zum Raum</translation>
+    </message>
+    <message>
+        <source>Which ranges the share keeps: 0 by Welch's ratio, 1 greedy by the trace of the places' covariance, 2 greedy by its determinant.</source>
+        <translation>Welche Entfernungen der Anteil behält: 0 nach Welchs Verhältnis, 1 gierig nach der Spur der Kovarianz der Orte, 2 gierig nach ihrer Determinante.</translation>
     </message>
     <message>
         <source>a sample rate of %1 Hz is outside what boards can be received at</source>
         <translation>eine Abtastrate von %1 Hz liegt außerhalb dessen, womit Platinen empfangen werden können</translation>
     </message>
     <message>
-        <source>estimator orientation needs a whole take</source>
-        <translation>der Schätzer orientation braucht eine ganze Aufnahme</translation>
+        <source>estimator %1 needs a whole take</source>
+        <translation>der Schätzer %1 braucht eine ganze Aufnahme</translation>
     </message>
     <message>
         <source>extended Kalman filter with rotations on the manifold, adaptive noise and smoothers</source>
@@ -3561,6 +3677,10 @@
         <translation>%1 Zeilen von %2 waren nicht brauchbar, die erste: %3.</translation>
     </message>
     <message>
+        <source>%1 sent no readings %2: the box was lost. The poses there are guesses; the others go on without it.</source>
+        <translation>%1 hat %2 keine Messwerte gesendet: die Box ging verloren. Die Posen dort sind geraten; die anderen gehen ohne sie weiter.</translation>
+    </message>
+    <message>
         <source>%1 times %2</source>
         <translation>%1 mal %2</translation>
     </message>
@@ -3621,6 +3741,10 @@
         <translation>%1: hat keine Person '%2'</translation>
     </message>
     <message>
+        <source>%1: has no subject of that name</source>
+        <translation>%1: hat keine Person dieses Namens</translation>
+    </message>
+    <message>
         <source>%1: has not been processed, there is no pose run</source>
         <translation>%1: ist nicht verarbeitet, es gibt kein Ergebnis mit Posen</translation>
     </message>
@@ -3654,11 +3778,15 @@
     </message>
     <message>
         <source>%1: its suits are not counted from 1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: seine Anzüge sind nicht ab 1 gezählt</translation>
     </message>
     <message>
         <source>%1: no board has a magnetometer</source>
         <translation>%1: keine Platine hat ein Magnetometer</translation>
+    </message>
+    <message>
+        <source>%1: no instant of the table has a reference after the rest pose</source>
+        <translation>%1: kein Zeitpunkt der Tabelle hat nach der Ruhehaltung eine Referenz</translation>
     </message>
     <message>
         <source>%1: no joint that it shares with run '%2' of %3 moves for two seconds, so the shift cannot be told</source>
@@ -3685,12 +3813,20 @@
         <translation>%1: das Magnetfeld ist %2 der Zeit verzerrt</translation>
     </message>
     <message>
+        <source>%1: the table's point '%2' of suit %3 is no device of this take</source>
+        <translation>%1: der Punkt „%2“ von Anzug %3 in der Tabelle ist kein Gerät dieser Aufnahme</translation>
+    </message>
+    <message>
         <source>%1: the unit of its lengths is not one that can be checked</source>
         <translation>%1: die Einheit der Längen lässt sich nicht prüfen</translation>
     </message>
     <message>
         <source>%1: there is no pose in the part to export</source>
         <translation>%1: im zu exportierenden Teil ist keine Pose</translation>
+    </message>
+    <message>
+        <source>%1: there is no reference of %2, points cannot be judged</source>
+        <translation>%1: es gibt keine Referenz von %2, Punkte sind nicht zu beurteilen</translation>
     </message>
     <message>
         <source>%1; its names, axes and zero pose are taken as they are (Y up, unit %2)</source>
@@ -3707,6 +3843,10 @@
     <message>
         <source>%1one carrier, %2: nobody can tell whose pulse was heard</source>
         <translation>%1einer Trägerfrequenz, %2: niemand kann sagen, wessen Puls gehört wurde</translation>
+    </message>
+    <message>
+        <source>'%1' is no number in range</source>
+        <translation>„%1“ ist keine Zahl im Bereich</translation>
     </message>
     <message>
         <source>: a contact of</source>
@@ -3731,6 +3871,10 @@
     <message>
         <source>Attach one first</source>
         <translation>Zuerst eine anhängen</translation>
+    </message>
+    <message>
+        <source>Attach one with `noctule --batch attach`</source>
+        <translation>Eine mit `noctule --batch attach` anhängen</translation>
     </message>
     <message>
         <source>Board %1 has no readings and was left out</source>
@@ -3762,7 +3906,7 @@
     </message>
     <message>
         <source>Check that the suits heard each other</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen, ob die Anzüge einander gehört haben</translation>
     </message>
     <message>
         <source>Check that you may write there and that it has room</source>
@@ -3777,8 +3921,16 @@
         <translation>--from und --to innerhalb der Dauer der Aufnahme wählen</translation>
     </message>
     <message>
+        <source>Choose a table that process --estimator comocap --points wrote</source>
+        <translation>Eine Tabelle wählen, die process --estimator comocap --points geschrieben hat</translation>
+    </message>
+    <message>
         <source>Choose one that was made of this suit; its boards begin with %1</source>
         <translation>Eine wählen, die mit diesem Anzug entstand; dessen Platinen beginnen mit %1</translation>
+    </message>
+    <message>
+        <source>Choose the table that was made of this take</source>
+        <translation>Die Tabelle wählen, die aus dieser Aufnahme gemacht wurde</translation>
     </message>
     <message>
         <source>Comparing runs</source>
@@ -3789,8 +3941,28 @@
         <translation>Pulse werden gezählt</translation>
     </message>
     <message>
-        <source>Distances between suits are not used, each one's poses are its own: %1.</source>
-        <translation>Abstände zwischen Anzügen werden nicht verwendet, die Posen jedes Einzelnen sind seine eigenen: %1.</translation>
+        <source>Distance of the nearest two points</source>
+        <translation>Abstand der nächsten zwei Punkte</translation>
+    </message>
+    <message>
+        <source>Distances between suits are not used, each one's poses are its own: %1. %2.</source>
+        <translation>Abstände zwischen Anzügen werden nicht genutzt, jeder hat nur seine eigenen Posen: %1. %2.</translation>
+    </message>
+    <message>
+        <source>Error after the rest poses, root mean square.</source>
+        <translation>Fehler nach der Ruhehaltung, quadratisches Mittel.</translation>
+    </message>
+    <message>
+        <source>Error of all points</source>
+        <translation>Fehler aller Punkte</translation>
+    </message>
+    <message>
+        <source>Error of the vector between them</source>
+        <translation>Fehler des Vektors zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>Error over time</source>
+        <translation>Fehler über der Zeit</translation>
     </message>
     <message>
         <source>Export the take again</source>
@@ -3798,7 +3970,7 @@
     </message>
     <message>
         <source>Finding the clocks</source>
-        <translation type="unfinished"></translation>
+        <translation>Uhren werden gesucht</translation>
     </message>
     <message>
         <source>Free some space there and process the take</source>
@@ -3881,6 +4053,10 @@
         <translation>--room weglassen</translation>
     </message>
     <message>
+        <source>Leave this subject out with --subjects, or record again</source>
+        <translation>Diese Person mit --subjects auslassen oder neu aufnehmen</translation>
+    </message>
+    <message>
         <source>Look at the take with inspect</source>
         <translation>Die Aufnahme mit inspect ansehen</translation>
     </message>
@@ -3898,7 +4074,7 @@
     </message>
     <message>
         <source>Measuring the sound</source>
-        <translation type="unfinished"></translation>
+        <translation>Schall wird gemessen</translation>
     </message>
     <message>
         <source>Name the column %1, or give the times in seconds</source>
@@ -3949,6 +4125,18 @@
         <translation>Orientierung jedes Sensors</translation>
     </message>
     <message>
+        <source>Points can be had of takes that hold readings and ranges</source>
+        <translation>Punkte gibt es aus Aufnahmen mit Messwerten und Entfernungen</translation>
+    </message>
+    <message>
+        <source>Points need them: take one that was recorded with anchors</source>
+        <translation>Punkte brauchen sie: eine Aufnahme mit Ankern nehmen</translation>
+    </message>
+    <message>
+        <source>Points report</source>
+        <translation>Bericht über Punkte</translation>
+    </message>
+    <message>
         <source>Process a part of the take, or with --between off</source>
         <translation>Einen Teil der Aufnahme verarbeiten oder mit --between off</translation>
     </message>
@@ -3990,11 +4178,15 @@
     </message>
     <message>
         <source>Record it again, or process each subject with --between off --room off</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu aufnehmen oder jede Person mit --between off --room off verarbeiten</translation>
     </message>
     <message>
         <source>Record with magnetometers switched on</source>
         <translation>Mit eingeschalteten Magnetometern aufnehmen</translation>
+    </message>
+    <message>
+        <source>Root mean square over all points, as figure 3 of Welch 2018.</source>
+        <translation>Quadratisches Mittel über alle Punkte, wie Bild 3 von Welch 2018.</translation>
     </message>
     <message>
         <source>Run `noctule --batch process %1` first</source>
@@ -4021,6 +4213,18 @@
         <translation>Streuung: wie stark sich die Stärke des Magnetfelds zwischen den Richtungen unterscheidet.</translation>
     </message>
     <message>
+        <source>Stated uncertainty of all points</source>
+        <translation>Angegebene Unsicherheit aller Punkte</translation>
+    </message>
+    <message>
+        <source>Take --estimator comocap</source>
+        <translation>--estimator comocap nehmen</translation>
+    </message>
+    <message>
+        <source>The boxes' clocks are known from the rest pose alone, since no transceivers of all suits hear each other both ways: ranges between suits drift.</source>
+        <translation>Die Uhren der Boxen sind nur aus der Ruhehaltung bekannt, da keine Sendeempfänger aller Anzüge einander in beiden Richtungen hören: Entfernungen zwischen Anzügen driften.</translation>
+    </message>
+    <message>
         <source>The calibration is of other parts: %1. Its values are used all the same; calibrate these parts.</source>
         <translation>Die Kalibrierung gehört zu anderen Teilen: %1. Ihre Werte werden trotzdem verwendet; diese Teile kalibrieren.</translation>
     </message>
@@ -4034,7 +4238,7 @@
     </message>
     <message>
         <source>The clock of suit %1 cannot be found from the sound: it and the others do not hear each other well enough. Distances to it are not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Uhr von Anzug %1 ist aus dem Schall nicht zu finden: er und die anderen hören einander nicht gut genug. Abstände zu ihm werden nicht genutzt.</translation>
     </message>
     <message>
         <source>The clock of suit %1 cannot be joined to that of suit %2: no transceivers of both hear each other. It stands alone, at the recorder's guess, which may be 5 ms off.</source>
@@ -4069,6 +4273,10 @@
         <translation>Die Datei läuft mit einer anderen Bildrate als verlangt.</translation>
     </message>
     <message>
+        <source>The nearest two points of different people: distance, and error of the vector between them, as figure 4 of Welch 2018.</source>
+        <translation>Die nächsten zwei Punkte verschiedener Personen: Abstand und Fehler des Vektors zwischen ihnen, wie Bild 4 von Welch 2018.</translation>
+    </message>
+    <message>
         <source>The pictures have another size than asked for.</source>
         <translation>Die Bilder haben eine andere Größe als verlangt.</translation>
     </message>
@@ -4097,8 +4305,20 @@
         <translation>Die Aufnahme wurde nie abgeschlossen: sie läuft noch, oder sie wurde abgebrochen.</translation>
     </message>
     <message>
+        <source>There are no anchors: the common place and turn of all points is that of the start, and drifts.</source>
+        <translation>Es gibt keine Anker: gemeinsamer Ort und gemeinsame Drehung aller Punkte sind die des Anfangs und driften.</translation>
+    </message>
+    <message>
         <source>There is no reference: how far the angles are off cannot be said.</source>
         <translation>Es gibt keine Referenz: wie weit die Winkel danebenliegen, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>Tracking points</source>
+        <translation>Punkte werden verfolgt</translation>
+    </message>
+    <message>
+        <source>Two people near each other</source>
+        <translation>Zwei Personen nahe beieinander</translation>
     </message>
     <message>
         <source>Use --overwrite to replace it</source>
@@ -4113,6 +4333,10 @@
         <translation>Meter, Zentimeter, Millimeter oder Zoll schreiben</translation>
     </message>
     <message>
+        <source>`noctule --batch inspect` lists its subjects</source>
+        <translation>`noctule --batch inspect` zählt ihre Personen auf</translation>
+    </message>
+    <message>
         <source>`noctule --batch inspect` shows what is in it</source>
         <translation>`noctule --batch inspect` zeigt, was darin ist</translation>
     </message>
@@ -4121,12 +4345,20 @@
         <translation>eine Referenz</translation>
     </message>
     <message>
+        <source>all points, mm</source>
+        <translation>alle Punkte, mm</translation>
+    </message>
+    <message>
         <source>an external root</source>
         <translation>eine Wurzel von außen</translation>
     </message>
     <message>
         <source>batch</source>
         <translation>batch</translation>
+    </message>
+    <message>
+        <source>between, mm</source>
+        <translation>dazwischen, mm</translation>
     </message>
     <message>
         <source>board %1 is said to read other than 140 times a second, which sound cannot carry</source>
@@ -4145,8 +4377,16 @@
         <translation>der Schätzer %1 kennt nur einen Körper</translation>
     </message>
     <message>
+        <source>estimator environment needs anchors in the room, the take has none</source>
+        <translation>der Schätzer environment braucht Anker im Raum, die Aufnahme hat keine</translation>
+    </message>
+    <message>
         <source>free</source>
         <translation>frei</translation>
+    </message>
+    <message>
+        <source>from %.1f s to %.1f s of %.1f s</source>
+        <translation>von %.1f s bis %.1f s von %.1f s</translation>
     </message>
     <message>
         <source>full</source>
@@ -4169,16 +4409,36 @@
         <translation>imu9</translation>
     </message>
     <message>
+        <source>it has %1 cells, not 8</source>
+        <translation>sie hat %1 Zellen, nicht 8</translation>
+    </message>
+    <message>
         <source>it has no readings</source>
         <translation>sie hat keine Messwerte</translation>
+    </message>
+    <message>
+        <source>it holds no ranges between its suits or to a room</source>
+        <translation>sie enthält keine Entfernungen zwischen ihren Anzügen oder zu einem Raum</translation>
+    </message>
+    <message>
+        <source>it holds sound, from which ranges between suits are not measured yet</source>
+        <translation>sie enthält Schall, aus dem Punkte noch nicht gemessen werden</translation>
     </message>
     <message>
         <source>its readings were dropped while it was processed</source>
         <translation>ihre Messwerte wurden während der Verarbeitung verworfen</translation>
     </message>
     <message>
+        <source>its time does not increase</source>
+        <translation>ihre Zeit nimmt nicht zu</translation>
+    </message>
+    <message>
         <source>lag</source>
         <translation>lag</translation>
+    </message>
+    <message>
+        <source>length of the vector's error</source>
+        <translation>Länge des Fehlers des Vektors</translation>
     </message>
     <message>
         <source>linear in temperature</source>
@@ -4197,12 +4457,20 @@
         <translation>Nanosekunden</translation>
     </message>
     <message>
+        <source>near, mm</source>
+        <translation>nahe, mm</translation>
+    </message>
+    <message>
         <source>no board has readings of gyroscope and accelerometer</source>
         <translation>keine Platine hat Messwerte von Gyroskop und Beschleunigungssensor</translation>
     </message>
     <message>
         <source>no instant of the run has a reference</source>
         <translation>kein Zeitpunkt des Ergebnisses hat eine Referenz</translation>
+    </message>
+    <message>
+        <source>no point came out: its ranges end before the rest pose does</source>
+        <translation>es ergab sich kein Punkt: die Entfernungen enden vor der Ruhehaltung</translation>
     </message>
     <message>
         <source>no sensor has readings or attitudes</source>
@@ -4215,6 +4483,10 @@
     <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+    <message>
+        <source>nothing tells where %1 stands: while the rest pose was held, too few ranges fit</source>
+        <translation>nichts sagt, wo %1 steht: während der Ruhehaltung passten zu wenige Entfernungen</translation>
     </message>
     <message>
         <source>off</source>
@@ -4241,6 +4513,10 @@
         <translation>Rest uT</translation>
     </message>
     <message>
+        <source>rms error of all points over time</source>
+        <translation>quadratisches Mittel des Fehlers aller Punkte über der Zeit</translation>
+    </message>
+    <message>
         <source>s does not lie in the take of</source>
         <translation>s liegt nicht in der Aufnahme von</translation>
     </message>
@@ -4265,6 +4541,10 @@
         <translation>Streuung vorher %</translation>
     </message>
     <message>
+        <source>square root of the mean trace of the covariances</source>
+        <translation>Wurzel der mittleren Spur der Kovarianzen</translation>
+    </message>
+    <message>
         <source>strength uT</source>
         <translation>Stärke uT</translation>
     </message>
@@ -4275,6 +4555,14 @@
     <message>
         <source>the calibration knows none of the suit's boards (%1)</source>
         <translation>die Kalibrierung kennt keine der Platinen des Anzugs (%1)</translation>
+    </message>
+    <message>
+        <source>the columns are not</source>
+        <translation>die Spalten sind nicht</translation>
+    </message>
+    <message>
+        <source>the columns are not %1</source>
+        <translation>die Spalten sind nicht %1</translation>
     </message>
     <message>
         <source>the estimator lost its state at %1 s: the data contradict each other</source>
@@ -4301,6 +4589,14 @@
         <translation>es gibt keine Referenz eines einzelnen Sensors zum Vergleichen</translation>
     </message>
     <message>
+        <source>there is no row</source>
+        <translation>es gibt keine Zeile</translation>
+    </message>
+    <message>
+        <source>true distance of the nearest two points</source>
+        <translation>wahrer Abstand der nächsten zwei Punkte</translation>
+    </message>
+    <message>
         <source>turns before deg</source>
         <translation>Drehungen vorher deg</translation>
     </message>
@@ -4316,16 +4612,8 @@
 <context>
     <name>core/recording</name>
     <message>
-        <source>%1 ORDER BY id</source>
-        <translation>%1 ORDER BY id</translation>
-    </message>
-    <message>
         <source>%1 ORDER BY range.pulse,%2,range.board</source>
         <translation>%1 ORDER BY range.pulse,%2,range.board</translation>
-    </message>
-    <message>
-        <source>%1 WHERE id=?</source>
-        <translation>%1 WHERE id=?</translation>
     </message>
     <message>
         <source>%1 from others</source>
@@ -4350,10 +4638,6 @@
     <message>
         <source>%1%2 AND run=%3 ORDER BY 1,2</source>
         <translation>%1%2 AND run=%3 ORDER BY 1,2</translation>
-    </message>
-    <message>
-        <source>%1%2 ORDER BY id DESC LIMIT 1</source>
-        <translation>%1%2 ORDER BY id DESC LIMIT 1</translation>
     </message>
     <message>
         <source>%1: %2%3 stands beside it, so it is in use</source>
