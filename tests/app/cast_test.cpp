@@ -49,6 +49,26 @@ TEST(CastProgram, ATakeOfTwoGoesAllTheWay) {
     EXPECT_NE(judged.out.find("Bea"), std::string::npos) << judged.out;
 }
 
+/// Sound alone: who is heard is told by the carrier, and the boxes' clocks are found from what they heard.
+TEST(CastProgram, TheSoundOfTwoJoinsThem) {
+    SKIP_WITHOUT_MOTION();
+    const CastOfTwo two;
+    const std::string take = two.file("sound_001.noctule");
+    const Ran made = batch({"simulate", "--cast", two.cast(), "--out", take, "--level", "signal",
+                            "--duration", "1.5", "--rest-seconds", "1", "--seed", "3"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const Ran processed = batch({"process", take, "--between", "on", "--run-name", "joined"});
+    ASSERT_EQ(processed.exit_code, 0) << processed.err;
+    const Ran judged = batch({"evaluate", take, "--run", "joined", "--json"});
+    ASSERT_EQ(judged.exit_code, 0) << judged.err;
+    const auto between = judged.json()["between"];
+    ASSERT_FALSE(between.empty());
+    for (const auto& pair : between) {
+        EXPECT_LT(pair["rms_mm"].get<double>(), 25) << pair.dump();
+        EXPECT_LT(pair["heading_deg"].get<double>(), 1.5) << pair.dump();
+    }
+}
+
 TEST(CastProgram, AMistakeLeavesNoTake) {
     SKIP_WITHOUT_MOTION();
     const CastOfTwo two;
