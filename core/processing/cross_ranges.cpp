@@ -35,11 +35,6 @@ std::string obstacle(const ProcessRequest& request) {
     return "";
 }
 
-Vector3d calibratedPlace(const Source& source, const Calibration& calibration) {
-    const SourceCalibration* known = calibration.findSource(source.id);
-    return known && known->p_segment_source_m ? *known->p_segment_source_m : source.p_segment_source_m;
-}
-
 /// Where sources and boards are while a body stands, in one frame; without a body, in the room.
 void addPlaces(SoundOfSuit& suit, const Actor* actor) {
     const GlobalPose standing = actor ? globalPose(actor->skeleton, actor->restPose()) : GlobalPose{};

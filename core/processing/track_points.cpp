@@ -42,20 +42,21 @@ std::vector<int> housingsOf(const std::optional<RoomOfTake>& room) {
 
 class PointTracker {
 public:
-    PointTracker(const Take& take, const ProcessRequest& request, const PointsSink& sink)
+    PointTracker(Take& take, const ProcessRequest& request, const PointsSink& sink)
         : take_(take),
           sink_(sink),
           setup_(pointSetup(request.tracker.parameters)),
           settings_(filterSettings(request.tracker.estimator, setup_)) {}
 
     Result<PointsSummary> run(const ProcessRequest& request, std::vector<Ingredients> subjects,
-                              const TakeClocks& clocks, const JobContext& job) {
+                              TakeClocks clocks, const JobContext& job) {
         subjects_ = std::move(subjects);
         ProcessRequest joint = request;  // what joins subjects does not depend on what makes use of it
         joint.tracker = TrackerSettings{};
         if (subjects_.size() > 1 && request.between == Wanted::kAuto)
             joint.between = Wanted::kOn;  // what is in the way is an error here
-        auto joining = joinSubjects(take_, joint, subjects_, clocks, summary.warnings);
+        auto joining =
+            joinSubjects(take_, joint, subjects_, clocks, joint.tracker.spool_folder, summary.warnings, job);
         if (!joining)
             return joining.error();
         joining_ = std::move(*joining);
@@ -360,7 +361,7 @@ private:
         summary.used += static_cast<int64_t>(filter_->correct(ranges, static_cast<int>(target)));
     }
 
-    const Take& take_;
+    Take& take_;
     const PointsSink& sink_;
     const PointSetup setup_;
     const cooperative::PointFilterSettings settings_;
