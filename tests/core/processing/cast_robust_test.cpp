@@ -246,7 +246,14 @@ TEST_F(CastGoneWrong, WhomNobodyHearsIsNamed) {
     const ProcessSummary summary = processed(request());
     EXPECT_TRUE(summary.together);
     EXPECT_TRUE(says(summary, {"Bea cannot be joined"}));
-    EXPECT_LT(errorsOf(1).root_m, kUsual_m);
+    // As good as if there were no Bea: the room alone holds the other.
+    const ErrorsOfSuit beside = errorsOf(1);
+    ProcessRequest alone = request();
+    alone.subjects = {"Ada"};
+    processed(alone);
+    const ErrorsOfSuit without_bea = errorsOf(1);
+    EXPECT_NEAR(beside.root_m, without_bea.root_m, 0.001);
+    EXPECT_NEAR(beside.angles_deg, without_bea.angles_deg, 0.1);
 }
 
 TEST_F(CastGoneWrong, OneCarrierOfTwoSuitsIsSaidWithARemedy) {
