@@ -116,14 +116,14 @@ QString SentencePatterns::translated(const QString& english) const {
 SentencePatterns::Found SentencePatterns::find(const QString& english, int depth) const {
     if (const auto whole = whole_.constFind(english); whole != whole_.constEnd())
         return {*whole, lettersOf(english)};
-    if (english.size() > 1 && english.endsWith('.')) {
-        Found inner = find(english.chopped(1), depth);
-        return {inner.words + '.', inner.letters};
-    }
     if (depth >= kDeepest || english.size() > kLongestSplit)
         return {english, 0};
-    const Found pattern = byPattern(english, depth), split = bySplitting(english, depth);
-    const Found& best = split.letters > pattern.letters ? split : pattern;
+    Found best = byPattern(english, depth);
+    if (Found split = bySplitting(english, depth); split.letters > best.letters)
+        best = std::move(split);
+    if (english.size() > 1 && english.endsWith('.'))
+        if (const Found inner = find(english.chopped(1), depth + 1); inner.letters > best.letters)
+            best = {inner.words + '.', inner.letters};
     return best.letters > 0 ? best : Found{numberInWords(english), 0};
 }
 

@@ -45,6 +45,15 @@ TEST_F(CoreWords, SentencesNestAndFollowEachOther) {
               "a.bvh: ist nicht zu vergleichen (sie ist leer).");
 }
 
+TEST_F(CoreWords, FullStopsBelongToTheSentenceOrFollowIt) {
+    patterns_.add("%1. Mean error %2 against %3.", "%1. Mittlerer Fehler %2 gegen %3.");
+    patterns_.add("Good", "Gut");
+    patterns_.add("it is empty", "sie ist leer");
+    EXPECT_EQ(patterns_.translated("Good. Mean error 3.5 against a reference."),
+              "Gut. Mittlerer Fehler 3,5 gegen a reference.");
+    EXPECT_EQ(patterns_.translated("it is empty."), "sie ist leer.");
+}
+
 TEST_F(CoreWords, WhatIsNotKnownStaysAsItIs) {
     patterns_.add("%1 is bad", "%1 ist schlecht");
     EXPECT_EQ(patterns_.translated("/tmp/Is this good.bvh"), "/tmp/Is this good.bvh");
