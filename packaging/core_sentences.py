@@ -29,6 +29,13 @@ SKIPPED_FILES = re.compile(r"parameters?\.(cpp|h)$|_json\.cpp$|_csv\.cpp$")  # p
 # Rooms whose single words stand on the screen: heads of tables and labels of plots.
 ROOMS_OF_WORDS = {"core/report"}
 
+# What the sources put together of parts: grades, and joints and segments with their sides (core/body/text.cpp).
+GRADES = ("Good", "Usable", "Not usable")
+MIDDLE = ("Pelvis", "Lower back", "Abdomen", "Upper back", "Chest", "Base of the neck", "Neck", "Head")
+SIDED = ("clavicle", "shoulder", "upper arm", "elbow", "forearm", "wrist", "hand", "hip", "thigh", "knee", "shin", "ankle",
+         "foot", "toes")
+COMPOSED = (*GRADES, *MIDDLE, *(f"{side} {part}" for side in ("Left", "Right") for part in SIDED))
+
 
 def unescaped(token):
     body = token[1:-1] if not token.startswith("R") else token[token.index("(") + 1:token.rindex(")")]
@@ -129,6 +136,8 @@ def sentences():
             text = pattern(parts).strip()
             if is_sentence(text, alternative, room):
                 found.setdefault(text, room)
+    for text in COMPOSED:
+        found.setdefault(text, "core/body")
     return found
 
 
