@@ -82,11 +82,6 @@ std::vector<double> boardRates(const SuitModel& suit) {
     return rates_hz;
 }
 
-/// Some writers leave out the axes that clip.
-bool lacksAxes(const TriadReading& reading) {
-    return reading.count > 0 && !sensedVector(reading);
-}
-
 int64_t nanoseconds(double time_s) {
     return std::llround(time_s * 1e9);
 }
@@ -209,38 +204,6 @@ void ManifoldFilter::step(const StepInput& input) {
         tape_->push_back(frame({nanoseconds(seconds())}));
     else
         poses_.push_back(estimateAt(seconds()));
-}
-
-/// Per link: the gyroscope that turns with it is at the end of its range.
-std::vector<bool> ManifoldFilter::clippedLinks(const std::vector<InertialMeasurement>& measurements) const {
-    std::vector<bool> clipped(tree_.links().size(), false);
-    for (const InertialMeasurement& measurement : measurements) {
-        const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
-        if (link < 0)
-            continue;
-        // Some writers leave out the axes that clip; a single reading without them is a lost one.
-        const bool silent =
-            lacksAxes(measurement.gyro) && now_.rangings[static_cast<size_t>(link)].hasBeenSilent(seconds());
-        if (measurement.gyro.isClipped() || silent)
-            clipped[static_cast<size_t>(tree_.movingLink(link))] = true;
-    }
-    return clipped;
-}
-
-/// What a gyroscope at the end of its range did not see may have been anything a joint does.
-void ManifoldFilter::allowForClipping(const std::vector<InertialMeasurement>& measurements) {
-    if (measurements.empty())
-        return;
-    if (!learnsMotion())
-        now_.motion_noise.restart();
-    if (!parameters_.sensors.gyroscopes)
-        return;
-    const std::vector<bool> clipped = clippedLinks(measurements);
-    for (size_t i = 1; i < clipped.size(); ++i)
-        if (clipped[i])
-            now_.motion_noise.allowMost(tree_.links()[i]);
-    bringBackRunaways();
-    holdUnseenRates(clipped);
 }
 
 void ManifoldFilter::predict(double dt_s) {

@@ -14,7 +14,44 @@ namespace {
 constexpr double kFastest_rad_per_s = 200, kFast_rad_per_s = 20;
 constexpr double kUnknownTurn_rad = 1.5, kLostHinge_rad = 0.5;
 
+/// Some writers leave out the axes that clip.
+bool lacksAxes(const TriadReading& reading) {
+    return reading.count > 0 && !sensedVector(reading);
+}
+
 }  // namespace
+
+/// Per link: the gyroscope that turns with it is at the end of its range.
+std::vector<bool> ManifoldFilter::clippedLinks(const std::vector<InertialMeasurement>& measurements) const {
+    std::vector<bool> clipped(tree_.links().size(), false);
+    for (const InertialMeasurement& measurement : measurements) {
+        const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
+        if (link < 0)
+            continue;
+        // Some writers leave out the axes that clip; a single reading without them is a lost one.
+        const bool silent =
+            lacksAxes(measurement.gyro) && now_.rangings[static_cast<size_t>(link)].hasBeenSilent(seconds());
+        if (measurement.gyro.isClipped() || silent)
+            clipped[static_cast<size_t>(tree_.movingLink(link))] = true;
+    }
+    return clipped;
+}
+
+/// What a gyroscope at the end of its range did not see may have been anything a joint does.
+void ManifoldFilter::allowForClipping(const std::vector<InertialMeasurement>& measurements) {
+    if (measurements.empty())
+        return;
+    if (!learnsMotion())
+        now_.motion_noise.restart();
+    if (!parameters_.sensors.gyroscopes)
+        return;
+    const std::vector<bool> clipped = clippedLinks(measurements);
+    for (size_t i = 1; i < clipped.size(); ++i)
+        if (clipped[i])
+            now_.motion_noise.allowMost(tree_.links()[i]);
+    bringBackRunaways();
+    holdUnseenRates(clipped);
+}
 
 void ManifoldFilter::alignLimbs(const std::vector<InertialMeasurement>& measurements) {
     ChainMotion chain;

@@ -2,10 +2,12 @@
 // Rows say what a number means in the field's terms; what the code reads stands beside the settings.
 #include "core/estimation/manifold_parameters.h"
 
+#include "core/estimation/manifold_limb_parameters.h"
+
 namespace noctule {
 namespace {
 
-using Rows = ParameterTable<ManifoldSetup>;
+using Rows = ManifoldRows;
 
 Rows stepParameters() {
     return {
@@ -158,84 +160,6 @@ Rows measurementNoise() {
     };
 }
 
-Rows limbAlignment() {
-    return {
-        {"limb_alignment.memory", "s", 0.01, 100,
-         at(&ManifoldSetup::filter, &ManifoldParameters::alignment, &LimbAlignmentParameters::memory_s),
-         "Time constant of the forces that limb alignment compares.", "tuned on simulations"},
-        {"limb_alignment.least", "s", 0.01, 100,
-         at(&ManifoldSetup::filter, &ManifoldParameters::alignment, &LimbAlignmentParameters::least_s),
-         "Shortest time of forces before alignment decides.", "tuned on simulations"},
-        {"limb_alignment.suspected", "s", 0, 1000,
-         at(&ManifoldSetup::filter, &ManifoldParameters::alignment, &LimbAlignmentParameters::suspected_s),
-         "Time after a gap in a gyroscope's readings during which its limb may be found lost.",
-         "tuned on simulations"},
-        {"limb_alignment.longest_interval", "s", 0.001, 10,
-         at(&ManifoldSetup::filter, &ManifoldParameters::alignment, &LimbAlignmentParameters::longest_s),
-         "Interval between readings that counts as a gap.", "tuned on simulations"},
-        {"limb_alignment.error", "m/s^2", 0.001, 1000,
-         at(&ManifoldSetup::filter, &ManifoldParameters::alignment, &LimbAlignmentParameters::error_m_per_s2),
-         "Standard deviation of a compared force.", "tuned on simulations"},
-        {"limb_alignment.error_per_motion", "-", 0, 100,
-         at(&ManifoldSetup::filter, &ManifoldParameters::alignment,
-            &LimbAlignmentParameters::error_per_motion),
-         "Standard deviation of a compared force as a multiple of the recent force, on soft tissue.",
-         "tuned on simulations"},
-        {"limb_alignment.decay", "s", 0.001, 100,
-         at(&ManifoldSetup::filter, &ManifoldParameters::alignment, &LimbAlignmentParameters::wobble_s),
-         "Decay time of that recent force.", "tuned on simulations"},
-        {"limb_alignment.correlation_time", "s", 0.001, 100,
-         at(&ManifoldSetup::filter, &ManifoldParameters::alignment, &LimbAlignmentParameters::alike_s),
-         "Correlation time of force errors.", "tuned on simulations"},
-        {"limb_alignment.lost", "rad", 0.01, 3,
-         at(&ManifoldSetup::filter, &ManifoldParameters::alignment, &LimbAlignmentParameters::lost_rad),
-         "Attitude error from which a limb counts as lost.", "tuned on simulations"},
-        {"limb_alignment.lost_sigma", "sigma", 0.5, 100,
-         at(&ManifoldSetup::filter, &ManifoldParameters::alignment, &LimbAlignmentParameters::lost_sigma),
-         "Significance which that error needs.", "Wahba 1965, Markley 1988"},
-    };
-}
-
-Rows limbRanging() {
-    return {
-        {"limb_ranging.memory", "s", 0.01, 100,
-         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::memory_s),
-         "Time over which ranges are gathered in the search for a lost limb.", "tuned on simulations"},
-        {"limb_ranging.suspected", "s", 0, 1000,
-         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::suspected_s),
-         "Time after a gap in a gyroscope's readings during which its limb may be found lost.",
-         "tuned on simulations"},
-        {"limb_ranging.error", "m", 0.0001, 1,
-         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::error_m),
-         "Standard deviation added to a range in that search.", "tuned on simulations"},
-        {"limb_ranging.soft_tissue", "m", 0, 1,
-         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::flesh_m),
-         "The same, added on soft tissue.", "tuned on simulations"},
-        {"limb_ranging.laxity", "rad", 0.001, 3,
-         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::held_rad),
-         "Standard deviation of a joint in directions without freedom, in that search.",
-         "tuned on simulations"},
-        {"limb_ranging.alike", "count", 1, 1000,
-         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::alike),
-         "Ranges in a row that share one error.", "tuned on simulations"},
-        {"limb_ranging.contradicted", "-", 0.1, 1000,
-         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::contradicted),
-         "Mean squared normalised residual from which a limb is searched for.", "tuned on simulations"},
-        {"limb_ranging.lost", "rad", 0.01, 3,
-         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::lost_rad),
-         "Attitude error from which a limb counts as lost.", "tuned on simulations"},
-        {"limb_ranging.lost_sigma", "sigma", 0.5, 100,
-         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::lost_sigma),
-         "Significance which that error needs.", "tuned on simulations"},
-        {"limb_ranging.explained", "-", 0.1, 1000,
-         at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::explained),
-         "Largest mean squared normalised residual of a limb that was found.", "tuned on simulations"},
-        {"limb_ranging.interval", "s", 0.01, 100,
-         at(&ManifoldSetup::filter, &ManifoldParameters::search_interval_s),
-         "Interval between searches for lost limbs by ranges.", "tuned on simulations"},
-    };
-}
-
 Rows deltaVelocity() {
     return {
         {"delta_velocity.frames", "count", 2, 14000,
@@ -340,55 +264,6 @@ Rows posePrior() {
     };
 }
 
-Rows jointLaxity() {
-    return {
-        {"joint_laxity.estimated", "switch", 0, 1,
-         at(&ManifoldSetup::filter, &ManifoldParameters::joints_give),
-         "Let joints deviate from the actor's axes. 0: exact joints, as of a robot.",
-         "automatic relevance determination"},
-        {"joint_laxity.initial", "rad", 1e-05, 1,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::initial_rad),
-         "Initial standard deviation of the deviation from the actor's joint axis.", "tuned on simulations"},
-        {"joint_laxity.least", "rad", 1e-06, 1,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::least_rad),
-         "Lower limit of the learnt deviation.", "tuned on simulations"},
-        {"joint_laxity.most", "rad", 0.0001, 3,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::most_rad),
-         "Upper limit of the learnt deviation.", "tuned on simulations"},
-        {"joint_laxity.lost", "rad", 0.01, 3,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::lost_rad),
-         "Deviation from which the estimate of a hinge counts as lost.", "tuned on simulations"},
-        {"joint_laxity.lasting", "rad", 0.01, 3,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::lasting_rad),
-         "Largest deviation that may last.", "tuned on simulations"},
-        {"joint_laxity.relevant", "rad", 1e-05, 1,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::relevant_rad),
-         "Deviation below which a joint soon counts as rigid.", "tuned on simulations"},
-        {"joint_laxity.first", "s", 0.01, 1000,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::first_s),
-         "Time before deviations are learnt.", "tuned on simulations"},
-        {"joint_laxity.memory", "s", 0.01, 1000,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::memory_s),
-         "Time constant of learning.", "tuned on simulations"},
-        {"joint_laxity.constant", "s", 0.01, 1000,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::constant_s),
-         "Time after which a deviation counts as an error of the estimate.", "tuned on simulations"},
-        {"joint_laxity.correlation_short", "s", 0.001, 1000,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::trembles_s),
-         "Correlation time of deviations of rigid joints.", "tuned on simulations"},
-        {"joint_laxity.correlation_long", "s", 0.001, 10000,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::lasts_s),
-         "Correlation time of deviations of lax joints.", "tuned on simulations"},
-        {"joint_laxity.correlation_soft_tissue", "s", 0.001, 100000,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::lasts_on_flesh_s),
-         "Correlation time of deviations on soft tissue.", "tuned on simulations"},
-        {"joint_laxity.untaught", "rad", 0, 3,
-         at(&ManifoldSetup::filter, &ManifoldParameters::give, &GiveParameters::untaught_rad),
-         "Soft tissue's share in the uncertainty of a joint, for actors with ball joints only.",
-         "scenario realistic: two boards 3 degrees off"},
-    };
-}
-
 Rows groundContact() {
     return {
         {"ground.holds_feet", "switch", 0, 1,
@@ -481,9 +356,10 @@ Rows smoothers() {
 const ParameterTable<ManifoldSetup>& manifoldParameters() {
     static const Rows kTable = [] {
         Rows all;
-        for (const Rows& part : {stepParameters(), processNoise(), constantsAndRanges(), measurementNoise(),
-                                 limbAlignment(), limbRanging(), deltaVelocity(), initialValues(),
-                                 clippedReadings(), posePrior(), jointLaxity(), groundContact(), smoothers()})
+        for (const Rows& part :
+             {stepParameters(), processNoise(), constantsAndRanges(), measurementNoise(), limbAlignmentRows(),
+              limbRangingRows(), deltaVelocity(), initialValues(), clippedReadings(), posePrior(),
+              jointLaxityRows(), groundContact(), smoothers()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

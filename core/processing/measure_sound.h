@@ -16,7 +16,7 @@ namespace noctule {
 
 /// One suit whose sound is measured: a subject's, or the room's.
 struct SoundOfSuit {
-    int suit = 1;
+    int suit = kSuitInView;  ///< as rows of the take count it
     Suit described;
     Calibration calibration;
     DecoderSettings decoder;

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of manifold_parameters.h about limbs: how far joints give, and how lost limbs are found.
+#pragma once
+
+#include "core/estimation/manifold_parameters.h"
+
+namespace noctule {
+
+using ManifoldRows = ParameterTable<ManifoldSetup>;
+
+ManifoldRows limbAlignmentRows();
+ManifoldRows limbRangingRows();
+ManifoldRows jointLaxityRows();
+
+}  // namespace noctule

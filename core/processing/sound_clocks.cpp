@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/processing/sound_clocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/cooperative/coarse_clock.h"
+
+namespace noctule {
+namespace {
+
+constexpr double kStretch_s = 1.5, kStretchesApart_s = 10;  ///< in which the clocks are sought
+constexpr double kOutlier_s = 0.001;
+constexpr std::ptrdiff_t kRecent = 12;  ///< stretches
+
+struct Point {
+    double take_s, ahead_s;
+};
+
+/// The line through most of the points.
+ClockError lineThrough(std::vector<Point> points) {
+    ClockError line{points.front().ahead_s, 0};
+    if (points.size() == 1)
+        return line;
+    size_t most = 0;
+    for (size_t i = 0; i < points.size(); ++i)
+        for (size_t k = i + 1; k < points.size(); ++k) {
+            const double slope =
+                (points[k].ahead_s - points[i].ahead_s) / (points[k].take_s - points[i].take_s);
+            const ClockError candidate{points[i].ahead_s - slope * points[i].take_s, slope};
+            const auto fits = static_cast<size_t>(std::ranges::count_if(points, [&](const Point& p) {
+                return std::abs(p.ahead_s - candidate.at(p.take_s)) < kOutlier_s;
+            }));
+            if (fits > most)
+                most = fits, line = candidate;
+        }
+    std::erase_if(points,
+                  [&](const Point& p) { return std::abs(p.ahead_s - line.at(p.take_s)) > kOutlier_s; });
+    double n = 0, t = 0, a = 0, tt = 0, ta = 0;
+    for (const Point& p : points)
+        n += 1, t += p.take_s, a += p.ahead_s, tt += p.take_s * p.take_s, ta += p.take_s * p.ahead_s;
+    const double spread = n * tt - t * t;
+    if (!(spread > 0))
+        return line;
+    const double slope = (n * ta - t * a) / spread;
+    return {(a - slope * t) / n, slope};
+}
+
+/// By source: a board that is near it on the same suit.
+std::vector<int> boardsNear(const Suit& suit) {
+    std::vector<int> near;
+    for (const Source& source : suit.sources) {
+        int board = source.board.empty() ? -1 : suit.findBoard(source.board);
+        for (size_t b = 0; b < suit.boards.size() && board < 0 && !source.segment.empty(); ++b)
+            if (suit.boards[b].segment == source.segment)
+                board = static_cast<int>(b);
+        near.push_back(board);
+    }
+    return near;
+}
+
+class SoundClocks {
+public:
+    SoundClocks(const Take& take, std::vector<SoundParty>& parties, std::vector<std::string>& warnings,
+                const JobContext& job)
+        : take_(take), parties_(parties), warnings_(warnings), job_(job) {}
+
+    Status run() {
+        parties_.front().is_joined = true;
+        if (const auto shared = take_.meta().find("clock_shared");
+            shared != take_.meta().end() && shared->second == "1") {
+            for (SoundParty& party : parties_)
+                party.is_joined = true;
+            return Done{};
+        }
+        for (bool any = true; any;) {  // from those that are joined to those that they hear
+            any = false;
+            for (size_t a = 0; a < parties_.size(); ++a)
+                for (size_t b = 0; b < parties_.size(); ++b) {
+                    if (!parties_[a].is_joined || parties_[b].is_joined)
+                        continue;
+                    const auto found = clockBetween(a, b);
+                    if (!found)
+                        return found.error();
+                    if (!*found)
+                        continue;
+                    const ClockError& known = parties_[a].error;
+                    parties_[b].error = {(*found)->at_0_s + known.at_0_s, (*found)->slope + known.slope};
+                    parties_[b].is_joined = any = true;
+                }
+        }
+        for (const SoundParty& party : parties_)
+            if (!party.is_joined)
+                warnings_.push_back(
+                    "The clock of suit " + std::to_string(party.of.suit) +
+                    " cannot be found from the sound: it and the others do not hear each other well "
+                    "enough. Distances to it are not used.");
+        return Done{};
+    }
+
+    FirstWays ways;
+
+private:
+    Result<std::optional<ClockError>> clockBetween(size_t a, size_t b) {
+        std::optional<ClockError> none;
+        if (!parties_[a].sounds())
+            return none;
+        const SoundParty& first = parties_[a];
+        const double begin_s = first.guessedTake_s(static_cast<double>(first.log.pulses.front().sample));
+        const double end_s = first.guessedTake_s(static_cast<double>(first.log.pulses.back().sample));
+        const int stretches = std::max(1, static_cast<int>((end_s - begin_s) / kStretchesApart_s) + 1);
+        std::vector<Point> points;
+        std::optional<cooperative::CoarseClock> before;
+        for (int i = 0; i < stretches; ++i) {  // the first lies where the standing pose is held
+            const double from_s = begin_s + (end_s - begin_s - kStretch_s) * i / stretches;
+            auto there = listen(a, b, from_s), back = listen(b, a, from_s);
+            if (!there)
+                return there.error();
+            if (!back)
+                return back.error();
+            if (const auto found = cooperative::coarseClock(*there, *back, before)) {
+                before = found;
+                if (points.empty())
+                    ways[{a, b}] = ways[{b, a}] = found->way_s;
+                points.push_back({from_s + kStretch_s / 2, found->ahead_s});
+            }
+            // Where nobody is heard for a while, the clock is believed to go on as it did.
+            if (before && points.size() > 1)
+                before->ahead_s =
+                    lineThrough({points.end() - std::min(std::ssize(points), kRecent), points.end()})
+                        .at(from_s + kStretchesApart_s + kStretch_s / 2);
+            job_.progress(0, "Finding the clocks");
+            if (job_.cancelled())
+                return JobContext::cancelledError();
+        }
+        if (points.empty())
+            return none;
+        return std::optional(lineThrough(std::move(points)));
+    }
+
+    /// Everything that the boards of one suit hear on the carrier of another for a while.
+    Result<cooperative::Direction> listen(size_t a, size_t b, double from_s) {
+        const SoundParty &from = parties_[a], &to = parties_[b];
+        cooperative::Direction direction;
+        direction.interval_s = from.of.decoder.train.interval_samples / from.rate_hz();
+        direction.board_near = boardsNear(from.of.described);
+        direction.places_m = from.of.source_places_m;
+        direction.boards_m = to.of.board_places_m;
+        direction.from_room = from.of.is_room;
+        auto receiver = receiverBetween(from, to);
+        if (!receiver)
+            return receiver.error();
+        const auto first = static_cast<int64_t>(to.sampleAt(from_s));
+        const auto end = static_cast<int64_t>(to.sampleAt(from_s + kStretch_s));
+        std::vector<double> emissions;
+        std::vector<PulseDetection> heard;
+        const Status read =
+            take_.forEachBlock(to.of.suit, SampleInterval{first, end}, [&](const AdcBlock& block) {
+                receiver->pushBlock(block.first_sample, block.values);
+                return !job_.cancelled();
+            });
+        if (!read)
+            return read.error();
+        for (const Pulse& pulse : from.log.pulses) {
+            const double sample = to.sampleAt(from.guessedTake_s(static_cast<double>(pulse.sample)));
+            if (sample < static_cast<double>(first) || sample > static_cast<double>(end))
+                continue;
+            receiver->pushPulse(
+                {static_cast<int64_t>(emissions.size()), static_cast<int64_t>(sample), pulse.source});
+            emissions.push_back(sample);
+            direction.sources.push_back(pulse.source);
+        }
+        receiver->finish(heard);
+        for (const PulseDetection& one : heard)
+            if (!one.gap && !one.clipped && one.snr() >= RangeSettings{}.min_snr) {
+                const double delay_s =
+                    (one.arrival_sample - emissions[static_cast<size_t>(one.pulse.id)]) / to.rate_hz();
+                direction.arrivals.push_back({static_cast<int>(one.pulse.id), one.board,
+                                              std::clamp(delay_s, 0.0, direction.interval_s)});
+            }
+        return direction;
+    }
+
+    const Take& take_;
+    std::vector<SoundParty>& parties_;
+    std::vector<std::string>& warnings_;
+    const JobContext& job_;
+};
+
+}  // namespace
+
+Result<PulseReceiver> receiverBetween(const SoundParty& from, const SoundParty& to) {
+    PulseTrain train = from.of.decoder.train;
+    train.sample_rate_hz = to.rate_hz();
+    return PulseReceiver::create(from.of.decoder.detector, train,
+                                 static_cast<int>(to.of.described.boards.size()),
+                                 shapesOf(from.of.described, from.of.calibration));
+}
+
+Result<FirstWays> findSoundClocks(const Take& take, std::vector<SoundParty>& parties,
+                                  std::vector<std::string>& warnings, const JobContext& job) {
+    SoundClocks clocks(take, parties, warnings, job);
+    if (Status found = clocks.run(); !found)
+        return found.error();
+    return std::move(clocks.ways);
+}
+
+}  // namespace noctule
