@@ -4113,6 +4113,10 @@
         <translation>Die Aufnahme noch einmal exportieren</translation>
     </message>
     <message>
+        <source>Finding the clocks</source>
+        <translation>Uhren werden gesucht</translation>
+    </message>
+    <message>
         <source>Free some space there and process the take</source>
         <translation>Dort Platz schaffen und die Aufnahme verarbeiten</translation>
     </message>
@@ -4375,6 +4379,10 @@
     <message>
         <source>The calibration lacks the shape of pulses; it was learnt from this take's sound for</source>
         <translation>Der Kalibrierung fehlt die Form der Pulse; sie wurde aus dem Ton dieser Aufnahme gelernt für</translation>
+    </message>
+    <message>
+        <source>The clock of suit %1 cannot be found from the sound: it and the others do not hear each other well enough. Distances to it are not used.</source>
+        <translation>Die Uhr des Anzugs %1 lässt sich aus dem Schall nicht finden: Er und die anderen hören einander nicht gut genug. Abstände zu ihm werden nicht benutzt.</translation>
     </message>
     <message>
         <source>The clock of suit %1 cannot be joined to that of suit %2: no transceivers of both hear each other. It stands alone, at the recorder's guess, which may be 5 ms off.</source>
