@@ -115,7 +115,7 @@ def pattern(parts):
 
 def is_sentence(text, alternative, room):
     plain = re.sub(r"%\d+", "", text)
-    if NO_SENTENCE.search(plain) or not text.isprintable() or re.search(r"[^\x00-\u2fff]", plain):
+    if NO_SENTENCE.search(plain) or not text.replace("\u00a0", " ").isprintable() or re.search(r"[^\x00-\u2fff]", plain):
         return False
     words = re.findall(r"[A-Za-z]{2,}", plain)
     if (alternative and plain.strip()[:1].islower()) or (room in ROOMS_OF_WORDS and plain[:1].isupper()):

@@ -5434,6 +5434,10 @@
         <translation>Alle Gelenke</translation>
     </message>
     <message>
+        <source>All joints °</source>
+        <translation>Alle Gelenke °</translation>
+    </message>
+    <message>
         <source>All pairs</source>
         <translation>Alle Paare</translation>
     </message>
@@ -5714,6 +5718,10 @@
         <translation>Links</translation>
     </message>
     <message>
+        <source>Left hip °</source>
+        <translation>Linke Hüfte °</translation>
+    </message>
+    <message>
         <source>LeftFoot</source>
         <translation>LeftFoot</translation>
     </message>
@@ -5816,6 +5824,10 @@
     <message>
         <source>Neck</source>
         <translation>Hals</translation>
+    </message>
+    <message>
+        <source>Neck °</source>
+        <translation>Hals °</translation>
     </message>
     <message>
         <source>No run of this take has been compared: it has no reference, or was not processed yet.</source>
@@ -5932,6 +5944,10 @@
     <message>
         <source>Right</source>
         <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Right shoulder °</source>
+        <translation>Rechte Schulter °</translation>
     </message>
     <message>
         <source>RightArm</source>

@@ -158,9 +158,14 @@ SentencePatterns::Found SentencePatterns::bySplitting(const QString& english, in
         const int at = english.indexOf(QLatin1String(between));
         if (at <= 0)
             continue;
-        const Found before = find(english.left(at), depth + 1), behind = find(english.mid(at + 2), depth + 1);
+        Found before = find(english.left(at), depth + 1);
+        before.words += between[0];
+        if (*between == '.')  // the full stop may belong to the sentence
+            if (Found whole = find(english.left(at + 1), depth + 1); whole.letters > before.letters)
+                before = std::move(whole);
+        const Found behind = find(english.mid(at + 2), depth + 1);
         if (before.letters + behind.letters > best.letters)
-            best = {before.words + between + behind.words, before.letters + behind.letters};
+            best = {before.words + ' ' + behind.words, before.letters + behind.letters};
     }
     return best;
 }

@@ -6,6 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <QLocale>
+#include <QRegularExpression>
+
+#include "core/report/html_report.h"
+#include "tests/core/report/made_report.h"
 
 namespace noctule::ui {
 namespace {
@@ -54,6 +58,14 @@ TEST_F(CoreWords, FullStopsBelongToTheSentenceOrFollowIt) {
     EXPECT_EQ(patterns_.translated("it is empty."), "sie ist leer.");
 }
 
+TEST_F(CoreWords, AFullStopOfAPatternMayStandInTheMiddle) {
+    patterns_.add("Run %1: root %2.", "Lauf %1: Wurzel %2.");
+    patterns_.add("Compared over %1.", "Verglichen über %1.");
+    patterns_.add("free", "frei");
+    EXPECT_EQ(patterns_.translated("Run A: root free. Compared over 20 s."),
+              "Lauf A: Wurzel frei. Verglichen über 20 s.");
+}
+
 TEST_F(CoreWords, WhatIsNotKnownStaysAsItIs) {
     patterns_.add("%1 is bad", "%1 ist schlecht");
     EXPECT_EQ(patterns_.translated("/tmp/Is this good.bvh"), "/tmp/Is this good.bvh");
@@ -76,6 +88,31 @@ TEST_F(CoreWords, TagsAndStylesOfADocumentStayTextsDoNot) {
               "mm</b></html>");
     QLocale::setDefault(QLocale(QLocale::English));
     EXPECT_EQ(coreMarkup(page), page);
+}
+
+/// The texts of a page in which English words are left, without what the operator wrote.
+QStringList englishIn(const QString& page, const QString& of_the_operator) {
+    static const QRegularExpression text("<style.*?</style>|>([^<>]+)<",
+                                         QRegularExpression::DotMatchesEverythingOption);
+    static const QRegularExpression english(
+        "\\b(the|of|and|with|is|are|to|over|mean|run|none|joint|board|source|left|right|free|given)\\b",
+        QRegularExpression::CaseInsensitiveOption);
+    QStringList found;
+    for (auto match = text.globalMatch(page); match.hasNext();) {
+        const QString words = match.next().captured(1).trimmed();
+        if (words.contains(english) && !words.contains(of_the_operator) && !found.contains(words))
+            found.append(words);
+    }
+    return found;
+}
+
+TEST_F(CoreWords, AReportIsGermanToItsLastSentence) {
+    const ReportData data = test::madeReport(20);
+    const QString page = QString::fromStdString(coreMarkup(htmlReport(data)));
+    ASSERT_GT(page.size(), 10'000);
+    EXPECT_EQ(englishIn(page, "Second round").join("\n"), "");
+    QLocale::setDefault(QLocale(QLocale::English));
+    EXPECT_GT(englishIn(QString::fromStdString(htmlReport(data)), "Second round").size(), 50);
 }
 
 }  // namespace
