@@ -110,7 +110,7 @@ TEST_F(CoreWords, AReportIsGermanToItsLastSentence) {
     const ReportData data = test::madeReport(20);
     const QString page = QString::fromStdString(coreMarkup(htmlReport(data)));
     ASSERT_GT(page.size(), 10'000);
-    EXPECT_EQ(englishIn(page, "Second round").join("\n"), "");
+    EXPECT_EQ(englishIn(page, "Second round").join("\n").toStdString(), "");
     QLocale::setDefault(QLocale(QLocale::English));
     EXPECT_GT(englishIn(QString::fromStdString(htmlReport(data)), "Second round").size(), 50);
 }
