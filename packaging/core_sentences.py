@@ -24,7 +24,7 @@ CLOSING = {"(": ")", "{": "}", "[": "]"}
 ENDS_CHAIN = set(", ; = return ? : << && || == != < > <= >= += case".split())
 # What is never shown: broken promises of our own, what a table or a statement of a file says.
 SKIPPED_CALLS = {"require", "static_assert", "NOCTULE_REQUIRE"}
-NO_SENTENCE = re.compile(r"[<>{}$]|SELECT|INSERT|CREATE|DELETE|PRAGMA|UPDATE|http|^\s*--|^#|\w+,\w+,|_[a-z]|::|\\")
+NO_SENTENCE = re.compile(r"[<>{}$]|SELECT|ORDER BY|INSERT|CREATE|DELETE|PRAGMA|UPDATE|http|^\s*--|^#|\w+,\w+,|_[a-z]|::|\\")
 SKIPPED_FILES = re.compile(r"parameters?\.(cpp|h)$|_json\.cpp$|_csv\.cpp$")  # parameters are told by --batch alone
 # Rooms whose single words stand on the screen: heads of tables and labels of plots.
 ROOMS_OF_WORDS = {"core/report"}
@@ -33,8 +33,12 @@ ROOMS_OF_WORDS = {"core/report"}
 GRADES = ("Good", "Usable", "Not usable")
 MIDDLE = ("Pelvis", "Lower back", "Abdomen", "Upper back", "Chest", "Base of the neck", "Neck", "Head")
 SIDED = ("clavicle", "shoulder", "upper arm", "elbow", "forearm", "wrist", "hand", "hip", "thigh", "knee", "shin", "ankle",
-         "foot", "toes")
-COMPOSED = (*GRADES, *MIDDLE, *(f"{side} {part}" for side in ("Left", "Right") for part in SIDED))
+         "foot", "toes", "arm", "leg")
+FATES = ("used", "rejected by the gate", "heard but unused", "hidden by the body", "missing")
+COMPOSED = (*GRADES, *MIDDLE, *(f"{side} {part}" for side in ("Left", "Right") for part in SIDED),
+            *(f"{fate} %1" for fate in FATES), "root given")
+# text::plural(count, "frame", "frames") says "%1 frames".
+PLURAL = re.compile(r'\bplural\([^;]*?,\s*"([a-z][^"]*)",\s*"([a-z][^"]*)"\)')
 
 
 def unescaped(token):
@@ -113,6 +117,17 @@ def pattern(parts):
     return text
 
 
+def texts_of(text):
+    """The text itself, or of a piece of a page what stands between its tags."""
+    if "<" not in text or ">" not in text:
+        return [text.strip()]
+    found = []
+    for piece in re.findall(r'(?<=>)[^<>]+(?=<|$)|(?<=aria-label=\\")[^"]+(?=\\")', text):
+        values = iter(range(1, 100))
+        found.append(re.sub(r"%\d+", lambda _: f"%{next(values)}", piece).strip())
+    return found
+
+
 def is_sentence(text, alternative, room):
     plain = re.sub(r"%\d+", "", text)
     if NO_SENTENCE.search(plain) or not text.replace("\u00a0", " ").isprintable() or re.search(r"[^\x00-\u2fff]", plain):
@@ -120,6 +135,8 @@ def is_sentence(text, alternative, room):
     words = re.findall(r"[A-Za-z]{2,}", plain)
     if (alternative and plain.strip()[:1].islower()) or (room in ROOMS_OF_WORDS and plain[:1].isupper()):
         return bool(words) and len(plain) > 2
+    if room in ROOMS_OF_WORDS and " " in text and len("".join(words)) > 3 and not re.search("[=;]", plain) and re.search(r"%\d", text):
+        return True
     return len(words) >= 2 and " " in plain.strip() and any(word.islower() for word in words)
 
 
@@ -132,10 +149,14 @@ def sentences():
         if SKIPPED_FILES.search(name):
             continue
         room = str(pathlib.Path(name).parent)
-        for parts, alternative in Chains((ROOT / name).read_text()).found:
-            text = pattern(parts).strip()
-            if is_sentence(text, alternative, room):
-                found.setdefault(text, room)
+        source = (ROOT / name).read_text()
+        for counted in PLURAL.findall(source):
+            for word in counted:
+                found.setdefault(f"%1 {word}", "core/body")
+        for parts, alternative in Chains(source).found:
+            for text in texts_of(pattern(parts)):
+                if is_sentence(text, alternative, room):
+                    found.setdefault(text, room)
     for text in COMPOSED:
         found.setdefault(text, "core/body")
     return found

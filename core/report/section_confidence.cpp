@@ -24,12 +24,12 @@ std::string words(const char* css_class, double x, double y, const std::string& 
 }
 
 std::string cellSentence(const ReportData& data, const ReportPair& pair, const RangeStatistics& s) {
-    std::string sentence = sourceLabel(data, pair.source) + " to " + boardLabel(data, pair.board) +
-                           ": mean " + text::number(s.meanConfidence(), 2) + ", " +
-                           text::count(s.of(PulseFate::kUsed)) + " ranges used, " +
-                           text::count(s.of(PulseFate::kRejected)) + " rejected";
-    if (const auto residual_m = s.residualRms_m())
-        sentence += ", residual " + text::number(1000 * *residual_m, 1) + " mm";
+    const auto residual_m = s.residualRms_m();
+    const std::string sentence =
+        sourceLabel(data, pair.source) + " to " + boardLabel(data, pair.board) + ": mean " +
+        text::number(s.meanConfidence(), 2) + ", " + text::count(s.of(PulseFate::kUsed)) + " ranges used, " +
+        text::count(s.of(PulseFate::kRejected)) + " rejected, " +
+        (residual_m ? "residual " + text::number(1000 * *residual_m, 1) + " mm" : "no residual");
     return text::capitalised(sentence);
 }
 

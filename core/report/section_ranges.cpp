@@ -18,7 +18,7 @@ constexpr double kStripTop_px = 4, kStripRow_px = 14;
 
 const std::vector<std::pair<std::string, std::string>> kFateKey = {{"used", "used"},
                                                                    {"rejected", "rejected by the gate"},
-                                                                   {"unused", "heard, not used"},
+                                                                   {"unused", "heard but unused"},
                                                                    {"occluded", "hidden by the body"},
                                                                    {"missing", "missing"}};
 
@@ -157,7 +157,7 @@ std::string distancePlot(const ReportData& data, const ReportPair& pair) {
     plot.value_decimals = plot.values.span() < 0.5 ? 2 : 1;
     plot.unit = " m";
     plot.height_px = 96;
-    plot.dots = {{time_s[2], distance_m[2], "dot unused", "heard, not used"},
+    plot.dots = {{time_s[2], distance_m[2], "dot unused", "heard but unused"},
                  {time_s[0], distance_m[0], "dot", "used"},
                  {time_s[1], distance_m[1], "dot rejected", "rejected"}};
     return svg(plot);

@@ -110,12 +110,60 @@
 <context>
     <name>core/body</name>
     <message>
+        <source>%1 distance</source>
+        <translation>%1 Entfernung</translation>
+    </message>
+    <message>
+        <source>%1 distances</source>
+        <translation>%1 Entfernungen</translation>
+    </message>
+    <message>
+        <source>%1 frame</source>
+        <translation>%1 Bild</translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 Bilder</translation>
+    </message>
+    <message>
         <source>%1 is free but not the root</source>
         <translation>%1 ist frei, aber nicht die Wurzel</translation>
     </message>
     <message>
+        <source>%1 joint</source>
+        <translation>%1 Gelenk</translation>
+    </message>
+    <message>
+        <source>%1 joint is</source>
+        <translation>%1 Gelenk ist</translation>
+    </message>
+    <message>
+        <source>%1 joints</source>
+        <translation>%1 Gelenke</translation>
+    </message>
+    <message>
+        <source>%1 joints are</source>
+        <translation>%1 Gelenke sind</translation>
+    </message>
+    <message>
         <source>%1 lists %2 freedoms, which does not fit its type</source>
         <translation>%1 führt %2 Freiheiten auf, was nicht zu seiner Art passt</translation>
+    </message>
+    <message>
+        <source>%1 reading</source>
+        <translation>%1 Messwert</translation>
+    </message>
+    <message>
+        <source>%1 readings</source>
+        <translation>%1 Messwerte</translation>
+    </message>
+    <message>
+        <source>%1 rest pose</source>
+        <translation>%1 Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>%1 rest poses</source>
+        <translation>%1 Ruhehaltungen</translation>
     </message>
     <message>
         <source>%1: an offset is not a finite number</source>
@@ -178,6 +226,10 @@
         <translation>Linkes Sprunggelenk</translation>
     </message>
     <message>
+        <source>Left arm</source>
+        <translation>Linker Arm</translation>
+    </message>
+    <message>
         <source>Left clavicle</source>
         <translation>Linkes Schlüsselbein</translation>
     </message>
@@ -204,6 +256,10 @@
     <message>
         <source>Left knee</source>
         <translation>Linkes Knie</translation>
+    </message>
+    <message>
+        <source>Left leg</source>
+        <translation>Linkes Bein</translation>
     </message>
     <message>
         <source>Left shin</source>
@@ -254,6 +310,10 @@
         <translation>Rechtes Sprunggelenk</translation>
     </message>
     <message>
+        <source>Right arm</source>
+        <translation>Rechter Arm</translation>
+    </message>
+    <message>
         <source>Right clavicle</source>
         <translation>Rechtes Schlüsselbein</translation>
     </message>
@@ -280,6 +340,10 @@
     <message>
         <source>Right knee</source>
         <translation>Rechtes Knie</translation>
+    </message>
+    <message>
+        <source>Right leg</source>
+        <translation>Rechtes Bein</translation>
     </message>
     <message>
         <source>Right shin</source>
@@ -322,6 +386,14 @@
         <translation>foot talus</translation>
     </message>
     <message>
+        <source>heard but unused %1</source>
+        <translation>gehört, aber unbenutzt %1</translation>
+    </message>
+    <message>
+        <source>hidden by the body %1</source>
+        <translation>vom Körper verdeckt %1</translation>
+    </message>
+    <message>
         <source>hip leg</source>
         <translation>hip leg</translation>
     </message>
@@ -338,12 +410,24 @@
         <translation>unterer Rücken</translation>
     </message>
     <message>
+        <source>missing %1</source>
+        <translation>fehlend %1</translation>
+    </message>
+    <message>
         <source>neck0 neck1 neckbase</source>
         <translation>neck0 neck1 neckbase</translation>
     </message>
     <message>
+        <source>rejected by the gate %1</source>
+        <translation>vom Gate verworfen %1</translation>
+    </message>
+    <message>
         <source>root bip01 bip001 bip</source>
         <translation>root bip01 bip001 bip</translation>
+    </message>
+    <message>
+        <source>root given</source>
+        <translation>Wurzel vorgegeben</translation>
     </message>
     <message>
         <source>the skeleton has no joints</source>
@@ -364,6 +448,10 @@
     <message>
         <source>upper back</source>
         <translation>oberer Rücken</translation>
+    </message>
+    <message>
+        <source>used %1</source>
+        <translation>benutzt %1</translation>
     </message>
 </context>
 <context>
@@ -4756,10 +4844,6 @@
 <context>
     <name>core/recording</name>
     <message>
-        <source>%1 ORDER BY range.pulse,%2,range.board</source>
-        <translation>%1 ORDER BY range.pulse,%2,range.board</translation>
-    </message>
-    <message>
         <source>%1 from others</source>
         <translation>%1 von anderen</translation>
     </message>
@@ -4774,14 +4858,6 @@
     <message>
         <source>%1 of suit %2</source>
         <translation>%1 von Anzug %2</translation>
-    </message>
-    <message>
-        <source>%1%2 AND %3 AND board=? ORDER BY frame</source>
-        <translation>%1%2 AND %3 AND board=? ORDER BY frame</translation>
-    </message>
-    <message>
-        <source>%1%2 AND run=%3 ORDER BY 1,2</source>
-        <translation>%1%2 AND run=%3 ORDER BY 1,2</translation>
     </message>
     <message>
         <source>%1: %2%3 stands beside it, so it is in use</source>
@@ -5342,6 +5418,10 @@
 <context>
     <name>core/report</name>
     <message>
+        <source>%1 (board %2)</source>
+        <translation>%1 (Platine %2)</translation>
+    </message>
+    <message>
         <source>%1 against the reference</source>
         <translation>%1 gegen die Referenz</translation>
     </message>
@@ -5370,8 +5450,16 @@
         <translation>%1 s Bewegung</translation>
     </message>
     <message>
-        <source>%1 to %2: mean %3, %4 ranges used, %5 rejected</source>
-        <translation>%1 zu %2: Mittel %3, %4 Entfernungen verwendet, %5 verworfen</translation>
+        <source>%1 to %2: mean %3, %4 ranges used, %5 rejected, %6</source>
+        <translation>%1 zu %2: im Mittel %3, %4 Entfernungen benutzt, %5 verworfen, %6</translation>
+    </message>
+    <message>
+        <source>%1, angle</source>
+        <translation>%1, Winkel</translation>
+    </message>
+    <message>
+        <source>%1, mean %2</source>
+        <translation>%1, im Mittel %2</translation>
     </message>
     <message>
         <source>%1, orientation difference</source>
@@ -5392,10 +5480,6 @@
     <message>
         <source>, its nominal speed</source>
         <translation>, seine Nenndrehzahl</translation>
-    </message>
-    <message>
-        <source>, residual %1 mm</source>
-        <translation>, Restfehler %1 mm</translation>
     </message>
     <message>
         <source>, root given</source>
@@ -5766,8 +5850,16 @@
         <translation>Erstellt</translation>
     </message>
     <message>
+        <source>Made by Noctule. %1</source>
+        <translation>Mit Noctule erstellt. %1</translation>
+    </message>
+    <message>
         <source>Mean</source>
         <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Mean confidence of every pair</source>
+        <translation>Mittlere Konfidenz jedes Paars</translation>
     </message>
     <message>
         <source>Mean joint error over time, runs with gyroscopes</source>
@@ -5860,6 +5952,14 @@
     <message>
         <source>Offsets of %1 sources;</source>
         <translation>Versätze von %1 Quellen;</translation>
+    </message>
+    <message>
+        <source>One row per board; gaps are pale</source>
+        <translation>Eine Zeile je Platine; Lücken sind blass</translation>
+    </message>
+    <message>
+        <source>One row per source, one column per board; each cell names its figures</source>
+        <translation>Eine Zeile je Quelle, eine Spalte je Platine; jede Zelle nennt ihre Zahlen</translation>
     </message>
     <message>
         <source>Orientation differences to the reference by sensors, in degrees</source>
@@ -6028,6 +6128,10 @@
     <message>
         <source>Sources</source>
         <translation>Quellen</translation>
+    </message>
+    <message>
+        <source>Sources in use by board over time</source>
+        <translation>Benutzte Quellen je Platine über der Zeit</translation>
     </message>
     <message>
         <source>Sources in use, by board over time</source>
@@ -6298,6 +6402,10 @@
         <translation>vier und mehr</translation>
     </message>
     <message>
+        <source>from %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
         <source>given by another system</source>
         <translation>von einem anderen System gegeben</translation>
     </message>
@@ -6318,8 +6426,8 @@
         <translation>Hände, Füße und Kopf, mittlerer Positionsfehler im Bezugssystem des Beckens</translation>
     </message>
     <message>
-        <source>heard, not used</source>
-        <translation>gehört, nicht verwendet</translation>
+        <source>heard but unused</source>
+        <translation>gehört, aber unbenutzt</translation>
     </message>
     <message>
         <source>hidden by the body</source>
@@ -6386,6 +6494,10 @@
         <translation>keine Pulse aufgenommen</translation>
     </message>
     <message>
+        <source>no residual</source>
+        <translation>kein Residuum</translation>
+    </message>
+    <message>
         <source>no source</source>
         <translation>keine Quelle</translation>
     </message>
@@ -6416,6 +6528,10 @@
     <message>
         <source>rejected by the gate</source>
         <translation>von der Schranke verworfen</translation>
+    </message>
+    <message>
+        <source>residual %1 mm</source>
+        <translation>Residuum %1 mm</translation>
     </message>
     <message>
         <source>residual rms, mm</source>
@@ -6464,6 +6580,10 @@
     <message>
         <source>sigma, mm</source>
         <translation>Sigma, mm</translation>
+    </message>
+    <message>
+        <source>source %1%2</source>
+        <translation>Quelle %1%2</translation>
     </message>
     <message>
         <source>the %1 reference</source>
@@ -6524,6 +6644,10 @@
     <message>
         <source>ulnar deviation</source>
         <translation>Ulnarabduktion</translation>
+    </message>
+    <message>
+        <source>under %1%2</source>
+        <translation>unter %1%2</translation>
     </message>
     <message>
         <source>with outliers</source>
@@ -6684,6 +6808,10 @@
         <translation>Das Profil berichtigen oder weglassen, damit eines erstellt wird</translation>
     </message>
     <message>
+        <source>Dashed: %1. Line: %2. Axes of the chest: X to the left, Y up, Z ahead. A division is 100 mm.</source>
+        <translation>Gestrichelt: %1. Linie: %2. Achsen der Brust: X nach links, Y nach oben, Z nach vorn. Ein Teilstrich ist 100 mm.</translation>
+    </message>
+    <message>
         <source>Exchange the two</source>
         <translation>Die beiden vertauschen</translation>
     </message>
@@ -6798,6 +6926,10 @@
     <message>
         <source>The hand leaves the robot's workspace; the robot stays at its border.</source>
         <translation>Die Hand verlässt den Arbeitsraum des Roboters; der Roboter bleibt an dessen Rand.</translation>
+    </message>
+    <message>
+        <source>The hand moves too little, or was seen too briefly, to tell a delay.</source>
+        <translation>Die Hand bewegt sich zu wenig oder wurde zu kurz gesehen, um eine Verzögerung zu nennen.</translation>
     </message>
     <message>
         <source>The pose is uncertain; the robot moves slowly.</source>

@@ -114,13 +114,31 @@ QString SentencePatterns::translated(const QString& english) const {
 }
 
 SentencePatterns::Found SentencePatterns::find(const QString& english, int depth) const {
+    Found found = findAsWritten(english, depth);
+    if (found.letters > 0 || english.isEmpty() || !english[0].isLetter())
+        return found;
+    QString other = english;  // "left hand" is known as "Left hand", "Source 2" as "source 2"
+    const bool was_upper = other[0].isUpper();
+    other[0] = was_upper ? other[0].toLower() : other[0].toUpper();
+    Found turned = findAsWritten(other, depth);
+    if (turned.letters == 0)
+        return found;
+    if (was_upper)
+        turned.words[0] = turned.words[0].toUpper();
+    else if (turned.words.contains(' '))  // it begins with an adjective; a noun keeps its capital
+        turned.words[0] = turned.words[0].toLower();
+    return turned;
+}
+
+SentencePatterns::Found SentencePatterns::findAsWritten(const QString& english, int depth) const {
     if (const auto whole = whole_.constFind(english); whole != whole_.constEnd())
         return {*whole, lettersOf(english)};
     if (depth >= kDeepest || english.size() > kLongestSplit)
         return {english, 0};
     Found best = byPattern(english, depth);
-    if (Found split = bySplitting(english, depth); split.letters > best.letters)
-        best = std::move(split);
+    for (Found split : {bySplitting(english, depth), asList(english, depth)})
+        if (split.letters > best.letters)
+            best = std::move(split);
     if (english.size() > 1 && english.endsWith('.'))
         if (const Found inner = find(english.chopped(1), depth + 1); inner.letters > best.letters)
             best = {inner.words + '.', inner.letters};
@@ -168,6 +186,30 @@ SentencePatterns::Found SentencePatterns::bySplitting(const QString& english, in
             best = {before.words + ' ' + behind.words, before.letters + behind.letters};
     }
     return best;
+}
+
+SentencePatterns::Found SentencePatterns::asList(const QString& english, int depth) const {
+    static const QRegularExpression between(", | and (?=[^,]*$)");
+    Found list{QString(), 0};
+    int at = 0;
+    if (!english.contains(between) && !english.endsWith(')'))
+        return {english, 0};
+    for (auto match = between.globalMatch(english); at >= 0;) {
+        const bool is_last = !match.hasNext();
+        const auto next = is_last ? QRegularExpressionMatch() : match.next();
+        const QString item = english.mid(at, is_last ? -1 : next.capturedStart() - at);
+        const int bracket = item.endsWith(')') ? item.indexOf(" (") : -1;
+        const QString name = item.left(bracket);
+        const Found known = find(name, depth + 1);
+        if (known.letters < lettersOf(name))
+            return {english, 0};
+        list.words += known.words + (bracket < 0 ? QString() : item.mid(bracket));
+        list.letters += known.letters;
+        if (!is_last)
+            list.words += next.captured() == ", " ? ", " : " und ";
+        at = is_last ? -1 : next.capturedEnd();
+    }
+    return list;
 }
 
 QString coreWords(const std::string& english) {

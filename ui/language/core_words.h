@@ -35,8 +35,11 @@ private:
         int letters = 0;  ///< how many of the English ones were understood
     };
     Found find(const QString& english, int depth) const;
+    Found findAsWritten(const QString& english, int depth) const;  ///< upper and lower case count
     Found byPattern(const QString& english, int depth) const;
     Found bySplitting(const QString& english, int depth) const;
+    /// "Left hand (83 %), chest and head": names alone, each of them known.
+    Found asList(const QString& english, int depth) const;
 
     QHash<QString, QString> whole_;
     std::vector<Pattern> patterns_;
