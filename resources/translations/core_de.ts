@@ -430,6 +430,10 @@
         <translation>Wurzel vorgegeben</translation>
     </message>
     <message>
+        <source>source %1</source>
+        <translation>Quelle %1</translation>
+    </message>
+    <message>
         <source>the skeleton has no joints</source>
         <translation>das Skelett hat keine Gelenke</translation>
     </message>
@@ -5475,7 +5479,7 @@
     </message>
     <message>
         <source>%1was clipped in %2: the motion was faster than its range.</source>
-        <translation>%1war in %2 übersteuert: die Bewegung war schneller als ihr Messbereich.</translation>
+        <translation>%1war übersteuert (%2): die Bewegung war schneller als ihr Messbereich.</translation>
     </message>
     <message>
         <source>, its nominal speed</source>
