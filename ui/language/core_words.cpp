@@ -162,7 +162,8 @@ SentencePatterns::Found SentencePatterns::byPattern(const QString& english, int 
     for (int v = values.size(); v >= 1; --v) {  // from the last: %1 is the beginning of %10
         const QString as_written = values[v - 1], trimmed = as_written.trimmed();
         Found value = find(trimmed, depth + 1);
-        value.words = QString(as_written).replace(trimmed, value.words);
+        if (!trimmed.isEmpty())
+            value.words = QString(as_written).replace(trimmed, value.words);
         result.words.replace("%" + QString::number(v), QChar(0xE000 + v));
         result.letters += value.letters;
         values[v - 1] = value.words;
