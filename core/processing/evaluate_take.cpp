@@ -142,7 +142,7 @@ std::string calibrationName(const Take& take, const DerivedRun& run) {
     std::string name = std::to_string(*run.calibration_id);
     if (const auto calibration = take.calibration(*run.calibration_id); calibration.ok())
         if (!calibration->created_utc.empty())
-            name += " of " + calibration->created_utc;
+            name += " (" + calibration->created_utc + ")";
     return name;
 }
 

@@ -25,12 +25,10 @@ std::string words(const char* css_class, double x, double y, const std::string& 
 
 std::string cellSentence(const ReportData& data, const ReportPair& pair, const RangeStatistics& s) {
     const auto residual_m = s.residualRms_m();
-    const std::string sentence =
-        sourceLabel(data, pair.source) + " to " + boardLabel(data, pair.board) + ": mean " +
-        text::number(s.meanConfidence(), 2) + ", " + text::count(s.of(PulseFate::kUsed)) + " ranges used, " +
-        text::count(s.of(PulseFate::kRejected)) + " rejected, " +
-        (residual_m ? "residual " + text::number(1000 * *residual_m, 1) + " mm" : "no residual");
-    return text::capitalised(sentence);
+    return pairLabel(data, pair) + ": mean " + text::number(s.meanConfidence(), 2) + ", " +
+           text::count(s.of(PulseFate::kUsed)) + " ranges used, " + text::count(s.of(PulseFate::kRejected)) +
+           " rejected, " +
+           (residual_m ? "residual " + text::number(1000 * *residual_m, 1) + " mm" : "no residual");
 }
 
 std::string cell(double x, double y, double width, const std::string& css_class,
@@ -101,7 +99,7 @@ std::string curve(const ReportData& data, const ReportPair& pair) {
     }
     const std::vector<double> mean = runningMean(time_s, confidence);
     LinePlot plot;
-    plot.title = text::capitalised(sourceLabel(data, pair.source) + " to " + boardLabel(data, pair.board));
+    plot.title = pairLabel(data, pair);
     plot.description =
         "Confidence of each pulse over time as dots, 0 when not heard, and its mean over a second";
     plot.time_s = takeInterval(data);

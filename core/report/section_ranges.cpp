@@ -150,7 +150,7 @@ std::string distancePlot(const ReportData& data, const ReportPair& pair) {
         distance_m[kind].push_back(pulse.distance_m);
     }
     LinePlot plot;
-    plot.title = text::capitalised(sourceLabel(data, pair.source) + " to " + boardLabel(data, pair.board));
+    plot.title = pairLabel(data, pair);
     plot.description = "Measured distances over time by what became of them";
     plot.time_s = takeInterval(data);
     plot.values = niceInterval({distance_m[0], distance_m[1], distance_m[2]}, 0.1);

@@ -67,6 +67,10 @@ std::string boardLabel(const ReportData& data, int board) {
            std::to_string(board + 1) + ")";
 }
 
+std::string pairLabel(const ReportData& data, const ReportPair& pair) {
+    return text::capitalised(sourceLabel(data, pair.source) + ", heard by " + boardLabel(data, pair.board));
+}
+
 std::string sensorsLabel(const std::string& sensors) {
     std::string label;
     for (const char sensor : sensors)

@@ -23,6 +23,8 @@ std::string provenanceSection(const ReportData& data);     ///< settings, calibr
 std::string sourceLabel(const ReportData& data, int source);
 /// "left shin (board 14)", after the segment when it is canonical, else its id.
 std::string boardLabel(const ReportData& data, int board);
+/// "Source 1 (belly), heard by left foot (board 15)".
+std::string pairLabel(const ReportData& data, const ReportPair& pair);
 /// "A+G+D" of "AGD".
 std::string sensorsLabel(const std::string& sensors);
 /// First to last second of the take, for all plots of one report.

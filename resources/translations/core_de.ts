@@ -5454,12 +5454,12 @@
         <translation>%1 s Bewegung</translation>
     </message>
     <message>
-        <source>%1 to %2: mean %3, %4 ranges used, %5 rejected, %6</source>
-        <translation>%1 zu %2: im Mittel %3, %4 Entfernungen benutzt, %5 verworfen, %6</translation>
-    </message>
-    <message>
         <source>%1, angle</source>
         <translation>%1, Winkel</translation>
+    </message>
+    <message>
+        <source>%1, heard by %2</source>
+        <translation>%1, gehört von %2</translation>
     </message>
     <message>
         <source>%1, mean %2</source>
@@ -5472,6 +5472,10 @@
     <message>
         <source>%1. Mean joint error %2 against %3.</source>
         <translation>%1. Mittlerer Gelenkfehler %2 gegen %3.</translation>
+    </message>
+    <message>
+        <source>%1: mean %2, %3 ranges used, %4 rejected, %5</source>
+        <translation>%1: im Mittel %2, %3 Entfernungen benutzt, %4 verworfen, %5</translation>
     </message>
     <message>
         <source>%1delivered %2 of its readings. Check its plug and cable.</source>

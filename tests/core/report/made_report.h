@@ -49,7 +49,7 @@ inline ReportRun madeRun(const std::string& sensors, const TimedMotion& referenc
     run.root_given = true;
     run.created_utc = "2026-11-21T10:00:00Z";
     run.software = "noctule 0.1.0";
-    run.calibration = "2 of 2026-11-18";
+    run.calibration = "2 (2026-11-18)";
     run.settings = {{"Gate", "4.5 sigma"}, {"Detector", "matched"}};
     ComparisonOptions options;
     options.from_ns = 3'000'000'000;
