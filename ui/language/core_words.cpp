@@ -105,8 +105,11 @@ void SentencePatterns::add(const QString& english, const QString& translated) {
     const QStringList literals = english.split(value);
     if (literals.size() == 1)
         whole_.insert(english, translated);
-    else
-        patterns_.push_back({literals, translated, lettersOf(literals.join(QString()))});
+    else {
+        const Pattern pattern{literals, translated, lettersOf(literals.join(QString()))};
+        patterns_.insert(
+            std::ranges::upper_bound(patterns_, pattern.letters, std::greater(), &Pattern::letters), pattern);
+    }
 }
 
 QString SentencePatterns::translated(const QString& english) const {
@@ -136,6 +139,8 @@ SentencePatterns::Found SentencePatterns::findAsWritten(const QString& english, 
     if (depth >= kDeepest || english.size() > kLongestSplit)
         return {english, 0};
     Found best = byPattern(english, depth);
+    if (best.letters == lettersOf(english))
+        return best;
     for (Found split : {bySplitting(english, depth), asList(english, depth)})
         if (split.letters > best.letters)
             best = std::move(split);
@@ -146,17 +151,14 @@ SentencePatterns::Found SentencePatterns::findAsWritten(const QString& english, 
 }
 
 SentencePatterns::Found SentencePatterns::byPattern(const QString& english, int depth) const {
-    const Pattern* best = nullptr;
     QStringList values;
-    for (const Pattern& pattern : patterns_) {
-        if (best && pattern.letters <= best->letters)
-            continue;
-        if (auto found = valuesIn(english, pattern.literals)) {
-            best = &pattern;
+    const auto best = std::ranges::find_if(patterns_, [&](const Pattern& pattern) {
+        auto found = valuesIn(english, pattern.literals);
+        if (found)
             values = std::move(*found);
-        }
-    }
-    if (!best)
+        return found.has_value();
+    });
+    if (best == patterns_.end())
         return {english, 0};
     Found result{best->translated, best->letters};
     for (int v = values.size(); v >= 1; --v) {  // from the last: %1 is the beginning of %10

@@ -42,7 +42,7 @@ private:
     Found asList(const QString& english, int depth) const;
 
     QHash<QString, QString> whole_;
-    std::vector<Pattern> patterns_;
+    std::vector<Pattern> patterns_;  ///< the most telling ones first
 };
 
 QString coreWords(const std::string& english);

@@ -103,7 +103,7 @@ TEST(HtmlReport, HoldsTheNumbersItWasGiven) {
     EXPECT_TRUE(has(page, "159.7")) << "the paper's row";
     EXPECT_TRUE(has(page, "Left foot (board 15) was clipped in 12 readings"));
     EXPECT_TRUE(has(page, "no pulses recorded"));
-    EXPECT_TRUE(has(page, "Source 8 (hat) to left foot (board 15): mean "));
+    EXPECT_TRUE(has(page, "Source 8 (hat), heard by left foot (board 15): mean "));
     EXPECT_TRUE(has(page, "Second round is the good one."));
     EXPECT_TRUE(has(page, "345.5 m/s"));
 }
