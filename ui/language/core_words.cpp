@@ -139,7 +139,7 @@ SentencePatterns::Found SentencePatterns::findAsWritten(const QString& english, 
     if (depth >= kDeepest || english.size() > kLongestSplit)
         return {english, 0};
     Found best = byPattern(english, depth);
-    if (best.letters == lettersOf(english))
+    if (best.letters > 0 && best.letters == lettersOf(english))
         return best;
     for (Found split : {bySplitting(english, depth), asList(english, depth)})
         if (split.letters > best.letters)
