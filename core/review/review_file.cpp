@@ -3,14 +3,29 @@
 
 namespace noctule {
 
-Result<ReviewFile> ReviewFile::open(const std::string& path) {
-    auto take = Take::open(path);
+Result<ViewedTake> ViewedTake::open(const TakeView& view) {
+    auto take = Take::open(view.path);
     if (!take)
         return take.error();
-    const auto rate_hz = take->sampleRate_hz();
+    auto subjects = take->subjects();
+    if (!subjects)
+        return subjects.error();
+    std::erase_if(*subjects, [](const TakeSubject& subject) { return subject.room; });
+    const int first = subjects->empty() ? 1 : subjects->front().suit();
+    const int suit = view.suit == kSuitInView ? first : view.suit;
+    take->view(suit);
+    return ViewedTake{std::move(*take), std::move(*subjects), suit};
+}
+
+Result<ReviewFile> ReviewFile::open(const TakeView& view) {
+    auto viewed = ViewedTake::open(view);
+    if (!viewed)
+        return viewed.error();
+    const auto rate_hz = viewed->take.sampleRate_hz();
     if (!rate_hz)
         return rate_hz.error();
-    return ReviewFile{std::move(*take), static_cast<double>(*rate_hz)};
+    const SuitClock clock = viewed->take.suitClock();
+    return ReviewFile{std::move(viewed->take), viewed->suit, static_cast<double>(*rate_hz), clock};
 }
 
 }  // namespace noctule

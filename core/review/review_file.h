@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A take opened for reading what the screens show: sample numbers as seconds, trouble as sentences.
+// A take opened for reading what the screens show of one of its suits: sample numbers as seconds of the take,
+// trouble as sentences.
 #pragma once
 
 #include <algorithm>
@@ -9,16 +10,29 @@
 
 #include "core/job/job.h"
 #include "core/recording/take.h"
+#include "core/review/take_review.h"
 
 namespace noctule {
 
-/// The take and its clock; kUnusable without a sample rate.
+/// The take, open and looking at the suit of `view`; and the people in it.
+struct ViewedTake {
+    Take take;
+    std::vector<TakeSubject> subjects;
+    int suit = 1;
+
+    static Result<ViewedTake> open(const TakeView& view);
+};
+
+/// The take and the clock of the suit in view; kUnusable without a sample rate.
 struct ReviewFile {
     Take take;
+    int suit = 1;
     double sample_rate_hz = 0;
+    SuitClock clock;
 
-    static Result<ReviewFile> open(const std::string& path);
-    double seconds(double sample) const { return sample / sample_rate_hz; }
+    static Result<ReviewFile> open(const TakeView& view);
+    double seconds(double sample) const { return clock.takeTime_s(sample / sample_rate_hz); }
+    double sampleAt(double t_s) const { return clock.suitTime_s(t_s) * sample_rate_hz; }
 };
 
 /// Notes errors as sentences, each once.

@@ -13,7 +13,11 @@ namespace {
 
 class Overview {
 public:
-    explicit Overview(const Take& take) : take_(take) { view_.path = take.path(); }
+    explicit Overview(const ViewedTake& viewed) : take_(viewed.take) {
+        view_.path = take_.path();
+        view_.subjects = viewed.subjects;
+        view_.suit_in_view = viewed.suit;
+    }
 
     TakeOverview read() {
         readHead();
@@ -34,8 +38,10 @@ private:
         return found == take_.meta().end() ? "" : found->second;
     }
 
-    double seconds(int64_t sample) const {
-        return view_.sample_rate_hz > 0 ? static_cast<double>(sample) / view_.sample_rate_hz : 0;
+    double seconds(int64_t sample, int suit = kSuitInView) const {
+        return view_.sample_rate_hz > 0
+                   ? take_.suitClock(suit).takeTime_s(static_cast<double>(sample) / view_.sample_rate_hz)
+                   : 0;
     }
 
     void readHead() {
@@ -70,10 +76,12 @@ private:
     }
 
     void readMarks() {
-        for (MarkerRow& marker : problems_.keep(take_.markers()).value_or(std::vector<MarkerRow>{}))
+        // Operators mark the take, not a suit: their markers stand with the first one.
+        const int first = view_.subjects.empty() ? view_.suit_in_view : view_.subjects.front().suit();
+        for (MarkerRow& marker : problems_.keep(take_.markers(first)).value_or(std::vector<MarkerRow>{}))
             if (marker.kind != "rest")
                 view_.markers.push_back(
-                    {seconds(marker.sample), std::move(marker.kind), std::move(marker.label)});
+                    {seconds(marker.sample, first), std::move(marker.kind), std::move(marker.label)});
         if (const auto rest = problems_.keep(take_.restInterval()); rest && *rest)
             view_.rest_s = std::pair(seconds((*rest)->first), seconds((*rest)->last));
         for (const GapRow& gap : problems_.keep(take_.gaps()).value_or(std::vector<GapRow>{}))
@@ -91,7 +99,8 @@ private:
         constexpr double kPause_s = 0.25;
         std::ranges::stable_sort(board_gaps_, {}, &GapRow::first_sample);
         for (const GapRow& gap : board_gaps_) {
-            const double from_s = seconds(gap.first_sample), to_s = from_s + seconds(gap.sample_count);
+            const double from_s = seconds(gap.first_sample),
+                         to_s = seconds(gap.first_sample + gap.sample_count);
             const auto open = std::ranges::find_if(view_.silences, [&](const BoardSilence& silence) {
                 return silence.board == *gap.board && *silence.back_s + kPause_s >= from_s;
             });
@@ -130,13 +139,13 @@ private:
 
 }  // namespace
 
-Result<TakeOverview> overviewTake(const std::string& path, const JobContext& job) {
-    const auto take = Take::open(path);
-    if (!take)
-        return take.error();
+Result<TakeOverview> overviewTake(const TakeView& view, const JobContext& job) {
+    const auto viewed = ViewedTake::open(view);
+    if (!viewed)
+        return viewed.error();
     if (job.cancelled())
         return JobContext::cancelledError();
-    return Overview(*take).read();
+    return Overview(*viewed).read();
 }
 
 }  // namespace noctule

@@ -24,6 +24,14 @@
 
 namespace noctule {
 
+/// A take as one of its suits sees it: that suit's boards, sources, clock and body.
+struct TakeView {
+    TakeView(std::string of_path, int of_suit = kSuitInView) : path(std::move(of_path)), suit(of_suit) {}
+
+    std::string path;
+    int suit;  ///< kSuitInView: that of the first subject
+};
+
 /// A pose run as listed; its motion is loaded by loadPoses().
 struct ReviewRun {
     DerivedRun run;
@@ -47,6 +55,8 @@ struct TakeOverview {
     TakeHeader header;
     std::string state;  ///< complete, recovered, recording
     std::string performer;
+    std::vector<TakeSubject> subjects;  ///< the people, in the take's order
+    int suit_in_view = 1;               ///< whose suit, calibration, actor, marks and gaps these are
     TakeLevel level = TakeLevel::kSignal;
     double duration_s = 0;
     double sample_rate_hz = 0;
@@ -67,13 +77,13 @@ struct TakeOverview {
     std::string reference_kind;
     std::vector<std::string> problems;  ///< whole sentences
 };
-Result<TakeOverview> overviewTake(const std::string& path, const JobContext& job);
+Result<TakeOverview> overviewTake(const TakeView& view, const JobContext& job);
 
 /// The motion of a pose run, or the reference when `run` is absent.
-Result<TimedMotion> loadPoses(const std::string& path, std::optional<int64_t> run, const JobContext& job);
+Result<TimedMotion> loadPoses(const TakeView& view, std::optional<int64_t> run, const JobContext& job);
 
 /// When the feet stood while `motion` came out of `run` (processing/contacts_in_force.h).
-Result<std::vector<FootContacts>> loadContacts(const std::string& path, const ReviewRun& run,
+Result<std::vector<FootContacts>> loadContacts(const TakeView& view, const ReviewRun& run,
                                                const TimedMotion& motion);
 
 /// All ranges of one source-board pair, equally long arrays in order of time.
@@ -95,7 +105,7 @@ struct TakeStretch {
     int index = 0, count = 1;
 };
 /// `run`: of kind range, or kPrimaryRun. Only the ranges of that stretch, all the pulses.
-Result<RangeTable> loadRanges(const std::string& path, int64_t run, const JobContext& job,
+Result<RangeTable> loadRanges(const TakeView& view, int64_t run, const JobContext& job,
                               const TakeStretch& stretch = {});
 /// The whole table of all its stretches, in whatever order they come.
 RangeTable joinRanges(std::vector<RangeTable> stretches);
@@ -110,7 +120,7 @@ struct ReadingTable {
     std::vector<BoardTrack> boards;
 };
 /// `run`: of kind inertial, or kPrimaryRun.
-Result<ReadingTable> loadReadings(const std::string& path, int64_t run, const JobContext& job);
+Result<ReadingTable> loadReadings(const TakeView& view, int64_t run, const JobContext& job);
 
 /// The raw sound of one board between two times, full scale 1, NaN in gaps, and the pulses sent meanwhile.
 struct SoundWindow {
@@ -125,14 +135,13 @@ struct SoundWindow {
     std::vector<PulseMark> pulses;
 };
 /// At most 10 s at a time (kUsage). kUnusable for takes without sound.
-Result<SoundWindow> loadSound(const std::string& path, int board, double from_s, double to_s,
+Result<SoundWindow> loadSound(const TakeView& view, int board, double from_s, double to_s,
                               std::optional<int64_t> range_run, const JobContext& job);
 
 /// Lowest and highest value of the raw sound in `columns` equal columns over the whole take, for an overview.
 struct SoundEnvelope {
     std::vector<float> min, max;  ///< full scale 1; NaN where there is none
 };
-Result<SoundEnvelope> loadSoundEnvelope(const std::string& path, int board, int columns,
-                                        const JobContext& job);
+Result<SoundEnvelope> loadSoundEnvelope(const TakeView& view, int board, int columns, const JobContext& job);
 
 }  // namespace noctule

@@ -5,13 +5,14 @@
 
 namespace noctule {
 
-Result<TimedMotion> loadPoses(const std::string& path, std::optional<int64_t> run, const JobContext& job) {
-    const auto take = Take::open(path);
-    if (!take)
-        return take.error();
+Result<TimedMotion> loadPoses(const TakeView& view, std::optional<int64_t> run, const JobContext& job) {
+    const std::string& path = view.path;
+    const auto viewed = ViewedTake::open(view);
+    if (!viewed)
+        return viewed.error();
     if (job.cancelled())
         return JobContext::cancelledError();
-    auto motion = run ? take->poses(*run) : take->reference();
+    auto motion = run ? viewed->take.poses(*run) : viewed->take.reference();
     if (!motion)
         return motion;
     if (motion->frames.empty())
@@ -24,12 +25,12 @@ Result<TimedMotion> loadPoses(const std::string& path, std::optional<int64_t> ru
     return motion;
 }
 
-Result<std::vector<FootContacts>> loadContacts(const std::string& path, const ReviewRun& run,
+Result<std::vector<FootContacts>> loadContacts(const TakeView& view, const ReviewRun& run,
                                                const TimedMotion& motion) {
-    const auto take = Take::open(path);
-    if (!take)
-        return take.error();
-    auto contacts = contactsInForce(*take, run.run, motion);
+    const auto viewed = ViewedTake::open(view);
+    if (!viewed)
+        return viewed.error();
+    auto contacts = contactsInForce(viewed->take, run.run, motion);
     if (!contacts)
         return contacts.error();
     return std::move(contacts->feet);

@@ -88,10 +88,10 @@ Result<RangeTable> emptyTable(const ReviewFile& file, const std::vector<Pulse>& 
 
 }  // namespace
 
-Result<RangeTable> loadRanges(const std::string& path, int64_t run, const JobContext& job,
+Result<RangeTable> loadRanges(const TakeView& view, int64_t run, const JobContext& job,
                               const TakeStretch& stretch) {
     require(stretch.index >= 0 && stretch.index < stretch.count, "a stretch that the take does not have");
-    const auto file = ReviewFile::open(path);
+    const auto file = ReviewFile::open(view);
     if (!file)
         return file.error();
     const auto pulses = file->take.pulses();

@@ -62,8 +62,8 @@ private:
 
 }  // namespace
 
-Result<ReadingTable> loadReadings(const std::string& path, int64_t run, const JobContext& job) {
-    const auto file = ReviewFile::open(path);
+Result<ReadingTable> loadReadings(const TakeView& view, int64_t run, const JobContext& job) {
+    const auto file = ReviewFile::open(view);
     if (!file)
         return file.error();
     const auto suit = file->take.suit();

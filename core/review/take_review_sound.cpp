@@ -12,8 +12,9 @@ namespace {
 constexpr float kFullScale = 32767;
 constexpr double kLongestWindow_s = 10;
 
-Result<ReviewFile> openSound(const std::string& path, int board) {
-    auto file = ReviewFile::open(path);
+Result<ReviewFile> openSound(const TakeView& view, int board) {
+    const std::string& path = view.path;
+    auto file = ReviewFile::open(view);
     if (!file)
         return file;
     if (file->take.level() != TakeLevel::kSignal)
@@ -45,7 +46,7 @@ Result<std::vector<GapRow>> gapsOf(const Take& take, int board) {
 Status readSamples(const ReviewFile& file, int board, const SampleInterval& within, SoundWindow& window,
                    const JobContext& job) {
     const auto boards = static_cast<size_t>(*file.take.boardCount());
-    return file.take.forEachBlock(1, within, [&](const AdcBlock& block) {
+    return file.take.forEachBlock(file.suit, within, [&](const AdcBlock& block) {
         const auto samples = static_cast<int64_t>(block.values.size() / boards);
         const int64_t first = std::max(within.first, block.first_sample);
         const int64_t end = std::min(within.last + 1, block.first_sample + samples);
@@ -92,7 +93,7 @@ Status addPulses(const ReviewFile& file, int board, const SampleInterval& within
                  std::optional<int64_t> range_run, SoundWindow& window) {
     const int64_t listening = file.take.header().pulse_interval_samples;
     const auto pulses =
-        file.take.pulses(1, {std::max<int64_t>(0, within.first - listening + 1), within.last});
+        file.take.pulses(file.suit, {std::max<int64_t>(0, within.first - listening + 1), within.last});
     if (!pulses)
         return pulses.error();
     std::map<int64_t, double> arrival_s;
@@ -144,18 +145,17 @@ private:
 
 }  // namespace
 
-Result<SoundWindow> loadSound(const std::string& path, int board, double from_s, double to_s,
+Result<SoundWindow> loadSound(const TakeView& view, int board, double from_s, double to_s,
                               std::optional<int64_t> range_run, const JobContext& job) {
     if (!(to_s > from_s && to_s - from_s <= kLongestWindow_s))
-        return Error{ErrorKind::kUsage, path + ": sound can be shown for 10 s at most",
+        return Error{ErrorKind::kUsage, view.path + ": sound can be shown for 10 s at most",
                      "Zoom in on a shorter time"};
-    const auto file = openSound(path, board);
+    const auto file = openSound(view, board);
     if (!file)
         return file.error();
     const auto sampleFrom =
         [&](double t_s) {  // a time that is a sample's own but for rounding means that one
-            return std::clamp<int64_t>(std::llround(std::ceil(t_s * file->sample_rate_hz - 1e-3)), 0,
-                                       kLastSample);
+            return std::clamp<int64_t>(std::llround(std::ceil(file->sampleAt(t_s) - 1e-3)), 0, kLastSample);
         };
     const SampleInterval within{sampleFrom(from_s), sampleFrom(to_s) - 1};
     SoundWindow window;
@@ -177,11 +177,11 @@ Result<SoundWindow> loadSound(const std::string& path, int board, double from_s,
     return window;
 }
 
-Result<SoundEnvelope> loadSoundEnvelope(const std::string& path, int board, int columns,
-                                        const JobContext& job) {
+Result<SoundEnvelope> loadSoundEnvelope(const TakeView& view, int board, int columns, const JobContext& job) {
     if (columns < 1)
-        return Error{ErrorKind::kUsage, path + ": an overview of the sound needs a column", "Widen the plot"};
-    const auto file = openSound(path, board);
+        return Error{ErrorKind::kUsage, view.path + ": an overview of the sound needs a column",
+                     "Widen the plot"};
+    const auto file = openSound(view, board);
     if (!file)
         return file.error();
     const auto samples = file->take.sampleCount();
@@ -193,7 +193,7 @@ Result<SoundEnvelope> loadSoundEnvelope(const std::string& path, int board, int 
     const int64_t length = std::max<int64_t>(1, *samples);
     EnvelopeBuilder builder(columns, length, std::move(*gaps));
     const auto boards = static_cast<size_t>(*file->take.boardCount());
-    const Status read = file->take.forEachBlock(1, [&](const AdcBlock& block) {
+    const Status read = file->take.forEachBlock(file->suit, [&](const AdcBlock& block) {
         int64_t sample = block.first_sample;
         for (size_t i = static_cast<size_t>(board); i < block.values.size(); i += boards)
             builder.add(sample++, static_cast<float>(block.values[i]) / kFullScale);
