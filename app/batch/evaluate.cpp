@@ -120,7 +120,7 @@ Status addBetween(const VerbContext& context, const EvaluateRequest& request,
                   const std::vector<TakeSubject>& subjects, Outcome& outcome) {
     if (request.reference)
         return Done{};
-    const auto between = evaluateBetween(request.take_path, request.run, subjects, context.job());
+    const auto between = evaluateBetween(request, subjects, context.job());
     if (!between)
         return between.error();
     for (const BetweenEvaluation& pair : *between) {

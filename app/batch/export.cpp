@@ -79,31 +79,12 @@ ExportRequest requestFor(const Arguments& arguments, const std::string& take_pat
     return request;
 }
 
-/// "walk_A.bvh" of "walk.bvh"; what a file's name cannot hold becomes an underscore.
-std::string withSubject(const std::string& path, const std::string& subject) {
-    std::string name = subject;
-    std::ranges::replace_if(
-        name, [](char c) { return c == '/' || c == '\\' || c == ':' || c == ' '; }, '_');
-    const std::filesystem::path whole(path);
-    return (whole.parent_path() / (whole.stem().string() + "_" + name + whole.extension().string())).string();
-}
-
 /// One for each subject of the run. A take that cannot be read gets one, whose job names the trouble.
 std::vector<ExportRequest> requestsFor(const Arguments& arguments, const std::string& take_path) {
     const ExportRequest request = requestFor(arguments, take_path);
-    const auto subjects = subjectsOfRun(take_path, request.run);
-    if (!subjects || arguments.given("stacks"))
-        return {request};
-    std::vector<ExportRequest> requests;
-    for (const TakeSubject& subject : *subjects) {
-        ExportRequest own = request;
-        own.suit = subject.suit();
-        for (const ExportFormatEntry& format : exportFormats())
-            if (std::string& path = own.*format.path; subjects->size() > 1 && !path.empty())
-                path = withSubject(path, subject.name);
-        requests.push_back(std::move(own));
-    }
-    return requests;
+    const auto each = arguments.given("stacks") ? Result<std::vector<ExportRequest>>(std::vector{request})
+                                                : requestsOfSubjects(request);
+    return each ? *each : std::vector{request};
 }
 
 Status checkPictures(const Arguments& arguments, const ExportRequest& request) {

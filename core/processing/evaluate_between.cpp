@@ -178,13 +178,14 @@ void judgePair(const Judged& a, const Judged& b, std::vector<BetweenEvaluation>&
 
 }  // namespace
 
-Result<std::vector<BetweenEvaluation>> evaluateBetween(const std::string& take_path, const std::string& run,
+Result<std::vector<BetweenEvaluation>> evaluateBetween(const EvaluateRequest& request,
                                                        const std::vector<TakeSubject>& subjects,
                                                        const JobContext& job) {
-    const auto take = Take::open(take_path, Access::kRead, {job.cancel});
+    const auto take = Take::open(request.take_path, Access::kRead, {job.cancel});
     if (!take)
         return take.error();
-    const auto chosen = choosePoseRun(*take, run);
+    const auto chosen =
+        request.run_number ? poseRun(*take, *request.run_number) : choosePoseRun(*take, request.run);
     if (!chosen)
         return chosen.error();
     std::vector<Judged> judged;

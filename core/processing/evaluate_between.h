@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/job/job.h"
+#include "core/processing/evaluate_take.h"
 #include "core/recording/take.h"
 
 namespace noctule {
@@ -33,9 +34,9 @@ struct BetweenEvaluation {
     std::optional<double> sigma_mm{}, nees{};
 };
 
-/// Every pair of `subjects` that has a reference each; empty where one lacks it. The run is named as in
-/// choosePoseRun().
-Result<std::vector<BetweenEvaluation>> evaluateBetween(const std::string& take_path, const std::string& run,
+/// Every pair of `subjects` that has a reference each; empty where one lacks it. Of the request counts which
+/// take and which run.
+Result<std::vector<BetweenEvaluation>> evaluateBetween(const EvaluateRequest& request,
                                                        const std::vector<TakeSubject>& subjects,
                                                        const JobContext& job);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whose poses a run holds.
+// Whose poses a run holds, and an export of each.
 #pragma once
 
+#include "core/processing/export_take.h"
 #include "core/recording/take.h"
 
 namespace noctule {
@@ -9,5 +10,9 @@ namespace noctule {
 /// The take's subjects of whom the pose run of that name (empty: the last one) holds poses; at least one.
 /// Errors as those of choosePoseRun().
 Result<std::vector<TakeSubject>> subjectsOfRun(const std::string& take_path, const std::string& run);
+
+/// The same export for each subject of its run; where there are several, files are called "walk_A.bvh"
+/// instead of "walk.bvh". What a file's name cannot hold becomes an underscore.
+Result<std::vector<ExportRequest>> requestsOfSubjects(const ExportRequest& request);
 
 }  // namespace noctule

@@ -34,13 +34,13 @@ TakeDocument::~TakeDocument() {
 template <class Visit>
 void TakeDocument::forEachKind(Visit visit) {
     visit(motions_), visit(contacts_), visit(ranges_), visit(readings_), visit(reports_);
-    visit(range_curves_), visit(reading_curves_), visit(motion_curves_);
+    visit(range_curves_), visit(reading_curves_), visit(motion_curves_), visit(others_), visit(between_);
 }
 
 void TakeDocument::open(const QString& path) {
     close();
     path_ = path;
-    loadOverview(path, true);
+    loadOverview(view(), true);
 }
 
 void TakeDocument::close() {
@@ -63,16 +63,37 @@ void TakeDocument::followMove(const QString& path) {
 
 void TakeDocument::reload(bool show_newest) {
     if (!path_.isEmpty())
-        loadOverview(path_, show_newest);
+        loadOverview(view(), show_newest);
 }
 
-void TakeDocument::loadOverview(const QString& path, bool show_newest) {
+TakeView TakeDocument::view() const {
+    return {path_.toStdString(), isOpen() ? overview_->suit_in_view : kSuitInView};
+}
+
+const std::vector<TakeSubject>& TakeDocument::subjects() const {
+    static const std::vector<TakeSubject> nobody;
+    return isOpen() ? overview_->subjects : nobody;
+}
+
+int TakeDocument::subject() const {
+    const auto& all = subjects();
+    const auto found = std::ranges::find_if(
+        all, [this](const TakeSubject& subject) { return subject.suit() == overview_->suit_in_view; });
+    return found == all.end() ? 0 : static_cast<int>(found - all.begin());
+}
+
+void TakeDocument::setSubject(int index) {
+    if (index >= 0 && index < static_cast<int>(subjects().size()) && index != subject())
+        loadOverview({path_.toStdString(), subjects()[static_cast<size_t>(index)].suit()}, false);
+}
+
+void TakeDocument::loadOverview(const TakeView& view, bool show_newest) {
     if (overview_job_)
         overview_job_->cancel();
     const uint64_t ticket = overview_ticket_ = ++ticket_;
     overview_job_ = jobs_.start<TakeOverview>(
-        tr("Opening %1").arg(path.section('/', -1)),
-        [path = path.toStdString()](const JobContext& job) { return overviewTake(path, job); },
+        tr("Opening %1").arg(path_.section('/', -1)),
+        [view](const JobContext& job) { return overviewTake(view, job); },
         [document = QPointer(this), ticket, show_newest](Result<TakeOverview> overview) -> QString {
             if (!document || document->overview_ticket_ != ticket)
                 return {};
@@ -102,6 +123,8 @@ void TakeDocument::accept(TakeOverview overview, bool show_newest) {
         if (compared_ == shown_ || (compared_ == kReference && !overview_->has_reference))
             compared_ = -1;
         forgetOutdated(*earlier);
+        if (overview_->suit_in_view != earlier->suit_in_view)
+            forEachKind([](auto& parts) { drop(parts, [](const auto&) { return true; }); });
         if (overview_->duration_s != earlier->duration_s)
             time_.setExtent(overview_->duration_s, time_.frameStep());
     }
@@ -171,6 +194,8 @@ void TakeDocument::forgetUnshown() {
     };
     drop(motions_, unwatched);
     drop(motion_curves_, [&](const MotionCurveKey& key) { return unwatched(key.run); });
+    drop(others_, [&](const BetweenKey& key) { return key.run != shown_run; });
+    drop(between_, [&](const BetweenKey& key) { return key.run != shown_run && key.run != kReference; });
     drop(contacts_, [&](int64_t key) { return key != shown_run; });
     drop(reports_, [&](int64_t key) { return key != shown_run; });
     drop(ranges_, [&](int64_t key) { return key != range_run; });
@@ -188,6 +213,8 @@ void TakeDocument::forgetOutdated(const TakeOverview& earlier) {
     };
     drop(motions_, gone);
     drop(motion_curves_, [&](const MotionCurveKey& key) { return gone(key.run); });
+    drop(others_, [&](const BetweenKey& key) { return gone(key.run); });
+    drop(between_, [&](const BetweenKey& key) { return gone(key.run); });
     drop(contacts_, [](int64_t) { return true; });
     drop(reports_, [](int64_t) { return true; });
     forEachKind([](auto& parts) {

@@ -12,6 +12,8 @@
 #include <optional>
 
 #include "core/motion/foot_contacts.h"
+#include "core/processing/evaluate_between.h"
+#include "core/review/between_curve.h"
 #include "core/review/joint_curves.h"
 #include "core/review/plot_series.h"
 #include "core/review/take_review.h"
@@ -32,6 +34,15 @@ public:
     /// Null until opened().
     std::shared_ptr<const TakeOverview> overview() const { return overview_; }
 
+    /// The people of the take, and which of them the shown parts are of; 0 when it is one or none.
+    const std::vector<TakeSubject>& subjects() const;
+    int subject() const;
+    /// All parts are read anew; opened() tells.
+    void setSubject(int index);
+    /// The take as that one's suit sees it.
+    TakeView view() const;
+    bool isOfSeveral() const { return subjects().size() > 1; }
+
     /// The result that is shown and the one that it is compared with (-1: none; kReference: the take's own).
     static constexpr int kReference = -2;
     int shownRun() const { return shown_; }  ///< index into overview()->runs, -1: none
@@ -50,7 +61,10 @@ public:
     std::shared_ptr<const RangeTable> ranges();                   ///< those that the shown run used
     std::shared_ptr<const PairSummaries> pairSummaries();         ///< of ranges()
     std::shared_ptr<const ReadingTable> readings();
-    std::shared_ptr<const ReportData> report();    ///< of the shown run; read after all of the above
+    std::shared_ptr<const TimedMotion> motionOf(int subject);  ///< of the shown run
+    std::shared_ptr<const ReportData> report();  ///< of the shown run; read after all of the above
+    /// Where the people of the shown run are to each other, against their references; read like report().
+    std::shared_ptr<const std::vector<BetweenEvaluation>> between();
     std::shared_ptr<const TakeVerdict> verdict();  ///< of report()
 
     // One curve each, ready to draw at any zoom; of the shown run unless said otherwise. Null until loaded;
@@ -59,6 +73,9 @@ public:
     std::shared_ptr<const SeriesPyramid> rangeCurve(int source, int board, RangeQuantity quantity);
     std::shared_ptr<const SeriesPyramid> readingCurve(int board, int axis);
     std::shared_ptr<const MotionCurve> motionCurve(const CurveChoice& choice, Whose whose = Whose::kShown);
+    /// How far two subjects are from each other, the earlier one first.
+    std::shared_ptr<const std::vector<BetweenTrack>> betweenTracks(int subject, int other,
+                                                                   Whose whose = Whose::kShown);
 
     /// What went wrong with the part that failed last, and what to do; empty when none did since the take was
     /// opened or reloaded.
@@ -104,6 +121,7 @@ private:
     struct Judged {
         ReportData report;
         TakeVerdict verdict;
+        std::vector<BetweenEvaluation> between;
     };
     struct Ranges {
         RangeTable table;
@@ -126,6 +144,12 @@ private:
         auto operator<=>(const MotionCurveKey&) const = default;
     };
 
+    struct BetweenKey {
+        int64_t run;
+        int suit, other_suit;
+        auto operator<=>(const BetweenKey&) const = default;
+    };
+
     /// The part; starts loading when it is asked for the first time.
     template <class Key, class T>
     std::shared_ptr<const T> ask(Parts<Key, T>& parts, const Key& key, const QString& title, Changed changed,
@@ -140,7 +164,7 @@ private:
     template <class Visit>
     void forEachKind(Visit visit);
 
-    void loadOverview(const QString& path, bool show_newest);
+    void loadOverview(const TakeView& view, bool show_newest);
     void accept(TakeOverview overview, bool show_newest);
     void refuse(const Error& error);
     void motionLoaded();
@@ -173,6 +197,8 @@ private:
 
     // By number of the run; kReference: the reference.
     Parts<int64_t, TimedMotion> motions_;
+    Parts<BetweenKey, TimedMotion> others_;  ///< of the other subjects; `suit` only
+    Parts<BetweenKey, std::vector<BetweenTrack>> between_;
     Parts<int64_t, std::vector<FootContacts>> contacts_;
     Parts<int64_t, Ranges> ranges_;
     Parts<int64_t, ReadingTable> readings_;

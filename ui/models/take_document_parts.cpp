@@ -16,11 +16,11 @@ std::shared_ptr<const T> partOf(const std::shared_ptr<const Whole>& whole, T Who
 
 /// One thread of SQLite reads half a million rows in a second: two read a half each; the later tells the
 /// progress.
-Result<RangeTable> loadRangesByTwo(const std::string& path, int64_t run, const JobContext& job) {
+Result<RangeTable> loadRangesByTwo(const TakeView& view, int64_t run, const JobContext& job) {
     const JobContext silent{nullptr, job.cancel};
     auto other = std::async(std::launch::async,
-                            [&] { return loadRanges(path, run, silent, {.index = 0, .count = 2}); });
-    auto mine = loadRanges(path, run, job, {.index = 1, .count = 2});
+                            [&] { return loadRanges(view, run, silent, {.index = 0, .count = 2}); });
+    auto mine = loadRanges(view, run, job, {.index = 1, .count = 2});
     auto others = other.get();
     if (!mine || !others)
         return mine ? others : mine;
@@ -44,7 +44,36 @@ std::shared_ptr<const TimedMotion> TakeDocument::motion(std::optional<int64_t> r
     const auto number = *run == kReference ? std::nullopt : run;
     return ask<int64_t, TimedMotion>(
         motions_, *run, tr("Loading the motion"), &TakeDocument::motionLoaded,
-        [path = path_.toStdString(), number](const JobContext& job) { return loadPoses(path, number, job); });
+        [view = view(), number](const JobContext& job) { return loadPoses(view, number, job); });
+}
+
+std::shared_ptr<const TimedMotion> TakeDocument::motionOf(int subject) {
+    const auto run = runOf(Whose::kShown);
+    if (!run || subject < 0 || subject >= static_cast<int>(subjects().size()))
+        return nullptr;
+    if (subject == this->subject())
+        return shownMotion();
+    const int suit = subjects()[static_cast<size_t>(subject)].suit();
+    return ask<BetweenKey, TimedMotion>(
+        others_, {*run, suit, suit}, tr("Loading the motion"), &TakeDocument::motionChanged,
+        [path = path_.toStdString(), suit, number = *run](const JobContext& job) {
+            return loadPoses({path, suit}, number, job);
+        });
+}
+
+std::shared_ptr<const std::vector<BetweenTrack>> TakeDocument::betweenTracks(int subject, int other,
+                                                                             Whose whose) {
+    const auto run = runOf(whose);
+    if (!run || subject < 0 || other <= subject || other >= static_cast<int>(subjects().size()))
+        return nullptr;
+    const TakeView view{path_.toStdString(), subjects()[static_cast<size_t>(subject)].suit()};
+    const int other_suit = subjects()[static_cast<size_t>(other)].suit();
+    const auto number = *run == kReference ? std::nullopt : run;
+    return ask<BetweenKey, std::vector<BetweenTrack>>(
+        between_, {*run, view.suit, other_suit}, tr("Measuring between performers"),
+        &TakeDocument::curvesChanged, [view, number, other_suit](const JobContext& job) {
+            return loadBetween(view, number, other_suit, job);
+        });
 }
 
 std::shared_ptr<const TimedMotion> TakeDocument::shownMotion() {
@@ -95,8 +124,8 @@ std::shared_ptr<const std::vector<FootContacts>> TakeDocument::contacts() {
         return nullptr;
     return ask<int64_t, std::vector<FootContacts>>(
         contacts_, run->run.run, tr("Looking for foot contacts"), &TakeDocument::motionChanged,
-        [path = path_.toStdString(), run = *run, shown_motion](const JobContext&) {
-            return loadContacts(path, run, *shown_motion);
+        [view = view(), run = *run, shown_motion](const JobContext&) {
+            return loadContacts(view, run, *shown_motion);
         });
 }
 
@@ -104,16 +133,15 @@ std::shared_ptr<const TakeDocument::Ranges> TakeDocument::rangesWithSummaries() 
     const ReviewRun* run = shown();
     if (!run || !run->settings.range_run)
         return nullptr;
-    return ask<int64_t, Ranges>(ranges_, *run->settings.range_run, tr("Loading the ranges"),
-                                &TakeDocument::rangesLoaded,
-                                [path = path_.toStdString(),
-                                 number = *run->settings.range_run](const JobContext& job) -> Result<Ranges> {
-                                    auto table = loadRangesByTwo(path, number, job);
-                                    if (!table)
-                                        return table.error();
-                                    PairSummaries summaries(*table);
-                                    return Ranges{std::move(*table), std::move(summaries)};
-                                });
+    return ask<int64_t, Ranges>(
+        ranges_, *run->settings.range_run, tr("Loading the ranges"), &TakeDocument::rangesLoaded,
+        [view = view(), number = *run->settings.range_run](const JobContext& job) -> Result<Ranges> {
+            auto table = loadRangesByTwo(view, number, job);
+            if (!table)
+                return table.error();
+            PairSummaries summaries(*table);
+            return Ranges{std::move(*table), std::move(summaries)};
+        });
 }
 
 std::shared_ptr<const RangeTable> TakeDocument::ranges() {
@@ -130,8 +158,8 @@ std::shared_ptr<const ReadingTable> TakeDocument::readings() {
         return nullptr;
     return ask<int64_t, ReadingTable>(
         readings_, *run->settings.inertial_run, tr("Loading the readings"), &TakeDocument::readingsLoaded,
-        [path = path_.toStdString(), number = *run->settings.inertial_run](const JobContext& job) {
-            return loadReadings(path, number, job);
+        [view = view(), number = *run->settings.inertial_run](const JobContext& job) {
+            return loadReadings(view, number, job);
         });
 }
 
@@ -158,14 +186,19 @@ std::shared_ptr<const TakeDocument::Judged> TakeDocument::judged() {
     EvaluateRequest request;
     request.take_path = path_.toStdString();
     request.run_number = run->run.run;
-    return ask<int64_t, Judged>(reports_, run->run.run, tr("Judging the take"), &TakeDocument::reportChanged,
-                                [request, overview = overview_](const JobContext& job) -> Result<Judged> {
-                                    auto report = evaluateTake(request, job);
-                                    if (!report)
-                                        return report.error();
-                                    TakeVerdict verdict = judgeTake(*report, *overview);
-                                    return Judged{std::move(*report), std::move(verdict)};
-                                });
+    request.suit = overview_->suit_in_view;
+    return ask<int64_t, Judged>(
+        reports_, run->run.run, tr("Judging the take"), &TakeDocument::reportChanged,
+        [request, overview = overview_](const JobContext& job) -> Result<Judged> {
+            auto report = evaluateTake(request, job);
+            if (!report)
+                return report.error();
+            TakeVerdict verdict = judgeTake(*report, *overview);
+            auto between = evaluateBetween(request, overview->subjects, job);
+            if (!between)
+                return between.error();
+            return Judged{std::move(*report), std::move(verdict), std::move(*between)};
+        });
 }
 
 std::shared_ptr<const ReportData> TakeDocument::report() {
@@ -174,6 +207,10 @@ std::shared_ptr<const ReportData> TakeDocument::report() {
 
 std::shared_ptr<const TakeVerdict> TakeDocument::verdict() {
     return partOf(judged(), &Judged::verdict);
+}
+
+std::shared_ptr<const std::vector<BetweenEvaluation>> TakeDocument::between() {
+    return partOf(judged(), &Judged::between);
 }
 
 std::shared_ptr<const SeriesPyramid> TakeDocument::rangeCurve(int source, int board, RangeQuantity quantity) {

@@ -26,8 +26,8 @@ QString missingWords(TakeDocument& take, const QString& otherwise) {
 
 std::vector<LaneContent> allLanes(const LaneSources& sources) {
     using Make = std::vector<LaneContent> (*)(const LaneSources&);
-    constexpr std::array<Make, kPlotTabs> kMakes{confidenceLanes, rangeLanes, soundLanes,
-                                                 inertialLanes,   angleLanes, rootLanes};
+    constexpr std::array<Make, kPlotTabs> kMakes{confidenceLanes, rangeLanes, soundLanes,  inertialLanes,
+                                                 angleLanes,      rootLanes,  betweenLanes};
     std::vector<LaneContent> lanes;
     for (int tab = 0; tab < kPlotTabs; ++tab)
         if (sources.channels.isOn(static_cast<PlotTab>(tab))) {

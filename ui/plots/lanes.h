@@ -25,6 +25,8 @@ std::vector<LaneContent> soundLanes(const LaneSources& sources);
 std::vector<LaneContent> inertialLanes(const LaneSources& sources);
 std::vector<LaneContent> angleLanes(const LaneSources& sources);
 std::vector<LaneContent> rootLanes(const LaneSources& sources);
+/// Distances between the people of the take; none in a take of one.
+std::vector<LaneContent> betweenLanes(const LaneSources& sources);
 
 /// Of all tabs that are on, in their order.
 std::vector<LaneContent> allLanes(const LaneSources& sources);

@@ -11,8 +11,8 @@
 
 namespace noctule::ui {
 
-enum class PlotTab { kConfidence, kRanges, kRawSound, kInertial, kJointAngles, kRoot };
-inline constexpr int kPlotTabs = 6;
+enum class PlotTab { kConfidence, kRanges, kRawSound, kInertial, kJointAngles, kRoot, kBetween };
+inline constexpr int kPlotTabs = 7;
 
 struct PairChannel {
     int source = 0, board = 0;

@@ -61,6 +61,7 @@ PlotPanel::PlotPanel(Studio& studio, QWidget* parent)
 
     TakeDocument& take = studio.take();
     connect(&take, &TakeDocument::opened, this, &PlotPanel::chooseSomething);
+    connect(&take, &TakeDocument::opened, this, &PlotPanel::fitTabs);
     for (const auto signal :
          {&TakeDocument::opened, &TakeDocument::runsChanged, &TakeDocument::motionChanged,
           &TakeDocument::rangesChanged, &TakeDocument::readingsChanged, &TakeDocument::curvesChanged})
@@ -81,7 +82,8 @@ PlotPanel::PlotPanel(Studio& studio, QWidget* parent)
 
 void PlotPanel::buildTabs(QLayout& row) {
     const std::array<QString, kPlotTabs> names{tr("Confidence"), tr("Ranges"),       tr("Raw sound"),
-                                               tr("Inertial"),   tr("Joint angles"), tr("Root")};
+                                               tr("Inertial"),   tr("Joint angles"), tr("Root"),
+                                               tr("Between")};
     for (int i = 0; i < kPlotTabs; ++i) {
         auto* tab = new QToolButton;
         tab->setText(names[static_cast<size_t>(i)]);
@@ -101,6 +103,11 @@ void PlotPanel::buildTabs(QLayout& row) {
     row.addWidget(more_tabs_);
 }
 
+/// Distances between people need several.
+bool PlotPanel::isOffered(const QToolButton* tab) const {
+    return tab != tabs_[static_cast<size_t>(PlotTab::kBetween)] || studio_.take().isOfSeveral();
+}
+
 void PlotPanel::fitTabs() {
     const Theme& theme = Theme::get();
     const int gap = theme.px(kHeadGap);
@@ -109,13 +116,13 @@ void PlotPanel::fitTabs() {
         room -= action->sizeHint().width() + gap;
     int all = 0;
     for (const QToolButton* tab : tabs_)
-        all += tab->width() + gap;
+        all += isOffered(tab) ? tab->width() + gap : 0;
     const bool all_fit = all <= room;
     if (!all_fit)
         room -= more_tabs_->sizeHint().width() + gap;
     for (QToolButton* tab : tabs_) {
-        room -= tab->width() + gap;
-        tab->setVisible(all_fit || room >= 0);
+        room -= isOffered(tab) ? tab->width() + gap : 0;
+        tab->setVisible(isOffered(tab) && (all_fit || room >= 0));
     }
     more_tabs_->setVisible(!all_fit);
 }
@@ -123,7 +130,7 @@ void PlotPanel::fitTabs() {
 void PlotPanel::fillMoreTabs(QMenu& menu) {
     menu.clear();
     for (QToolButton* tab : tabs_) {
-        if (!tab->isHidden())
+        if (!tab->isHidden() || !isOffered(tab))
             continue;
         QAction* action = menu.addAction(tab->text(), tab, &QToolButton::click);
         action->setCheckable(true);

@@ -58,6 +58,7 @@ protected:
 private:
     void buildTabs(QLayout& row);
     /// Tabs that find no room are offered by a menu beside them.
+    bool isOffered(const QToolButton* tab) const;
     void fitTabs();
     void fillMoreTabs(QMenu& menu);
     void buildActions(QLayout& row);

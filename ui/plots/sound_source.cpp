@@ -78,9 +78,8 @@ void SoundSource::readEnvelope(int number) {
     const int columns = std::clamp(static_cast<int>(duration_s * kColumnsPerSecond), 64, kMostColumns);
     boards_[number].envelope_job = studio_.jobs().start<Sound>(
         tr("Reading the sound of board %1").arg(number + 1),
-        [path = studio_.take().path().toStdString(), number, columns,
-         duration_s](const JobContext& job) -> Result<Sound> {
-            auto envelope = loadSoundEnvelope(path, number, columns, job);
+        [view = studio_.take().view(), number, columns, duration_s](const JobContext& job) -> Result<Sound> {
+            auto envelope = loadSoundEnvelope(view, number, columns, job);
             if (!envelope)
                 return envelope.error();
             return soundOf(*envelope, duration_s);
@@ -111,9 +110,9 @@ void SoundSource::readWindow(int number, double from_s, double to_s) {
     const double last_s = std::min(studio_.time().duration(), to_s + margin_s);
     boards_[number].window_job = studio_.jobs().start<Sound>(
         tr("Reading the sound of board %1").arg(number + 1),
-        [path = studio_.take().path().toStdString(), number, first_s, last_s,
+        [view = studio_.take().view(), number, first_s, last_s,
          range_run](const JobContext& job) -> Result<Sound> {
-            auto window = loadSound(path, number, first_s, last_s, range_run, job);
+            auto window = loadSound(view, number, first_s, last_s, range_run, job);
             if (!window)
                 return window.error();
             Sound sound = soundOf(std::move(*window));

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "ui/style/paint.h"
+#include "ui/style/performer_disc.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 
@@ -155,7 +156,11 @@ bool sameContent(const OverlayContent& a, const OverlayContent& b) {
     const auto sameCallout = [](const SceneCallout& x, const SceneCallout& y) {
         return x.at == y.at && x.title == y.title && x.detail == y.detail && x.clear_px == y.clear_px;
     };
-    return a.camera_axes == b.camera_axes && a.has_axes == b.has_axes && a.has_rays == b.has_rays &&
+    const auto sameTag = [](const SceneTag& x, const SceneTag& y) {
+        return x.performer == y.performer && x.at == y.at;
+    };
+    return std::equal(a.tags.begin(), a.tags.end(), b.tags.begin(), b.tags.end(), sameTag) &&
+           a.camera_axes == b.camera_axes && a.has_axes == b.has_axes && a.has_rays == b.has_rays &&
            std::equal(a.legends.begin(), a.legends.end(), b.legends.begin(), b.legends.end(), sameLegend) &&
            a.callout.has_value() == b.callout.has_value() &&
            (!a.callout || sameCallout(*a.callout, *b.callout));
@@ -191,6 +196,9 @@ void SceneOverlay::paint(QPainter& painter, const QRectF& area, const OverlayCon
         paintLegends(painter, area, content.legends, has_axes);
     if (content.has_rays && has_room && area.width() >= px(520))
         paintRayLegend(painter, area);
+    for (const SceneTag& tag : content.tags)
+        paintPerformerDisc(painter, QRectF(tag.at - QPointF(px(9), px(9)), QSizeF(px(18), px(18))),
+                           tag.performer);
     if (content.callout && narrow)
         paintCaption(painter, area, *content.callout, has_room ? content.legends.size() : 0);
     else if (content.callout)

@@ -22,12 +22,19 @@ struct SceneCallout {
     double clear_px = 13;  ///< radius around the thing, at 100 percent, that stays free
 };
 
+/// Who somebody is, on a disc over the head.
+struct SceneTag {
+    int performer = 0;
+    QPointF at;  ///< in the widget's pixels
+};
+
 struct OverlayContent {
     Matrix3d camera_axes = Matrix3d::Identity();
     bool has_axes = true;
     std::vector<SceneLegend> legends;
     bool has_rays = false;
     std::optional<SceneCallout> callout;
+    std::vector<SceneTag> tags;
 };
 
 class SceneOverlay : public QWidget {

@@ -255,9 +255,17 @@ void SceneView::updateOverlay(quint64 number) {
         if (!parts.composed.scene.rings.empty())
             at = parts.composed.scene.rings.back().p_m.cast<double>();
     }
-    const auto on_screen = at ? camera.project(*at, parts.control->size()) : std::nullopt;
+    const auto place = [&](const Vector3d& p_m) -> std::optional<QPointF> {
+        const auto pixel = camera.project(p_m, parts.control->size());
+        return pixel ? std::optional(QPointF(pixel->x(), pixel->y()) / parts.canvas->devicePixelRatioF())
+                     : std::nullopt;
+    };
+    for (const ComposedScene::Tag& tag : parts.composed.tags)
+        if (const auto on_screen = place(tag.p_m))
+            content.tags.push_back({tag.performer, *on_screen});
+    const auto on_screen = at ? place(*at) : std::nullopt;
     if (content.callout && on_screen)
-        content.callout->at = QPointF(on_screen->x(), on_screen->y()) / parts.canvas->devicePixelRatioF();
+        content.callout->at = *on_screen;
     else
         content.callout.reset();
     parts.overlay->setContent(std::move(content));

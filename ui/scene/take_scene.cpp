@@ -16,6 +16,18 @@ constexpr double kTrailStep_s = 1.0 / 30;
 constexpr std::array kTrailJoints{"LeftHand", "RightHand", "LeftFoot", "RightFoot"};
 constexpr float kContactRadius_m = 0.09F;
 
+constexpr double kTagOverHead_m = 0.32;
+
+/// Over the head, or over the highest joint of a body without one.
+Vector3d overHead(const Skeleton& skeleton, const BodyPlaces& places) {
+    const std::vector<Vector3d>& joints = places.joints.p_world_joint;
+    const int head = skeleton.find("Head");
+    const Vector3d top =
+        head >= 0 ? joints[static_cast<size_t>(head)]
+                  : *std::ranges::max_element(joints, {}, [](const Vector3d& p_m) { return p_m.y(); });
+    return top + kTagOverHead_m * Vector3d::UnitY();
+}
+
 int64_t nanoseconds(double t_s) {
     return std::llround(t_s * 1e9);
 }
@@ -125,6 +137,30 @@ void TakeScene::addCompared(ComposedScene& composed, const SceneColors& colors, 
     composed.has_ghost = true;
 }
 
+void TakeScene::addOthers(ComposedScene& composed, const SceneLayers& layers, const SceneColors& colors,
+                          double t_s) {
+    TakeDocument& take = studio_.take();
+    others_.resize(take.subjects().size());
+    const BodyLook look = studio_.look();
+    const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);
+    for (int i = 0; i < static_cast<int>(others_.size()); ++i) {
+        Track& other = others_[static_cast<size_t>(i)];
+        other.follow(i == take.subject() ? nullptr : take.motionOf(i), nullptr);
+        const auto pose = other.at(t_s);
+        if (!pose)
+            continue;
+        const Skeleton& skeleton = other.motion->skeleton;
+        const BodyPlaces places = placeBody(skeleton, *pose, Suit{}, nullptr);
+        addShadow(composed.scene, colors, places);
+        if (has_mesh)
+            addSurface(composed.scene, colors, other.body.fit(look, skeleton, other.feet), *pose,
+                       look.blending);
+        if (layers.has(SceneLayer::kSkeleton))
+            addSkeleton(composed.scene, colors, places, !has_mesh);
+        composed.tags.push_back({i, overHead(skeleton, places)});
+    }
+}
+
 ComposedScene TakeScene::compose(const SceneLayers& layers) {
     const SceneColors colors = SceneColors::of(Theme::get());
     ComposedScene composed;
@@ -146,8 +182,12 @@ ComposedScene TakeScene::compose(const SceneLayers& layers) {
     addRoom(scene, colors, layers, pose ? pose->p_world_root : Vector3d::Zero());
     if (overview && is_shown && layers.has(SceneLayer::kGhost))
         addCompared(composed, colors, t_s);
+    if (overview && take.isOfSeveral())
+        addOthers(composed, layers, colors, t_s);
     if (!pose)
         return composed;
+    if (take.isOfSeveral())
+        composed.tags.push_back({take.subject(), overHead(shown_.motion->skeleton, composed.places)});
     addShadow(scene, colors, composed.places);
     if (is_shown && layers.has(SceneLayer::kContacts))
         addContacts(composed, colors, t_s);

@@ -20,6 +20,12 @@ struct ComposedScene {
     std::vector<HeardPair> pairs;
     int pair_count = 0;
     bool has_ghost = false;
+    /// Over the head of every person, where there are several.
+    struct Tag {
+        int performer = 0;
+        Vector3d p_m;
+    };
+    std::vector<Tag> tags{};
     SceneSubject subject = SceneSubject::kShown;
 
     bool hasBody() const { return !places.joints.p_world_joint.empty(); }
@@ -54,11 +60,14 @@ private:
     void addPairs(ComposedScene& composed, double t_s);
     void addTrails(ComposedScene& composed, const SceneColors& colors, double t_s);
     void addContacts(ComposedScene& composed, const SceneColors& colors, double t_s);
+    /// The other people of the take, without their suits.
+    void addOthers(ComposedScene& composed, const SceneLayers& layers, const SceneColors& colors, double t_s);
     void addCompared(ComposedScene& composed, const SceneColors& colors, double t_s);
 
     Studio& studio_;
     SceneSubject subject_ = SceneSubject::kShown;
     Track shown_, compared_;
+    std::vector<Track> others_;  ///< by subject; the shown one's stays empty
 };
 
 }  // namespace noctule::ui

@@ -21,6 +21,7 @@ struct Tokens {
     QColor bg, panel, raised, ctl, ctlh, line, edge, t1, t2, t3, acc, onacc, sel, ok, warn, err, rec, view,
         view2, figure, grid, scrim, okbg, warnbg, errbg, ref, x, y, z;
     std::array<QColor, 5> confidence;
+    std::array<QColor, 5> performers;  ///< A, B, C ...; the sixth begins anew
 };
 
 enum class TextRole { kCaption, kSecondary, kBody, kSection, kPage, kVerdict, kInstruction, kClock };

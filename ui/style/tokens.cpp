@@ -83,6 +83,9 @@ Tokens readTokens(const QByteArray& json, bool dark) {
         const auto& ramp = scheme.at("confidence");
         for (size_t i = 0; i < tokens.confidence.size(); ++i)
             tokens.confidence[i] = readColor(ramp.at(i).get<std::string>(), "confidence");
+        const auto& performers = scheme.at("performers");
+        for (size_t i = 0; i < tokens.performers.size(); ++i)
+            tokens.performers[i] = readColor(performers.at(i).get<std::string>(), "performers");
         return tokens;
     } catch (const nlohmann::json::exception& exception) {
         throw std::logic_error(std::string("tokens.json: ") + exception.what());

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "core/job/staged_progress.h"
+#include "core/processing/run_subjects.h"
 #include "core/review/take_review.h"
 #include "ui/language/core_words.h"
 #include "ui/models/part_names.h"
@@ -68,6 +69,24 @@ std::vector<ExportOutcome> writeAndCheck(std::span<const ExportJob> takes, const
     return outcomes;
 }
 
+/// A take of several people is one job for each of them. Their bodies have bones of different lengths, so
+/// that they cannot share a file.
+Result<std::vector<ExportJob>> oneForEachPerson(const std::vector<ExportJob>& jobs) {
+    std::vector<ExportJob> all;
+    for (const ExportJob& job : jobs) {
+        const auto requests = requestsOfSubjects(job.request);
+        if (requests && requests->size() > 1 && job.in_one_file)
+            return Error{ErrorKind::kUnusable, job.request.take_path + ": holds several performers",
+                         RunWords::tr("Export it without one file for all takes").toStdString()};
+        for (size_t i = 0; i < (requests ? requests->size() : 1); ++i) {
+            all.push_back(job);
+            if (requests)
+                all.back().request = (*requests)[i];
+        }
+    }
+    return all;
+}
+
 Status makeFolderOf(const ExportJob& job) {
     std::error_code error;
     const std::filesystem::path folder = std::filesystem::path(job.path()).parent_path();
@@ -118,9 +137,13 @@ int fileCount(const std::vector<ExportJob>& jobs) {
     return static_cast<int>(paths.size());
 }
 
-Result<ExportResults> runExport(const std::vector<ExportJob>& jobs, const JobContext& job) {
+Result<ExportResults> runExport(const std::vector<ExportJob>& of_takes, const JobContext& job) {
     QElapsedTimer clock;
     clock.start();
+    const auto each = oneForEachPerson(of_takes);
+    if (!each)
+        return each.error();
+    const std::vector<ExportJob>& jobs = *each;
     ExportResults results;
     for (size_t i = 0, per_file = 1; i < jobs.size(); i += per_file) {
         per_file = takesInFileAt(jobs, i);

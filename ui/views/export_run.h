@@ -31,8 +31,9 @@ struct ExportResults {
 /// How many files the jobs make.
 int fileCount(const std::vector<ExportJob>& jobs);
 
-/// Goes on after a take that fails; an Error only when cancelled or the folder cannot be made.
-Result<ExportResults> runExport(const std::vector<ExportJob>& jobs, const JobContext& job);
+/// A file for each person of a take of several. Goes on after a take that fails; an Error only when
+/// cancelled, the folder cannot be made, or several people are wanted in one file.
+Result<ExportResults> runExport(const std::vector<ExportJob>& of_takes, const JobContext& job);
 
 /// The frame at `time_s` of the first one, written to a temporary folder, checked and deleted.
 Result<ExportResults> tryOneFrame(ExportJob job, double time_s, const JobContext& context);

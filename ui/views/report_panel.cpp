@@ -4,6 +4,7 @@
 #include "core/math/conventions.h"
 #include "core/motion/foot_contacts.h"
 #include "ui/style/words.h"
+#include "ui/views/between_panel.h"
 #include "ui/views/joint_table.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -34,6 +35,7 @@ ReportPanel::ReportPanel(Studio& studio, QWidget* parent)
       problems_(new QWidget),
       problems_column_(makeColumn(problems_, {12, 0, 12, 4}, 8)),
       more_problems_(new Label({}, TextRole::kSecondary, Ink::kHint)),
+      between_(new BetweenPanel(studio)),
       joints_(new JointTable(studio.selection())),
       full_report_(makeButton(ButtonKind::kText, tr("Open full report"))),
       export_(makeButton(ButtonKind::kPrimary, tr("Export"), "export", QKeySequence("Ctrl+E"))) {
@@ -53,6 +55,7 @@ ReportPanel::ReportPanel(Studio& studio, QWidget* parent)
     auto* inner = makeColumn(judged_);
     inner->addWidget(problems_);
     inner->addWidget(makeNumbers());
+    inner->addWidget(between_);
     inner->addWidget(new Divider);
     inner->addWidget(joints_);
     auto* rest = new QWidget;
@@ -102,6 +105,7 @@ void ReportPanel::refresh() {
     const bool has_run = overview && take.shownRun() >= 0;
     const auto verdict = has_run ? take.verdict() : nullptr;
     judged_->setVisible(verdict != nullptr);
+    between_->refresh();
     verdict_->setVisible(has_run);
     empty_->setVisible(!has_run);
     const QString no_report = !overview ? tr("Open a take first.") : tr("Process the take first.");

@@ -15,6 +15,7 @@ class QBoxLayout;
 namespace noctule::ui {
 
 class Button;
+class BetweenPanel;
 class EmptyState;
 class JointTable;
 class Label;
@@ -49,6 +50,7 @@ private:
     QBoxLayout* problems_column_;
     Label* more_problems_;
     std::array<ValueCard*, 4> cards_;
+    BetweenPanel* between_;
     JointTable* joints_;
     Label *slide_, *drift_, *contacts_;
     Button *full_report_, *export_;

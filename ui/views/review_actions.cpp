@@ -4,6 +4,7 @@
 #include "ui/models/studio.h"
 #include "ui/plots/timeline.h"
 #include "ui/plots/transport_bar.h"
+#include "ui/views/performer_switch.h"
 #include "ui/views/reference_panel.h"
 #include "ui/views/review_center.h"
 #include "ui/views/review_page.h"
@@ -81,6 +82,8 @@ void ReviewActions::addTake() {
     add(tr("Reprocess"), {}, [this] { page_.reprocess(); });
     add(tr("Attach reference"), {}, [this] { page_.sidebar().reference().chooseFile(); });
     add(tr("Open full report"), {}, [this] { page_.openFullReport(); });
+    next_performer_ = add(tr("Next performer"), QKeySequence("Shift+P"),
+                          [this] { PerformerSwitch::showNext(studio_.take()); });
     side_by_side_ =
         add(tr("Results side by side"), {}, [&scenes] { scenes.setSideBySide(!scenes.isSideBySide()); });
     side_by_side_->setCheckable(true);
@@ -96,6 +99,7 @@ void ReviewActions::refresh() {
     play_->setText(studio_.time().isPlaying() ? tr("Pause") : tr("Play"));
     loop_->setChecked(studio_.time().loops());
     side_by_side_->setChecked(page_.center().scenes().isSideBySide());
+    next_performer_->setEnabled(studio_.take().isOfSeveral());
     side_by_side_->setEnabled(page_.center().scenes().canCompare());
 }
 

@@ -30,7 +30,7 @@ private:
     Studio& studio_;
     ReviewPage& page_;
     QList<QAction*> all_;
-    QAction *play_ = nullptr, *loop_ = nullptr, *side_by_side_ = nullptr;
+    QAction *play_ = nullptr, *loop_ = nullptr, *next_performer_ = nullptr, *side_by_side_ = nullptr;
     QAction *name_marker_ = nullptr, *delete_marker_ = nullptr, *found_contacts_ = nullptr;
 };
 

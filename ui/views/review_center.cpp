@@ -8,6 +8,7 @@
 #include "ui/plots/timeline.h"
 #include "ui/plots/transport_bar.h"
 #include "ui/style/theme.h"
+#include "ui/views/performer_switch.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/scene_area.h"
 #include "ui/widgets/button.h"
@@ -24,6 +25,7 @@ constexpr int kRoomForBoth = 700, kLeastAbove = 220;  // pixels at 100 percent
 ReviewCenter::ReviewCenter(Studio& studio, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
+      performers_(new PerformerSwitch(studio)),
       scenes_(new SceneArea(studio)),
       heat_map_(new HeatMap(studio)),
       plots_(new PlotPanel(studio)),
@@ -44,6 +46,7 @@ ReviewCenter::ReviewCenter(Studio& studio, QWidget* parent)
     column->addWidget(transport_);
     auto* top = new QWidget;
     auto* top_column = makeColumn(top);
+    top_column->addWidget(performers_);
     top_column->addWidget(tabs_);
     top_column->addWidget(above_, 1);
     keepMinimumHeight(*above_, kLeastAbove);

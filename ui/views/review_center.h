@@ -15,6 +15,7 @@ namespace noctule::ui {
 
 class Button;
 class HeatMap;
+class PerformerSwitch;
 class PlotPanel;
 class SceneArea;
 class Timeline;
@@ -26,6 +27,7 @@ public:
     explicit ReviewCenter(Studio& studio, QWidget* parent = nullptr);
     ~ReviewCenter() override;
 
+    PerformerSwitch& performers() { return *performers_; }
     SceneArea& scenes() { return *scenes_; }
     HeatMap& heatMap() { return *heat_map_; }
     PlotPanel& plots() { return *plots_; }
@@ -45,6 +47,7 @@ private:
     void keepSplitters() const;
 
     Studio& studio_;
+    PerformerSwitch* performers_;
     SceneArea* scenes_;
     HeatMap* heat_map_;
     PlotPanel* plots_;
