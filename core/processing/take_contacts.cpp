@@ -26,6 +26,8 @@ Status changeContacts(const std::string& path, const ContactsChange& change, con
     auto take = Take::open(path, Access::kReadWrite, {job.cancel});
     if (!take)
         return take.error();
+    if (change.suit != kSuitInView)
+        take->view(change.suit);
     const auto duration_s = take->duration_s();
     if (!duration_s)
         return duration_s.error();

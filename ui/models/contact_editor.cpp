@@ -10,7 +10,7 @@ ContactEditor::ContactEditor(TakeChanges& changes, TakeDocument& take, TimeCurso
     : QObject(parent), changes_(changes), take_(take), time_(time) {
     connect(&changes, &TakeChanges::ordered, this, [this](const QString& path, const TakeChange& ordered) {
         const auto* contacts = std::get_if<ContactsChange>(&ordered);
-        if (!contacts || path != take_.path())
+        if (!contacts || path != take_.path() || contacts->suit != take_.view().suit)
             return;
         intended_ =
             contacts->after ? std::make_shared<const std::vector<FootContacts>>(*contacts->after) : Feet();
@@ -84,8 +84,8 @@ void ContactEditor::restoreFound() {
 }
 
 void ContactEditor::push(const QString& what, std::optional<std::vector<FootContacts>> after) {
-    changes_.push(what,
-                  ContactsChange{areEdited() ? std::optional(*contacts()) : std::nullopt, std::move(after)});
+    changes_.push(what, ContactsChange{areEdited() ? std::optional(*contacts()) : std::nullopt,
+                                       std::move(after), take_.view().suit});
 }
 
 }  // namespace noctule::ui
