@@ -11,7 +11,7 @@
 #include "core/processing/evaluate_take.h"
 #include "core/processing/process_take.h"
 #include "core/simulation/cast.h"
-#include "tests/core/simulation/simulated_body.h"
+#include "tests/core/simulation/swaying_pair.h"
 #include "tests/support/take_files.h"
 
 namespace noctule {
@@ -20,87 +20,14 @@ namespace {
 using test::Folder;
 using test::runSql;
 
-constexpr double kRest_s = 1, kMotion_s = 3;
-
-void addHousing(Suit& suit, const std::string& id, const std::string& segment, const Vector3d& p_m,
-                const Quaterniond& q = Quaterniond::Identity()) {
-    Board board;
-    board.id = id;
-    board.segment = segment;
-    board.p_segment_board_m = p_m;
-    board.q_segment_board = q;
-    suit.boards.push_back(board);
-    Source source;
-    source.id = source.board = id;
-    source.segment = segment;
-    source.p_segment_source_m = p_m + q * Vector3d(0.01, 0, 0);
-    source.normal_segment = q * Vector3d::UnitZ();
-    suit.sources.push_back(source);
-}
-
-Suit fewHousings() {
-    Suit suit;
-    suit.name = "few";
-    const auto outwards = [](const Vector3d& to) {
-        return Quaterniond::FromTwoVectors(Vector3d::UnitZ(), to);
-    };
-    addHousing(suit, "hips", "Hips", {0, -0.03, 0.125});
-    addHousing(suit, "chest", "Chest", {0, 0.09, 0.13});
-    addHousing(suit, "head", "Head", {0, 0.11, 0.12});
-    addHousing(suit, "l_hand", "LeftHand", {0.085, 0.03, 0}, outwards(Vector3d::UnitY()));
-    addHousing(suit, "r_hand", "RightHand", {-0.085, 0.03, 0}, outwards(Vector3d::UnitY()));
-    return suit;
-}
-
-Suit fourCorners() {
-    Suit room;
-    room.name = "corners";
-    const std::pair<const char*, Vector3d> corners[] = {{"south", {1.6, 2.3, -2}},
-                                                        {"east", {2, 0.8, 1.7}},
-                                                        {"north", {-1.8, 2.2, 2}},
-                                                        {"west", {-2, 1.2, -1.5}}};
-    for (const auto& [id, p] : corners)
-        addHousing(room, id, "", p, Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d(0, 1, 0) - p));
-    return room;
-}
-
-/// Sways where it stands; every joint swings.
-MotionClip swaying() {
-    MotionClip clip = simulation::madeMotion(kMotion_s);
-    for (size_t f = 0; f < clip.frames.size(); ++f) {
-        const double t = static_cast<double>(f) / 120;
-        clip.frames[f].p_world_root = {0.08 * std::sin(1.3 * t), 0.97, 0.08 * std::sin(t)};
-        clip.frames[f].q_parent_joint[0] = axisAngle(Vector3d::UnitY(), 0.2 * std::sin(t));
-    }
-    return clip;
-}
-
 /// The take that each test takes a copy of.
 const std::string& soundTake() {
     static const Folder folder;
     static const std::string path = [] {
-        simulation::CastRequest request;
-        for (const std::string name : {"Ada", "Bea"}) {
-            simulation::CastSubject subject;
-            subject.name = name;
-            subject.stage.clip = swaying();
-            subject.stage.suit = fewHousings();
-            subject.place = name == "Ada" ? simulation::StandingPlace{0, -0.6, 0}
-                                          : simulation::StandingPlace{0, 0.7, std::numbers::pi};
-            request.subjects.push_back(std::move(subject));
-        }
-        request.room = fourCorners();
-        request.scenario = *simulation::Scenario::named("nominal");
-        request.rest_seconds = kRest_s;
-        const auto cast = simulation::prepareCast(request);
-        EXPECT_TRUE(cast) << cast.error().text();
-        const simulation::TakeRequest take{.out_path = folder.file("sound.noctule"),
-                                           .level = simulation::Level::kReadings,
-                                           .name = "sound",
-                                           .created_utc = "2026-01-02T03:04:05Z",
-                                           .software = "test"};
-        EXPECT_TRUE(simulation::writeTake(*cast, take, {}).ok());
-        return take.out_path;
+        const std::string made = folder.file("sound.noctule");
+        const Status written = test::writeSwayingPair(made);
+        EXPECT_TRUE(written) << written.error().text();
+        return made;
     }();
     return path;
 }

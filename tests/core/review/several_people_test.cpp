@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// A take of two people as Review sees it: one of them at a time, and what lies between them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/processing/process_take.h"
+#include "core/review/between_curve.h"
+#include "core/review/take_review.h"
+#include "tests/core/simulation/swaying_pair.h"
+#include "tests/support/take_files.h"
+
+namespace noctule {
+namespace {
+
+const std::string& processedPair() {
+    static const test::Folder folder;
+    static const std::string path = [] {
+        const std::string made = folder.file("pair.noctule");
+        const Status written = test::writeSwayingPair(made);
+        EXPECT_TRUE(written) << written.error().text();
+        ProcessRequest request;
+        request.take_path = made;
+        request.software = "test";
+        const auto summary = processTake(request, {});
+        EXPECT_TRUE(summary) << summary.error().text();
+        return made;
+    }();
+    return path;
+}
+
+TakeOverview overviewOf(int suit) {
+    auto overview = overviewTake({processedPair(), suit}, {});
+    EXPECT_TRUE(overview) << overview.error().text();
+    return std::move(*overview);
+}
+
+TEST(SeveralPeople, TheFirstIsInViewUnlessAnotherIsWanted) {
+    const TakeOverview first = overviewOf(kSuitInView);
+    ASSERT_EQ(first.subjects.size(), 2u) << "the room is nobody";
+    EXPECT_EQ(first.subjects[0].name, "Ada");
+    EXPECT_EQ(first.subjects[1].name, "Bea");
+    EXPECT_EQ(first.suit_in_view, first.subjects[0].suit());
+    const int bea = first.subjects[1].suit();
+    const TakeOverview second = overviewOf(bea);
+    EXPECT_EQ(second.suit_in_view, bea);
+    EXPECT_EQ(second.runs.size(), first.runs.size());
+    ASSERT_TRUE(first.rest_s && second.rest_s);
+    EXPECT_NEAR(second.rest_s->second, first.rest_s->second, 0.05) << "on the take's clock, not on her box's";
+    EXPECT_NEAR(second.duration_s, first.duration_s, 0.1);
+}
+
+TEST(SeveralPeople, PosesAndReferencesAreOfWhomTheViewLooksAt) {
+    const TakeOverview overview = overviewOf(kSuitInView);
+    const int64_t run = overview.runs.back().run.run;
+    for (const TakeSubject& subject : overview.subjects) {
+        const auto motion = loadPoses({processedPair(), subject.suit()}, run, {}),
+                   reference = loadPoses({processedPair(), subject.suit()}, std::nullopt, {});
+        ASSERT_TRUE(motion && reference);
+        const double side_m = subject.name == "Ada" ? -0.6 : 0.7;
+        EXPECT_NEAR(reference->frames.front().pose->p_world_root.z(), side_m, 0.15);
+        EXPECT_NEAR(motion->frames.back().pose->p_world_root.z(),
+                    reference->frames.back().pose->p_world_root.z(), 0.05);
+    }
+}
+
+/// Lowest and highest value that is one.
+std::pair<float, float> extremes(const SeriesPyramid& curve) {
+    std::pair<float, float> found{1e9F, -1e9F};
+    for (const float value : curve.series().value)
+        if (std::isfinite(value))
+            found = {std::min(found.first, value), std::max(found.second, value)};
+    return found;
+}
+
+TEST(SeveralPeople, DistancesAreRightAndSaySoHowFar) {
+    const TakeOverview overview = overviewOf(kSuitInView);
+    const TakeView ada{processedPair(), overview.subjects[0].suit()};
+    const int bea = overview.subjects[1].suit();
+    const auto found = loadBetween(ada, overview.runs.back().run.run, bea, {}),
+               truth = loadBetween(ada, std::nullopt, bea, {});
+    ASSERT_TRUE(found) << found.error().text();
+    ASSERT_TRUE(truth) << truth.error().text();
+    ASSERT_EQ(found->size(), 5u);
+    ASSERT_EQ(truth->size(), 5u);
+    EXPECT_EQ(found->front().joint, "Hips");
+    for (size_t i = 0; i < found->size(); ++i) {
+        SCOPED_TRACE((*found)[i].joint + " to " + (*found)[i].other_joint);
+        const MotionCurve& curve = (*found)[i].distance;
+        EXPECT_EQ(curve.unit, CurveUnit::kMetres);
+        EXPECT_NEAR((*found)[i].least_m, (*truth)[i].least_m, 0.05);
+        ASSERT_FALSE(curve.low.empty());
+        EXPECT_TRUE((*truth)[i].distance.low.empty()) << "a reference states no error of its own";
+        const auto [low, ignored] = extremes(curve.low);
+        const auto [nearest, farthest] = extremes(curve.value);
+        EXPECT_LT(low, nearest);
+        EXPECT_GT(low, nearest - 0.3F) << "two sigma of a pair that hears each other";
+        EXPECT_LT(farthest, 2.5F);
+    }
+    const auto [nearest, farthest] = extremes(found->front().distance.value);
+    EXPECT_NEAR(nearest, 1.3, 0.35);
+    EXPECT_NEAR(farthest, 1.3, 0.35);
+}
+
+}  // namespace
+}  // namespace noctule

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// A take of two performers in Review and Export: the operator chooses who is shown, sees both bodies and the
+// distances between them, and gets a file of each.
+#include <QHBoxLayout>
+#include <QLabel>
+
+#include "core/processing/process_take.h"
+#include "tests/core/simulation/swaying_pair.h"
+#include "tests/ui/views/reviewed_session.h"
+#include "ui/plots/plot_panel.h"
+#include "ui/scene/scene_view.h"
+#include "ui/scene/take_scene.h"
+#include "ui/views/export_form.h"
+#include "ui/views/export_page.h"
+#include "ui/views/performer_switch.h"
+#include "ui/views/report_panel.h"
+#include "ui/views/review_center.h"
+#include "ui/views/review_page.h"
+#include "ui/widgets/button.h"
+
+namespace noctule::ui {
+namespace {
+
+/// Made once for all tests.
+const std::string& processedPair() {
+    static const QTemporaryDir folder;
+    static const std::string path = [] {
+        const std::string made = folder.filePath("pair.noctule").toStdString();
+        const Status written = noctule::test::writeSwayingPair(made);
+        EXPECT_TRUE(written) << written.error().text();
+        ProcessRequest request;
+        request.take_path = made;
+        request.software = "test";
+        const auto summary = processTake(request, {});
+        EXPECT_TRUE(summary) << summary.error().text();
+        return made;
+    }();
+    return path;
+}
+
+class TwoPeopleTest : public test::ReviewedSession {
+protected:
+    void SetUp() override {
+        ReviewedSession::SetUp();
+        if (HasFatalFailure())
+            return;
+        studio_->session().importTakes({QString::fromStdString(processedPair())});
+        ASSERT_TRUE(
+            waitFor([this] { return studio_->session().session().takes.size() == 2 && jobsAreDone(); }));
+        window_ = std::make_unique<QWidget>();
+        page_ = new ReviewPage(*studio_);
+        auto* row = new QHBoxLayout(window_.get());
+        for (QWidget* part : {page_->leftDock(), static_cast<QWidget*>(page_), page_->rightDock()}) {
+            row->addWidget(part);
+            part->show();
+        }
+        window_->resize(1440, 860);
+        window_->show();
+        page_->enter();
+        openTake("pair");
+    }
+    void TearDown() override {
+        waitFor([this] { return jobsAreDone(); });
+        window_.reset();
+        ReviewedSession::TearDown();
+    }
+
+    void show(int performer) {
+        const auto& buttons = page_->center().performers().buttons();
+        ASSERT_GT(buttons.size(), static_cast<size_t>(performer));
+        QTest::mouseClick(buttons[static_cast<size_t>(performer)], Qt::LeftButton);
+        ASSERT_TRUE(waitFor([&] {
+            return studio_->take().subject() == performer && studio_->take().verdict() && jobsAreDone();
+        })) << studio_->take().problem().toStdString();
+    }
+    bool reportSays(const QString& words) const {
+        for (const QLabel* label : page_->reportPanel().findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words))
+                return true;
+        return false;
+    }
+
+    std::unique_ptr<QWidget> window_;
+    ReviewPage* page_ = nullptr;
+};
+
+TEST_F(TwoPeopleTest, TheOperatorChoosesWhoIsShown) {
+    const auto& buttons = page_->center().performers().buttons();
+    ASSERT_EQ(buttons.size(), 2u);
+    EXPECT_TRUE(page_->center().performers().isVisible());
+    EXPECT_EQ(buttons[0]->text(), "Ada");
+    EXPECT_TRUE(buttons[0]->isChecked() && !buttons[1]->isChecked());
+    const auto of_ada = studio_->take().shownMotion();
+    show(1);
+    EXPECT_TRUE(!buttons[0]->isChecked() && buttons[1]->isChecked());
+    const auto of_bea = studio_->take().shownMotion();
+    ASSERT_TRUE(of_ada && of_bea);
+    EXPECT_LT(of_ada->frames.back().pose->p_world_root.z(), 0);
+    EXPECT_GT(of_bea->frames.back().pose->p_world_root.z(), 0);
+    QTest::mouseClick(buttons[1], Qt::LeftButton);
+    EXPECT_TRUE(buttons[1]->isChecked()) << "one is always shown";
+    PerformerSwitch::showNext(studio_->take());
+    EXPECT_TRUE(waitFor([this] { return studio_->take().subject() == 0; }));
+    openTake("swing_001");
+    EXPECT_FALSE(page_->center().performers().isVisible()) << "there is one performer only";
+}
+
+TEST_F(TwoPeopleTest, BothBodiesStandInThePictureWithTheirLetters) {
+    TakeScene scene(*studio_);
+    SceneLayers layers;
+    studio_->time().setTime(2);
+    ASSERT_TRUE(waitFor([&] { return scene.compose(layers).tags.size() == 2 && jobsAreDone(); }));
+    const ComposedScene composed = scene.compose(layers);
+    std::set<int> letters;
+    for (const ComposedScene::Tag& tag : composed.tags) {
+        letters.insert(tag.performer);
+        EXPECT_GT(tag.p_m.y(), 1.5);
+        EXPECT_LT(tag.p_m.z() * (tag.performer == 0 ? 1 : -1), 0) << "each over the own head";
+    }
+    EXPECT_EQ(letters, (std::set<int>{0, 1}));
+    EXPECT_GE(composed.scene.bodies.size() + composed.scene.discs.size(), 2u);
+}
+
+TEST_F(TwoPeopleTest, DistancesAreAPlotAndAPartOfTheReport) {
+    PlotPanel& plots = page_->center().plots();
+    plots.setOn(PlotTab::kBetween, true);
+    TakeDocument& take = studio_->take();
+    ASSERT_TRUE(waitFor([&] {
+        return take.betweenTracks(0, 1) && take.betweenTracks(0, 1, TakeDocument::Whose::kReference);
+    }));
+    ASSERT_TRUE(waitFor([&] { return plots.csv().find("Pelvis of A to pelvis of B") != std::string::npos; }))
+        << plots.csv().substr(0, 400);
+    EXPECT_TRUE(plots.csv().find("reference") != std::string::npos);
+    const auto between = take.between();
+    ASSERT_TRUE(between);
+    EXPECT_EQ(between->size(), 5u);
+    EXPECT_TRUE(reportSays("Between Ada and Bea"));
+    EXPECT_TRUE(reportSays("Facing each other"));
+    show(1);
+    EXPECT_TRUE(reportSays("Between Ada and Bea")) << "whoever is shown";
+}
+
+TEST_F(TwoPeopleTest, ExportWritesAFileOfEach) {
+    ExportPage page(*studio_);
+    page.resize(1000, 700);
+    page.show();
+    page.choosePreset("bvh");
+    page.enter();
+    ASSERT_EQ(page.form().takes(), QStringList{"pair"});
+    QTest::mouseClick(page.writeButton(), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return page.results().has_value() && jobsAreDone(); }));
+    std::set<std::string> files;
+    for (const ExportOutcome& outcome : page.results()->outcomes) {
+        ASSERT_FALSE(outcome.error) << outcome.error->text();
+        EXPECT_TRUE(outcome.check.ok()) << outcome.check.faults.front();
+        files.insert(std::filesystem::path(outcome.path).filename().string());
+    }
+    EXPECT_EQ(files, (std::set<std::string>{"pair_120_Ada.bvh", "pair_120_Bea.bvh"}));
+}
+
+}  // namespace
+}  // namespace noctule::ui
