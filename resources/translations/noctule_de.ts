@@ -411,6 +411,22 @@
         <source>result %1</source>
         <translation>Ergebnis %1</translation>
     </message>
+    <message>
+        <source>%1 of %2 to %3 of %4 (m)</source>
+        <translation>%1 von %2 zu %3 von %4 (m)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Between performers</source>
+        <translation>Zwischen Darstellern</translation>
+    </message>
+    <message>
+        <source>The shown result holds one performer only</source>
+        <translation>Das gezeigte Ergebnis enthält nur einen Darsteller</translation>
+    </message>
 </context>
 <context>
     <name>Licences</name>
@@ -1229,6 +1245,13 @@
     </message>
 </context>
 <context>
+    <name>PerformerSwitch</name>
+    <message>
+        <source>Performer %1</source>
+        <translation>Darsteller %1</translation>
+    </message>
+</context>
+<context>
     <name>PlotPanel</name>
     <message>
         <source>%1 is written</source>
@@ -1904,6 +1927,37 @@
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::BetweenPanel</name>
+    <message>
+        <source>Between %1 and %2</source>
+        <translation>Zwischen %1 und %2</translation>
+    </message>
+    <message>
+        <source>error, rms</source>
+        <translation>Fehler, rms</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 zu %2</translation>
+    </message>
+    <message>
+        <source>… nearer than 0.3 m</source>
+        <translation>… näher als 0,3 m</translation>
+    </message>
+    <message>
+        <source>Facing each other</source>
+        <translation>Ausrichtung zueinander</translation>
+    </message>
+    <message>
+        <source>How well distances between the performers are known is told against a reference of each of them.</source>
+        <translation>Wie gut die Abstände zwischen den Darstellern bekannt sind, zeigt eine Referenz von jedem von ihnen.</translation>
+    </message>
+    <message>
+        <source>Between the performers</source>
+        <translation>Zwischen den Darstellern</translation>
     </message>
 </context>
 <context>
@@ -3110,6 +3164,10 @@
     <message>
         <source>Take %1, result: %2</source>
         <translation>Take %1, Ergebnis: %2</translation>
+    </message>
+    <message>
+        <source>Export it without one file for all takes</source>
+        <translation>Ohne eine Datei für alle Aufnahmen exportieren</translation>
     </message>
 </context>
 <context>
@@ -4900,6 +4958,18 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::PerformerSwitch</name>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <comment>a performer</comment>
+        <translation>%1 zeigen</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::PlotLane</name>
     <message>
         <source>%1 ±%2</source>
@@ -5010,6 +5080,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Table (*.csv)</source>
         <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>Zwischen</translation>
     </message>
 </context>
 <context>
@@ -7247,6 +7321,10 @@ Median; gut: unter %1</translation>
         <source>Back to the contacts that were found</source>
         <translation>Zurück zu den gefundenen Kontakten</translation>
     </message>
+    <message>
+        <source>Next performer</source>
+        <translation>Nächster Darsteller</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ReviewCenter</name>
@@ -9275,6 +9353,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Drawing joint angles</source>
         <translation>Gelenkwinkel werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>Measuring between performers</source>
+        <translation>Abstände zwischen Darstellern werden gemessen</translation>
     </message>
 </context>
 <context>
