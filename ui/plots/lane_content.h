@@ -18,6 +18,9 @@ namespace noctule::ui {
 /// times.
 inline constexpr double kPairHold_s = 0.192;
 
+/// The same of a pose: they come at 120 frames a second, of a slow reference at 24.
+inline constexpr double kPoseHold_s = 0.1;
+
 struct LaneUnit {
     double factor = 1;  ///< shown = value * factor
     QString suffix;     ///< with its space: " m"; degrees without: "°"

@@ -13,8 +13,6 @@ namespace {
 using Whose = TakeDocument::Whose;
 using Tracks = std::shared_ptr<const std::vector<BetweenTrack>>;
 
-constexpr double kHold_s = 0.1;
-
 std::shared_ptr<const SeriesPyramid> curveOf(const Tracks& tracks, const BetweenTrack& track,
                                              SeriesPyramid MotionCurve::*member) {
     const SeriesPyramid& curve = track.distance.*member;
@@ -59,7 +57,7 @@ LaneContent laneOf(TakeDocument& take, int one, int other, const Tracks& tracks,
     shown.high = curveOf(tracks, track, &MotionCurve::high);
     shown.legend = shown.low ? laneWords(QT_TRANSLATE_NOOP("Lanes", "%1 with 2 sigma")).arg(result) : result;
     shown.column = laneWords(QT_TRANSLATE_NOOP("Lanes", "%1, %2")).arg(lane.title, result);
-    shown.hold_s = kHold_s;
+    shown.hold_s = kPoseHold_s;
     lane.curves.push_back(shown);
     if (!take.overview()->has_reference)
         return lane;
@@ -71,7 +69,7 @@ LaneContent laneOf(TakeDocument& take, int one, int other, const Tracks& tracks,
         reference.column = laneWords(QT_TRANSLATE_NOOP("Lanes", "%1, %2")).arg(lane.title, reference.legend);
         reference.readout = laneWords(QT_TRANSLATE_NOOP("Lanes", "ref %1"));
         reference.pen = LanePen::kReference;
-        reference.hold_s = kHold_s;
+        reference.hold_s = kPoseHold_s;
         lane.curves.push_back(reference);
     }
     return lane;

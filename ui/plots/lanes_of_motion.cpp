@@ -12,9 +12,6 @@ namespace {
 
 using Whose = TakeDocument::Whose;
 
-/// Poses come at 120 frames a second; a slow reference at 24.
-constexpr double kHold_s = 0.1;
-
 std::shared_ptr<const SeriesPyramid> partOf(const std::shared_ptr<const MotionCurve>& curve,
                                             SeriesPyramid MotionCurve::*member) {
     if (!curve || (curve.get()->*member).empty())
@@ -68,7 +65,7 @@ void appendCurves(LaneContent& lane, TakeDocument& take, const CurveChoice& choi
                            .arg(curveName(choice), wearer.legend);
         curve.pen = wearer.pen;
         curve.readout = wearer.readout;
-        curve.hold_s = kHold_s;
+        curve.hold_s = kPoseHold_s;
         lane.curves.push_back(std::move(curve));
     }
 }
