@@ -91,10 +91,17 @@ TEST(SeveralPeople, DistancesAreRightAndSaySoHowFar) {
         EXPECT_NEAR((*found)[i].least_m, (*truth)[i].least_m, 0.05);
         ASSERT_FALSE(curve.low.empty());
         EXPECT_TRUE((*truth)[i].distance.low.empty()) << "a reference states no error of its own";
-        const auto [low, ignored] = extremes(curve.low);
-        const auto [nearest, farthest] = extremes(curve.value);
-        EXPECT_LT(low, nearest);
-        EXPECT_GT(low, nearest - 0.3F) << "two sigma of a pair that hears each other";
+        const std::vector<float>&value = curve.value.series().value, &low = curve.low.series().value;
+        ASSERT_EQ(low.size(), value.size());
+        size_t stated = 0;
+        for (size_t f = 0; f < low.size(); ++f)
+            if (std::isfinite(low[f])) {
+                ++stated;
+                EXPECT_LT(low[f], value[f]);
+                EXPECT_GT(low[f], value[f] - 0.3F) << "two sigma of a pair that hears each other";
+            }
+        EXPECT_GT(stated, value.size() * 9 / 10) << "stated ten times a second";
+        const float farthest = extremes(curve.value).second;
         EXPECT_LT(farthest, 2.5F);
     }
     const auto [nearest, farthest] = extremes(found->front().distance.value);
