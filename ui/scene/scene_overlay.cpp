@@ -149,6 +149,21 @@ void paintCallout(QPainter& painter, const QRectF& area, const SceneCallout& cal
     painter.drawText(inner, Qt::AlignLeft | Qt::AlignBottom, callout.detail);
 }
 
+void paintDistance(QPainter& painter, const SceneDistance& distance) {
+    const Theme& theme = Theme::get();
+    const QFont font = theme.font(TextRole::kSecondary, true);
+    QRectF box(QPointF(0, 0), QSizeF(QFontMetricsF(font).horizontalAdvance(distance.text) + px(20), px(26)));
+    box.moveCenter(distance.floor);
+    painter.setPen(QPen(theme.tokens().acc, px(1.2)));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(distance.from, px(12), px(12));
+    painter.drawLine(distance.from + QPointF(0, px(12)), QPointF(distance.floor.x(), box.top()));
+    paintBox(painter, box, px(4), theme.tokens().raised, theme.tokens().acc);
+    painter.setFont(font);
+    painter.setPen(theme.tokens().t1);
+    painter.drawText(box, Qt::AlignCenter, distance.text);
+}
+
 bool sameContent(const OverlayContent& a, const OverlayContent& b) {
     const auto sameLegend = [](const SceneLegend& x, const SceneLegend& y) {
         return x.text == y.text && x.outline == y.outline;
@@ -159,7 +174,12 @@ bool sameContent(const OverlayContent& a, const OverlayContent& b) {
     const auto sameTag = [](const SceneTag& x, const SceneTag& y) {
         return x.performer == y.performer && x.at == y.at;
     };
-    return std::equal(a.tags.begin(), a.tags.end(), b.tags.begin(), b.tags.end(), sameTag) &&
+    const auto sameDistance = [](const SceneDistance& x, const SceneDistance& y) {
+        return x.from == y.from && x.floor == y.floor && x.text == y.text;
+    };
+    return a.distance.has_value() == b.distance.has_value() &&
+           (!a.distance || sameDistance(*a.distance, *b.distance)) &&
+           std::equal(a.tags.begin(), a.tags.end(), b.tags.begin(), b.tags.end(), sameTag) &&
            a.camera_axes == b.camera_axes && a.has_axes == b.has_axes && a.has_rays == b.has_rays &&
            std::equal(a.legends.begin(), a.legends.end(), b.legends.begin(), b.legends.end(), sameLegend) &&
            a.callout.has_value() == b.callout.has_value() &&
@@ -196,6 +216,8 @@ void SceneOverlay::paint(QPainter& painter, const QRectF& area, const OverlayCon
         paintLegends(painter, area, content.legends, has_axes);
     if (content.has_rays && has_room && area.width() >= px(520))
         paintRayLegend(painter, area);
+    if (content.distance && has_room)
+        paintDistance(painter, *content.distance);
     for (const SceneTag& tag : content.tags)
         paintPerformerDisc(painter, QRectF(tag.at - QPointF(px(9), px(9)), QSizeF(px(18), px(18))),
                            tag.performer);

@@ -28,6 +28,12 @@ struct SceneTag {
     QPointF at;  ///< in the widget's pixels
 };
 
+/// How far two people are from each other: on the floor between them, never over a body.
+struct SceneDistance {
+    QPointF from, floor;  ///< between the hands, and below that
+    QString text;
+};
+
 struct OverlayContent {
     Matrix3d camera_axes = Matrix3d::Identity();
     bool has_axes = true;
@@ -35,6 +41,7 @@ struct OverlayContent {
     bool has_rays = false;
     std::optional<SceneCallout> callout;
     std::vector<SceneTag> tags;
+    std::optional<SceneDistance> distance;
 };
 
 class SceneOverlay : public QWidget {

@@ -207,6 +207,7 @@ Eigen::AlignedBox3d SceneView::bodyBox() const {
     constexpr double kCaption = 0.2;  // below the feet, for the words of a narrow view
     const double covered = parts_->tools->geometry().bottom() / std::max(1.0, 1.0 * height());
     Eigen::AlignedBox3d box = parts_->composed.places.box();
+    box.extend(parts_->composed.others);
     if (studio_.look().worn)  // whose head may be far larger than its bones say
         for (const SceneBody& body : parts_->composed.scene.bodies)
             for (const Eigen::Vector3f& p_m : skinned(*body.mesh, body.skin, body.blending).points_m)
@@ -263,6 +264,11 @@ void SceneView::updateOverlay(quint64 number) {
     for (const ComposedScene::Tag& tag : parts.composed.tags)
         if (const auto on_screen = place(tag.p_m))
             content.tags.push_back({tag.performer, *on_screen});
+    if (const auto& distance = parts.composed.distance)
+        if (const auto from = place(distance->middle_m),
+            floor = place(distance->middle_m.cwiseProduct(Vector3d(1, 0, 1)));
+            from && floor)
+            content.distance = SceneDistance{*from, *floor, distanceInWords(*distance)};
     const auto on_screen = at ? place(*at) : std::nullopt;
     if (content.callout && on_screen)
         content.callout->at = *on_screen;

@@ -130,4 +130,13 @@ QString whyEmpty(Studio& studio) {
     return SceneWords::tr("The motion has no pose at this time.");
 }
 
+QString distanceInWords(const ComposedScene::Distance& distance) {
+    const bool near = distance.distance_m < 1;
+    const QString words = near ? millimetresText(distance.distance_m, 0) : metresText(distance.distance_m);
+    if (!distance.sigma_m)
+        return words;
+    return words + QStringLiteral(" ±") +
+           numberText(near ? 1000 * *distance.sigma_m : *distance.sigma_m, near ? 0 : 2);
+}
+
 }  // namespace noctule::ui

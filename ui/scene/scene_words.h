@@ -29,4 +29,7 @@ QString figureDescription(const FigureScene& figure);
 QString whyEmpty(Studio& studio);
 QString whyEmpty(const LiveScene& live);
 
+/// "46 mm ±5"; from a metre on "1.27 m ±0.01". The error is one sigma.
+QString distanceInWords(const ComposedScene::Distance& distance);
+
 }  // namespace noctule::ui

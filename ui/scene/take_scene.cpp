@@ -28,6 +28,14 @@ Vector3d overHead(const Skeleton& skeleton, const BodyPlaces& places) {
     return top + kTagOverHead_m * Vector3d::UnitY();
 }
 
+std::optional<double> sigmaAt(const MotionCurve& curve, double t_s) {
+    const std::vector<float>&value = curve.value.series().value, &high = curve.high.series().value;
+    const size_t index = curve.value.indexAt(t_s);
+    if (index >= value.size() || index >= high.size() || !std::isfinite(high[index]))
+        return std::nullopt;
+    return (high[index] - value[index]) / 2;
+}
+
 int64_t nanoseconds(double t_s) {
     return std::llround(t_s * 1e9);
 }
@@ -137,6 +145,30 @@ void TakeScene::addCompared(ComposedScene& composed, const SceneColors& colors, 
     composed.has_ghost = true;
 }
 
+void TakeScene::addDistance(ComposedScene& composed, int other, const Skeleton& skeleton,
+                            const BodyPlaces& places, double t_s) {
+    const bool other_is_later = other > studio_.take().subject();
+    const Skeleton& shown = shown_.motion->skeleton;
+    const auto tracks = studio_.take().betweenTracks(std::min(other, studio_.take().subject()),
+                                                     std::max(other, studio_.take().subject()));
+    for (const auto& [one, two] : kComparedEnds) {
+        const int of_shown = shown.find(other_is_later ? one : two),
+                  of_other = skeleton.find(other_is_later ? two : one);
+        if (std::string_view(one) == "Hips" || of_shown < 0 || of_other < 0)
+            continue;
+        const Vector3d here = composed.places.joints.p_world_joint[static_cast<size_t>(of_shown)],
+                       there = places.joints.p_world_joint[static_cast<size_t>(of_other)];
+        const double distance_m = (there - here).norm();
+        if (composed.distance && composed.distance->distance_m <= distance_m)
+            continue;
+        composed.distance = ComposedScene::Distance{0.5 * (here + there), distance_m, {}};
+        if (tracks)
+            for (const BetweenTrack& track : *tracks)
+                if (track.joint == one && track.other_joint == two)
+                    composed.distance->sigma_m = sigmaAt(track.distance, t_s);
+    }
+}
+
 void TakeScene::addOthers(ComposedScene& composed, const SceneLayers& layers, const SceneColors& colors,
                           double t_s) {
     TakeDocument& take = studio_.take();
@@ -158,6 +190,9 @@ void TakeScene::addOthers(ComposedScene& composed, const SceneLayers& layers, co
         if (layers.has(SceneLayer::kSkeleton))
             addSkeleton(composed.scene, colors, places, !has_mesh);
         composed.tags.push_back({i, overHead(skeleton, places)});
+        composed.others.extend(places.box());
+        if (composed.hasBody())
+            addDistance(composed, i, skeleton, places, t_s);
     }
 }
 

@@ -26,6 +26,14 @@ struct ComposedScene {
         Vector3d p_m;
     };
     std::vector<Tag> tags{};
+    Eigen::AlignedBox3d others;  ///< the bodies of the other people; empty: nobody else
+    /// Of the two hands, or wrists, that are nearest to each other just now.
+    struct Distance {
+        Vector3d middle_m;
+        double distance_m = 0;
+        std::optional<double> sigma_m;
+    };
+    std::optional<Distance> distance{};
     SceneSubject subject = SceneSubject::kShown;
 
     bool hasBody() const { return !places.joints.p_world_joint.empty(); }
@@ -60,6 +68,8 @@ private:
     void addPairs(ComposedScene& composed, double t_s);
     void addTrails(ComposedScene& composed, const SceneColors& colors, double t_s);
     void addContacts(ComposedScene& composed, const SceneColors& colors, double t_s);
+    void addDistance(ComposedScene& composed, int other, const Skeleton& skeleton, const BodyPlaces& places,
+                     double t_s);
     /// The other people of the take, without their suits.
     void addOthers(ComposedScene& composed, const SceneLayers& layers, const SceneColors& colors, double t_s);
     void addCompared(ComposedScene& composed, const SceneColors& colors, double t_s);

@@ -2,14 +2,18 @@
 #include "ui/views/performer_switch.h"
 
 #include <QCoreApplication>
+#include <QToolButton>
 
 #include "ui/style/performer_disc.h"
 #include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
-#include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
 
 namespace noctule::ui {
+
+namespace {
+constexpr int kDisc = 18, kPadding = 24, kHeight = 28;  // pixels at 100 percent
+}
 
 QString performerName(const TakeDocument& take, int index) {
     const std::string& name = take.subjects()[static_cast<size_t>(index)].name;
@@ -42,9 +46,12 @@ void PerformerSwitch::refresh() {
     }
     while (buttons_.size() < count) {
         const int index = static_cast<int>(buttons_.size());
-        Button* button = makeButton(ButtonKind::kText, {});
+        auto* button = new QToolButton;
         button->setCheckable(true);
-        connect(button, &QPushButton::clicked, this, [this, index] {
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        connect(button, &QToolButton::clicked, this, [this, index] {
             studio_.take().setSubject(index);
             refresh();  // a click on the shown one does not switch it off
         });
@@ -62,10 +69,16 @@ void PerformerSwitch::refresh() {
 }
 
 void PerformerSwitch::decorate() {
+    const Theme& theme = Theme::get();
+    const int size_px = theme.px(kDisc);
     for (size_t i = 0; i < buttons_.size(); ++i) {
-        const int size_px = Theme::get().px(18);
-        buttons_[i]->setIconSize({size_px, size_px});
-        buttons_[i]->setIcon(performerPixmap(static_cast<int>(i), size_px, devicePixelRatioF()));
+        QToolButton& button = *buttons_[i];
+        button.setFont(theme.font(TextRole::kBody, button.isChecked()));
+        button.setIconSize({size_px, size_px});
+        button.setIcon(performerPixmap(static_cast<int>(i), size_px, devicePixelRatioF()));
+        const QFontMetrics metrics(theme.font(TextRole::kBody, true));
+        button.setFixedSize(metrics.horizontalAdvance(button.text()) + size_px + theme.px(kPadding),
+                            std::max(theme.px(kHeight), metrics.height()));
     }
 }
 

@@ -8,17 +8,16 @@
 #include "ui/models/studio.h"
 
 class QBoxLayout;
+class QToolButton;
 
 namespace noctule::ui {
-
-class Button;
 
 class PerformerSwitch : public QWidget {
     Q_OBJECT
 public:
     explicit PerformerSwitch(Studio& studio, QWidget* parent = nullptr);
 
-    const std::vector<Button*>& buttons() const { return buttons_; }
+    const std::vector<QToolButton*>& buttons() const { return buttons_; }
     /// The next one, after the last the first.
     static void showNext(TakeDocument& take);
 
@@ -28,7 +27,7 @@ private:
 
     Studio& studio_;
     QBoxLayout* row_;
-    std::vector<Button*> buttons_;
+    std::vector<QToolButton*> buttons_;
 };
 
 /// "Ada"; without a name "Performer 2".

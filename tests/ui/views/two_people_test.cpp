@@ -3,6 +3,7 @@
 // distances between them, and gets a file of each.
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QToolButton>
 
 #include "core/processing/process_take.h"
 #include "tests/core/simulation/swaying_pair.h"
@@ -119,6 +120,12 @@ TEST_F(TwoPeopleTest, BothBodiesStandInThePictureWithTheirLetters) {
     }
     EXPECT_EQ(letters, (std::set<int>{0, 1}));
     EXPECT_GE(composed.scene.bodies.size() + composed.scene.discs.size(), 2u);
+    EXPECT_GT(composed.others.center().z(), 0);
+    ASSERT_TRUE(composed.distance);
+    EXPECT_LT(composed.distance->distance_m, 1.5);
+    EXPECT_LT(std::abs(composed.distance->middle_m.z()), 0.6) << "between them";
+    ASSERT_TRUE(waitFor([&] { return scene.compose(layers).distance->sigma_m.has_value(); }));
+    EXPECT_LT(*scene.compose(layers).distance->sigma_m, 0.1);
 }
 
 TEST_F(TwoPeopleTest, DistancesAreAPlotAndAPartOfTheReport) {
