@@ -12,7 +12,7 @@
 namespace noctule::ui {
 
 namespace {
-constexpr int kDisc = 18, kPadding = 24, kHeight = 28;  // pixels at 100 percent
+constexpr int kSwitchDisc = 18, kSwitchPadding = 24, kSwitchHeight = 28;  // pixels at 100 percent
 }
 
 QString performerName(const TakeDocument& take, int index) {
@@ -70,15 +70,15 @@ void PerformerSwitch::refresh() {
 
 void PerformerSwitch::decorate() {
     const Theme& theme = Theme::get();
-    const int size_px = theme.px(kDisc);
+    const int size_px = theme.px(kSwitchDisc);
     for (size_t i = 0; i < buttons_.size(); ++i) {
         QToolButton& button = *buttons_[i];
         button.setFont(theme.font(TextRole::kBody, button.isChecked()));
         button.setIconSize({size_px, size_px});
         button.setIcon(performerPixmap(static_cast<int>(i), size_px, devicePixelRatioF()));
         const QFontMetrics metrics(theme.font(TextRole::kBody, true));
-        button.setFixedSize(metrics.horizontalAdvance(button.text()) + size_px + theme.px(kPadding),
-                            std::max(theme.px(kHeight), metrics.height()));
+        button.setFixedSize(metrics.horizontalAdvance(button.text()) + size_px + theme.px(kSwitchPadding),
+                            std::max(theme.px(kSwitchHeight), metrics.height()));
     }
 }
 
