@@ -238,9 +238,14 @@ void PairGrid::paintHeadings(QPainter& painter, const Frame& frame) const {
                                          : (current ? theme.tokens().t1 : theme.tokens().t2));
     };
     const int beside = theme.px(kBesideRows);
+    const QFontMetrics metrics(theme.font(TextRole::kSecondary, true));
+    const int each_row = std::max(1, static_cast<int>(std::ceil(metrics.ascent() / frame.cell_height)));
     for (int row = 0; row < rowCount(); ++row) {
+        if (row % each_row != 0)
+            continue;
         const auto index = static_cast<size_t>(row);
-        const QRect cell = frame.cell(row, 0);
+        const int spare = std::max(0, metrics.height() - frame.cell(row, 0).height());
+        const QRect cell = frame.cell(row, 0).adjusted(0, -spare, 0, spare);
         ink(content_.rows[index], row == row_);
         painter.drawText(QRect(0, cell.top(), cell.left() - beside, cell.height()),
                          Qt::AlignRight | Qt::AlignVCenter, content_.rows[index].text);
@@ -250,7 +255,6 @@ void PairGrid::paintHeadings(QPainter& painter, const Frame& frame) const {
                              Qt::AlignLeft | Qt::AlignVCenter, content_.row_notes[index]);
         }
     }
-    const QFontMetrics metrics(theme.font(TextRole::kSecondary, true));
     const double widest = metrics.horizontalAdvance(QStringLiteral("00")) + theme.px(4);
     const int every = std::max(1, static_cast<int>(std::ceil(widest / frame.cell_width)));
     for (int column = 0; column < columnCount(); ++column) {
