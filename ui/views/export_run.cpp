@@ -12,6 +12,7 @@
 #include <span>
 
 #include "core/job/staged_progress.h"
+#include "core/processing/export_names.h"
 #include "core/processing/run_subjects.h"
 #include "core/review/take_review.h"
 #include "ui/language/core_words.h"
@@ -73,15 +74,23 @@ std::vector<ExportOutcome> writeAndCheck(std::span<const ExportJob> takes, const
 /// that they cannot share a file.
 Result<std::vector<ExportJob>> oneForEachPerson(const std::vector<ExportJob>& jobs) {
     std::vector<ExportJob> all;
+    std::set<std::string> taken;
     for (const ExportJob& job : jobs) {
         const auto requests = requestsOfSubjects(job.request);
         if (requests && requests->size() > 1 && job.in_one_file)
             return Error{ErrorKind::kUnusable, job.request.take_path + ": holds several performers",
                          RunWords::tr("Export it without one file for all takes").toStdString()};
-        for (size_t i = 0; i < (requests ? requests->size() : 1); ++i) {
+        if (!requests || requests->size() == 1) {
             all.push_back(job);
-            if (requests)
-                all.back().request = (*requests)[i];
+            continue;
+        }
+        for (const ExportRequest& request : *requests) {
+            all.push_back(job);
+            all.back().request = request;
+            std::string& path = all.back().request.*entryOf(job.format).path;
+            const std::filesystem::path named(path);
+            path = freeFilePath(named.parent_path().string(), named.stem().string(),
+                                entryOf(job.format).extension, taken);
         }
     }
     return all;
