@@ -6683,6 +6683,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Compare with the reference</source>
         <translation>Mit der Referenz vergleichen</translation>
     </message>
+    <message>
+        <source>A reference is attached to %1, the first performer of the take.</source>
+        <translation>Eine Referenz wird an %1 gehängt, den ersten Darsteller der Aufnahme.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RenderThread</name>

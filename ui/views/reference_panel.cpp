@@ -12,6 +12,7 @@
 #include "ui/style/words.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/open_take.h"
+#include "ui/views/performer_switch.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/elided_label.h"
@@ -96,7 +97,7 @@ void ReferencePanel::refresh() {
     present_->setVisible(has);
     absent_->setVisible(!has);
     attach_->setText(has ? tr("Replace") : tr("Attach"));
-    attach_->setDisabledBecause(overview ? QString() : tr("Open a take first."));
+    attach_->setDisabledBecause(whyNotAttached());
     compare_->setChecked(studio_.take().comparedRun() == TakeDocument::kReference);
     if (has)
         showFacts();
@@ -117,7 +118,19 @@ void ReferencePanel::showFacts() {
     detail_->setText(shift.isEmpty() ? matched : tr("aligned by %1, %2").arg(shift, matched));
 }
 
+/// Empty: a reference can be attached.
+QString ReferencePanel::whyNotAttached() const {
+    const TakeDocument& take = studio_.take();
+    if (!take.isOpen())
+        return tr("Open a take first.");
+    return take.subject() > 0 ? tr("A reference is attached to %1, the first performer of the take.")
+                                    .arg(performerName(take, 0))
+                              : QString();
+}
+
 void ReferencePanel::chooseFile() {
+    if (!whyNotAttached().isEmpty())
+        return;
     const QString path = QFileDialog::getOpenFileName(
         this, tr("Choose a recording of the same performance"), {},
         tr("Motions and positions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.csv)"));

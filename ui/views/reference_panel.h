@@ -33,6 +33,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    QString whyNotAttached() const;
     void refresh();
     void readFacts();
     void showFacts();

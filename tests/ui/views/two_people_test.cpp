@@ -14,9 +14,11 @@
 #include "ui/views/export_form.h"
 #include "ui/views/export_page.h"
 #include "ui/views/performer_switch.h"
+#include "ui/views/reference_panel.h"
 #include "ui/views/report_panel.h"
 #include "ui/views/review_center.h"
 #include "ui/views/review_page.h"
+#include "ui/views/review_sidebar.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {
@@ -145,6 +147,11 @@ TEST_F(TwoPeopleTest, DistancesAreAPlotAndAPartOfTheReport) {
     EXPECT_TRUE(reportSays("Facing each other"));
     show(1);
     EXPECT_TRUE(reportSays("Between Ada and Bea")) << "whoever is shown";
+    for (const Button* button : page_->sidebar().reference().findChildren<Button*>())
+        if (button->text() == "Replace") {
+            EXPECT_FALSE(button->isEnabled()) << "it would go to Ada";
+            EXPECT_TRUE(button->toolTip().contains("Ada"));
+        }
 }
 
 TEST_F(TwoPeopleTest, ExportWritesAFileOfEach) {
