@@ -252,6 +252,7 @@ TEST_F(CastGoneWrong, WhomNobodyHearsIsNamed) {
     alone.subjects = {"Ada"};
     processed(alone);
     const ErrorsOfSuit without_bea = errorsOf(1);
+    EXPECT_LT(beside.root_m, kUsual_m);
     EXPECT_NEAR(beside.root_m, without_bea.root_m, 0.001);
     EXPECT_NEAR(beside.angles_deg, without_bea.angles_deg, 0.1);
 }
