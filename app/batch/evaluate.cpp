@@ -8,6 +8,7 @@
 #include "core/processing/evaluate_points.h"
 #include "core/processing/evaluate_take.h"
 #include "core/processing/orient_take.h"
+#include "core/processing/root_in_world.h"
 #include "core/processing/run_subjects.h"
 #include "core/report/evaluation_json.h"
 #include "core/report/html_report.h"
@@ -163,12 +164,22 @@ Status addSubjects(const VerbContext& context, EvaluateRequest request,
         nlohmann::json own{{"name", subject.name}, {"suit", subject.suit()}};
         for (const char* member : {"mean_deg", "end_effector_mm", "root", "nees", "duration_s"})
             own[member] = all.value(member, nlohmann::json(nullptr));
+        const auto in_world = rootInWorld(request.take_path, request.run, subject, context.job());
+        if (!in_world)
+            return in_world.error();
+        own["root_in_world"] = nullptr;
+        if (*in_world)
+            own["root_in_world"] = {{"position_m", (*in_world)->position_m},
+                                    {"yaw_deg", (*in_world)->yaw_deg}};
         outcome.json["subjects"].push_back(own);
         const auto& comparison = data->shownRun()->comparison;
         outcome.text += "subject " + subject.name + ": " +
                         (comparison ? fixed(comparison->mean_deg) + " deg mean, root position " +
                                           fixed(comparison->root.position_m, 3) + " m"
                                     : std::string("no reference")) +
+                        (*in_world ? "; as it stands in the room " + fixed((*in_world)->position_m, 4) +
+                                         " m, yaw " + fixed((*in_world)->yaw_deg) + " deg"
+                                   : std::string()) +
                         "\n";
     }
     return Done{};

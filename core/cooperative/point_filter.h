@@ -47,6 +47,7 @@ public:
     size_t correct(const std::vector<PointRange>& ranges, int target);
 
     const FreePoints& points() const { return points_; }
+    FreePoints& points() { return points_; }  ///< for lost points, which are placed from outside
     int users() const { return users_; }
 
 private:

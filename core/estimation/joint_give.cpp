@@ -66,7 +66,7 @@ JointGive::JointGive(const Skeleton& actor, const KinematicTree& tree, const std
     }
     for (Constraint& constraint : constraints_)
         constraint.variance_rad2 = square(parameters_.initial_rad);
-    is_taught_ = std::ranges::any_of(constraints_, &Constraint::seen) || std::ranges::count(seen, true) == 0;
+    is_taught_ = std::ranges::any_of(actor.joints(), lacksFreedoms) || std::ranges::count(seen, true) == 0;
     if (!is_taught_) {
         flesh_share_ = 1;
         mean_variance_rad2_ = square(parameters_.untaught_rad);

@@ -31,8 +31,8 @@ struct GiveParameters {
     double trembles_s = 0.1;
     double lasts_s = 10;
     double lasts_on_flesh_s = 400;  ///< longer: flesh goes with the pose, which comes again and again
-    /// Where every joint that is seen is a ball joint nothing teaches: boards count as riding on flesh, and
-    /// attitudes between them as this unsure.
+    /// Of an actor of ball joints alone, whom nothing teaches: attitudes between boards are as unsure as
+    /// this.
     double untaught_rad = 0.06;
 };
 
@@ -88,7 +88,7 @@ private:
 
     GiveParameters parameters_;
     std::vector<Constraint> constraints_;
-    bool is_taught_ = true;  ///< some constraint is seen, or nothing is worn that would tell more
+    bool is_taught_ = true;  ///< the actor is not of ball joints alone, or nothing is worn that tells more
     double seen_s_ = 0;
     double flesh_share_ = 0, mean_variance_rad2_ = 0;
 };

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <span>
 
+#include "core/cooperative/lost_points.h"
 #include "core/estimation/rest_alignment.h"
 #include "core/live/point_estimators.h"
 #include "core/math/rotation.h"
 #include "core/processing/cross_clocks.h"
 #include "core/processing/cross_ranges.h"
+#include "core/processing/point_reach.h"
 
 namespace noctule {
 namespace {
@@ -17,6 +19,8 @@ namespace {
 constexpr double kUnstatedRange_m = 0.0025;
 constexpr double kUsableConfidence = 0.05;
 constexpr double kLongestStep_s = 0.02;
+constexpr double kDetour_m = 0.08;   ///< a way that is longer by as much is a reflection's
+constexpr double kNearest_m = 0.05;  ///< of the second order
 
 /// A range with both instants on common time.
 struct Flight {
@@ -126,8 +130,24 @@ private:
         addAnchors(members.back());
         filter_.emplace(settings_, cooperative::startPoints(places_m, setup_.start_m, setup_.start_m_per_s),
                         user_of_point, anchors_m_);
+        if (!setup_.letter)
+            lost_.emplace(places_m, user_of_point, reaches(places_m.size()));
         warnOfPlaces();
         return Done{};
+    }
+
+    /// Of all points to all; those of two performers are bound by nothing.
+    std::vector<std::vector<cooperative::Reach>> reaches(size_t count) const {
+        std::vector<std::vector<cooperative::Reach>> all(count, std::vector<cooperative::Reach>(count));
+        size_t first = 0;
+        for (size_t member = 0; member < subjects_.size(); ++member) {
+            const std::vector<std::vector<cooperative::Reach>> own =
+                pointReaches(subjects_[member].actor, worn_[member]);
+            for (size_t a = 0; a < own.size(); ++a)
+                std::ranges::copy(own[a], all[first + a].begin() + static_cast<std::ptrdiff_t>(first));
+            first += own.size();
+        }
+        return all;
     }
 
     void warnOfPlaces() {
@@ -149,9 +169,11 @@ private:
             return place.p_m + axisAngle(Vector3d::UnitY(), place.heading_rad) * p;
         };
         MemberPoints points;
+        std::vector<WornPoint>& worn = worn_.emplace_back();
         for (size_t b = 0; b < in.suit.boards.size(); ++b) {
             points.of_board.push_back(static_cast<int>(places_m.size()));
             places_m.push_back(inWorld(at_rest.microphones_m[b]));
+            worn.push_back({in.suit.boards[b].segment, at_rest.microphones_m[b]});
             summary.points.push_back({in.subject.name, in.suit.boards[b].id, in.subject.suit(), false});
         }
         for (size_t s = 0; s < in.suit.sources.size(); ++s) {
@@ -167,6 +189,7 @@ private:
             if (board >= 0)
                 continue;
             places_m.push_back(inWorld(at_rest.sources_m[s]));
+            worn.push_back({source.segment, at_rest.sources_m[s]});
             summary.points.push_back({in.subject.name, source.id, in.subject.suit(), true});
         }
         points_.push_back(std::move(points));
@@ -279,6 +302,10 @@ private:
             job.progress(std::clamp((now_s_ - begin_s_) / std::max(end_s - begin_s_, 1e-9), 0.0, 1.0),
                          "Tracking points");
         }
+        if (const int64_t losses = lost_ ? lost_->losses() : 0; losses > 0)
+            summary.warnings.push_back("Points that too few devices heard were lost " +
+                                       std::to_string(losses) +
+                                       " times; while one is lost, its sigma tells how far off it may be.");
         if (summary.frames == 0)
             return unusableTake(take_, "no point came out: its ranges end before the rest pose does",
                                 "`noctule --batch inspect` shows what is in it");
@@ -290,6 +317,8 @@ private:
             const double to_s = std::min({time_s, next_row_s_, now_s_ + kLongestStep_s});
             filter_->predict(to_s - now_s_);
             now_s_ = to_s;
+            if (lost_)
+                lost_->look(filter_->points(), now_s_);
             if (now_s_ >= next_row_s_) {
                 show();
                 ++rows_;
@@ -317,48 +346,98 @@ private:
     Vector3d placeOf(int point) const {
         return point < 0 ? anchors_m_[static_cast<size_t>(-1 - point)] : filter_->points().place(point);
     }
-    /// Of the distance along `u` between two points as believed.
-    double expectedVariance(int a, int b, const Vector3d& u) const {
+    /// What the places' covariance says of a distance: u'Pu along the line of sight, and across it the second
+    /// order, by which a distance to an unsure place is longer than that to its mean.
+    struct ExpectedDistance {
+        double variance_m2 = 0, longer_m = 0;
+    };
+    ExpectedDistance expected(int a, int b, const Vector3d& u, double distance_m) const {
         const Eigen::MatrixXd& P = filter_->points().cov_pp;
-        const auto block = [&](int i, int k) {
-            return i < 0 || k < 0 ? 0.0 : u.dot(P.block<3, 3>(3 * i, 3 * k) * u);
-        };
-        return block(a, a) + block(b, b) - 2 * block(a, b);
+        Matrix3d between = Matrix3d::Zero();
+        if (a >= 0)
+            between += P.block<3, 3>(3 * a, 3 * a);
+        if (b >= 0)
+            between += P.block<3, 3>(3 * b, 3 * b);
+        if (a >= 0 && b >= 0)
+            between -= P.block<3, 3>(3 * a, 3 * b) + P.block<3, 3>(3 * b, 3 * a);
+        const double along = u.dot(between * u);
+        if (setup_.letter)
+            return {along, 0};
+        const Matrix3d across = Matrix3d::Identity() - u * u.transpose();
+        const Matrix3d curved = across * between * across / std::max(distance_m, kNearest_m);
+        return {along, curved.trace() / 2};
     }
 
     /// All that was heard of one pulse.
     void correct(std::span<const Flight> flights) {
         std::vector<cooperative::PointRange> ranges;
-        for (const Flight& flight : flights) {
-            const auto from = static_cast<size_t>(flight.from), to = static_cast<size_t>(flight.to);
-            const auto source = static_cast<size_t>(flight.source);
-            const int sent = points_[from].of_source[source],
-                      heard = points_[to].of_board[static_cast<size_t>(flight.board)];
-            summary.heard += 1;
-            (from == room() || to == room() ? summary.of_room
-             : from == to                   ? summary.own
-                                            : summary.between) += 1;
-            if (sent == heard)
-                continue;  // a housing's own pulse
-            const Vector3d way = placeOf(heard) - placeOf(sent);
-            const Vector3d u = way.normalized();
-            const double moved_m = u.dot(velocity(heard)) * flight.duration_s;
-            const double variance = flight.sigma_m * flight.sigma_m + setup_.floor_m * setup_.floor_m +
-                                    points_[from].source_variance_m2[source];
-            const double innovation = flight.distance_m - moved_m - way.norm();
-            if (innovation * innovation >
-                setup_.gate_sigma * setup_.gate_sigma * (expectedVariance(sent, heard, u) + variance)) {
-                summary.gated += 1;
-                continue;
-            }
-            const bool heard_by_anchor = heard < 0;
-            ranges.push_back({heard_by_anchor ? sent : heard, heard_by_anchor ? heard : sent,
-                              flight.distance_m - moved_m, variance});
-        }
+        for (const Flight& flight : flights)
+            if (const auto range = rangeOf(flight))
+                ranges.push_back(*range);
         const size_t target = static_cast<size_t>(flights.front().from) == room()
                                   ? 0
                                   : static_cast<size_t>(flights.front().from);
         summary.used += static_cast<int64_t>(filter_->correct(ranges, static_cast<int>(target)));
+    }
+
+    bool isLost(int point) const { return point >= 0 && lost_ && lost_->isLost(point); }
+
+    /// None: it is not for the filter.
+    std::optional<cooperative::PointRange> rangeOf(const Flight& flight) {
+        const auto from = static_cast<size_t>(flight.from), to = static_cast<size_t>(flight.to);
+        const auto source = static_cast<size_t>(flight.source);
+        const int sent = points_[from].of_source[source],
+                  heard = points_[to].of_board[static_cast<size_t>(flight.board)];
+        summary.heard += 1;
+        (from == room() || to == room() ? summary.of_room : from == to ? summary.own : summary.between) += 1;
+        if (sent == heard)
+            return std::nullopt;  // a housing's own pulse
+        const double variance = flight.sigma_m * flight.sigma_m + setup_.floor_m * setup_.floor_m +
+                                points_[from].source_variance_m2[source];
+        if (isLost(sent) || isLost(heard)) {
+            noteLost(flight, sent, heard, variance);
+            return std::nullopt;
+        }
+        const Vector3d way = placeOf(heard) - placeOf(sent);
+        const Vector3d u = way.normalized();
+        const double moved_m = u.dot(velocity(heard)) * flight.duration_s;
+        const ExpectedDistance belief = expected(sent, heard, u, way.norm());
+        const double curved = 2 * belief.longer_m * belief.longer_m;  // variance of the second order
+        const double innovation = flight.distance_m - moved_m - way.norm() - belief.longer_m;
+        const double sigma = std::sqrt(belief.variance_m2 + curved + variance);
+        const double most = setup_.gate_sigma * sigma;
+        // Where a body is in the way, what is heard came by a reflection: it is late, never early.
+        const double latest =
+            lost_ ? std::min(most, std::max(kDetour_m, setup_.gate_sigma * std::sqrt(variance))) : most;
+        const bool gated = innovation < -most || innovation > latest;
+        for (const int point : {sent, heard})
+            if (lost_ && point >= 0 && isOfMethod(sent, heard))
+                lost_->judged(point, gated);
+        if (gated) {
+            summary.gated += 1;
+            return std::nullopt;
+        }
+        const bool heard_by_anchor = heard < 0;
+        return cooperative::PointRange{heard_by_anchor ? sent : heard, heard_by_anchor ? heard : sent,
+                                       flight.distance_m - moved_m - belief.longer_m, variance + curved};
+    }
+
+    bool isOfMethod(int a, int b) const {
+        return settings_.method != cooperative::PointMethod::kEnvironment || a < 0 || b < 0;
+    }
+
+    /// A range of a lost point to one that is known, at the instant when the lost one sent or heard.
+    void noteLost(const Flight& flight, int sent, int heard, double variance_m2) {
+        if (!isOfMethod(sent, heard) || (isLost(sent) && isLost(heard)))
+            return;
+        const bool heard_it = isLost(heard);
+        const int known = heard_it ? sent : heard;
+        const double later_s = heard_it ? 0 : flight.duration_s;
+        if (known >= 0)
+            variance_m2 += filter_->points().cov_pp.block<3, 3>(3 * known, 3 * known).trace() / 3;
+        lost_->note(heard_it ? heard : sent,
+                    {flight.emission_s + flight.duration_s - later_s, flight.distance_m, variance_m2,
+                     placeOf(known) + later_s * velocity(known), known});
     }
 
     Take& take_;
@@ -368,11 +447,13 @@ private:
     std::vector<Ingredients> subjects_;
     Joining joining_;
     RestAlignment alignment_;
-    std::vector<MemberPoints> points_;  ///< per subject, then of the room
+    std::vector<MemberPoints> points_;          ///< per subject, then of the room
+    std::vector<std::vector<WornPoint>> worn_;  ///< per subject
     std::vector<Vector3d> anchors_m_;
     std::vector<std::optional<cooperative::ClockTrack>> tracks_;  ///< per member; none: a line
     std::vector<Flight> flights_;
     std::optional<cooperative::PointFilter> filter_;
+    std::optional<cooperative::LostPoints> lost_;  ///< none: the paper to the letter
     double begin_s_ = 0, now_s_ = 0, next_row_s_ = 0;
     int64_t rows_ = 0;
 };

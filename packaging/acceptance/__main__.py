@@ -51,7 +51,7 @@ FIGURES = {
     "accessibility": ("The studio over AT-SPI", accessibility.figure),
     "blender": ("Exports opened in Blender", blender.figure),
     "calibration": ("Calibration", calibration.figure),
-    "cast": ("Several people as free points: Welch 2018, section 4", cast.figure),
+    "cast": ("Several people: Welch 2018, section 4, and two whole suits", cast.figure),
     "real": ("Recordings of real sensors, takes made elsewhere", real.figure),
     "robot": ("Robots: kinematics, following, limits, six trajectories, the live chain and its faults", robot.figure),
     "kills": ("Recordings that are killed, without power, with every fault", kills.figure),
@@ -78,6 +78,9 @@ def parse_options():
     parser.add_argument("--damaged-meshes", type=int, default=1000, metavar="N", help="of fuzz")
     parser.add_argument("--fuzz-inputs", type=int, default=20000, metavar="N")
     parser.add_argument("--fuzz-seed", type=int, default=1, metavar="N")
+    parser.add_argument("--cast-seeds", type=int, default=20, metavar="N", help="of cast: handshakes of two whole suits")
+    parser.add_argument("--cast-salsa-seeds", type=int, default=3, metavar="N", help="of cast: dances of two whole suits")
+    parser.add_argument("--cast-paper-seeds", type=int, default=20, metavar="N", help="of cast: the paper's section 4")
     parser.add_argument("--live-seconds", type=int, default=600, metavar="N", help="of live")
     parser.add_argument("--robot-seconds", type=int, default=600, metavar="N", help="of robot: the soak of the live chain")
     parser.add_argument("--studio-rounds", type=int, default=interface.ROUNDS_PER_HOUR, metavar="N",

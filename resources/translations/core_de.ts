@@ -4373,6 +4373,10 @@
         <translation>Bericht über Punkte</translation>
     </message>
     <message>
+        <source>Points that too few devices heard were lost %1 times; while one is lost, its sigma tells how far off it may be.</source>
+        <translation>Punkte, die zu wenige Geräte hörten, gingen %1-mal verloren; solange einer verloren ist, sagt sein Sigma, wie weit er daneben liegen kann.</translation>
+    </message>
+    <message>
         <source>Process a part of the take, or with --between off</source>
         <translation>Einen Teil der Aufnahme verarbeiten oder mit --between off</translation>
     </message>

@@ -177,6 +177,13 @@ TEST(JointGiveUntaught, ActorsOfBallJointsAloneRideOnFlesh) {
     EXPECT_EQ(JointGive(balls, tree, none, none, {}).fleshShare(), 0) << "nothing is worn that tells more";
 }
 
+/// Boards that see none of the actor's hinges do not count as riding on flesh for that.
+TEST_F(JointGiveTest, HingesThatNoBoardSeesAreNoBallJoints) {
+    const std::vector<bool> all(4, true);
+    JointGive unseen(testing::smallSkeleton(), tree, all, {false, true, false, false}, {});
+    EXPECT_EQ(unseen.fleshShare(), 0);
+}
+
 /// held() is the constraint of an error of the limb's attitude, at both of the limb's ends.
 TEST_F(JointGiveTest, HeldDirectionsAreTheConstraintsOfATurnedLimb) {
     const MotionState motion = at(0.7, 0.2);

@@ -10,6 +10,7 @@
 #include "core/processing/evaluate_between.h"
 #include "core/processing/evaluate_take.h"
 #include "core/processing/process_take.h"
+#include "core/processing/root_in_world.h"
 #include "core/simulation/cast.h"
 #include "tests/core/simulation/swaying_pair.h"
 #include "tests/support/take_files.h"
@@ -156,6 +157,22 @@ TEST_F(CastGoneWrong, WhatIsInOrderIsNotCalledMoved) {
     EXPECT_LT(errorsOf(2).root_m, kUsual_m);
 }
 
+TEST_F(CastGoneWrong, RootsStandWhereTheRoomSays) {
+    processed(request());
+    const auto subjects = Take::open(path_)->subjects();
+    ASSERT_TRUE(subjects);
+    for (size_t s = 0; s < 2; ++s) {
+        const auto found = rootInWorld(path_, "", (*subjects)[s], {});
+        ASSERT_TRUE(found && *found);
+        std::printf("in the room: %.1f mm, %.2f deg\n", 1000 * (*found)->position_m, (*found)->yaw_deg);
+        EXPECT_LT((*found)->position_m, kUsual_m);
+        EXPECT_LT((*found)->yaw_deg, 1);
+    }
+    // A reference that stands 0.1 m elsewhere: its own start would hide that.
+    runSql(path_, "UPDATE reference SET px=px+0.1");
+    EXPECT_GT((*rootInWorld(path_, "", (*subjects)[0], {}))->position_m, 0.08);
+}
+
 TEST_F(CastGoneWrong, WithoutRangesBetweenEachIsAlone) {
     runSql(path_, "DELETE FROM range WHERE suit<>(SELECT suit FROM pulse WHERE pulse.id=range.pulse)");
     ProcessRequest wanted = request();
@@ -179,6 +196,7 @@ TEST_F(CastGoneWrong, WhomNobodyHearsIsNamed) {
     alone.subjects = {"Ada"};
     processed(alone);
     const ErrorsOfSuit without_bea = errorsOf(1);
+    EXPECT_LT(beside.root_m, kUsual_m);
     EXPECT_NEAR(beside.root_m, without_bea.root_m, 0.001);
     EXPECT_NEAR(beside.angles_deg, without_bea.angles_deg, 0.1);
 }
