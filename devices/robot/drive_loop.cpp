@@ -20,19 +20,21 @@ std::chrono::steady_clock::time_point timeOf(int64_t steady_ns) {
 }
 
 /// Where the robot stands, before the first command.
-Result<RobotState> firstState(const DrivePlan& plan, const JobContext& job) {
+Result<RobotState> firstState(const RobotInterface& link, const JobContext& job) {
     const int64_t until_ns = steadyNow_ns() + kFirstState_ns;
     while (steadyNow_ns() < until_ns) {
-        const LinkStatus status = plan.link.status();
+        const LinkStatus status = link.status();
         if (status.state)
             return *status.state;
         if (job.cancelled())
             return JobContext::cancelledError();
+        if (status.is_hopeless && status.trouble)
+            return *status.trouble;
         std::this_thread::sleep_for(kLookForState);
     }
-    if (const auto trouble = plan.link.status().trouble)
+    if (const auto trouble = link.status().trouble)
         return *trouble;
-    return Error{ErrorKind::kDevice, plan.link.address() + ": no robot answers",
+    return Error{ErrorKind::kDevice, link.address() + ": no robot answers",
                  "Check that its program runs and that the address is right"};
 }
 
@@ -186,9 +188,16 @@ const char* stateName(robot::TeleopState state) {
     return "";
 }
 
+Status awaitRobot(RobotInterface& link, const JobContext& job) {
+    link.open();
+    const auto first = firstState(link, job);
+    return first ? Status(Done{}) : Status(first.error());
+}
+
 Result<DriveReport> runDrive(const DrivePlan& plan, const JobContext& job) {
-    plan.link.open();
-    const auto first = firstState(plan, job);
+    if (!plan.is_open)
+        plan.link.open();
+    const auto first = firstState(plan.link, job);
     if (!first)
         return first.error();
     DriveLoop loop(plan, *first);
