@@ -135,7 +135,10 @@ private:
                 std::max(report_.largest_speed_use,
                          std::abs(output_.q[i] - before.q[i]) / (speeds_[i] * plan_.settings.teleop.dt_s));
         }
-        if (!moves || !input.performer || !input.robot)
+        // Commands that go back to where the robot is follow nobody.
+        const bool goes_back = output_.trouble == robot::DriveTrouble::kRobotRefuses ||
+                               output_.trouble == robot::DriveTrouble::kJointOff;
+        if (!moves || goes_back || !input.performer || !input.robot)
             return;
         const int64_t oldest_ns = std::min(input.performer->arrived_ns, input.robot->arrived_ns);
         report_.longest_hold_s =
