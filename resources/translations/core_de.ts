@@ -3798,7 +3798,7 @@
     <name>core/processing</name>
     <message>
         <source>%.0f ms later</source>
-        <translation type="unfinished"></translation>
+        <translation>%.0f ms später</translation>
     </message>
     <message>
         <source>%1 (is %2, calibrated was %3)</source>
