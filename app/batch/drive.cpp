@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "app/batch/drive_recording.h"
 #include "app/batch/files.h"
 #include "app/batch/operator_keys.h"
 #include "app/batch/program.h"
@@ -23,7 +24,7 @@ namespace noctule::batch {
 namespace {
 
 constexpr std::chrono::milliseconds kLookAtDevice{20};
-constexpr std::chrono::seconds kDeviceGreets{10};
+constexpr std::chrono::seconds kDeviceGreets{10}, kDeviceStops{6};
 
 /// Poses that go into a feed, from a thread of their own.
 class LivePoses {
@@ -32,6 +33,10 @@ public:
     virtual bool ended() const = 0;
     virtual std::optional<Error> trouble() const { return std::nullopt; }
     virtual void tell(nlohmann::json&) const {}
+    /// Of a take that is being recorded.
+    virtual std::optional<LiveSession::TakeInput> takeInput() const { return std::nullopt; }
+    /// Ends the take that is being recorded, if there is one.
+    virtual std::optional<StreamResult> endTake() { return std::nullopt; }
 };
 
 /// A take's poses at the times at which they were made.
@@ -85,6 +90,15 @@ public:
             json["poses"] = {{"count", frame->poses},
                              {"latency_median_ms", 1e3 * frame->latency_median_s},
                              {"latency_p999_ms", 1e3 * frame->latency_p999_s}};
+    }
+
+    std::optional<LiveSession::TakeInput> takeInput() const override { return session_.takeInput(); }
+    std::optional<StreamResult> endTake() override {
+        session_.stop();
+        const auto until = std::chrono::steady_clock::now() + kDeviceStops;
+        while (session_.status()->stream_is_open && std::chrono::steady_clock::now() < until)
+            std::this_thread::sleep_for(kLookAtDevice);
+        return session_.finish();
     }
 
 private:
@@ -217,6 +231,8 @@ Result<std::unique_ptr<LivePoses>> startPoses(const VerbContext& context, DriveJ
     request.rest_s = *arguments.number("rest-seconds");
     request.software = softwareName();
     request.created_utc = utcNow();
+    request.take = takeOfSuit(arguments);
+    request.keep_results = request.take.has_value();
     request.pose_listener = [&feed](const TimedPose& pose, int64_t arrived_ns) {
         feed.put(pose, arrived_ns);
     };
@@ -338,9 +354,38 @@ Result<Outcome> finishDrive(const VerbContext& context, const robot_link::DriveR
     return outcome;
 }
 
+RobotDriveRow driveRowOf(const Arguments& arguments, const DriveJob& drive) {
+    RobotDriveRow row;
+    row.created_utc = utcNow();
+    row.software = softwareName();
+    row.robot = drive.model.name;
+    row.address = arguments.text("to");
+    row.leader = arguments.operands().empty() ? "suit" : "take";
+    row.rate_hz = *arguments.number("rate");
+    row.joints = robot::jointsOf(drive.arms);
+    for (const robot::RobotArm& arm : drive.arms)
+        row.arms.push_back(arm.profile.name);
+    return row;
+}
+
+/// Null: none is wanted.
+Result<std::unique_ptr<DriveRecording>> startRecording(const Arguments& arguments, const DriveJob& drive,
+                                                       const LivePoses& poses) {
+    if (!arguments.given("record"))
+        return std::unique_ptr<DriveRecording>();
+    const std::string take = arguments.operands().empty() ? "" : arguments.operands().front();
+    return DriveRecording::begin(driveRowOf(arguments, drive), drive.arms, take, poses.takeInput());
+}
+
+Status checkDrive(const Arguments& arguments) {
+    if (Status source = checkSourceOfPoses(arguments); !source)
+        return source;
+    return checkDriveRecording(arguments);
+}
+
 Result<Outcome> runDriveVerb(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
-    if (Status source = checkSourceOfPoses(arguments); !source)
+    if (Status source = checkDrive(arguments); !source)
         return source.error();
     if (Status fits =
             checkOutputs({arguments.text("out"), arguments.text("report")}, arguments.given("overwrite"),
@@ -356,10 +401,16 @@ Result<Outcome> runDriveVerb(const VerbContext& context) {
     const auto link = robot_link::makeInterface(arguments.text("to"), linkOptionsOf(arguments, *drive));
     if (!link)
         return link.error();
+    // Before the suit begins: no take comes to be when no robot answers.
+    if (Status answers = robot_link::awaitRobot(**link, context.job()); !answers)
+        return answers.error();
     robot_link::PoseFeed feed(drive->skeleton, *performer);
     const auto poses = startPoses(context, *drive, feed);
     if (!poses)
         return poses.error();
+    const auto recording = startRecording(arguments, *drive, **poses);
+    if (!recording)
+        return recording.error();
     OperatorKeys keys(arguments.given("hold"));
     HandRecord record(drive->arms);
     const robot_link::DrivePlan plan{
@@ -383,11 +434,19 @@ Result<Outcome> runDriveVerb(const VerbContext& context) {
         [&](const robot_link::DriveMoment& moment) {
             if (arguments.given("report") || context.console.wantsJson())
                 record.add(moment);
-        }};
+            if (*recording)
+                (*recording)->add(moment);
+        },
+        true};
     const auto report = robot_link::runDrive(plan, context.job());
     if (!report)
         return report.error();
-    return finishDrive(context, *report, *drive, **poses, record);
+    auto outcome = finishDrive(context, *report, *drive, **poses, record);
+    if (outcome && *recording) {
+        const robot_link::DriveRecord recorded = (*recording)->finish();
+        tellRecording(context, recorded, (*poses)->endTake(), *outcome);
+    }
+    return outcome;
 }
 
 }  // namespace
@@ -428,6 +487,8 @@ Verb driveVerb() {
         number("seconds", "S", 0.1, 1e6, "how long; else to the end of the take or until Ctrl-C"),
         text("out", "C.csv", "commands and states with their times"),
         text("report", "R.html", "the hands commanded and achieved, in three views, with delay and rest")};
+    for (Option& option : driveRecordingOptions())
+        verb.options.push_back(std::move(option));
     verb.remarks = {
         "Without --hold, lines on standard input are the keys: engage, accept, release, stop, reset. The end "
         "of "
@@ -435,6 +496,8 @@ Verb driveVerb() {
         "The robot holds when no fresh pose or no state of the robot comes for 0.1 s. A command is the last "
         "one "
         "and at most speed times period.",
+        "A disk that is full or a take that another program holds never stops the robot; what could not be "
+        "recorded is said at the end. `inspect` lists recorded drives, `export` writes them.",
         "Robots hurt people. Keep an emergency stop in reach that does not depend on this program."};
     verb.run = runDriveVerb;
     return verb;

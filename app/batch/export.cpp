@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/batch/export_drive.h"
 #include "app/batch/files.h"
 #include "app/batch/takes.h"
 #include "app/batch/verb.h"
@@ -231,7 +232,26 @@ Result<Outcome> writeStacks(const VerbContext& context, const std::vector<Export
     return outcome;
 }
 
+/// Motions and a robot's files come from different tables; each call writes the one or the other.
+Status checkKinds(const Arguments& arguments) {
+    if (!exportsDrive(arguments))
+        return arguments.given("drive")
+                   ? Status(Error{ErrorKind::kUsage, "--drive belongs to a robot's files",
+                                  "Give --robot-csv F or another of them, too"})
+                   : Status(Done{});
+    for (const ExportFormatEntry& format : exportFormats())
+        if (arguments.given(format.option))
+            return Error{ErrorKind::kUsage,
+                         std::string("--") + format.option + " and a robot's files are written one by one",
+                         "Call export twice"};
+    return Done{};
+}
+
 Result<Outcome> runExport(const VerbContext& context) {
+    if (Status sensible = checkKinds(context.arguments); !sensible)
+        return sensible.error();
+    if (exportsDrive(context.arguments))
+        return exportDrive(context);
     std::vector<ExportRequest> requests;
     for (const std::string& take : context.arguments.operands())
         for (ExportRequest& request : requestsFor(context.arguments, take))
@@ -314,13 +334,13 @@ std::vector<Option> lookOptions() {
 Verb exportVerb() {
     Verb verb;
     verb.name = "export";
-    verb.summary = "write a run as animation files, pictures and films";
+    verb.summary = "write a run as animation files, pictures and films, or a robot's drive as tables";
     verb.operands = "T.noctule...";
     verb.min_operands = 1;
     verb.max_operands = kAnyNumber;
     verb.example = "noctule --batch export hops_001.noctule --fbx hops.fbx --preset blender";
     verb.options = fileOptions();
-    for (std::vector<Option> more : {partOptions(), lookOptions()})
+    for (std::vector<Option> more : {partOptions(), lookOptions(), driveExportOptions()})
         verb.options.insert(verb.options.end(), more.begin(), more.end());
     verb.remarks = {
         "Every file is written aside and read again before it gets its name. With several takes "

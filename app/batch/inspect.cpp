@@ -84,6 +84,8 @@ std::string rowsText(const TakeInspection& in) {
             line("marker", marker.kind + " " + marker.label + " at sample " + std::to_string(marker.sample));
     for (const NoteRow& note : listed(in.notes))
         text += line("note", note.text);
+    for (const DriveSummary& drive : listed(in.drives))
+        text += line("robot " + std::to_string(drive.about.drive), summaryText(drive));
     for (const DerivedRun& run : listed(in.runs))
         text += line("run " + std::to_string(run.run),
                      run.kind + " '" + run.name + "', " + run.created_utc + ", " + run.software);

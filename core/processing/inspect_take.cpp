@@ -21,6 +21,7 @@ public:
     Result<TakeInspection> inspect() {
         readHead();
         readRows();
+        readDrives();
         listen();
         judgeBoards();
         judgePairs();
@@ -123,6 +124,15 @@ private:
         if (in_.state == "recording")
             in_.problems.push_back(
                 "The take was never closed: it is being recorded, or the recording was cut short.");
+    }
+
+    void readDrives() {
+        for (const RobotDriveRow& row : keep(take_.robotDrives()).value_or(std::vector<RobotDriveRow>{})) {
+            if (job_.cancelled() || in_.drives.size() >= limits::kListedRows)
+                return;
+            if (const auto drive = keep(readRecordedDrive(take_, row.drive)))
+                in_.drives.push_back(summaryOf(*drive));
+        }
     }
 
     void listen() {
@@ -304,6 +314,7 @@ nlohmann::json rowsJson(const TakeInspection& in) {
                            [](const NoteRow& note) {
                                return json{{"created_utc", note.created_utc}, {"text", note.text}};
                            })},
+            {"drives", list(in.drives, [](const DriveSummary& drive) { return toJson(drive); })},
             {"runs", list(in.runs, [](const DerivedRun& run) {
                  const json settings = noctule::json::parse(run.settings_json);
                  return json{{"run", run.run},

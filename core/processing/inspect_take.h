@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/job/job.h"
+#include "core/processing/recorded_drive.h"
 #include "core/recording/take.h"
 #include "core/report/report_data.h"
 #include "core/suit/calibration_lack.h"
@@ -56,6 +57,7 @@ struct TakeInspection {
     std::vector<NoteRow> notes;
     std::vector<StatusRow> status;
     std::vector<DerivedRun> runs;
+    std::vector<DriveSummary> drives;        ///< of robots
     std::vector<WireQuality> wires;          ///< of takes with sound
     std::vector<ReportBoard> board_quality;  ///< of the last decoded readings, or the primary ones
     std::vector<PairSummary> pairs;          ///< of the last ranges, or the primary ones

@@ -116,11 +116,27 @@ std::vector<TableDefinition> attachedTables() {
     };
 }
 
+/// What a robot was told and where it was.
+std::vector<TableDefinition> robotTables() {
+    return {
+        {"robot_drive",
+         {{"drive", "INTEGER PRIMARY KEY"}, kCreated, kJson, integer("take_time_ns"), integer("lost_rows")}},
+        {"robot_command",
+         {integer("drive"), integer("sequence"), integer("time_ns"), integer("pose_time_ns"),
+          integer("pose_arrived_ns"), text("state"), text("trouble"), blob("q"), blob("tips")},
+         "PRIMARY KEY(drive, sequence)"},
+        {.name = "robot_state",
+         .columns = {kId, integer("drive"), integer("time_ns"), integer("obeyed_sequence"),
+                     integer("refuses"), blob("q"), blob("v"), blob("tips")},
+         .index = "CREATE INDEX robot_state_time ON robot_state(drive, time_ns)"},
+    };
+}
+
 std::vector<TableDefinition> makeTables() {
     std::vector<TableDefinition> tables = recordedTables();
     for (TableDefinition& table : tables)
         table.required = true;
-    for (const std::vector<TableDefinition>& optional : {derivedTables(), attachedTables()})
+    for (const std::vector<TableDefinition>& optional : {derivedTables(), attachedTables(), robotTables()})
         tables.insert(tables.end(), optional.begin(), optional.end());
     return tables;
 }

@@ -16,6 +16,7 @@
 #include "core/motion/foot_contacts.h"
 #include "core/motion/timed_poses.h"
 #include "core/recording/derived_cursor.h"
+#include "core/recording/robot_rows.h"
 #include "core/recording/rows.h"
 #include "core/suit/calibration.h"
 #include "core/suit/suit.h"
@@ -42,6 +43,8 @@ public:
     Result<Snapshot> snapshot() const { return Snapshot::begin(*database_); }
 
     const std::string& path() const { return database_->path(); }
+    /// The last failure was a lock of another program.
+    bool isLocked() const { return database_->isLocked(); }
     const std::map<std::string, std::string>& meta() const { return meta_; }
     const TakeHeader& header() const { return header_; }
     /// Functions that are given no suit speak of the one in view, and so does header(). It is suit 1 until
@@ -117,6 +120,11 @@ public:
     Result<std::vector<RelativeRow>> relatives(int64_t run, int suit = kSuitInView) const;
     /// Attitudes of one sensor in the order of time, of a run of kind `orientation`.
     Result<std::vector<OrientationRow>> orientations(int64_t run, int board, int suit = kSuitInView) const;
+
+    /// Drives of robots that were recorded, and their rows in the order of time.
+    Result<std::vector<RobotDriveRow>> robotDrives() const;
+    Result<std::vector<RobotCommandRow>> robotCommands(const RobotDriveRow& drive) const;
+    Result<std::vector<RobotStateRow>> robotStates(const RobotDriveRow& drive) const;
 
     /// When each foot stood as a pose run found it, kPrimaryRun: as an operator has set it. Feet without any
     /// are left out.

@@ -12,6 +12,7 @@
 #include "core/inertial/reading.h"
 #include "core/motion/foot_contacts.h"
 #include "core/motion/timed_poses.h"
+#include "core/recording/robot_rows.h"
 #include "core/recording/rows.h"
 #include "core/recording/schema.h"
 #include "core/suit/calibration.h"
@@ -56,6 +57,11 @@ public:
     /// Of a pose run.
     Status addRelative(int64_t run, const RelativeRow& row, int suit = kSuitInView);
 
+    /// Its number comes back; `row.drive` is ignored.
+    Result<int64_t> addRobotDrive(const RobotDriveRow& row);
+    /// Also notes what they say of the whole drive.
+    Status addRobotRows(int64_t drive, const RobotRows& rows);
+
 protected:
     TakeTables(const Database* database, TakeSchema schema)
         : database_(database), schema_(std::move(schema)) {}
@@ -72,6 +78,8 @@ protected:
 private:
     Result<int64_t> addDocument(const std::string& table, const std::string& json,
                                 const std::string& created_utc, int suit);
+    Status addRobotCommand(int64_t drive, const RobotCommandRow& row);
+    Status addRobotState(int64_t drive, const RobotStateRow& row);
 
     const Database* database_;
     TakeSchema schema_;

@@ -40,6 +40,30 @@ double confidenceFor(double sigma_rad) {
     return std::clamp((kUnsure_rad - sigma_rad) / (kUnsure_rad - kSure_rad), 0.0, 1.0);
 }
 
+const char* troubleName(DriveTrouble trouble) {
+    switch (trouble) {
+        case DriveTrouble::kRobotSilent:
+            return "robot-silent";
+        case DriveTrouble::kRobotRefuses:
+            return "robot-refuses";
+        case DriveTrouble::kJointOff:
+            return "joint-off";
+        case DriveTrouble::kNoPose:
+            return "no-pose";
+        case DriveTrouble::kTooFar:
+            return "too-far";
+        case DriveTrouble::kTooNear:
+            return "too-near";
+        case DriveTrouble::kUncertain:
+            return "uncertain";
+        case DriveTrouble::kOutsideBox:
+            return "outside-box";
+        case DriveTrouble::kNone:
+            break;
+    }
+    return "";
+}
+
 std::string sentenceFor(const DriveOutput& output) {
     char degrees_off[60];
     std::snprintf(degrees_off, sizeof degrees_off, "%.0f degrees", degrees(output.off_rad));

@@ -63,6 +63,8 @@ struct DriveOutput {
     double off_rad = 0;  ///< of kTooFar and kJointOff
 };
 
+/// As tables and takes name it: "robot-silent"; empty for kNone.
+const char* troubleName(DriveTrouble trouble);
 /// One sentence for the operator; empty for kNone.
 std::string sentenceFor(const DriveOutput& output);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/acoustics/range.h"
+#include "core/recording/robot_rows.h"
 #include "core/recording/rows.h"
 #include "devices/driver_box/messages.h"
 
@@ -23,8 +24,9 @@ struct ArrivedBlock {
     int64_t endSample() const { return firstSample() + sampleCount(); }
 };
 
-/// Pulses carry the ids that the take's table will give them.
-using LiveItem = std::variant<ArrivedBlock, std::vector<Pulse>, GapRow, StatusRow, MarkerRow, NoteRow>;
+/// Pulses carry the ids that the take's table will give them; robot rows belong to the drive that began last.
+using LiveItem = std::variant<ArrivedBlock, std::vector<Pulse>, GapRow, StatusRow, MarkerRow, NoteRow,
+                              RobotDriveRow, RobotRows>;
 
 /// Reasons of gap rows.
 inline constexpr const char *kGapOfLink = "link", *kGapOfBox = "box", *kGapOfStudio = "studio",

@@ -159,6 +159,13 @@ std::optional<RecorderState> LiveSession::recording() const {
     return stream && stream->recorder ? std::optional(stream->recorder->state()) : std::nullopt;
 }
 
+std::optional<LiveSession::TakeInput> LiveSession::takeInput() const {
+    const auto stream = newest();
+    if (!stream || !stream->recorder)
+        return std::nullopt;
+    return TakeInput{stream->recorder, stream->feed->origin_ns()};
+}
+
 int64_t LiveSession::reachedSample() const {
     const auto stream = newest();
     return stream ? stream->feed->reachedSample() : 0;

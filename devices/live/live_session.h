@@ -75,6 +75,14 @@ public:
     void addMarker(const std::string& kind, const std::string& label, std::optional<int64_t> sample = {});
     void addNote(const std::string& text);
 
+    /// Of the take that began last: where rows of others go, such as a robot's. Once the take has ended, what
+    /// is pushed there is thrown away.
+    struct TakeInput {
+        std::shared_ptr<Recorder> recorder;
+        int64_t origin_ns = 0;  ///< the stream's time at which the take's time is 0
+    };
+    std::optional<TakeInput> takeInput() const;
+
     /// Whether what began last is a take in the midst of a stream that goes on without it.
     bool isInMidst() const {
         const std::lock_guard lock(mutex_);

@@ -128,7 +128,11 @@ Status LiveSession::beginInMidst(const StreamRequest& request, const link::Hello
         origin = past_->boundaryAt(now - std::llround(pre_roll_s * hello.sample_rate_hz));
         pre_roll_samples = now - origin;
     }
-    const auto made = makeStream(request, hello, pre_roll_samples);
+    // The stream goes on giving its poses: those of a second pipeline would come between them.
+    StreamRequest of_take = request;
+    if (const auto looked_at = newest(); looked_at->processor && looked_at->request.pose_listener)
+        of_take.pose_listener = {};
+    const auto made = makeStream(of_take, hello, pre_roll_samples);
     if (!made)
         return made.error();
     const StreamPointer& stream = *made;

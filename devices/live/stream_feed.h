@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -34,6 +35,10 @@ public:
 
     /// One after the last sample that came.
     int64_t reachedSample() const { return reached_sample_; }
+    /// The device's time that is 0 here.
+    int64_t origin_ns() const {
+        return std::llround(static_cast<double>(clock_.origin) * 1e9 / clock_.sample_rate_hz);
+    }
 
 private:
     struct Silence {  ///< of one board

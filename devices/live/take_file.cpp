@@ -49,11 +49,21 @@ private:
     Status add(const StatusRow& row) { return writer_.addStatus(row); }
     Status add(const MarkerRow& row) { return writer_.addMarker(row); }
     Status add(const NoteRow& row) { return writer_.addNote(row); }
+    Status add(const RobotDriveRow& row) {
+        const auto drive = writer_.addRobotDrive(row);
+        drive_ = drive ? *drive : 0;
+        return drive ? Status(Done{}) : Status(drive.error());
+    }
+    Status add(const RobotRows& rows) {
+        require(drive_ > 0, "a robot's rows come after the drive they belong to");
+        return writer_.addRobotRows(drive_, rows);
+    }
 
     TakeWriter writer_;
     std::string path_;
     int board_count_;
     bool compress_;
+    int64_t drive_ = 0;  ///< that began last
 };
 
 Status describe(TakeWriter& writer, const TakePlan& plan) {

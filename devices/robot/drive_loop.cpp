@@ -20,19 +20,21 @@ std::chrono::steady_clock::time_point timeOf(int64_t steady_ns) {
 }
 
 /// Where the robot stands, before the first command.
-Result<RobotState> firstState(const DrivePlan& plan, const JobContext& job) {
+Result<RobotState> firstState(const RobotInterface& link, const JobContext& job) {
     const int64_t until_ns = steadyNow_ns() + kFirstState_ns;
     while (steadyNow_ns() < until_ns) {
-        const LinkStatus status = plan.link.status();
+        const LinkStatus status = link.status();
         if (status.state)
             return *status.state;
         if (job.cancelled())
             return JobContext::cancelledError();
+        if (status.is_hopeless && status.trouble)
+            return *status.trouble;
         std::this_thread::sleep_for(kLookForState);
     }
-    if (const auto trouble = plan.link.status().trouble)
+    if (const auto trouble = link.status().trouble)
         return *trouble;
-    return Error{ErrorKind::kDevice, plan.link.address() + ": no robot answers",
+    return Error{ErrorKind::kDevice, link.address() + ": no robot answers",
                  "Check that its program runs and that the address is right"};
 }
 
@@ -133,7 +135,10 @@ private:
                 std::max(report_.largest_speed_use,
                          std::abs(output_.q[i] - before.q[i]) / (speeds_[i] * plan_.settings.teleop.dt_s));
         }
-        if (!moves || !input.performer || !input.robot)
+        // Commands that go back to where the robot is follow nobody.
+        const bool goes_back = output_.trouble == robot::DriveTrouble::kRobotRefuses ||
+                               output_.trouble == robot::DriveTrouble::kJointOff;
+        if (!moves || goes_back || !input.performer || !input.robot)
             return;
         const int64_t oldest_ns = std::min(input.performer->arrived_ns, input.robot->arrived_ns);
         report_.longest_hold_s =
@@ -186,9 +191,16 @@ const char* stateName(robot::TeleopState state) {
     return "";
 }
 
+Status awaitRobot(RobotInterface& link, const JobContext& job) {
+    link.open();
+    const auto first = firstState(link, job);
+    return first ? Status(Done{}) : Status(first.error());
+}
+
 Result<DriveReport> runDrive(const DrivePlan& plan, const JobContext& job) {
-    plan.link.open();
-    const auto first = firstState(plan, job);
+    if (!plan.is_open)
+        plan.link.open();
+    const auto first = firstState(plan.link, job);
     if (!first)
         return first.error();
     DriveLoop loop(plan, *first);

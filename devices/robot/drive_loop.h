@@ -40,6 +40,7 @@ struct DrivePlan {
     std::function<void(const std::string&)> tell;     ///< every change of state or trouble, a sentence
     bool keeps_rows = false;                          ///< for `table`
     std::function<void(const DriveMoment&)> watch{};  ///< every step, on the loop's thread; quick
+    bool is_open = false;                             ///< awaitRobot() was called on the link
 };
 
 struct DriveReport {
@@ -51,6 +52,9 @@ struct DriveReport {
     LinkStatus link;
     std::string table;  ///< CSV, README.md
 };
+
+/// Opens the link and waits until the robot tells where it stands. kDevice: it does not within 5 s.
+Status awaitRobot(RobotInterface& link, const JobContext& job);
 
 /// kDevice: the robot tells no state within 5 s.
 Result<DriveReport> runDrive(const DrivePlan& plan, const JobContext& job);

@@ -1,23 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/robot/drive_table.h"
 
-#include <cstdio>
+#include "core/robot/drive_csv.h"
 
 namespace noctule::robot_link {
 
-DriveTable::DriveTable(const std::vector<std::string>& joints) : joints_(joints.size()) {
-    text_ = "time_s,pose_arrived_s,pose_time_s,sequence,state,trouble,robot_arrived_s,robot_sequence";
-    for (const char* what : {"command ", "actual "})
-        for (const std::string& joint : joints)
-            text_ += "," + (what + joint);
-    text_ += "\n";
-}
-
-void DriveTable::number(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, ",%.6f", value);
-    text_ += text;
-}
+DriveTable::DriveTable(const std::vector<std::string>& joints) : text_(robot::driveCsvHead(joints)) {}
 
 void DriveTable::add(const DriveMoment& moment) {
     if (++rows_ > kMostRows)
@@ -25,31 +13,21 @@ void DriveTable::add(const DriveMoment& moment) {
     const auto seconds = [&](int64_t steady_ns) {
         return static_cast<double>(steady_ns - moment.start_ns) * 1e-9;
     };
-    char time[40];
-    std::snprintf(time, sizeof time, "%.6f", seconds(moment.now_ns));
-    text_ += time;
+    robot::DriveCsvRow row{.time_s = seconds(moment.now_ns),
+                           .sequence = static_cast<int64_t>(moment.sequence),
+                           .state = stateName(moment.output.state),
+                           .trouble = troubleName(moment.output.trouble),
+                           .command = moment.output.q};
     if (moment.input.performer) {
-        number(seconds(moment.input.performer->arrived_ns));
-        number(static_cast<double>(moment.pose_time_ns) * 1e-9);
-    } else {
-        text_ += ",,";
+        row.pose_arrived_s = seconds(moment.input.performer->arrived_ns);
+        row.pose_time_s = static_cast<double>(moment.pose_time_ns) * 1e-9;
     }
-    text_ += "," + std::to_string(moment.sequence) + "," + stateName(moment.output.state) + "," +
-             std::to_string(static_cast<int>(moment.output.trouble));
     if (moment.link.state) {
-        number(seconds(moment.link.state_arrived_ns));
-        text_ += "," + std::to_string(moment.link.state->obeyed_sequence);
-    } else {
-        text_ += ",,";
+        row.robot_arrived_s = seconds(moment.link.state_arrived_ns);
+        row.robot_sequence = static_cast<int64_t>(moment.link.state->obeyed_sequence);
+        row.actual = &moment.link.state->q;
     }
-    for (const double q : moment.output.q)
-        number(q);
-    for (size_t i = 0; i < joints_; ++i)
-        if (moment.link.state)
-            number(moment.link.state->q[i]);
-        else
-            text_ += ",";
-    text_ += "\n";
+    robot::appendDriveCsv(row, text_);
 }
 
 }  // namespace noctule::robot_link

@@ -22,9 +22,6 @@ public:
     std::string takeText() { return std::exchange(text_, {}); }
 
 private:
-    void number(double value);
-
-    size_t joints_;
     int64_t rows_ = 0;
     std::string text_;
 };

@@ -3,6 +3,11 @@
 
 namespace noctule::robot_link {
 
+Error unknownName(const std::string& address) {
+    return {ErrorKind::kDevice, address + ": the network knows no computer of this name",
+            "Check how the name is written, or give its address in numbers"};
+}
+
 LinkStatus LinkBook::status() const {
     const std::lock_guard lock(mutex_);
     return status_;
@@ -54,6 +59,13 @@ void LinkBook::connected() {
     was_connected_ = true;
     status_.is_connected = true;
     status_.trouble.reset();
+}
+
+void LinkBook::hopeless(const Error& why) {
+    const std::lock_guard lock(mutex_);
+    status_.is_connected = false;
+    status_.is_hopeless = true;
+    status_.trouble = why;
 }
 
 void LinkBook::lost(const Error& why) {

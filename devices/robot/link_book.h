@@ -8,6 +8,9 @@
 
 namespace noctule::robot_link {
 
+/// Of an address whose name no network knows.
+Error unknownName(const std::string& address);
+
 class LinkBook {
 public:
     LinkStatus status() const;
@@ -23,6 +26,8 @@ public:
     void refused(const Error& why);
     void connected();
     void lost(const Error& why);
+    /// Nothing will be tried any more.
+    void hopeless(const Error& why);
 
 private:
     mutable std::mutex mutex_;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <QHostInfo>
 #include <QUrl>
 
 #include "devices/robot/rosbridge_interface.h"
@@ -13,16 +12,8 @@ constexpr const char* kRemedy = "Give udp://HOST:PORT or ws://HOST:PORT, such as
 using Made = Result<std::unique_ptr<RobotInterface>>;
 
 Made makeUdp(const QUrl& url, const std::string& address, const LinkOptions& options) {
-    QHostAddress host(url.host());
-    if (host.isNull()) {
-        const QHostInfo found = QHostInfo::fromName(url.host());
-        if (found.addresses().isEmpty())
-            return Error{ErrorKind::kDevice, address + ": the network knows no computer of this name",
-                         "Give its address in numbers"};
-        host = found.addresses().first();
-    }
     return std::unique_ptr<RobotInterface>(
-        new UdpInterface(address, host, static_cast<uint16_t>(url.port()), options));
+        new UdpInterface(address, url.host(), static_cast<uint16_t>(url.port()), options));
 }
 
 Made makeRosbridge(const QUrl& url, const std::string& address, const LinkOptions& options) {

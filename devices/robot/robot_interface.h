@@ -29,6 +29,7 @@ struct LinkStatus {
     std::optional<RobotState> state;  ///< the newest with all joints
     int64_t state_arrived_ns = 0;     ///< std::chrono::steady_clock
     std::optional<Error> trouble;     ///< the last thing that went wrong, while it lasts
+    bool is_hopeless = false;         ///< nothing is tried any more: the network does not know its name
     int64_t sent = 0, states = 0, refused_messages = 0, dropped = 0, reconnections = 0;
     LatencyHistogram latency;  ///< from pose_arrived_ns to after the write
 };
@@ -51,7 +52,7 @@ public:
 };
 
 /// kUsage names what is wrong with the address or the options and what addresses look like. Sends nothing
-/// yet.
+/// yet, and does not look names up: open() does.
 Result<std::unique_ptr<RobotInterface>> makeInterface(const std::string& address, const LinkOptions& options);
 
 }  // namespace noctule::robot_link

@@ -91,13 +91,18 @@ void RosbridgeInterface::connectSocket() {
         retry(reason.empty() ? "the connection is closed" : reason);
     });
     QObject::connect(socket_.get(), QOverload<QAbstractSocket::SocketError>::of(&QWebSocket::error),
-                     socket_.get(), [this] { retry(socket_->errorString().toStdString()); });
+                     socket_.get(), [this](QAbstractSocket::SocketError error) {
+                         if (error == QAbstractSocket::HostNotFoundError)
+                             return giveUp();
+                         retry(socket_->errorString().toStdString());
+                     });
     again_->start(kConnectTime_ms);  // a connection that does not come about
     socket_->open(url_);
 }
 
 void RosbridgeInterface::greet() {
     again_->stop();
+    was_connected_ = true;
     const char* type = messageType(options_.ros_command);
     if (options_.ros_command == RosCommand::kPose)
         for (const std::string& arm : options_.arms)
@@ -108,7 +113,18 @@ void RosbridgeInterface::greet() {
     book_.connected();
 }
 
+/// A name that was known once may be missing for a while.
+void RosbridgeInterface::giveUp() {
+    if (was_connected_)
+        return retry("the network does not know its name now");
+    again_->stop();
+    gave_up_ = true;
+    book_.hopeless(unknownName(address_));
+}
+
 void RosbridgeInterface::retry(const std::string& why) {
+    if (gave_up_)
+        return;
     book_.lost({ErrorKind::kDevice, address_ + ": no rosbridge answers: " + why,
                 "Start rosbridge on the robot, and check its address and port (9090 is usual)"});
     again_->start(kAgain_ms);

@@ -35,6 +35,7 @@ private:
     void connectSocket();
     void greet();
     void retry(const std::string& why);
+    void giveUp();
     void write();
     void read(const QString& text);
     void readState(const nlohmann::json& msg);
@@ -45,6 +46,7 @@ private:
     LinkBook book_;
     std::unique_ptr<QWebSocket> socket_;  ///< lives on the thread
     std::unique_ptr<QTimer> again_;
+    bool was_connected_ = false, gave_up_ = false;
     RobotState state_;
     std::vector<bool> known_;             ///< joints of which a value has come
     std::unique_ptr<LoopThread> thread_;  ///< last: it uses the others

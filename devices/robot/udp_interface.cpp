@@ -2,6 +2,7 @@
 #include "devices/robot/udp_interface.h"
 
 #include <QNetworkDatagram>
+#include <algorithm>
 
 #include "devices/device/clock.h"
 
@@ -13,21 +14,47 @@ constexpr int64_t kForgetsOrder_ns = 500'000'000;
 
 }  // namespace
 
-UdpInterface::UdpInterface(std::string address, const QHostAddress& host, uint16_t port,
-                           const LinkOptions& options)
+UdpInterface::UdpInterface(std::string address, QString host, uint16_t port, const LinkOptions& options)
     : address_(std::move(address)),
-      host_(host),
+      name_(std::move(host)),
+      host_(name_),
       port_(port),
       joints_(options.joints.size()),
       joints_hash_(hashOf(options.joints)) {
     thread_ = std::make_unique<LoopThread>("robot", [this] {
+        lookup_.reset();
         timer_.reset();
         socket_.reset();
     });
 }
 
 void UdpInterface::open() {
-    thread_->post([this] { bind(); });
+    thread_->post([this] { begin(); });
+}
+
+void UdpInterface::begin() {
+    if (host_.isNull())
+        look();
+    else
+        bind();
+}
+
+/// The network may take seconds to answer, or never do; nobody waits for it.
+void UdpInterface::look() {
+    lookup_ = std::make_unique<QObject>();
+    QHostInfo::lookupHost(name_, lookup_.get(), [this](const QHostInfo& info) { found(info); });
+}
+
+void UdpInterface::found(const QHostInfo& info) {
+    const QList<QHostAddress> addresses = info.addresses();
+    if (addresses.isEmpty())
+        return book_.hopeless(unknownName(address_));
+    const auto is_v4 = [](const QHostAddress& one) {
+        return one.protocol() == QAbstractSocket::IPv4Protocol;
+    };
+    const auto v4 = std::ranges::find_if(addresses, is_v4);
+    host_ = v4 == addresses.end() ? addresses.first() : *v4;
+    bind();
 }
 
 void UdpInterface::bind() {
@@ -78,6 +105,8 @@ void UdpInterface::write() {
     const auto command = book_.takeCommand();
     if (!command)
         return;
+    if (host_.isNull())
+        return book_.dropped();  // its name is not known yet
     Datagram datagram;
     datagram.sequence = command->sequence;
     datagram.time_ns = command->time_ns;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QHostAddress>
+#include <QHostInfo>
 #include <QTimer>
 #include <QUdpSocket>
 
@@ -17,7 +18,8 @@ public:
     /// A robot that is silent is asked for its state so often.
     static constexpr int kAskEvery_ms = 100;
 
-    UdpInterface(std::string address, const QHostAddress& host, uint16_t port, const LinkOptions& options);
+    /// `host`: numbers, or a name that is looked up once open() is called.
+    UdpInterface(std::string address, QString host, uint16_t port, const LinkOptions& options);
     ~UdpInterface() override { thread_.reset(); }
 
     const std::string& address() const override { return address_; }
@@ -27,6 +29,9 @@ public:
 
 private:
     // On the thread:
+    void begin();
+    void look();
+    void found(const QHostInfo& info);
     void bind();
     void ask();
     void write();
@@ -35,13 +40,15 @@ private:
     void handle(const QByteArray& bytes);
 
     const std::string address_;
-    const QHostAddress host_;
+    const QString name_;
+    QHostAddress host_;  ///< null until the name is known
     const uint16_t port_;
     const size_t joints_;
     const uint64_t joints_hash_;
     LinkBook book_;
     std::unique_ptr<QUdpSocket> socket_;  ///< lives on the thread
     std::unique_ptr<QTimer> timer_;
+    std::unique_ptr<QObject> lookup_;  ///< gone: what the network still says is not heard
     uint64_t newest_state_ = 0;
     int64_t heard_ns_ = 0;
     std::unique_ptr<LoopThread> thread_;  ///< last: it uses the others

@@ -3889,6 +3889,10 @@
 <context>
     <name>core/processing</name>
     <message>
+        <source>%.0f ms later</source>
+        <translation>%.0f ms später</translation>
+    </message>
+    <message>
         <source>%1 (is %2, calibrated was %3)</source>
         <translation>%1 (ist %2, kalibriert wurde %3)</translation>
     </message>
@@ -3903,6 +3907,10 @@
     <message>
         <source>%1 is not heard after %2: the box was lost. From there on the others are estimated without it.</source>
         <translation>%1 ist nach %2 nicht mehr zu hören: die Box ging verloren. Von da an werden die anderen ohne sie geschätzt.</translation>
+    </message>
+    <message>
+        <source>%1 led by the %2, %3: %4 commands, %5 following, %6 states</source>
+        <translation>%1, geführt von %2, %3: %4 Befehle, davon %5 folgend, %6 Zustände</translation>
     </message>
     <message>
         <source>%1 of %2 rows lie outside the take of %3</source>
@@ -4085,12 +4093,28 @@
         <translation>„%1“ ist keine Zahl im Bereich</translation>
     </message>
     <message>
+        <source>, %1 could not be written</source>
+        <translation>, %1 konnten nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>, rest %.1f mm</source>
+        <translation>, Rest %.1f mm</translation>
+    </message>
+    <message>
         <source>: a contact of</source>
         <translation>: ein Kontakt von</translation>
     </message>
     <message>
         <source>: a marker at</source>
         <translation>: eine Marke bei</translation>
+    </message>
+    <message>
+        <source>: it has no drive %1</source>
+        <translation>: sie hat keine Fahrt %1</translation>
+    </message>
+    <message>
+        <source>: no drive of a robot is recorded in it</source>
+        <translation>: darin ist keine Fahrt eines Roboters aufgenommen</translation>
     </message>
     <message>
         <source>Accelerometers and gyroscopes of %1 boards</source>
@@ -4169,12 +4193,20 @@
         <translation>Die Tabelle wählen, die aus dieser Aufnahme gemacht wurde</translation>
     </message>
     <message>
+        <source>Commands while following</source>
+        <translation>Befehle beim Folgen</translation>
+    </message>
+    <message>
         <source>Comparing runs</source>
         <translation>Ergebnisse werden verglichen</translation>
     </message>
     <message>
         <source>Counting pulses</source>
         <translation>Pulse werden gezählt</translation>
+    </message>
+    <message>
+        <source>Data to command, median</source>
+        <translation>Von den Daten zum Befehl, Median</translation>
     </message>
     <message>
         <source>Distance of the nearest two points</source>
@@ -4421,12 +4453,28 @@
         <translation>Neu aufnehmen oder jede Person mit --between off --room off verarbeiten</translation>
     </message>
     <message>
+        <source>Record one with `noctule --batch drive --record`, or name one that `inspect` lists</source>
+        <translation>Nehmen Sie eine mit `noctule --batch drive --record` auf, oder nennen Sie eine, die `inspect` aufzählt</translation>
+    </message>
+    <message>
         <source>Record with magnetometers switched on</source>
         <translation>Mit eingeschalteten Magnetometern aufnehmen</translation>
     </message>
     <message>
+        <source>Recorded in a take; times are those at which commands were made and states arrived.</source>
+        <translation>In einer Aufnahme festgehalten; Zeiten sind die, zu denen Befehle entstanden und Zustände ankamen.</translation>
+    </message>
+    <message>
+        <source>Robot %1, led by the %2</source>
+        <translation>Roboter %1, geführt von %2</translation>
+    </message>
+    <message>
         <source>Root mean square over all points, as figure 3 of Welch 2018.</source>
         <translation>Quadratisches Mittel über alle Punkte, wie Bild 3 von Welch 2018.</translation>
+    </message>
+    <message>
+        <source>Rows that could not be written</source>
+        <translation>Zeilen, die nicht geschrieben werden konnten</translation>
     </message>
     <message>
         <source>Run `noctule --batch process %1` first</source>
@@ -4455,6 +4503,10 @@
     <message>
         <source>Stated uncertainty of all points</source>
         <translation>Angegebene Unsicherheit aller Punkte</translation>
+    </message>
+    <message>
+        <source>States of the robot</source>
+        <translation>Zustände des Roboters</translation>
     </message>
     <message>
         <source>Take --estimator comocap</source>
@@ -4809,6 +4861,14 @@
         <translation>der Schätzer verlor seinen Zustand bei %1 s: die Daten widersprechen einander</translation>
     </message>
     <message>
+        <source>the hand as it was commanded</source>
+        <translation>die Hand, wie sie befohlen wurde</translation>
+    </message>
+    <message>
+        <source>the hand as the robot tells it</source>
+        <translation>die Hand, wie der Roboter sie meldet</translation>
+    </message>
+    <message>
         <source>the results could not be kept beside the take</source>
         <translation>die Ergebnisse ließen sich nicht neben der Aufnahme ablegen</translation>
     </message>
@@ -5080,6 +5140,10 @@
         <translation>Eines mit --%1 nennen</translation>
     </message>
     <message>
+        <source>PRIMARY KEY(drive, sequence)</source>
+        <translation>PRIMARY KEY(drive, sequence)</translation>
+    </message>
+    <message>
         <source>PRIMARY KEY(run, pulse, suit, board)</source>
         <translation>PRIMARY KEY(run, pulse, suit, board)</translation>
     </message>
@@ -5192,6 +5256,10 @@
         <translation>data fehlt</translation>
     </message>
     <message>
+        <source>drive is not 1, 2, ...</source>
+        <translation>drive ist nicht 1, 2, ...</translation>
+    </message>
+    <message>
         <source>frame is not a count</source>
         <translation>frame ist keine Anzahl</translation>
     </message>
@@ -5218,6 +5286,10 @@
     <message>
         <source>its codec is not known to this program</source>
         <translation>sein Codec ist diesem Programm nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its joints or arms are not listed, or are too many</source>
+        <translation>seine Gelenke oder Arme sind nicht aufgezählt oder zu viele</translation>
     </message>
     <message>
         <source>its pulse is missing or out of range</source>
@@ -5260,6 +5332,14 @@
         <translation>pulse: was die Quellen sendeten</translation>
     </message>
     <message>
+        <source>q or tips do not fit the drive's joints and arms</source>
+        <translation>q oder tips passen nicht zu Gelenken und Armen der Fahrt</translation>
+    </message>
+    <message>
+        <source>q, v or tips do not fit the drive's joints and arms</source>
+        <translation>q, v oder tips passen nicht zu Gelenken und Armen der Fahrt</translation>
+    </message>
+    <message>
         <source>range</source>
         <translation>range</translation>
     </message>
@@ -5274,6 +5354,10 @@
     <message>
         <source>sample is missing or out of range</source>
         <translation>sample fehlt oder liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>sequence or time is missing or out of range</source>
+        <translation>Nummer oder Zeit fehlt oder liegt außerhalb der Grenzen</translation>
     </message>
     <message>
         <source>sigma does not hold three numbers per joint</source>
@@ -5340,6 +5424,10 @@
         <translation>die Aufnahme hat mehr als 64 Anzüge</translation>
     </message>
     <message>
+        <source>there are more than %1 rows</source>
+        <translation>es sind mehr als %1 Zeilen</translation>
+    </message>
+    <message>
         <source>there are more than four pulses in a millisecond</source>
         <translation>es gibt mehr als vier Pulse in einer Millisekunde</translation>
     </message>
@@ -5350,6 +5438,10 @@
     <message>
         <source>there is no pose run %1</source>
         <translation>es gibt kein Ergebnis %1 mit Posen</translation>
+    </message>
+    <message>
+        <source>time is missing or out of range</source>
+        <translation>die Zeit fehlt oder liegt außerhalb der Grenzen</translation>
     </message>
     <message>
         <source>time or quaternion is missing</source>
@@ -8502,6 +8594,10 @@
         <translation>%1: %2 Gelenke lassen sich nicht ansteuern</translation>
     </message>
     <message>
+        <source>%1: another program has held the take for ten minutes</source>
+        <translation>%1: ein anderes Programm hält die Aufnahme seit zehn Minuten fest</translation>
+    </message>
+    <message>
         <source>%1: as many positions as names are needed, and as many or no velocities</source>
         <translation>%1: es braucht so viele Positionen wie Namen und ebenso viele oder keine Geschwindigkeiten</translation>
     </message>
@@ -8550,6 +8646,10 @@
         <translation>'%1': keine Schnittstelle heißt %2</translation>
     </message>
     <message>
+        <source>Check how the name is written, or give its address in numbers</source>
+        <translation>Prüfen Sie die Schreibweise des Namens, oder geben Sie die Adresse in Zahlen an</translation>
+    </message>
+    <message>
         <source>Check that its program runs and that the address is right</source>
         <translation>Prüfen, ob sein Programm läuft und die Adresse stimmt</translation>
     </message>
@@ -8576,10 +8676,6 @@
     <message>
         <source>Drive 1 to %1 joints</source>
         <translation>1 bis %1 Gelenke ansteuern</translation>
-    </message>
-    <message>
-        <source>Give its address in numbers</source>
-        <translation>Seine Adresse in Zahlen angeben</translation>
     </message>
     <message>
         <source>Give the robot the same joint names in the same order</source>
@@ -8676,6 +8772,10 @@
     <message>
         <source>the connection is closed</source>
         <translation>die Verbindung ist geschlossen</translation>
+    </message>
+    <message>
+        <source>the network does not know its name now</source>
+        <translation>das Netz kennt seinen Namen gerade nicht</translation>
     </message>
 </context>
 </TS>

@@ -7759,6 +7759,26 @@ Median; gut: unter %1</translation>
         <source>Out: the robot stays</source>
         <translation>Aus: der Roboter bleibt</translation>
     </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Show what was recorded</source>
+        <translation>Aufgenommenes zeigen</translation>
+    </message>
+    <message>
+        <source>No suit is connected. Connect one, or let a take lead.</source>
+        <translation>Kein Anzug ist verbunden. Verbinden Sie einen, oder lassen Sie eine Aufnahme führen.</translation>
+    </message>
+    <message>
+        <source>No drive was recorded in this session.</source>
+        <translation>In dieser Sitzung wurden keine Befehle aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Stop recording</source>
+        <translation>Aufnahme beenden</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RobotDrive</name>
@@ -7777,6 +7797,33 @@ Median; gut: unter %1</translation>
     <message>
         <source>The suit is not calibrated: its poses would mislead the robot.</source>
         <translation>Der Anzug ist nicht kalibriert: Seine Posen würden den Roboter irreführen.</translation>
+    </message>
+    <message>
+        <source>The suit leads: its recording holds the robot’s commands, too.</source>
+        <translation>Der Anzug führt: Seine Aufnahme enthält auch die Befehle des Roboters.</translation>
+    </message>
+    <message>
+        <source>Connect the robot first.</source>
+        <translation>Verbinden Sie zuerst den Roboter.</translation>
+    </message>
+    <message>
+        <source>Saving the robot’s commands</source>
+        <translation>Befehle des Roboters werden gesichert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n command(s) and states of the robot are not in %1.</source>
+        <translation>
+            <numerusform>%n Befehl oder Zustand des Roboters fehlt in %1.</numerusform>
+            <numerusform>%n Befehle und Zustände des Roboters fehlen in %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The robot’s commands and states are in %1.</source>
+        <translation>Befehle und Zustände des Roboters sind in %1.</translation>
+    </message>
+    <message>
+        <source>Reading the robot’s commands</source>
+        <translation>Befehle des Roboters werden gelesen</translation>
     </message>
 </context>
 <context>
@@ -7824,6 +7871,10 @@ Median; gut: unter %1</translation>
     <message>
         <source>Remove the robot</source>
         <translation>Roboter entfernen</translation>
+    </message>
+    <message>
+        <source>Record the robot’s commands, or stop</source>
+        <translation>Befehle des Roboters aufnehmen oder die Aufnahme beenden</translation>
     </message>
 </context>
 <context>

@@ -476,6 +476,16 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::RobotDrive</name>
+    <message numerus="yes">
+        <source>%n command(s) and states of the robot are not in %1.</source>
+        <translation>
+            <numerusform>%n command or state of the robot is not in %1.</numerusform>
+            <numerusform>%n commands and states of the robot are not in %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::RobotSidebar</name>
     <message numerus="yes">
         <source>%n joint(s) driven</source>

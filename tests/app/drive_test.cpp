@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The verb `drive` against noctule-virtual-robot, both as any user starts them: a take leads an arm in real
 // time.
+#include <algorithm>
 #include <fstream>
 
 #include "core/math/rotation.h"
@@ -27,44 +28,78 @@ Pose swingingPose(const Skeleton& skeleton, int frame) {
     return pose;
 }
 
-/// The virtual robot as a process of its own, on a free port.
-class VirtualRobot {
+/// A program beside noctule, that says on its first lines where it answers.
+class Beside {
 public:
-    VirtualRobot(const std::string& urdf, const std::string& profile, const std::string& interface) {
+    Beside(const std::string& program, std::vector<std::string> words, const std::string& before_address) {
         int ends[2];
         EXPECT_EQ(pipe(ends), 0);
         posix_spawn_file_actions_t actions;
         posix_spawn_file_actions_init(&actions);
         posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
         posix_spawn_file_actions_addclose(&actions, ends[0]);
-        const std::string program =
-            (std::filesystem::path(NOCTULE_PROGRAM).parent_path() / "noctule-virtual-robot").string();
-        std::vector<std::string> words{program,   "--robot",     urdf,        "--profile", profile,
-                                       interface, "127.0.0.1:0", "--latency", "60"};
+        const std::string path = (std::filesystem::path(NOCTULE_PROGRAM).parent_path() / program).string();
+        words.insert(words.begin(), path);
         std::vector<char*> argv;
         for (std::string& word : words)
             argv.push_back(word.data());
         argv.push_back(nullptr);
-        EXPECT_EQ(posix_spawn(&pid_, program.c_str(), &actions, nullptr, argv.data(), environ), 0);
+        EXPECT_EQ(posix_spawn(&pid_, path.c_str(), &actions, nullptr, argv.data(), environ), 0);
         posix_spawn_file_actions_destroy(&actions);
         close(ends[1]);
-        std::string line;
-        for (char c = 0; read(ends[0], &c, 1) == 1 && c != '\n';)
-            line += c;
-        close(ends[0]);
-        EXPECT_EQ(line.rfind("robot: ", 0), 0U) << line;
-        address = line.substr(std::min<size_t>(7, line.size()));
+        std::string said;
+        for (char c = 0; read(ends[0], &c, 1) == 1;) {
+            said += c;
+            if (const size_t at = said.find(before_address);
+                at != std::string::npos && isspace(c) && at + before_address.size() + 1 < said.size()) {
+                address = said.substr(at + (before_address == "tcp://" ? 0 : before_address.size()));
+                address.erase(address.find_last_not_of(" \n") + 1);
+                break;
+            }
+        }
+        output_ = ends[0];  // open as long as the program may write
+        EXPECT_FALSE(address.empty()) << said;
     }
-    ~VirtualRobot() {
-        kill(pid_, SIGTERM);
+    ~Beside() { end(SIGTERM); }
+    void end(int signal) {
+        if (pid_ < 0)
+            return;
+        kill(pid_, signal);
         int status = 0;
         waitpid(pid_, &status, 0);
+        close(output_);
+        pid_ = -1;
     }
+    Beside(const Beside&) = delete;
+    Beside& operator=(const Beside&) = delete;
     std::string address;
 
 private:
     pid_t pid_ = -1;
+    int output_ = -1;
 };
+
+/// On a free port, 60 ms late.
+Beside virtualRobot(const std::string& urdf, const std::string& profile, const std::string& interface) {
+    return {"noctule-virtual-robot",
+            {"--robot", urdf, "--profile", profile, interface, "127.0.0.1:0", "--latency", "60"},
+            "robot: "};
+}
+
+/// A suit of an arm alone: a busy machine keeps up with five boards.
+std::string armSuit() {
+    auto suit = nlohmann::json::parse(readBytes(NOCTULE_SOURCE_DIR "/resources/suits/default.json"));
+    const std::vector<std::string> kept{"Hips", "Chest", "RightArm", "RightForeArm", "RightHand"};
+    nlohmann::json boards = nlohmann::json::array(), sources = nlohmann::json::array();
+    for (const auto& board : suit["boards"])
+        if (std::ranges::count(kept, board["segment"].get<std::string>()) > 0)
+            boards.push_back(board);
+    sources.push_back(suit["sources"][0]);
+    sources.push_back(suit["sources"][1]);
+    suit["boards"] = boards;
+    suit["sources"] = sources;
+    return suit.dump();
+}
 
 class DriveVerb : public ::testing::TestWithParam<const char*> {
 protected:
@@ -92,12 +127,42 @@ protected:
                 file("arm.json"), "--to", address, "--arms", "right"};
     }
 
+    /// Read from the table alone: from one command to the next at most the joints' speed, and none that moves
+    /// later than 100 ms after the data of its pose.
+    static void expectNoJump(const std::string& table) {
+        std::ifstream file(table);
+        std::string line, cell;
+        std::getline(file, line);
+        std::vector<double> before, now;
+        while (std::getline(file, line)) {
+            std::stringstream cells(line);
+            std::vector<std::string> row;
+            while (std::getline(cells, cell, ','))
+                row.push_back(cell);
+            ASSERT_GE(row.size(), 15U);
+            now.clear();
+            for (size_t joint = 8; joint < 15; ++joint)
+                now.push_back(std::stod(row[joint]));
+            bool moves = false;
+            for (size_t joint = 0; joint < 7 && !before.empty(); ++joint) {
+                EXPECT_LE(std::abs(now[joint] - before[joint]), kPlainArmSpeed / 140 + 2e-6) << line;
+                moves |= now[joint] != before[joint];
+            }
+            // Commands that go back to where the robot is follow nobody.
+            const bool goes_back = row[5] == "joint-off" || row[5] == "robot-refuses";
+            if (moves && !goes_back && !row[1].empty()) {
+                EXPECT_LE(std::stod(row[0]) - std::stod(row[1]), 0.1 + 1.0 / 140 + 2e-6) << line;
+            }
+            before = now;
+        }
+    }
+
     Folder folder_;
     std::string take_;
 };
 
 TEST_P(DriveVerb, ATakeDrivesTheRobot) {
-    const VirtualRobot robot(file("arm.urdf"), file("arm.json"), GetParam());
+    const Beside robot = virtualRobot(file("arm.urdf"), file("arm.json"), GetParam());
     std::vector<std::string> all = words(robot.address);
     all.insert(all.end(), {"--hold", "--out", file("d.csv"), "--report", file("d.html"), "--json"});
     const Ran ran = batch(all);
@@ -126,6 +191,99 @@ TEST_P(DriveVerb, ATakeDrivesTheRobot) {
     EXPECT_NE(report.find("Rest after the delay, rms"), std::string::npos) << "the hand moved, so it has one";
 }
 
+class DriveVerbOnce : public DriveVerb {};
+INSTANTIATE_TEST_SUITE_P(Over, DriveVerbOnce, ::testing::Values("--udp"),
+                         [](const auto&) { return std::string("udp"); });
+
+TEST_P(DriveVerbOnce, ADriveIsRecordedReadBackAndWritten) {
+    const Beside robot = virtualRobot(file("arm.urdf"), file("arm.json"), GetParam());
+    std::vector<std::string> all = words(robot.address);
+    all.insert(all.end(), {"--hold", "--record", "--json"});
+    const Ran ran = batch(all);
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const auto driven = ran.json();
+    EXPECT_EQ(driven["recorded"]["take"], take_);
+    EXPECT_EQ(driven["recorded"]["rows_lost"], 0);
+    const Ran inspected = batch({"inspect", take_, "--json"});
+    ASSERT_EQ(inspected.exit_code, 0) << inspected.err;
+    const auto drives = inspected.json()["takes"][0]["drives"];
+    ASSERT_EQ(drives.size(), 1U);
+    EXPECT_EQ(drives[0]["commands"], driven["commands"]);
+    EXPECT_EQ(drives[0]["commands_following"], driven["commands_following"]);
+    EXPECT_EQ(drives[0]["commands_missing"], 0);
+    EXPECT_EQ(drives[0]["leader"], "take");
+    EXPECT_GT(drives[0]["states"].get<int>(), 20);
+    EXPECT_GT(drives[0]["hands"][0]["tracking"]["delay_ms"].get<double>(), 60);
+    EXPECT_NE(batch({"inspect", take_}).out.find("robot 1"), std::string::npos);
+    const Ran written = batch({"export", take_, "--robot-csv", file("d.csv"), "--robot-trajectory",
+                               file("d.json"), "--robot-report", file("d.html")});
+    ASSERT_EQ(written.exit_code, 0) << written.err;
+    const std::string csv = readBytes(file("d.csv"));
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), driven["commands"].get<int>() + 1);
+    const auto trajectory = nlohmann::json::parse(readBytes(file("d.json")));
+    EXPECT_EQ(trajectory["points"].size(), driven["commands"].get<size_t>());
+    EXPECT_NE(readBytes(file("d.html")).find("<polyline class='reached'"), std::string::npos);
+    EXPECT_EQ(batch({"export", take_, "--robot-csv", file("e.csv"), "--drive", "2"}).exit_code, 4);
+    EXPECT_FALSE(std::filesystem::exists(file("e.csv")));
+    EXPECT_EQ(batch({"export", take_, "--drive", "1"}).exit_code, 2);
+}
+
+/// A worn suit, live over TCP, leads the arm. Then its box is gone from one moment to the next.
+TEST_P(DriveVerb, ALiveSuitLeadsAndTheRobotHoldsWhenItIsLost) {
+    if (!std::filesystem::exists(kMotion))
+        GTEST_SKIP() << kMotion << " comes with assimp-testmodels";
+    std::ofstream(file("suit.json")) << armSuit();
+    const Ran simulated = batch({"simulate", "--motion", kMotion, "--suit", file("suit.json"), "--out",
+                                 file("s.noctule"), "--duration", "5", "--calibration-out", file("s.json")});
+    ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+    const Beside robot = virtualRobot(file("arm.urdf"), file("arm.json"), GetParam());
+    Beside suit("noctule-virtual-suit", {"--take", file("s.noctule"), "--tcp", "127.0.0.1:0", "--loop"},
+                "tcp://");
+    Started drive({"--batch",       "drive",
+                   "--device",      suit.address,
+                   "--calibration", file("s.json"),
+                   "--robot",       file("arm.urdf"),
+                   "--profile",     file("arm.json"),
+                   "--arms",        "right",
+                   "--to",          robot.address,
+                   "--hold",        "--accept-within",
+                   "180",           "--record",
+                   "--out-dir",     file("takes"),
+                   "--name",        "live",
+                   "--out",         file("d.csv"),
+                   "--seconds",     "60",
+                   "--json"});
+    const auto says = [&](const char* words) {
+        for (int i = 0; i < 600 && drive.error().find(words) == std::string::npos; ++i)
+            usleep(50'000);
+        return drive.error().find(words) != std::string::npos;
+    };
+    const bool followed = says("Now following");
+    usleep(500'000);
+    suit.end(SIGKILL);
+    ASSERT_TRUE(says("No fresh pose")) << drive.error();
+    usleep(200'000);
+    drive.send(SIGINT);
+    const auto driven = drive.wait().json();
+    EXPECT_GT(driven["latency"]["count"].get<int>(), 0);
+    EXPECT_GT(driven["latency"]["median_ms"].get<double>(), 0);
+    EXPECT_LE(driven["largest_speed_use"].get<double>(), 1 + 1e-9) << "no command jumps";
+    EXPECT_LE(driven["longest_hold_ms"].get<double>(), 100 + 1000.0 / 140);
+    const Ran inspected = batch({"inspect", file("takes/live_001.noctule"), "--json"});
+    ASSERT_EQ(inspected.exit_code, 0) << inspected.err;
+    const auto take = inspected.json()["takes"][0];
+    EXPECT_EQ(take["state"], "complete");
+    ASSERT_EQ(take["drives"].size(), 1U);
+    EXPECT_EQ(take["drives"][0]["leader"], "suit");
+    EXPECT_EQ(take["drives"][0]["commands"], driven["commands"]);
+    // The box began the take, so its time 0 is some seconds before the first command.
+    EXPECT_GE(take["drives"][0]["take_time_s"].get<double>(), -0.5);
+    expectNoJump(file("d.csv"));
+    if (!followed)
+        GTEST_SKIP() << "the machine is too busy to make live poses in time: the robot held, as it should";
+    EXPECT_GT(driven["commands_following"].get<int>(), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Interfaces, DriveVerb, ::testing::Values("--udp", "--ws"),
                          [](const auto& one) { return std::string(one.param).substr(2); });
 
@@ -140,6 +298,12 @@ TEST_P(DriveVerbAlone, BadInputSaysWhatIsWrongAndLeavesNoFile) {
     EXPECT_NE(nobody.exit_code, 0);
     EXPECT_NE(nobody.err.find("127.0.0.1:9"), std::string::npos) << nobody.err;
     EXPECT_FALSE(std::filesystem::exists(file("d.csv")));
+    const Ran unknown = batch(words("udp://no-such-robot.invalid:41950"));
+    EXPECT_EQ(unknown.exit_code, 5);
+    EXPECT_NE(unknown.err.find("knows no computer of this name"), std::string::npos) << unknown.err;
+    std::vector<std::string> nowhere = words("udp://127.0.0.1:9");
+    nowhere.insert(nowhere.end(), {"--record", "--out-dir", file("takes")});
+    EXPECT_EQ(batch(nowhere).exit_code, 2) << "--out-dir belongs to --device";
     const Ran address = batch(words("smoke://signal"));
     EXPECT_EQ(address.exit_code, 2);
     const Ran both = batch({"drive", take_, "--device", "tcp://127.0.0.1:9", "--robot", file("arm.urdf"),

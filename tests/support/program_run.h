@@ -71,6 +71,7 @@ public:
     }
     /// Written so far.
     std::string out() const { return readBytes(outputs_.file("out")); }
+    std::string error() const { return readBytes(outputs_.file("err")); }
     Ran wait() {
         int status = 0;
         waitpid(pid_, &status, 0);

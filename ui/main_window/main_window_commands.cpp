@@ -22,6 +22,7 @@
 #include "ui/main_window/tour.h"
 #include "ui/main_window/window_menus.h"
 #include "ui/robot/robot_drive.h"
+#include "ui/robot/robot_page.h"
 #include "ui/style/theme.h"
 #include "ui/views/body_dialog.h"
 #include "ui/views/connect_page.h"
@@ -144,6 +145,8 @@ Page* MainWindow::makePage(Step step) {
         connect(start, &StartPage::putSuitOnRequested, (*actions_)[Command::kPutSuitOn], &QAction::trigger);
         connect(start, &StartPage::newsRequested, (*actions_)[Command::kNews], &QAction::trigger);
     }
+    if (auto* robot = qobject_cast<RobotPage*>(page))
+        connect(robot, &RobotPage::suitRecordingWanted, this, &MainWindow::recordOrStop);
     if (auto* connecting = qobject_cast<ConnectPage*>(page))
         connect(connecting, &ConnectPage::putSuitOnRequested, (*actions_)[Command::kPutSuitOn],
                 &QAction::trigger);

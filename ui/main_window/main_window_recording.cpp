@@ -61,7 +61,10 @@ RecordRun& MainWindow::recordRun() {
 
 void MainWindow::recordOrStop() {
     RecordRun& run = recordRun();
-    if (run.state() != RecordRun::State::kRecording)
+    // A robot that is driven would hold when its page is left.
+    const bool drives = step_ == Step::kRobot && (run.state() == RecordRun::State::kReady ||
+                                                  run.state() == RecordRun::State::kCountdown);
+    if (run.state() != RecordRun::State::kRecording && !drives)
         goTo(Step::kRecord);
     if (run.state() != RecordRun::State::kNoSuit)
         run.press();

@@ -95,6 +95,10 @@ public:
     /// virtual suit's do.
     bool canPreRoll() const { return known_.rest_s == 0; }
     void stopRecording();
+    /// Of the take being recorded: where a robot's rows go.
+    std::optional<LiveSession::TakeInput> takeInput() const {
+        return live_ && phase_ == Phase::kRecording ? live_->takeInput() : std::nullopt;
+    }
     /// Keeps what was seen just now; evidenceRecorded() comes when it is on disk. In words why not, else
     /// empty.
     QString keepEvidence(const EvidencePlan& plan);

@@ -61,6 +61,8 @@ RobotCenter::RobotCenter(Studio& studio, RobotDrive& drive, QWidget* parent)
         showLeader();
     });
     connect(&drive, &RobotDrive::ticked, this, &RobotCenter::showPaths);
+    connect(&drive, &RobotDrive::recordingChanged, this, &RobotCenter::showRecording);
+    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &RobotCenter::showRecording);
     connect(&studio.suit(), &LiveSuit::wearingChanged, this, &RobotCenter::wear);
     connect(&studio.suit(), &LiveSuit::frameChanged, this, &RobotCenter::showFrame);
     connect(&Theme::get(), &Theme::changed, this, &RobotCenter::arrangeKeys);
@@ -68,6 +70,7 @@ RobotCenter::RobotCenter(Studio& studio, RobotDrive& drive, QWidget* parent)
     showState();
     showKeys();
     showLeader();
+    showRecording();
     showPaths();
 }
 
@@ -136,13 +139,21 @@ QWidget* RobotCenter::makeFoot() {
     auto* part = new QWidget;
     auto* column = makeColumn(part, {16, 10, 16, 10}, 6);
     auto* row = addRow(column);
+    record_ = makeButton(ButtonKind::kOutlined, tr("Record"), "record");
     play_ = makeButton(ButtonKind::kOutlined, tr("Play the take"), "play");
     repeats_ = makeButton(ButtonKind::kOutlined, tr("Join begin and end"), "loop");
     repeats_->setCheckable(true);
     export_ = makeButton(ButtonKind::kOutlined, tr("Export commands"), "export");
-    for (Button* button : {play_, repeats_, export_})
+    recorded_ = makeButton(ButtonKind::kOutlined, tr("Show what was recorded"), "chart");
+    recorded_->setCheckable(true);
+    for (Button* button : {record_, play_, repeats_, export_, recorded_})
         row->addWidget(button);
     row->addStretch();
+    connect(record_, &QPushButton::clicked, this, &RobotCenter::toggleRecording);
+    connect(recorded_, &QPushButton::clicked, this, [this] {
+        since_paths_.invalidate();
+        showPaths();
+    });
     connect(play_, &QPushButton::clicked, this, &RobotCenter::play);
     connect(repeats_, &QPushButton::clicked, &drive_, &RobotDrive::setRepeats);
     connect(export_, &QPushButton::clicked, this, &RobotCenter::exportCommands);
@@ -210,7 +221,14 @@ void RobotCenter::showPaths() {
         return;
     since_paths_.start();
     showLeader();
-    const auto paths = drive_.handPaths(0);
+    showRecording();
+    const bool recorded = recorded_->isChecked();
+    const auto paths = recorded ? drive_.recordedPaths() : drive_.handPaths(0);
+    showFigures(paths);
+    paths_->show(paths);
+}
+
+void RobotCenter::showFigures(const RobotDrive::HandPaths& paths) {
     const LatencyHistogram latency = drive_.linkStatus().latency;
     const QString none = QStringLiteral("–");
     const auto ms = [](double s) { return tr("%1 ms").arg(1000 * s, 0, 'f', 0); };
@@ -225,7 +243,33 @@ void RobotCenter::showPaths() {
         tracking ? tr("%1, largest %2")
                        .arg(millimetresText(tracking->rest_rms_m), millimetresText(tracking->rest_max_m))
                  : none);
-    paths_->show(paths);
+}
+
+/// The words of the page Record; "Stop" alone is the robot's.
+void RobotCenter::showRecording() {
+    const LiveSuit& suit = studio_.suit();
+    const bool of_suit = drive_.leader() == RobotDrive::Leader::kSuit;
+    const bool runs = of_suit ? suit.phase() == LiveSuit::Phase::kRecording : drive_.isRecording();
+    record_->setText(runs ? tr("Stop recording") : tr("Record"));
+    record_->setIconName(runs ? "stop" : "record");
+    QString lack;
+    if (!runs && of_suit && suit.phase() == LiveSuit::Phase::kNone)
+        lack = tr("No suit is connected. Connect one, or let a take lead.");
+    else if (!runs && !of_suit)
+        lack = drive_.whyNotRecord();
+    record_->setDisabledBecause(lack);
+    const bool has_recorded = !drive_.recordedPaths().commanded.empty();
+    recorded_->setDisabledBecause(has_recorded ? QString() : tr("No drive was recorded in this session."));
+    if (!has_recorded)
+        recorded_->setChecked(false);
+}
+
+void RobotCenter::toggleRecording() {
+    if (drive_.leader() == RobotDrive::Leader::kSuit)
+        emit suitRecordingWanted();
+    else
+        drive_.setRecording(!drive_.isRecording());
+    showRecording();
 }
 
 void RobotCenter::wear() {

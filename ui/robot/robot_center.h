@@ -31,6 +31,12 @@ public:
     RobotView& robot() { return *robot_; }
     /// "delay" and so on, as they stand on the screen; for tests.
     QString figure(int row) const;
+    Button& record() { return *record_; }
+    Button& showsRecorded() { return *recorded_; }
+
+signals:
+    /// The suit leads: begin a take, or end the one that is being recorded.
+    void suitRecordingWanted();
 
 public slots:
     void play();
@@ -50,6 +56,9 @@ private:
     void showState();
     void showLeader();
     void showPaths();
+    void showFigures(const RobotDrive::HandPaths& paths);
+    void showRecording();
+    void toggleRecording();
     void wear();
     void showFrame();
 
@@ -63,7 +72,7 @@ private:
     KeyCard *dead_man_, *clutch_, *hold_, *stop_;
     HandPathsView* paths_;
     Label* figures_[4];
-    Button *play_, *repeats_, *export_;
+    Button *record_, *play_, *repeats_, *export_, *recorded_;
     int key_columns_ = 0;
     QElapsedTimer since_paths_;
 };

@@ -70,6 +70,11 @@ RobotDrive::RobotDrive(Studio& studio, QObject* parent)
         if (leader_ == Leader::kSuit)
             restart();
     });
+    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &RobotDrive::followSuitsTake);
+    connect(&studio.suit(), &LiveSuit::recordingEnded, this, [this] {
+        if (const QString take = std::exchange(recorded_take_, QString()); !take.isEmpty())
+            readRecorded(take);
+    });
     const auto follow_take = [this] {
         if (leader_ == Leader::kTake)
             restart();
@@ -180,12 +185,14 @@ void RobotDrive::begin() {
             feed->put(pose, arrived_ns);
         });
     timer_.start();
+    followSuitsTake();
     tick();
 }
 
 /// The robot gets no command any more and holds by its own watchdog.
 void RobotDrive::end() {
     timer_.stop();
+    endRecording();
     studio_.suit().setPoseListener({});
     running_.reset();
     dead_man_ = clutch_ = false;

@@ -12,6 +12,7 @@
 
 #include "core/robot/live_drive.h"
 #include "core/robot/tracking.h"
+#include "devices/robot/drive_recorder.h"
 #include "devices/robot/robot_interface.h"
 #include "ui/models/studio.h"
 #include "ui/robot/robot_choice.h"
@@ -108,17 +109,28 @@ public:
         std::optional<robot::Tracking> tracking;
     };
     HandPaths handPaths(size_t arm) const;
+
+    /// Commands and the robot's states into a take: into the one that the suit records, by itself, or into
+    /// the one in Review that leads.
+    bool isRecording() const { return recorder_ != nullptr; }
+    /// Why nothing can be recorded into the take in Review, in words; empty: it can.
+    QString whyNotRecord() const;
+    /// Into the take in Review.
+    void setRecording(bool on);
+    /// Of the first arm of the drive that was recorded last; no points: none in this session.
+    const HandPaths& recordedPaths() const { return recorded_paths_; }
     const std::vector<RobotSpell>& spells() const { return spells_; }
     /// All commands and states since the drive began, as the verb `drive` writes them.
     QByteArray table() const;
 
 signals:
-    void robotChanged();   ///< choice or parts
-    void linkChanged();    ///< link() or trouble()
-    void ticked();         ///< moments(), at most 30 times a second
-    void wordChanged();    ///< word() or holdingReason()
-    void keysChanged();    ///< the operator's
-    void leaderChanged();  ///< or what it plays
+    void robotChanged();      ///< choice or parts
+    void linkChanged();       ///< link() or trouble()
+    void ticked();            ///< moments(), at most 30 times a second
+    void wordChanged();       ///< word() or holdingReason()
+    void keysChanged();       ///< the operator's
+    void leaderChanged();     ///< or what it plays
+    void recordingChanged();  ///< isRecording() or recordedPaths()
 
 private:
     class Running;
@@ -130,6 +142,11 @@ private:
     void judge();
     void setTrouble(const QString& trouble);
     void pass();
+    void followSuitsTake();
+    void beginRecording(std::unique_ptr<robot_link::DriveSink> sink, int64_t pose_origin_ns);
+    void endRecording();
+    void recorded(const robot_link::DriveRecord& record, const QString& take);
+    void readRecorded(const QString& take);
 
     Studio& studio_;
     RobotChoice choice_;
@@ -146,6 +163,9 @@ private:
     QString reason_;
     std::vector<RobotSpell> spells_;
     Link told_link_ = Link::kOff;
+    std::shared_ptr<robot_link::DriveRecorder> recorder_;
+    HandPaths recorded_paths_;
+    QString recorded_take_;  ///< of the suit, until it is saved
     QTimer timer_;
 };
 

@@ -10,6 +10,7 @@
 #include "ui/robot/robot_sidebar.h"
 #include "ui/robot/robot_state_panel.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/scroll_area.h"
 
@@ -39,6 +40,7 @@ RobotPage::RobotPage(Studio& studio, RobotDrive& drive, QWidget* parent)
     connect(empty, &EmptyState::activated, this, &RobotPage::chooseRobot);
     connect(sidebar_, &RobotSidebar::changeWanted, this, &RobotPage::chooseRobot);
     connect(&drive, &RobotDrive::robotChanged, this, &RobotPage::showRobot);
+    connect(center_, &RobotCenter::suitRecordingWanted, this, &RobotPage::suitRecordingWanted);
     qApp->installEventFilter(this);
     showRobot();
 }
@@ -62,6 +64,7 @@ void RobotPage::addActions() {
         add(tr("Hold now"), QKeySequence("H"), [this] { drive_.hold(); }),
         add(tr("Stop the robot"), QKeySequence("Esc"), [this] { drive_.stop(); }),
         add(tr("Release the stop"), {}, [this] { drive_.reset(); }),
+        add(tr("Record the robot’s commands, or stop"), {}, [this] { center_->record().click(); }),
         add(tr("Export commands"), {}, [this] { center_->exportCommands(); }),
         add(tr("Remove the robot"), {}, [this] { drive_.removeRobot(); })};
 }

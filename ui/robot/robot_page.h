@@ -30,6 +30,10 @@ public:
     RobotSidebar& sidebar() { return *sidebar_; }
     RobotStatePanel& state() { return *state_; }
 
+signals:
+    /// The suit leads: begin a take, or end the one that is being recorded.
+    void suitRecordingWanted();
+
 public slots:
     void chooseRobot();
 

@@ -45,6 +45,11 @@ void RobotDrive::Running::setSpeed(double share) {
     keys_.speed_scale = share;
 }
 
+void RobotDrive::Running::setRecorder(std::shared_ptr<robot_link::DriveRecorder> recorder) {
+    const std::lock_guard lock(mutex_);
+    recorder_ = std::move(recorder);
+}
+
 void RobotDrive::Running::run() {
     const robot_link::DrivePlan plan{*plan_.link,
                                      feed_,
@@ -84,6 +89,8 @@ void RobotDrive::Running::watch(const robot_link::DriveMoment& moment) {
     }
     table_.add(moment);
     const std::lock_guard lock(mutex_);
+    if (recorder_)
+        recorder_->add(moment);
     if (news_.moments.size() < kMostMoments)
         news_.moments.push_back(std::move(shown));
     news_.rows += table_.takeText();

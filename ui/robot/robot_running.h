@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "devices/robot/drive_loop.h"
+#include "devices/robot/drive_recorder.h"
 #include "devices/robot/drive_table.h"
 #include "devices/robot/motion_poses.h"
 #include "ui/robot/robot_drive.h"
@@ -33,6 +34,8 @@ public:
     void setKeys(bool dead_man, bool clutch);
     void press(bool robot::TeleopKeys::*key);
     void setSpeed(double share);
+    /// Every step from now on goes there, too; null: nowhere.
+    void setRecorder(std::shared_ptr<robot_link::DriveRecorder> recorder);
 
     struct News {
         std::vector<RobotMoment> moments;
@@ -52,6 +55,7 @@ private:
     std::mutex mutex_;
     robot::TeleopKeys keys_;
     News news_;
+    std::shared_ptr<robot_link::DriveRecorder> recorder_;
     robot_link::DriveTable table_;
     std::jthread thread_;
 };

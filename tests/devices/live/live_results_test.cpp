@@ -2,6 +2,9 @@
 // A take recorded live and the same take processed from its file: identical derived tables.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <mutex>
+
 #include "devices/live/record_take.h"
 #include "tests/devices/live/fake_device.h"
 #include "tests/support/same_results.h"
@@ -93,7 +96,7 @@ TEST_P(LiveResults, AlsoWithHolesAndAnUnpluggedBoard) {
 INSTANTIATE_TEST_SUITE_P(OfBlocks, LiveResults, testing::Values(600, 4096, 757));
 
 /// A take that began in the midst of the tiny take, with a pre-roll of half a second.
-StreamResult recordedInTheMidst(const Folder& folder) {
+StreamResult recordedInTheMidst(const Folder& folder, const PoseListener& listener = {}) {
     FakeDevice::Script script = test::tinyTakeScript(600);
     script.speed = 1;
     LiveSession session(std::make_unique<FakeDevice>(std::move(script)));
@@ -106,9 +109,11 @@ StreamResult recordedInTheMidst(const Folder& folder) {
     soon([&] { return session.status()->link == LinkState::kReady; });
     StreamRequest look = requestOfTinyTake(folder);
     look.take.reset();
+    look.pose_listener = listener;
     EXPECT_TRUE(session.begin(look));
     soon([&] { return session.reachedSample() > 90'000; });
     StreamRequest request = requestOfTinyTake(folder);
+    request.pose_listener = listener;
     request.take->pre_roll_s = 0.5;
     request.rest_s = 0.1;
     EXPECT_TRUE(session.begin(request));
@@ -135,6 +140,21 @@ TEST(LiveResultsOf, ATakeThatBeganInTheMidstAreThoseOfTheFile) {
                      "SELECT sample-" + shift + " FROM pulse WHERE sample>=" + shift + " ORDER BY sample"));
     EXPECT_EQ(soundOf(live, 0), soundOf(test::kTinyTake, origin));
     expectSameResults(live, processedFromFile(folder, live));
+}
+
+/// A robot follows them: poses of the take's own pipeline between those of the stream would shake it.
+TEST(LiveResultsOf, ATakeThatBeginsInTheMidstAddsNoPosesOfItsOwn) {
+    const Folder folder;
+    std::mutex mutex;
+    std::vector<int64_t> times;
+    const StreamResult recorded = recordedInTheMidst(folder, [&](const TimedPose& pose, int64_t) {
+        const std::lock_guard lock(mutex);
+        times.push_back(pose.time_ns);
+    });
+    ASSERT_TRUE(recorded.results);
+    const std::lock_guard lock(mutex);
+    EXPECT_GT(times.size(), 200u);
+    EXPECT_TRUE(std::ranges::is_sorted(times, std::ranges::less_equal())) << "one stream, each pose once";
 }
 
 TEST(LiveResultsOf, ASuitWithoutCalibrationAreNotKeptAndThatIsSaid) {

@@ -229,6 +229,39 @@ TEST(RosbridgeInterface, WrongMessagesAreCountedAndNamed) {
     EXPECT_TRUE(waitFor([&] { return (*link)->status().reconnections >= 1; })) << "too long: begun anew";
 }
 
+/// Neither making nor opening waits for the network: the error comes by itself.
+TEST(MakeInterface, ANameThatNoNetworkKnowsIsSaid) {
+    for (const char* address : {"udp://no-such-robot.invalid:41950", "ws://no-such-robot.invalid:9090"}) {
+        const auto link = makeInterface(address, twoJoints());
+        ASSERT_TRUE(link) << "made without asking the network: " << link.error().text();
+        (*link)->open();
+        EXPECT_FALSE((*link)->status().is_connected);
+        ASSERT_TRUE(waitFor([&] { return (*link)->status().is_hopeless; })) << address;
+        const auto trouble = (*link)->status().trouble;
+        ASSERT_TRUE(trouble);
+        EXPECT_NE(trouble->message.find(address), std::string::npos);
+        EXPECT_NE(trouble->message.find("knows no computer of this name"), std::string::npos);
+    }
+}
+
+TEST(MakeInterface, AnUnansweredNameCanBeLetGo) {
+    const auto link = makeInterface("udp://no-such-robot.invalid:41950", twoJoints());
+    ASSERT_TRUE(link);
+    (*link)->open();
+    (*link)->send(commandOf(1));  // nothing is known yet: dropped or refused, never a wait
+}
+
+TEST(UdpInterface, ANameIsLookedUp) {
+    UdpRobot robot;
+    const std::string address = robot.address();
+    const auto link = makeInterface("udp://localhost" + address.substr(address.rfind(':')), twoJoints());
+    ASSERT_TRUE(link) << link.error().text();
+    (*link)->open();
+    ASSERT_TRUE(robot.next(DatagramKind::kQuery));
+    robot.tell(stateOf(1, 0.75));
+    EXPECT_TRUE(waitFor([&] { return (*link)->status().state.has_value(); }));
+}
+
 TEST(MakeInterface, NamesWhatIsWrong) {
     for (const char* address : {"", "udp://", "udp://127.0.0.1", "tcp://127.0.0.1:9", "127.0.0.1:9090",
                                 "ws://127.0.0.1:99999", "ws://:9090"}) {

@@ -17,6 +17,7 @@
 #include "ui/main_window/shortcuts_dialog.h"
 #include "ui/main_window/side_docks.h"
 #include "ui/main_window/window_place.h"
+#include "ui/robot/add_robot_dialog.h"
 #include "ui/style/theme.h"
 #include "ui/views/attach_dialog.h"
 #include "ui/views/body_dialog.h"
@@ -133,6 +134,7 @@ TEST_P(ClippingTest, Dialogs) {
     noctule::test::writeBytes(recording.toStdString(),
                               noctule::test::xsensExample({1, 2, 3, 4, 5, 6, 7, 8}, '\t', true));
     dialogIsWhole<RecordingDialog>("import recording", *studio_, QStringList{recording});
+    dialogIsWhole<AddRobotDialog>("robot", RobotChoice());
     dialogIsWhole<ShotListDialog>("shot list", "Walk, straight line x2\nTurn, both ways x3", true);
     dialogIsWhole<ShortcutsDialog>("shortcuts", QList<ShortcutGroup>{{"Anywhere", window_->actions().all()}});
 }

@@ -16,6 +16,7 @@
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/put_on_dialog.h"
 #include "ui/main_window/shortcuts_dialog.h"
+#include "ui/robot/add_robot_dialog.h"
 #include "ui/style/theme.h"
 #include "ui/views/attach_dialog.h"
 #include "ui/views/body_dialog.h"
@@ -230,6 +231,7 @@ TEST_F(Screenshots, OfDialogs) {
     dialog<PutOnDialog>("dialog-put-on", *studio_);
     dialog<AboutDialog>("dialog-about", "noctule 0.1.0");
     dialog<NewsDialog>("dialog-news");
+    dialog<AddRobotDialog>("dialog-robot", RobotChoice());
     dialog<ShotListDialog>("dialog-shot-list", "Walk, straight line x2\nTurn, both ways x3", true);
     dialog<ShortcutsDialog>("dialog-shortcuts", QList<ShortcutGroup>{{"Anywhere", window_->actions().all()}});
     window_->jobsPanel().toggle();

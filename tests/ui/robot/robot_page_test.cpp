@@ -198,6 +198,47 @@ TEST_F(RobotPageTest, ATakeLeadsTheRobotWhileTheKeyIsHeld) {
     EXPECT_TRUE(drive_->table().startsWith("time_s,"));
 }
 
+TEST_F(RobotPageTest, ADriveIsRecordedIntoTheTakeThatLeads) {
+    startRobot("--udp", {"--latency", "80"});
+    EXPECT_FALSE(page_->center().record().isEnabled()) << "nobody leads";
+    follow();
+    page_->center().play();
+    ASSERT_TRUE(waitFor([this] { return page_->center().record().isEnabled(); }));
+    EXPECT_EQ(page_->center().record().text(), "Record");
+    EXPECT_FALSE(page_->center().showsRecorded().isEnabled()) << "nothing was recorded yet";
+    page_->center().record().click();
+    ASSERT_TRUE(drive_->isRecording());
+    EXPECT_EQ(page_->center().record().text(), "Stop recording");
+    const double from_s = drive_->moments().back().time_s;
+    ASSERT_TRUE(waitFor([&] { return drive_->moments().back().time_s > from_s + 3; }));
+    page_->center().record().click();
+    EXPECT_FALSE(drive_->isRecording());
+    EXPECT_EQ(drive_->word(), RobotWord::kFollowing) << "the robot goes on";
+    ASSERT_TRUE(waitFor([this] { return !drive_->recordedPaths().commanded.empty(); }));
+    ASSERT_TRUE(drive_->recordedPaths().tracking);
+    EXPECT_GT(drive_->recordedPaths().tracking->delay_s, 0.08);
+    page_->center().showsRecorded().click();
+    EXPECT_NE(page_->center().figure(3), QStringLiteral("–"));
+    const auto take = Take::open(folder_.filePath("swing_001.noctule").toStdString());
+    ASSERT_TRUE(take);
+    const auto drives = take->robotDrives();
+    ASSERT_TRUE(drives);
+    ASSERT_EQ(drives->size(), 1U);
+    EXPECT_EQ(drives->front().leader, "take");
+    EXPECT_GT(take->robotCommands(drives->front())->size(), 350U);
+}
+
+TEST_F(RobotPageTest, ANameThatNobodyKnowsIsSaidAndTheScreenGoesOn) {
+    address_ = "udp://no-such-robot.invalid:41950";
+    drive_->setRobot(choice());
+    ASSERT_TRUE(waitFor([this] { return !drive_->trouble().isEmpty(); }));
+    EXPECT_TRUE(drive_->trouble().contains("no-such-robot.invalid")) << drive_->trouble().toStdString();
+    EXPECT_EQ(drive_->link(), RobotDrive::Link::kOff);
+    drive_->setRobot(choice());
+    drive_->disconnectRobot();  // the cancel: at once, whatever the network does
+    EXPECT_EQ(drive_->link(), RobotDrive::Link::kOff);
+}
+
 TEST_F(RobotPageTest, StopEndsEverythingUntilItIsReleased) {
     startRobot("--ws");
     follow();
