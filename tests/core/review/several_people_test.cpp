@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/processing/process_take.h"
 #include "core/review/between_curve.h"
 #include "core/review/take_review.h"
 #include "tests/core/simulation/swaying_pair.h"
@@ -17,13 +16,8 @@ const std::string& processedPair() {
     static const test::Folder folder;
     static const std::string path = [] {
         const std::string made = folder.file("pair.noctule");
-        const Status written = test::writeSwayingPair(made);
+        const Status written = test::writeProcessedPair(made);
         EXPECT_TRUE(written) << written.error().text();
-        ProcessRequest request;
-        request.take_path = made;
-        request.software = "test";
-        const auto summary = processTake(request, {});
-        EXPECT_TRUE(summary) << summary.error().text();
         return made;
     }();
     return path;

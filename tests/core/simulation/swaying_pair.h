@@ -3,28 +3,12 @@
 // the corners of the room.
 #pragma once
 
-#include "core/simulation/cast.h"
-#include "tests/core/simulation/simulated_body.h"
+#include "core/processing/process_take.h"
+#include "tests/core/simulation/two_people.h"
 
 namespace noctule::test {
 
 inline constexpr double kSwayingRest_s = 1, kSwaying_s = 3;
-
-inline void addHousing(Suit& suit, const std::string& id, const std::string& segment, const Vector3d& p_m,
-                       const Quaterniond& q = Quaterniond::Identity()) {
-    Board board;
-    board.id = id;
-    board.segment = segment;
-    board.p_segment_board_m = p_m;
-    board.q_segment_board = q;
-    suit.boards.push_back(board);
-    Source source;
-    source.id = source.board = id;
-    source.segment = segment;
-    source.p_segment_source_m = p_m + q * Vector3d(0.01, 0, 0);
-    source.normal_segment = q * Vector3d::UnitZ();
-    suit.sources.push_back(source);
-}
 
 inline Suit fewHousings() {
     Suit suit;
@@ -32,11 +16,11 @@ inline Suit fewHousings() {
     const auto outwards = [](const Vector3d& to) {
         return Quaterniond::FromTwoVectors(Vector3d::UnitZ(), to);
     };
-    addHousing(suit, "hips", "Hips", {0, -0.03, 0.125});
-    addHousing(suit, "chest", "Chest", {0, 0.09, 0.13});
-    addHousing(suit, "head", "Head", {0, 0.11, 0.12});
-    addHousing(suit, "l_hand", "LeftHand", {0.085, 0.03, 0}, outwards(Vector3d::UnitY()));
-    addHousing(suit, "r_hand", "RightHand", {-0.085, 0.03, 0}, outwards(Vector3d::UnitY()));
+    simulation::addTransceiver(suit, "hips", "Hips", {0, -0.03, 0.125}, Quaterniond::Identity());
+    simulation::addTransceiver(suit, "chest", "Chest", {0, 0.09, 0.13}, Quaterniond::Identity());
+    simulation::addTransceiver(suit, "head", "Head", {0, 0.11, 0.12}, Quaterniond::Identity());
+    simulation::addTransceiver(suit, "l_hand", "LeftHand", {0.085, 0.03, 0}, outwards(Vector3d::UnitY()));
+    simulation::addTransceiver(suit, "r_hand", "RightHand", {-0.085, 0.03, 0}, outwards(Vector3d::UnitY()));
     return suit;
 }
 
@@ -48,7 +32,8 @@ inline Suit fourCorners() {
                                                         {"north", {-1.8, 2.2, 2}},
                                                         {"west", {-2, 1.2, -1.5}}};
     for (const auto& [id, p] : corners)
-        addHousing(room, id, "", p, Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d(0, 1, 0) - p));
+        simulation::addTransceiver(room, id, "", p,
+                                   Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d(0, 1, 0) - p));
     return room;
 }
 
@@ -88,6 +73,17 @@ inline Status writeSwayingPair(const std::string& path, const JobContext& job = 
                                        .software = "test"};
     const auto written = simulation::writeTake(*cast, take, job);
     return written ? Status(Done{}) : Status(written.error());
+}
+
+/// The same with a run of both together.
+inline Status writeProcessedPair(const std::string& path) {
+    if (Status written = writeSwayingPair(path); !written)
+        return written;
+    ProcessRequest request;
+    request.take_path = path;
+    request.software = "test";
+    const auto summary = processTake(request, {});
+    return summary ? Status(Done{}) : Status(summary.error());
 }
 
 }  // namespace noctule::test

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "core/processing/process_take.h"
 #include "tests/core/simulation/swaying_pair.h"
 #include "tests/ui/views/reviewed_session.h"
 #include "ui/plots/plot_panel.h"
@@ -29,13 +28,8 @@ const std::string& processedPair() {
     static const QTemporaryDir folder;
     static const std::string path = [] {
         const std::string made = folder.filePath("pair.noctule").toStdString();
-        const Status written = noctule::test::writeSwayingPair(made);
+        const Status written = noctule::test::writeProcessedPair(made);
         EXPECT_TRUE(written) << written.error().text();
-        ProcessRequest request;
-        request.take_path = made;
-        request.software = "test";
-        const auto summary = processTake(request, {});
-        EXPECT_TRUE(summary) << summary.error().text();
         return made;
     }();
     return path;
