@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every case of ../shared/data/hostile through the program: takes, boxes, announcements and clients made to do harm."""
+import concurrent.futures
 import dataclasses
 import hashlib
 import math
@@ -30,11 +31,12 @@ class Limits:
     after_signal_s: float = 1.0
     take_kb: float = 500_000
     record_kb: float = 200_000
+    takes_at_once: int = 1
 
 
 PLAIN = Limits()
 # Sanitizers cost time and memory of their own; what they find ends a program with a code that nothing else has.
-SANITIZED = Limits(studio.ROOT / "build" / "asan-ubsan" / "bin", 300, 10, math.inf, math.inf)
+SANITIZED = Limits(studio.ROOT / "build" / "asan-ubsan" / "bin", 300, 10, math.inf, math.inf, os.cpu_count() or 1)
 FOUND_BY_SANITIZER = 99
 ENVIRONMENT = {"QT_QPA_PLATFORM": "offscreen", "LC_ALL": "C.UTF-8",
                "ASAN_OPTIONS": f"exitcode={FOUND_BY_SANITIZER}:detect_leaks=0",
@@ -131,8 +133,10 @@ def integrity(path):
         return str(error)
 
 
-def try_take(limits, take, folder, damaged):
+def try_take(limits, take, of_all, damaged):
     missed = []
+    folder = of_all / take.stem
+    folder.mkdir()
     before = digest(take)
     for name, words, writes in verbs(take, folder / "copy" / take.name, folder / "out"):
         for part in ("copy", "out"):
@@ -150,6 +154,8 @@ def try_take(limits, take, folder, damaged):
         missed += [f"{take.stem}: {name}: {fault}" for fault in faults]
     if digest(take) != before:
         missed.append(f"{take.stem}: was changed")
+    shutil.rmtree(folder)
+    take.unlink()
     return missed
 
 
@@ -223,9 +229,9 @@ def measured(limits):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         base, takes = make_takes(folder)
-        for take in takes:
-            missed += try_take(limits, take, folder, damaged=take.stem == "schema_corrupt")
-            take.unlink()
+        with concurrent.futures.ThreadPoolExecutor(limits.takes_at_once) as pool:
+            for found in pool.map(lambda take: try_take(limits, take, folder, damaged=take.stem == "schema_corrupt"), takes):
+                missed += found
         boxes, announcers = names_in("bad_box"), names_in("bad_announcer")
         for case in boxes:
             missed += try_box(limits, case, folder)
