@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
-#include <cmath>
-#include <cstdio>
-#include <thread>
-
+#include "app/batch/drive_outcome.h"
+#include "app/batch/drive_poses.h"
 #include "app/batch/drive_recording.h"
 #include "app/batch/files.h"
 #include "app/batch/operator_keys.h"
@@ -13,131 +10,12 @@
 #include "core/job/atomic_file.h"
 #include "core/math/rotation.h"
 #include "core/processing/pose_runs.h"
-#include "core/robot/robot_report.h"
 #include "core/robot/urdf_reader.h"
 #include "devices/device/clock.h"
-#include "devices/live/live_session.h"
 #include "devices/robot/drive_loop.h"
-#include "devices/robot/motion_poses.h"
 
 namespace noctule::batch {
 namespace {
-
-constexpr std::chrono::milliseconds kLookAtDevice{20};
-constexpr std::chrono::seconds kDeviceGreets{10}, kDeviceStops{6};
-
-/// Poses that go into a feed, from a thread of their own.
-class LivePoses {
-public:
-    virtual ~LivePoses() = default;
-    virtual bool ended() const = 0;
-    virtual std::optional<Error> trouble() const { return std::nullopt; }
-    virtual void tell(nlohmann::json&) const {}
-    /// Of a take that is being recorded.
-    virtual std::optional<LiveSession::TakeInput> takeInput() const { return std::nullopt; }
-    /// Ends the take that is being recorded, if there is one.
-    virtual std::optional<StreamResult> endTake() { return std::nullopt; }
-};
-
-/// A take's poses at the times at which they were made.
-class TakePoses : public LivePoses {
-public:
-    TakePoses(TimedMotion motion, robot_link::PoseFeed& feed, bool repeats)
-        : poses_(std::move(motion), feed,
-                 repeats ? robot_link::MotionPoses::AtEnd::kRepeats : robot_link::MotionPoses::AtEnd::kEnds,
-                 true) {}
-    bool ended() const override { return poses_.ended(); }
-
-private:
-    robot_link::MotionPoses poses_;
-};
-
-/// A suit that is worn right now.
-class SuitPoses : public LivePoses {
-public:
-    explicit SuitPoses(std::unique_ptr<Device> device) : session_(std::move(device)) {}
-    ~SuitPoses() override {
-        session_.stop();
-        session_.finish();
-    }
-
-    Status begin(const StreamRequest& request, const std::string& address, const JobContext& job) {
-        session_.connect();
-        const auto until = std::chrono::steady_clock::now() + kDeviceGreets;
-        while (session_.status()->link != LinkState::kReady &&
-               session_.status()->link != LinkState::kRefused && std::chrono::steady_clock::now() < until &&
-               !job.cancelled())
-            std::this_thread::sleep_for(kLookAtDevice);
-        if (job.cancelled())
-            return JobContext::cancelledError();
-        const auto status = session_.status();
-        if (status->link != LinkState::kReady)
-            return status->trouble.value_or(
-                Error{ErrorKind::kDevice, address + ": no driver box answers",
-                      "Check that it is switched on and that the address is right"});
-        if (Status begun = session_.begin(request); !begun)
-            return begun;
-        const auto trouble = session_.processingTrouble();
-        return trouble ? Status(*trouble) : Status(Done{});
-    }
-    bool ended() const override { return !session_.status()->stream_is_open; }
-    std::optional<Error> trouble() const override {
-        const auto processing = session_.processingTrouble();
-        return processing ? processing : session_.status()->trouble;
-    }
-    void tell(nlohmann::json& json) const override {
-        if (const auto frame = session_.latest())
-            json["poses"] = {{"count", frame->poses},
-                             {"latency_median_ms", 1e3 * frame->latency_median_s},
-                             {"latency_p999_ms", 1e3 * frame->latency_p999_s}};
-    }
-
-    std::optional<LiveSession::TakeInput> takeInput() const override { return session_.takeInput(); }
-    std::optional<StreamResult> endTake() override {
-        session_.stop();
-        const auto until = std::chrono::steady_clock::now() + kDeviceStops;
-        while (session_.status()->stream_is_open && std::chrono::steady_clock::now() < until)
-            std::this_thread::sleep_for(kLookAtDevice);
-        return session_.finish();
-    }
-
-private:
-    mutable LiveSession session_;
-};
-
-/// The hands as they were told and as they went, for the report.
-class HandRecord {
-public:
-    /// `arms` outlive it.
-    explicit HandRecord(const std::vector<robot::RobotArm>& arms) : arms_(arms) {
-        for (const robot::RobotArm& arm : arms)
-            hands_.push_back({arm.profile.name, {}, {}});
-    }
-    void add(const robot_link::DriveMoment& moment) {
-        const auto seconds = [&](int64_t steady_ns) {
-            return static_cast<double>(steady_ns - moment.start_ns) * 1e-9;
-        };
-        const bool has_news = moment.link.state && moment.link.state_arrived_ns != last_state_ns_;
-        size_t first = 0;
-        for (size_t i = 0; i < arms_.size() && hands_[i].wanted.size() < kMostPoints; ++i) {
-            hands_[i].wanted.push_back(
-                {seconds(moment.now_ns), robot::tipInChest(arms_[i], moment.output.q, first)});
-            if (has_news)
-                hands_[i].reached.push_back({seconds(moment.link.state_arrived_ns),
-                                             robot::tipInChest(arms_[i], moment.link.state->q, first)});
-            first += static_cast<size_t>(arms_[i].chain.size());
-        }
-        if (has_news)
-            last_state_ns_ = moment.link.state_arrived_ns;
-    }
-    const std::vector<robot::HandPair>& hands() const { return hands_; }
-
-private:
-    static constexpr size_t kMostPoints = 1'000'000;
-    const std::vector<robot::RobotArm>& arms_;
-    std::vector<robot::HandPair> hands_;
-    int64_t last_state_ns_ = 0;
-};
 
 /// What is driven, and by whom.
 struct DriveJob {
@@ -219,12 +97,7 @@ Result<std::unique_ptr<LivePoses>> startPoses(const VerbContext& context, DriveJ
                                               robot_link::PoseFeed& feed) {
     const Arguments& arguments = context.arguments;
     if (drive.motion)
-        return std::unique_ptr<LivePoses>(
-            new TakePoses(std::move(*drive.motion), feed, arguments.given("repeat")));
-    const std::string address = arguments.text("device");
-    auto device = makeDevice(address);
-    if (!device)
-        return device.error();
+        return posesOfTake(std::move(*drive.motion), feed, arguments.given("repeat"));
     StreamRequest request;
     request.calibration = drive.calibration;
     request.actor = drive.actor;
@@ -236,10 +109,7 @@ Result<std::unique_ptr<LivePoses>> startPoses(const VerbContext& context, DriveJ
     request.pose_listener = [&feed](const TimedPose& pose, int64_t arrived_ns) {
         feed.put(pose, arrived_ns);
     };
-    auto poses = std::make_unique<SuitPoses>(std::move(*device));
-    if (Status begun = poses->begin(request, address, context.job()); !begun)
-        return begun.error();
-    return std::unique_ptr<LivePoses>(std::move(poses));
+    return posesOfSuit(request, arguments.text("device"), context.job());
 }
 
 robot_link::LinkOptions linkOptionsOf(const Arguments& arguments, const DriveJob& drive) {
@@ -267,83 +137,19 @@ robot::DriveSettings settingsOf(const Arguments& arguments) {
     return settings;
 }
 
-nlohmann::json handsJson(const std::vector<robot::HandPair>& hands) {
-    nlohmann::json all = nlohmann::json::array();
-    for (const robot::HandPair& hand : hands) {
-        nlohmann::json one{{"arm", hand.arm}, {"tracking", nullptr}};
-        if (const auto tracking = robot::trackingOf(hand.wanted, hand.reached))
-            one["tracking"] = {{"delay_ms", 1e3 * tracking->delay_s},
-                               {"apart_rms_mm", 1e3 * tracking->apart_rms_m},
-                               {"rest_rms_mm", 1e3 * tracking->rest_rms_m},
-                               {"rest_max_mm", 1e3 * tracking->rest_max_m},
-                               {"points", tracking->points}};
-        all.push_back(std::move(one));
-    }
-    return all;
-}
-
-nlohmann::json driveJson(const robot_link::DriveReport& report, const DriveJob& drive,
-                         const std::string& to) {
-    const LatencyHistogram& latency = report.link.latency;
-    nlohmann::json json{{"robot", drive.model.name},
-                        {"to", to},
-                        {"joints", robot::jointsOf(drive.arms)},
-                        {"commands", report.commands},
-                        {"commands_following", report.following},
-                        {"steps_skipped", report.skipped},
-                        {"commands_dropped", report.link.dropped},
-                        {"states", report.link.states},
-                        {"messages_refused", report.link.refused_messages},
-                        {"reconnections", report.link.reconnections},
-                        {"largest_speed_use", report.largest_speed_use},
-                        {"longest_hold_ms", 1e3 * report.longest_hold_s}};
-    json["latency"] = {{"count", latency.count()},
-                       {"median_ms", 1e3 * latency.quantile_s(0.5)},
-                       {"p999_ms", 1e3 * latency.quantile_s(0.999)},
-                       {"worst_ms", static_cast<double>(latency.worst_ns()) * 1e-6}};
-    return json;
-}
-
-std::string driveText(const robot_link::DriveReport& report, const DriveJob& drive) {
-    const LatencyHistogram& latency = report.link.latency;
-    char text[300];
-    std::snprintf(text, sizeof text,
-                  ": %lld commands, %lld while following; from the arrival of data to the command %.1f ms in "
-                  "the median, %.1f ms at 99.9 %%\n",
-                  static_cast<long long>(report.commands), static_cast<long long>(report.following),
-                  1e3 * latency.quantile_s(0.5), 1e3 * latency.quantile_s(0.999));
-    return "robot " + drive.model.name + text;
-}
-
-Status writeDriveReport(const Arguments& arguments, const robot_link::DriveReport& report,
-                        const DriveJob& drive, const HandRecord& record) {
-    const LatencyHistogram& latency = report.link.latency;
-    char quantiles[100];
-    std::snprintf(quantiles, sizeof quantiles, "%.1f ms, %.1f ms", 1e3 * latency.quantile_s(0.5),
-                  1e3 * latency.quantile_s(0.999));
-    const robot::RobotReport page{"Robot " + drive.model.name + ", driven live",
-                                  "Times are those at which commands were made and states arrived.",
-                                  "the hand as it was commanded",
-                                  "the hand as the robot tells it",
-                                  record.hands(),
-                                  {{"Commands", std::to_string(report.commands)},
-                                   {"Commands while following", std::to_string(report.following)},
-                                   {"Data to command: median, 99.9 %", quantiles}}};
-    return writeFileAtomically(arguments.text("report"), robot::reportHtml(page),
-                               arguments.given("overwrite"));
-}
-
 Result<Outcome> finishDrive(const VerbContext& context, const robot_link::DriveReport& report,
-                            const DriveJob& drive, const LivePoses& poses, const HandRecord& record) {
+                            const RobotDriveRow& drive, const LivePoses& poses, const HandRecord& record) {
     const Arguments& arguments = context.arguments;
     if (arguments.given("report"))
-        if (Status written = writeDriveReport(arguments, report, drive, record); !written)
+        if (Status written =
+                writeFileAtomically(arguments.text("report"), driveHtml(report, drive, record.hands()),
+                                    arguments.given("overwrite"));
+            !written)
             return written.error();
     if (const std::string out = arguments.text("out"); !out.empty())
         if (Status written = writeFileAtomically(out, report.table, arguments.given("overwrite")); !written)
             return written.error();
-    Outcome outcome{driveJson(report, drive, arguments.text("to")), driveText(report, drive), std::nullopt};
-    outcome.json["hands"] = handsJson(record.hands());
+    Outcome outcome{driveJson(report, drive, record.hands()), driveText(report, drive), std::nullopt};
     poses.tell(outcome.json);
     for (const std::optional<Error>& trouble : {poses.trouble(), report.link.trouble})
         if (trouble && !outcome.failure) {
@@ -441,7 +247,7 @@ Result<Outcome> runDriveVerb(const VerbContext& context) {
     const auto report = robot_link::runDrive(plan, context.job());
     if (!report)
         return report.error();
-    auto outcome = finishDrive(context, *report, *drive, **poses, record);
+    auto outcome = finishDrive(context, *report, driveRowOf(arguments, *drive), **poses, record);
     if (outcome && *recording) {
         const robot_link::DriveRecord recorded = (*recording)->finish();
         tellRecording(context, recorded, (*poses)->endTake(), *outcome);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points that few hear for a while. The filter of Welch 2018 linearises about one place: a point that drifted
-// off while nobody heard it is drawn to a wrong place by the next ranges, often to the mirror image across a
-// plane of sources, and gates out what contradicts that. So a point whose place has become unsure leaves the
+// Points that few hear for a while. The filter of Welch 2018 linearises about one place. A point that drifted
+// off unheard is drawn to a wrong place by the next ranges, often to the mirror image across a plane of
+// sources. It then gates out what contradicts that place. So a point whose place has become unsure leaves the
 // filter. It goes along with the nearest known point of its wearer, and a window of ranges is fitted from
 // many starting points. It comes back when one place explains them. Ours: the paper has nothing of the kind.
 #pragma once

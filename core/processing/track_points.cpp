@@ -11,23 +11,15 @@
 #include "core/math/rotation.h"
 #include "core/processing/cross_clocks.h"
 #include "core/processing/cross_ranges.h"
+#include "core/processing/point_flights.h"
 #include "core/processing/point_reach.h"
 
 namespace noctule {
 namespace {
 
-constexpr double kUnstatedRange_m = 0.0025;
-constexpr double kUsableConfidence = 0.05;
 constexpr double kLongestStep_s = 0.02;
 constexpr double kDetour_m = 0.08;   ///< a way that is longer by as much is a reflection's
 constexpr double kNearest_m = 0.05;  ///< of the second order
-
-/// A range with both instants on common time.
-struct Flight {
-    double emission_s = 0, duration_s = 0;
-    int from = 0, source = 0, to = 0, board = 0;
-    double distance_m = 0, sigma_m = 0;
-};
 
 /// Where the points of one member stand in the state; anchors are negative (cooperative::anchorPoint).
 struct MemberPoints {
@@ -72,8 +64,10 @@ public:
                                 "Take --estimator comocap");
         if (Status placed = place(); !placed)
             return placed.error();
-        if (Status read = readFlights(clocks); !read)
-            return read.error();
+        auto flights = pointFlights(take_, subjects_, joining_, alignment_, clocks, summary.warnings);
+        if (!flights)
+            return flights.error();
+        flights_ = std::move(*flights);
         if (Status filtered = filter(job); !filtered)
             return filtered.error();
         return std::move(summary);
@@ -209,79 +203,6 @@ private:
         points_.push_back(std::move(points));
     }
 
-    double commonTime_s(size_t member, double suit_s) const {
-        const auto& track = tracks_[member];
-        return track ? cooperative::takeTime_s(*track, suit_s) : alignment_.clocks[member].common_s(suit_s);
-    }
-
-    bool isMoved(const JointDistance& distance) const {
-        int board = -1;
-        if (static_cast<size_t>(distance.to) == room())
-            board = distance.board;
-        if (static_cast<size_t>(distance.from) == room()) {
-            const std::string& id = joining_.room->suit.sources[static_cast<size_t>(distance.source)].board;
-            board = id.empty() ? -1 : joining_.room->suit.findBoard(id);
-        }
-        return std::ranges::count(alignment_.moved_anchors, board) > 0;
-    }
-
-    Status readFlights(const TakeClocks& clocks) {
-        // A clock that follows its wander is better than a line; all members need one, for one common time.
-        const size_t members = joining_.guesses.size();
-        bool tracked = !joining_.clocks_shared;
-        for (size_t member = 0; member < members; ++member)
-            tracked = tracked && joining_.clock_known[member];
-        tracks_.resize(room() + 1);
-        for (size_t member = 0; tracked && member < members; ++member) {
-            const auto track = clocks.tracks.find(joining_.suitOf(member, subjects_));
-            tracks_[member] =
-                track != clocks.tracks.end() ? track->second : cooperative::ClockTrack{true, {{0, 0, 1, 0}}};
-        }
-        if (!tracked && !joining_.clocks_shared)
-            summary.warnings.push_back(
-                "The boxes' clocks are known from the rest pose alone, since no transceivers of all suits "
-                "hear "
-                "each other both ways: ranges between suits drift.");
-        for (const JointDistance& distance : joining_.distances) {
-            if (distance.confidence < kUsableConfidence || isMoved(distance))
-                continue;
-            const double emission_s = commonTime_s(static_cast<size_t>(distance.from), distance.emission_s),
-                         arrival_s = commonTime_s(static_cast<size_t>(distance.to), distance.arrival_s);
-            flights_.push_back({emission_s, arrival_s - emission_s, distance.from, distance.source,
-                                distance.to, distance.board,
-                                distance.beyond_m + distance.c_m_per_s * (arrival_s - emission_s),
-                                distance.sigma_m / distance.confidence});
-        }
-        for (size_t member = 0; member < subjects_.size(); ++member)
-            if (Status read = readOwn(member); !read)
-                return read;
-        std::ranges::stable_sort(flights_, {}, &Flight::emission_s);
-        return Done{};
-    }
-
-    Status readOwn(size_t member) {
-        auto ranges = take_.ranges(kPrimaryRun, subjects_[member].subject.suit());
-        if (!ranges)
-            return ranges.error();
-        const double rate_hz = subjects_[member].decoder.train.sample_rate_hz;
-        const auto index = static_cast<int>(member);
-        while (true) {
-            const auto range = ranges->next();
-            if (!range)
-                return range.error();
-            if (!*range)
-                return Done{};
-            const RangeMeasurement& own = **range;
-            const double confidence = own.w_s * own.w_t;
-            if (confidence < kUsableConfidence)
-                continue;
-            const double emission_s = commonTime_s(member, static_cast<double>(own.pulse_sample) / rate_hz);
-            flights_.push_back({emission_s, commonTime_s(member, own.arrival_sample / rate_hz) - emission_s,
-                                index, own.source, index, own.board, own.distance_m,
-                                (own.sigma_m > 0 ? own.sigma_m : kUnstatedRange_m) / confidence});
-        }
-    }
-
     Status filter(const JobContext& job) {
         sink_.begin(summary.points);
         next_row_s_ = std::ceil(begin_s_ * setup_.rows_per_s) / setup_.rows_per_s;
@@ -369,9 +290,9 @@ private:
     }
 
     /// All that was heard of one pulse.
-    void correct(std::span<const Flight> flights) {
+    void correct(std::span<const PointFlight> flights) {
         std::vector<cooperative::PointRange> ranges;
-        for (const Flight& flight : flights)
+        for (const PointFlight& flight : flights)
             if (const auto range = rangeOf(flight))
                 ranges.push_back(*range);
         const size_t target = static_cast<size_t>(flights.front().from) == room()
@@ -383,7 +304,7 @@ private:
     bool isLost(int point) const { return point >= 0 && lost_ && lost_->isLost(point); }
 
     /// None: it is not for the filter.
-    std::optional<cooperative::PointRange> rangeOf(const Flight& flight) {
+    std::optional<cooperative::PointRange> rangeOf(const PointFlight& flight) {
         const auto from = static_cast<size_t>(flight.from), to = static_cast<size_t>(flight.to);
         const auto source = static_cast<size_t>(flight.source);
         const int sent = points_[from].of_source[source],
@@ -427,7 +348,7 @@ private:
     }
 
     /// A range of a lost point to one that is known, at the instant when the lost one sent or heard.
-    void noteLost(const Flight& flight, int sent, int heard, double variance_m2) {
+    void noteLost(const PointFlight& flight, int sent, int heard, double variance_m2) {
         if (!isOfMethod(sent, heard) || (isLost(sent) && isLost(heard)))
             return;
         const bool heard_it = isLost(heard);
@@ -450,8 +371,7 @@ private:
     std::vector<MemberPoints> points_;          ///< per subject, then of the room
     std::vector<std::vector<WornPoint>> worn_;  ///< per subject
     std::vector<Vector3d> anchors_m_;
-    std::vector<std::optional<cooperative::ClockTrack>> tracks_;  ///< per member; none: a line
-    std::vector<Flight> flights_;
+    std::vector<PointFlight> flights_;
     std::optional<cooperative::PointFilter> filter_;
     std::optional<cooperative::LostPoints> lost_;  ///< none: the paper to the letter
     double begin_s_ = 0, now_s_ = 0, next_row_s_ = 0;

@@ -18,7 +18,7 @@ namespace noctule {
 struct ViewedTake {
     Take take;
     std::vector<TakeSubject> subjects;
-    int suit = 1;
+    int suit;
 
     static Result<ViewedTake> open(const TakeView& view);
 };
@@ -26,7 +26,7 @@ struct ViewedTake {
 /// The take and the clock of the suit in view; kUnusable without a sample rate.
 struct ReviewFile {
     Take take;
-    int suit = 1;
+    int suit;
     double sample_rate_hz = 0;
     SuitClock clock;
 

@@ -56,7 +56,7 @@ struct TakeOverview {
     std::string state;  ///< complete, recovered, recording
     std::string performer;
     std::vector<TakeSubject> subjects;  ///< the people, in the take's order
-    int suit_in_view = 1;               ///< whose suit, calibration, actor, marks and gaps these are
+    int suit_in_view = kSuitInView;     ///< whose suit, calibration, actor, marks and gaps these are
     TakeLevel level = TakeLevel::kSignal;
     double duration_s = 0;
     double sample_rate_hz = 0;

@@ -194,7 +194,7 @@ void TakeDocument::forgetUnshown() {
     };
     drop(motions_, unwatched);
     drop(motion_curves_, [&](const MotionCurveKey& key) { return unwatched(key.run); });
-    drop(others_, [&](const BetweenKey& key) { return key.run != shown_run; });
+    drop(others_, [&](const auto& key) { return key.first != shown_run; });
     drop(between_, [&](const BetweenKey& key) { return key.run != shown_run && key.run != kReference; });
     drop(contacts_, [&](int64_t key) { return key != shown_run; });
     drop(reports_, [&](int64_t key) { return key != shown_run; });
@@ -213,7 +213,7 @@ void TakeDocument::forgetOutdated(const TakeOverview& earlier) {
     };
     drop(motions_, gone);
     drop(motion_curves_, [&](const MotionCurveKey& key) { return gone(key.run); });
-    drop(others_, [&](const BetweenKey& key) { return gone(key.run); });
+    drop(others_, [&](const auto& key) { return gone(key.first); });
     drop(between_, [&](const BetweenKey& key) { return gone(key.run); });
     drop(contacts_, [](int64_t) { return true; });
     drop(reports_, [](int64_t) { return true; });

@@ -197,7 +197,7 @@ private:
 
     // By number of the run; kReference: the reference.
     Parts<int64_t, TimedMotion> motions_;
-    Parts<BetweenKey, TimedMotion> others_;  ///< of the other subjects; `suit` only
+    Parts<std::pair<int64_t, int>, TimedMotion> others_;  ///< of the other subjects: run, suit
     Parts<BetweenKey, std::vector<BetweenTrack>> between_;
     Parts<int64_t, std::vector<FootContacts>> contacts_;
     Parts<int64_t, Ranges> ranges_;

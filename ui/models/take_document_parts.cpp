@@ -54,8 +54,8 @@ std::shared_ptr<const TimedMotion> TakeDocument::motionOf(int subject) {
     if (subject == this->subject())
         return shownMotion();
     const int suit = subjects()[static_cast<size_t>(subject)].suit();
-    return ask<BetweenKey, TimedMotion>(
-        others_, {*run, suit, suit}, tr("Loading the motion"), &TakeDocument::motionChanged,
+    return ask<std::pair<int64_t, int>, TimedMotion>(
+        others_, {*run, suit}, tr("Loading the motion"), &TakeDocument::motionChanged,
         [path = path_.toStdString(), suit, number = *run](const JobContext& job) {
             return loadPoses({path, suit}, number, job);
         });

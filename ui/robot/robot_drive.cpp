@@ -171,14 +171,14 @@ void RobotDrive::begin() {
     robot::DriveSettings settings;
     settings.follows_posture = choice_.follows_posture;
     settings.teleop.farthest_rad = choice_.accept_within_rad;
-    Running::Plan plan{parts_,       std::move(*link), skeleton, *performer,
-                       std::nullopt, repeats_,         settings, choice_.speed};
+    RobotRunning::Plan plan{parts_,       std::move(*link), skeleton, *performer,
+                            std::nullopt, repeats_,         settings, choice_.speed};
     if (has_motion)
         plan.motion = repeats_ ? robot_link::joinedEnds(*motion, kBridge_s) : *motion;
     setTrouble({});
     moments_.clear();
     table_.clear();
-    running_ = std::make_unique<Running>(std::move(plan));
+    running_ = std::make_unique<RobotRunning>(std::move(plan));
     running_->setKeys(dead_man_, clutch_);
     if (!of_take)
         studio_.suit().setPoseListener([feed = &running_->feed()](const TimedPose& pose, int64_t arrived_ns) {
@@ -317,7 +317,7 @@ void RobotDrive::setTrouble(const QString& trouble) {
 void RobotDrive::tick() {
     if (!running_)
         return;
-    Running::News news = running_->take();
+    RobotRunning::News news = running_->take();
     for (RobotMoment& moment : news.moments)
         moments_.push_back(std::move(moment));
     while (!moments_.empty() && moments_.front().time_s < moments_.back().time_s - kShown_s)

@@ -49,6 +49,8 @@ struct RobotSpell {
     double seconds = 0;
 };
 
+class RobotRunning;
+
 class RobotDrive : public QObject {
     Q_OBJECT
 public:
@@ -133,7 +135,6 @@ signals:
     void recordingChanged();  ///< isRecording() or recordedPaths()
 
 private:
-    class Running;
     void read(bool connects);
     void begin();
     void end();
@@ -156,7 +157,7 @@ private:
     Leader leader_ = Leader::kSuit;
     bool repeats_ = false, wants_link_ = false;
     bool dead_man_ = false, clutch_ = false;
-    std::unique_ptr<Running> running_;
+    std::unique_ptr<RobotRunning> running_;
     std::deque<RobotMoment> moments_;
     QByteArray table_;
     RobotWord word_ = RobotWord::kNotSynchronised;

@@ -15,7 +15,7 @@ std::array<double, 2> armLengths(const robot::PerformerArms& performer) {
 
 }  // namespace
 
-RobotDrive::Running::Running(Plan plan)
+RobotRunning::RobotRunning(Plan plan)
     : plan_(std::move(plan)), feed_(plan_.skeleton, plan_.performer), table_(plan_.parts->joints) {
     keys_.speed_scale = plan_.speed;
     if (plan_.motion)
@@ -24,33 +24,33 @@ RobotDrive::Running::Running(Plan plan)
     thread_ = std::jthread([this] { run(); });
 }
 
-RobotDrive::Running::~Running() {
+RobotRunning::~RobotRunning() {
     cancel_.cancel();
     thread_.join();
 }
 
-void RobotDrive::Running::setKeys(bool dead_man, bool clutch) {
+void RobotRunning::setKeys(bool dead_man, bool clutch) {
     const std::lock_guard lock(mutex_);
     keys_.dead_man = dead_man;
     keys_.clutch = clutch;
 }
 
-void RobotDrive::Running::press(bool robot::TeleopKeys::*key) {
+void RobotRunning::press(bool robot::TeleopKeys::*key) {
     const std::lock_guard lock(mutex_);
     keys_.*key = true;
 }
 
-void RobotDrive::Running::setSpeed(double share) {
+void RobotRunning::setSpeed(double share) {
     const std::lock_guard lock(mutex_);
     keys_.speed_scale = share;
 }
 
-void RobotDrive::Running::setRecorder(std::shared_ptr<robot_link::DriveRecorder> recorder) {
+void RobotRunning::setRecorder(std::shared_ptr<robot_link::DriveRecorder> recorder) {
     const std::lock_guard lock(mutex_);
     recorder_ = std::move(recorder);
 }
 
-void RobotDrive::Running::run() {
+void RobotRunning::run() {
     const robot_link::DrivePlan plan{*plan_.link,
                                      feed_,
                                      plan_.parts->model,
@@ -75,7 +75,7 @@ void RobotDrive::Running::run() {
         news_.end = report.error();
 }
 
-void RobotDrive::Running::watch(const robot_link::DriveMoment& moment) {
+void RobotRunning::watch(const robot_link::DriveMoment& moment) {
     const auto seconds = [&](int64_t steady_ns) {
         return static_cast<double>(steady_ns - moment.start_ns) * 1e-9;
     };
@@ -96,7 +96,7 @@ void RobotDrive::Running::watch(const robot_link::DriveMoment& moment) {
     news_.rows += table_.takeText();
 }
 
-RobotDrive::Running::News RobotDrive::Running::take() {
+RobotRunning::News RobotRunning::take() {
     const std::lock_guard lock(mutex_);
     return std::exchange(news_, {});
 }

@@ -12,7 +12,7 @@
 
 namespace noctule::ui {
 
-class RobotDrive::Running {
+class RobotRunning {
 public:
     struct Plan {
         std::shared_ptr<const RobotParts> parts;
@@ -24,8 +24,8 @@ public:
         robot::DriveSettings settings;
         double speed = 1;
     };
-    explicit Running(Plan plan);
-    ~Running();
+    explicit RobotRunning(Plan plan);
+    ~RobotRunning();
 
     robot_link::PoseFeed& feed() { return feed_; }
     robot_link::MotionPoses* motion() { return motion_ ? motion_.get() : nullptr; }
