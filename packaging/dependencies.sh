@@ -45,6 +45,12 @@ tests_need=(
     libgtest-dev         # GTest
     libgmock-dev         # GTest: its CMake configuration names both
     libbenchmark-dev     # benchmark
+    liborocos-kdl-dev    # orocos_kdl: kinematics to compare ours with
+    libkdl-parser-dev    # its reader of URDF
+    libroscpp-dev        # roscpp: noctule-ros-bridge
+    libsensor-msgs-dev   # sensor_msgs
+    libtrajectory-msgs-dev # trajectory_msgs
+    python3-rosmaster python3-rostopic # a master, and programs of ROS that hear us
 )
 
 fail() {

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kLookAtDevice{20};
 constexpr std::chrono::seconds kDeviceGreets{10}, kDeviceStops{6};
+constexpr double kPatience_s = 2;  // for the last poses of a recording
 
 /// A take's poses at the times at which they were made.
 class TakePoses : public LivePoses {
@@ -69,7 +70,7 @@ public:
         const auto until = std::chrono::steady_clock::now() + kDeviceStops;
         while (session_.status()->stream_is_open && std::chrono::steady_clock::now() < until)
             std::this_thread::sleep_for(kLookAtDevice);
-        return session_.finish();
+        return session_.finish(kPatience_s);
     }
 
 private:

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <set>
 
+#include "core/math/rotation.h"
+
 namespace noctule {
 namespace {
 
@@ -31,7 +33,7 @@ std::vector<Vector3d> lowestSkin(const RiggedMesh& mesh, const std::vector<bool>
         if (share > 0.49F)  // a seam belongs to both sides
             points.push_back(vertex.p_m.cast<double>());
     }
-    const Quaterniond turned = Quaterniond::FromTwoVectors(Vector3d::UnitY(), up);
+    const Quaterniond turned = smallestRotation(Vector3d::UnitY(), up);
     std::set<size_t> chosen;
     for (int i = 0; i < kDirections && !points.empty(); ++i) {
         const Vector3d direction = turned * downwards(i);

@@ -49,7 +49,9 @@ LiveProcessor::~LiveProcessor() {
     finish();
 }
 
-void LiveProcessor::finish() {
+void LiveProcessor::finish(std::optional<double> patience_s) {
+    if (patience_s)
+        give_up_at_ns_ = steadyNow_ns() + std::llround(*patience_s * 1e9);
     queue_.close();
     if (thread_.joinable())
         thread_.join();
@@ -57,9 +59,12 @@ void LiveProcessor::finish() {
 
 void LiveProcessor::work() {
     try {
-        while (!queue_.drained())
+        while (!queue_.drained()) {
+            if (steadyNow_ns() > give_up_at_ns_)
+                queue_.abandon();
             if (const auto item = queue_.pop(std::chrono::steady_clock::now() + kIdle))
                 std::visit([this](const auto& one) { handle(one); }, *item);
+        }
         pipeline_->finish();
         collect();
         publish();

@@ -3,8 +3,10 @@
 // When it cannot keep up for two seconds it skips the oldest sound; the recording does not.
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -58,8 +60,9 @@ public:
     void push(LiveItem item) { queue_.push(std::move(item)); }
     /// From any thread; never waits for the pipeline.
     std::shared_ptr<const LiveFrame> latest() const { return published_.get(); }
-    /// Processes what still waits; waits for that.
-    void finish();
+    /// Processes what still waits; waits for that. With `patience_s`: for so long, then the rest counts as
+    /// dropped.
+    void finish(std::optional<double> patience_s = {});
     /// After finish(): all results, if they were kept.
     std::optional<ResultSpool>& spool() { return spool_; }
     /// After finish(): when each foot stood.
@@ -88,6 +91,7 @@ private:
     std::optional<ResultSpool> spool_;
     const PoseListener pose_listener_;
     LiveQueue queue_;
+    std::atomic<int64_t> give_up_at_ns_ = std::numeric_limits<int64_t>::max();
     Published<LiveFrame> published_;
     // Of the thread:
     HealthMonitor health_;

@@ -2,6 +2,7 @@
 #include "devices/live/live_queue.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace noctule {
 namespace {
@@ -64,7 +65,7 @@ void LiveQueue::abandon() {
     abandoned_ = true;
     items_.swap(thrown_away);
     oldest_block_ = last_gap_ = items_.end();
-    depth_.samples = 0;
+    depth_.dropped_samples += std::exchange(depth_.samples, 0);
 }
 
 void LiveQueue::forget(Items::iterator item) {

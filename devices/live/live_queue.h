@@ -22,7 +22,7 @@ public:
     void push(LiveItem item);
     /// Nothing more will be pushed.
     void close();
-    /// The reader has gone: what waits and what still comes is thrown away.
+    /// The reader has gone: what waits is dropped, what still comes is ignored.
     void abandon();
 
     /// The next item; nothing when none came until then, or when drained().

@@ -63,8 +63,8 @@ public:
     void stop();
     /// Ends what began last, here and now: completes the take and, if asked for, writes the results into it.
     /// After a take that began in the midst of a stream the looking goes on; otherwise the device is stopped
-    /// unless it was before.
-    StreamResult finish();
+    /// unless it was before. `patience_s`: processes what waits for so long at most; all of it if not given.
+    StreamResult finish(std::optional<double> patience_s = {});
 
     /// Lights a board's lamp. A box that cannot says so in status().
     void identify(const link::Identify& identify) { device_->identify(identify); }
@@ -139,7 +139,7 @@ private:
     Error notReady() const;
     StreamPointer detachNewest();
     void stopAfterLast();
-    StreamResult finishNewest();
+    StreamResult finishNewest(std::optional<double> patience_s);
     void keepResults(Stream& stream, StreamResult& result);
 
     std::mutex control_;  ///< of begin() and finish()

@@ -89,7 +89,7 @@ Status LiveSession::begin(const StreamRequest& request) {
     if (now->stream_is_open || now->link != LinkState::kReady)
         return notReady();
     while (newest())
-        finishNewest();
+        finishNewest({});
     return beginWithDevice(request, *now->hello);
 }
 
@@ -208,12 +208,12 @@ void LiveSession::stopAfterLast() {
         device_->stop();
 }
 
-StreamResult LiveSession::finish() {
+StreamResult LiveSession::finish(std::optional<double> patience_s) {
     const std::lock_guard one_at_a_time(control_);
-    return finishNewest();
+    return finishNewest(patience_s);
 }
 
-StreamResult LiveSession::finishNewest() {
+StreamResult LiveSession::finishNewest(std::optional<double> patience_s) {
     const StreamPointer stream = detachNewest();
     if (!stream)
         return {};
@@ -228,7 +228,7 @@ StreamResult LiveSession::finishNewest() {
         result.warnings.insert(result.warnings.end(), result.recording->notices.begin(),
                                result.recording->notices.end());
     if (stream->processor) {
-        stream->processor->finish();
+        stream->processor->finish(patience_s);
         result.frame = stream->processor->latest();
         if (result.recording)
             keepResults(*stream, result);

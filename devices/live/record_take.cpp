@@ -81,6 +81,11 @@ void stopAndWait(LiveSession& session, const JobContext& job) {
         session.addNote("The driver box did not confirm that it had sent everything.");
 }
 
+/// Once cancelled, nobody waits longer for the poses of what was recorded last.
+std::optional<double> patienceOf(const JobContext& job) {
+    return job.cancelled() ? std::optional(kPatienceOnceCancelled_s) : std::nullopt;
+}
+
 /// What another program wishes, from its thread to ours.
 class CaptureWishes {
 public:
@@ -150,7 +155,7 @@ Result<RecordReport> recordTake(std::unique_ptr<Device> device, const StreamRequ
     report.sample_rate_hz = session.status()->hello->sample_rate_hz;
     report.interrupted = watch(session, seconds, job, [] { return false; }) && seconds.has_value();
     stopAndWait(session, job);
-    report.stream = session.finish();
+    report.stream = session.finish(patienceOf(job));
     report.link = session.linkStatistics();
     return report;
 }
@@ -179,7 +184,7 @@ Result<RecordReport> recordWhenTriggered(std::unique_ptr<Device> device, const S
     RecordReport report;
     report.sample_rate_hz = session.status()->hello->sample_rate_hz;
     report.interrupted = watch(session, seconds, job, [&] { return wishes.ended(); }) && seconds.has_value();
-    report.stream = session.finish();
+    report.stream = session.finish(patienceOf(job));
     stopAndWait(session, job);
     report.link = session.linkStatistics();
     return report;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/figure_scene.h"
 
+#include "core/math/rotation.h"
+
 namespace noctule::ui {
 
 namespace {
@@ -9,7 +11,7 @@ namespace {
 constexpr double kAxis_m = 0.05;
 
 Quaterniond fromNormal(const Vector3d& normal) {
-    return Quaterniond::FromTwoVectors(Vector3d::UnitZ(), normal);
+    return smallestRotation(Vector3d::UnitZ(), normal);
 }
 
 }  // namespace

@@ -93,6 +93,7 @@ TEST(LiveQueue, ClosesAndIsAbandoned) {
     left.push(test::madeBlock(600, 600, 1));
     EXPECT_TRUE(left.drained());
     EXPECT_EQ(left.depth().samples, 0);
+    EXPECT_EQ(left.depth().dropped_samples, 600);
     EXPECT_FALSE(left.pop(steady_clock::now()));
 }
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <future>
 #include <mutex>
 
 #include "devices/live/record_take.h"
@@ -95,30 +97,31 @@ TEST_P(LiveResults, AlsoWithHolesAndAnUnpluggedBoard) {
 
 INSTANTIATE_TEST_SUITE_P(OfBlocks, LiveResults, testing::Values(600, 4096, 757));
 
+void waitFor(const std::function<bool()>& condition) {
+    for (int i = 0; i < 12'000 && !condition(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_TRUE(condition());
+}
+
 /// A take that began in the midst of the tiny take, with a pre-roll of half a second.
 StreamResult recordedInTheMidst(const Folder& folder, const PoseListener& listener = {}) {
     FakeDevice::Script script = test::tinyTakeScript(600);
     script.speed = 1;
     LiveSession session(std::make_unique<FakeDevice>(std::move(script)));
-    const auto soon = [](auto condition) {
-        for (int i = 0; i < 12'000 && !condition(); ++i)
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        EXPECT_TRUE(condition());
-    };
     session.connect();
-    soon([&] { return session.status()->link == LinkState::kReady; });
+    waitFor([&] { return session.status()->link == LinkState::kReady; });
     StreamRequest look = requestOfTinyTake(folder);
     look.take.reset();
     look.pose_listener = listener;
     EXPECT_TRUE(session.begin(look));
-    soon([&] { return session.reachedSample() > 90'000; });
+    waitFor([&] { return session.reachedSample() > 90'000; });
     StreamRequest request = requestOfTinyTake(folder);
     request.pose_listener = listener;
     request.take->pre_roll_s = 0.5;
     request.rest_s = 0.1;
     EXPECT_TRUE(session.begin(request));
-    soon([&] { return !session.status()->stream_is_open; });
-    soon([&] { return session.latest()->sample > 300'000; });  // the look went on to the end
+    waitFor([&] { return !session.status()->stream_is_open; });
+    waitFor([&] { return session.latest()->sample > 300'000; });  // the look went on to the end
     return session.finish();
 }
 
@@ -169,6 +172,31 @@ TEST(LiveResultsOf, ASuitWithoutCalibrationAreNotKeptAndThatIsSaid) {
     EXPECT_FALSE(recorded->stream.results);
     ASSERT_EQ(recorded->stream.warnings.size(), 1U);
     EXPECT_NE(recorded->stream.warnings[0].find("not calibrated"), std::string::npos);
+}
+
+/// The poses are made more slowly than the sound comes, as in a flood of pulses, and nobody waits for the
+/// rest.
+TEST(LiveResultsOf, ATakeWhosePosesWereGivenUpAreNotKeptAndItsSoundIs) {
+    const Folder folder;
+    std::promise<void> go_on;
+    StreamRequest request = requestOfTinyTake(folder);
+    request.pose_listener = [held = go_on.get_future().share()](const TimedPose&, int64_t) { held.wait(); };
+    LiveSession session(std::make_unique<FakeDevice>(test::tinyTakeScript(600)));
+    session.connect();
+    waitFor([&] { return session.status()->link == LinkState::kReady; });
+    ASSERT_TRUE(session.begin(request));
+    session.stop();
+    waitFor([&] { return !session.status()->stream_is_open; });
+    const auto released = std::async(std::launch::async, [&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        go_on.set_value();
+    });
+    const StreamResult recorded = session.finish(0);
+    EXPECT_TRUE(recorded.lacks_poses);
+    EXPECT_GT(recorded.frame->queue.dropped_samples, 30'000) << "what waited, not only what overflowed";
+    EXPECT_FALSE(recorded.results);
+    EXPECT_EQ(recorded.recording->lost_samples, 0);
+    EXPECT_EQ(soundOf(folder.file("live_001.noctule"), 0), soundOf(test::kTinyTake, 0));
 }
 
 TEST(LiveResultsOf, ATakeWithMissingSoundAreNotKept) {
