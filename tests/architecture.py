@@ -32,7 +32,7 @@ QT_SCREEN = re.compile(r"Qt(Gui|Widgets|Svg|OpenGL)(/.*)?|Q(Widget|Application|G
 NOT_IN_CORE = re.compile(r"std::(jthread|thread|async|cout|cerr|random_device|time|clock)\b|\bpthread_\w+"
                          r"|\b(system|steady|high_resolution|utc)_clock\b|\b(gettimeofday|clock_gettime|getenv)\b")
 HEADERS_NOT_IN_CORE = {"thread", "future", "pthread.h", "iostream"}
-ROOM_LINE = re.compile(r"^noctule_library\((\w+)(?:\s+PLAIN)?(?:\s+LINK\s+([^)]*))?\)", re.MULTILINE)
+ROOM_LINE = re.compile(r"^noctule_library\((\w+)(?:\s+(?:PLAIN|COLD))*(?:\s+LINK\s+([^)]*))?\)", re.MULTILINE)
 QT_SCREEN_LIBRARY = re.compile(r"\bQt5::(Gui|Widgets|Svg|OpenGL\w*|PrintSupport)\b")
 QT_OF_BASE = {"Core", "Gui", "Widgets", "Network", "Test"}  # come with the package of Qt5 itself
 FLAGS = re.compile(r"\b(add_compile_options|target_compile_options|CMAKE_CXX_FLAGS)\b")

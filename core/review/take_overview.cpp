@@ -22,6 +22,7 @@ public:
     TakeOverview read() {
         readHead();
         readWearing();
+        readParties();
         readMarks();
         readRuns();
         readAttachments();
@@ -73,6 +74,22 @@ private:
         if (const auto rows = problems_.keep(take_.actors()); rows && !rows->empty())
             if (auto stored = problems_.keep(take_.actorInForce()))
                 view_.actor = std::move(stored->value);
+    }
+
+    void readParties() {
+        for (const bool room : {false, true})
+            for (const TakeSubject& subject :
+                 problems_.keep(take_.subjects()).value_or(std::vector<TakeSubject>{})) {
+                if (subject.room != room)
+                    continue;
+                TakeParty party{subject, problems_.keep(take_.suit(subject.suit())).value_or(Suit{}), {}};
+                party.calibration = nominalCalibration(party.suit);
+                if (const auto rows = problems_.keep(take_.calibrations(subject.suit()));
+                    rows && !rows->empty())
+                    if (auto stored = problems_.keep(take_.calibrationInForce(subject.suit())))
+                        party.calibration = std::move(stored->value);
+                view_.parties.push_back(std::move(party));
+            }
     }
 
     void readMarks() {

@@ -29,7 +29,15 @@ struct TakeView {
     TakeView(std::string of_path, int of_suit = kSuitInView) : path(std::move(of_path)), suit(of_suit) {}
 
     std::string path;
-    int suit;  ///< kSuitInView: that of the first subject
+    int suit;                      ///< kSuitInView: that of the first subject
+    int sources_of = kSuitInView;  ///< whose pulses its boards heard; kSuitInView: its own
+};
+
+/// Who sends and hears sound in a take: a person, or the anchors of the room.
+struct TakeParty {
+    TakeSubject subject;
+    Suit suit;
+    Calibration calibration;  ///< in force; nominal when the take holds none
 };
 
 /// A pose run as listed; its motion is loaded by loadPoses().
@@ -56,6 +64,7 @@ struct TakeOverview {
     std::string state;  ///< complete, recovered, recording
     std::string performer;
     std::vector<TakeSubject> subjects;  ///< the people, in the take's order
+    std::vector<TakeParty> parties;     ///< the people in the same order, then the room
     int suit_in_view = kSuitInView;     ///< whose suit, calibration, actor, marks and gaps these are
     TakeLevel level = TakeLevel::kSignal;
     double duration_s = 0;
@@ -104,7 +113,8 @@ struct RangeTable {
 struct TakeStretch {
     int index = 0, count = 1;
 };
-/// `run`: of kind range, or kPrimaryRun. Only the ranges of that stretch, all the pulses.
+/// `run`: of kind range, or kPrimaryRun. Only the ranges of that stretch, all the pulses. The sources are
+/// those of the view's `sources_of`, the boards its suit's.
 Result<RangeTable> loadRanges(const TakeView& view, int64_t run, const JobContext& job,
                               const TakeStretch& stretch = {});
 /// The whole table of all its stretches, in whatever order they come.

@@ -70,11 +70,13 @@ std::pair<int64_t, int64_t> pulsesOf(const TakeStretch& stretch, const std::vect
     return {begin(stretch.index), is_last ? Limits::max() : begin(stretch.index + 1) - 1};
 }
 
-Result<RangeTable> emptyTable(const ReviewFile& file, const std::vector<Pulse>& pulses) {
+/// Boards of `file`, sources and pulses of `sender`.
+Result<RangeTable> emptyTable(const ReviewFile& file, const ReviewFile& sender,
+                              const std::vector<Pulse>& pulses) {
     const auto boards = file.take.boardCount();
     if (!boards)
         return boards.error();
-    const auto sources = file.take.sourceCount();
+    const auto sources = sender.take.sourceCount();
     if (!sources)
         return sources.error();
     RangeTable table{*sources, *boards, {}, {}};
@@ -82,8 +84,54 @@ Result<RangeTable> emptyTable(const ReviewFile& file, const std::vector<Pulse>& 
     table.pulse_t_s.resize(static_cast<size_t>(*sources));
     for (const Pulse& pulse : pulses)
         table.pulse_t_s[static_cast<size_t>(pulse.source)].push_back(
-            file.seconds(static_cast<double>(pulse.sample)));
+            sender.seconds(static_cast<double>(pulse.sample)));
     return table;
+}
+
+/// How far the reading has come, in seconds of all the stretches.
+struct ReadSoFar {
+    RowProgress progress;
+    double duration_s;
+    TakeStretch stretch;
+
+    bool at(double t_s) { return progress.at(t_s * stretch.count - duration_s * stretch.index); }
+};
+
+void append(RangeTable& table, double t_s, const RangeMeasurement& range) {
+    append(table.pairs[static_cast<size_t>(range.source * table.board_count + range.board)], t_s, range);
+}
+
+Status readOwn(const ReviewFile& file, int64_t run, std::pair<int64_t, int64_t> ids, RangeTable& table,
+               ReadSoFar& so_far) {
+    auto ranges = file.take.rangesOfPulses(run, ids.first, ids.second);
+    if (!ranges)
+        return ranges.error();
+    while (true) {
+        const auto range = ranges->next();
+        if (!range)
+            return range.error();
+        if (!*range)
+            return Done{};
+        const double t_s = file.seconds(static_cast<double>((*range)->pulse_sample));
+        append(table, t_s, **range);
+        if (!so_far.at(t_s))
+            return JobContext::cancelledError();
+    }
+}
+
+/// What the boards heard of another suit.
+Status readCrossing(const ReviewFile& file, const ReviewFile& sender, int64_t run,
+                    std::pair<int64_t, int64_t> ids, RangeTable& table, ReadSoFar& so_far) {
+    bool cancelled = false;
+    const Status walked = file.take.forEachCrossRange(run, file.suit, [&](const Take::CrossRange& cross) {
+        const RangeMeasurement& range = cross.range;
+        const double t_s = sender.seconds(static_cast<double>(range.pulse_sample));
+        if (cross.from_suit == sender.suit && range.pulse >= ids.first && range.pulse <= ids.second)
+            append(table, t_s, range);
+        cancelled = !so_far.at(t_s);
+        return !cancelled;
+    });
+    return cancelled ? Status(JobContext::cancelledError()) : walked;
 }
 
 }  // namespace
@@ -94,31 +142,24 @@ Result<RangeTable> loadRanges(const TakeView& view, int64_t run, const JobContex
     const auto file = ReviewFile::open(view);
     if (!file)
         return file.error();
-    const auto pulses = file->take.pulses();
+    const bool crosses = view.sources_of != kSuitInView && view.sources_of != file->suit;
+    const auto sender = ReviewFile::open({view.path, crosses ? view.sources_of : file->suit});
+    if (!sender)
+        return sender.error();
+    const auto pulses = sender->take.pulses();
     if (!pulses)
         return pulses.error();
-    auto table = emptyTable(*file, *pulses);
+    auto table = emptyTable(*file, *sender, *pulses);
     if (!table)
         return table;
-    const auto [first, last] = pulsesOf(stretch, *pulses);
-    auto ranges = file->take.rangesOfPulses(run, first, last);
-    if (!ranges)
-        return ranges.error();
+    const auto ids = pulsesOf(stretch, *pulses);
     const auto samples = file->take.sampleCount();
     const double duration_s = samples ? file->seconds(static_cast<double>(*samples)) : 0;
-    RowProgress progress(job, "Loading ranges", duration_s);
-    while (true) {
-        const auto range = ranges->next();
-        if (!range)
-            return range.error();
-        if (!*range)
-            break;
-        const double t_s = file->seconds(static_cast<double>((*range)->pulse_sample));
-        const int pair = (*range)->source * table->board_count + (*range)->board;
-        append(table->pairs[static_cast<size_t>(pair)], t_s, **range);
-        if (!progress.at(t_s * stretch.count - duration_s * stretch.index))
-            return JobContext::cancelledError();
-    }
+    ReadSoFar so_far{RowProgress(job, "Loading ranges", duration_s), duration_s, stretch};
+    const Status read = crosses ? readCrossing(*file, *sender, run, ids, *table, so_far)
+                                : readOwn(*file, run, ids, *table, so_far);
+    if (!read)
+        return read.error();
     for (PairTrack& track : table->pairs)
         sortByTime(track);
     return table;

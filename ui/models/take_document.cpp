@@ -67,7 +67,29 @@ void TakeDocument::reload(bool show_newest) {
 }
 
 TakeView TakeDocument::view() const {
-    return {path_.toStdString(), isOpen() ? overview_->suit_in_view : kSuitInView};
+    TakeView view{path_.toStdString(), isOpen() ? overview_->suit_in_view : kSuitInView};
+    if (isOpen() && !showsOwnPairs())
+        view.sources_of = overview_->parties[static_cast<size_t>(sources_of_)].subject.suit();
+    return view;
+}
+
+void TakeDocument::setSourcesOf(int party) {
+    if (!isOpen() || party == sources_of_ || party < 0 ||
+        party >= static_cast<int>(overview_->parties.size()))
+        return;
+    listenTo(party);
+    emit rangesChanged();
+    emit curvesChanged();
+}
+
+void TakeDocument::listenTo(int party) {
+    sources_of_ = party;
+    auto suit = std::make_shared<Suit>(overview_->suit);
+    if (!showsOwnPairs())
+        suit->sources = overview_->parties[static_cast<size_t>(party)].suit.sources;
+    pair_suit_ = std::move(suit);
+    drop(ranges_, [](int64_t) { return true; });
+    drop(range_curves_, [](const RangeCurveKey&) { return true; });
 }
 
 const std::vector<TakeSubject>& TakeDocument::subjects() const {
@@ -109,6 +131,9 @@ void TakeDocument::loadOverview(const TakeView& view, bool show_newest) {
 void TakeDocument::accept(TakeOverview overview, bool show_newest) {
     const auto earlier = std::exchange(overview_, std::make_shared<const TakeOverview>(std::move(overview)));
     problem_.clear();
+    const bool still_there = sources_of_ < static_cast<int>(overview_->parties.size());
+    if (!earlier || overview_->suit_in_view != earlier->suit_in_view || (!showsOwnPairs() && !still_there))
+        listenTo(subject());
     const auto newest = static_cast<int>(overview_->runs.size()) - 1;
     const auto same = [&](int index) {
         return index >= 0 ? indexOf(*overview_, earlier->runs[static_cast<size_t>(index)].run) : index;
@@ -180,6 +205,7 @@ void TakeDocument::forget() {
     overview_ticket_ = 0;
     forEachKind([](auto& parts) { drop(parts, [](const auto&) { return true; }); });
     overview_ = nullptr;
+    pair_suit_ = nullptr;
     problem_.clear();
     shown_ = compared_ = -1;
 }

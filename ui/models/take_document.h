@@ -42,6 +42,12 @@ public:
     /// The take as that one's suit sees it.
     TakeView view() const;
     bool isOfSeveral() const { return subjects().size() > 1; }
+    /// Whose sources the pairs are of, an index into overview()->parties; at first the shown person's own.
+    int sourcesOf() const { return sources_of_; }
+    void setSourcesOf(int party);
+    bool showsOwnPairs() const { return sources_of_ == subject(); }
+    /// The sources and boards of the pairs; not null while a take is open.
+    std::shared_ptr<const Suit> pairSuit() const { return pair_suit_; }
 
     /// The result that is shown and the one that it is compared with (-1: none; kReference: the take's own).
     static constexpr int kReference = -2;
@@ -170,6 +176,7 @@ private:
     void motionLoaded();
     void rangesLoaded();
     void readingsLoaded();
+    void listenTo(int party);
     void forget();
     void forgetUnshown();
     /// Parts of runs that the take no longer holds as they were, and what failed to load.
@@ -192,6 +199,8 @@ private:
     uint64_t ticket_ = 0, overview_ticket_ = 0;
     QPointer<Job> overview_job_;
     std::shared_ptr<const TakeOverview> overview_;
+    std::shared_ptr<const Suit> pair_suit_;
+    int sources_of_ = 0;
     int shown_ = -1, compared_ = -1;
     bool report_awaited_ = false;  ///< asked for while what moves and is plotted was still being read
 

@@ -136,7 +136,8 @@ std::shared_ptr<const TakeDocument::Ranges> TakeDocument::rangesWithSummaries() 
     return ask<int64_t, Ranges>(
         ranges_, *run->settings.range_run, tr("Loading the ranges"), &TakeDocument::rangesLoaded,
         [view = view(), number = *run->settings.range_run](const JobContext& job) -> Result<Ranges> {
-            auto table = loadRangesByTwo(view, number, job);
+            auto table = view.sources_of == kSuitInView ? loadRangesByTwo(view, number, job)
+                                                        : loadRanges(view, number, job);
             if (!table)
                 return table.error();
             PairSummaries summaries(*table);

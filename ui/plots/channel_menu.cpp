@@ -61,7 +61,8 @@ void fillChannelMenu(QMenu& menu, Studio& studio, PlotChannels& channels) {
         menu.addAction(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Open a take first")))->setEnabled(false);
         return;
     }
-    fillPairs(*menu.addMenu(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Pairs"))), overview->suit, channels);
+    fillPairs(*menu.addMenu(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Pairs"))), *studio.take().pairSuit(),
+              channels);
     if (const auto motion = studio.take().shownMotion())
         fillAngles(*menu.addMenu(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Joint angles"))),
                    motion->skeleton, channels);

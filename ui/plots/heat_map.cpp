@@ -7,6 +7,7 @@
 
 #include "ui/models/part_names.h"
 #include "ui/plots/confidence_legend.h"
+#include "ui/plots/heard_switch.h"
 #include "ui/plots/lane_content.h"
 #include "ui/plots/pair_columns.h"
 #include "ui/style/words.h"
@@ -53,6 +54,7 @@ void HeatMap::build() {
     place();
     connect(&Theme::get(), &Theme::changed, this, place);
     column->addLayout(head);
+    column->addWidget(new HeardSwitch(studio_));
     column->addWidget(grid_, 1);
     column->addLayout(foot);
 }
@@ -137,7 +139,7 @@ void HeatMap::refreshCells() {
     hint_->setText(at_cursor_ ? tr("now, at the cursor") : tr("mean between in and out"));
     PairGridContent content;
     if (overview_ && summaries_) {
-        const Suit& suit = overview_->suit;
+        const Suit& suit = *studio_.take().pairSuit();
         const int sources = std::min(static_cast<int>(suit.sources.size()), summaries_->sourceCount());
         const int boards = std::min(static_cast<int>(suit.boards.size()), summaries_->boardCount());
         for (int s = 0; s < sources; ++s)

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/models/part_names.h"
+#include "ui/plots/heard_switch.h"
 #include "ui/plots/lanes.h"
 
 namespace noctule::ui {
@@ -14,6 +15,13 @@ bool exists(const RangeTable& table, const Suit& suit, PairChannel pair) {
     return pair.source < table.source_count && pair.board < table.board_count &&
            pair.source < static_cast<int>(suit.sources.size()) &&
            pair.board < static_cast<int>(suit.boards.size());
+}
+
+/// "Hat to left hand"; where the source is another's, "B to A: hat to left hand".
+QString heardName(const TakeDocument& take, PairChannel pair) {
+    const QString name = pairName(*take.pairSuit(), pair.source, pair.board);
+    return take.showsOwnPairs() ? name
+                                : laneWords(QT_TRANSLATE_NOOP("Lanes", "%1: %2")).arg(heardWords(take), name);
 }
 
 /// Points of one column of a pair's ranges.
@@ -82,11 +90,11 @@ std::vector<LaneContent> confidenceLanes(const LaneSources& sources) {
         lane.empty = missingWords(sources.take, lane.empty);
     size_t index = 0;
     for (const PairChannel pair : sources.channels.pairs()) {
-        if (!table || !exists(*table, overview->suit, pair))
+        if (!table || !exists(*table, *sources.take.pairSuit(), pair))
             continue;
         LaneCurve curve;
         curve.value = sources.take.rangeCurve(pair.source, pair.board, RangeQuantity::kConfidence);
-        curve.legend = pairName(overview->suit, pair.source, pair.board);
+        curve.legend = heardName(sources.take, pair);
         curve.column = laneWords(QT_TRANSLATE_NOOP("Lanes", "confidence of %1")).arg(curve.legend);
         curve.pen = penOfIndex(index++);
         curve.hold_s = kPairHold_s;
@@ -111,8 +119,8 @@ std::vector<LaneContent> rangeLanes(const LaneSources& sources) {
     }
     std::vector<LaneContent> lanes;
     for (const PairChannel pair : sources.channels.pairs())
-        if (exists(*table, overview->suit, pair))
-            appendRangeLanes(lanes, table, pair, pairName(overview->suit, pair.source, pair.board));
+        if (exists(*table, *sources.take.pairSuit(), pair))
+            appendRangeLanes(lanes, table, pair, heardName(sources.take, pair));
     if (lanes.empty())
         lanes.push_back(empty);
     return lanes;

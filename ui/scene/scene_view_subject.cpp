@@ -16,8 +16,7 @@ QString SceneView::whyNoBody() const {
 const Suit* SceneView::shownSuit() const {
     if (parts_->live)
         return &parts_->live->wearer().suit;
-    const auto overview = studio_.take().overview();
-    return overview ? &overview->suit : nullptr;
+    return studio_.take().pairSuit().get();
 }
 
 std::optional<SceneCallout> SceneView::callout() const {

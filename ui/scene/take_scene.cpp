@@ -182,7 +182,10 @@ void TakeScene::addOthers(ComposedScene& composed, const SceneLayers& layers, co
         if (!pose)
             continue;
         const Skeleton& skeleton = other.motion->skeleton;
-        const BodyPlaces places = placeBody(skeleton, *pose, Suit{}, nullptr);
+        const TakeParty& party = take.overview()->parties[static_cast<size_t>(i)];
+        const BodyPlaces places = placeBody(skeleton, *pose, party.suit, &party.calibration);
+        if (i == take.sourcesOf())
+            composed.places.sources = places.sources;
         addShadow(composed.scene, colors, places);
         if (has_mesh)
             addSurface(composed.scene, colors, other.body.fit(look, skeleton, other.feet), *pose,
@@ -194,6 +197,15 @@ void TakeScene::addOthers(ComposedScene& composed, const SceneLayers& layers, co
         if (composed.hasBody())
             addDistance(composed, i, skeleton, places, t_s);
     }
+}
+
+/// What the rays of the room's anchors begin at.
+void TakeScene::placeAnchors(ComposedScene& composed, const Pose& pose) {
+    const TakeDocument& take = studio_.take();
+    if (take.sourcesOf() < static_cast<int>(take.subjects().size()))
+        return;
+    const TakeParty& room = take.overview()->parties[static_cast<size_t>(take.sourcesOf())];
+    composed.places.sources = placeBody(shown_.motion->skeleton, pose, room.suit, &room.calibration).sources;
 }
 
 ComposedScene TakeScene::compose(const SceneLayers& layers) {
@@ -214,6 +226,10 @@ ComposedScene TakeScene::compose(const SceneLayers& layers) {
     Scene& scene = composed.scene;
     if (pose)
         composed.places = placeBody(shown_.motion->skeleton, *pose, overview->suit, &overview->calibration);
+    if (pose && !take.showsOwnPairs()) {
+        composed.places.sources.clear();
+        placeAnchors(composed, *pose);
+    }
     addRoom(scene, colors, layers, pose ? pose->p_world_root : Vector3d::Zero());
     if (overview && is_shown && layers.has(SceneLayer::kGhost))
         addCompared(composed, colors, t_s);

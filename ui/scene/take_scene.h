@@ -70,7 +70,8 @@ private:
     void addContacts(ComposedScene& composed, const SceneColors& colors, double t_s);
     void addDistance(ComposedScene& composed, int other, const Skeleton& skeleton, const BodyPlaces& places,
                      double t_s);
-    /// The other people of the take, without their suits.
+    void placeAnchors(ComposedScene& composed, const Pose& pose);
+    /// The other people of the take; of their suits only the sources that are listened to.
     void addOthers(ComposedScene& composed, const SceneLayers& layers, const SceneColors& colors, double t_s);
     void addCompared(ComposedScene& composed, const SceneColors& colors, double t_s);
 

@@ -2,7 +2,9 @@
 // A take of two people as Review sees it: one of them at a time, and what lies between them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/review/between_curve.h"
 #include "core/review/take_review.h"
@@ -100,6 +102,53 @@ TEST(SeveralPeople, DistancesAreRightAndSaySoHowFar) {
     const auto [nearest, farthest] = extremes(found->front().distance.value);
     EXPECT_NEAR(nearest, 1.3, 0.35);
     EXPECT_NEAR(farthest, 1.3, 0.35);
+}
+
+/// Number and mean of the distances of a table.
+std::pair<size_t, double> heard(const RangeTable& table) {
+    size_t count = 0;
+    double sum_m = 0;
+    for (const PairTrack& track : table.pairs)
+        for (const float distance_m : track.distance_m)
+            ++count, sum_m += distance_m;
+    return {count, sum_m / static_cast<double>(std::max<size_t>(count, 1))};
+}
+
+TEST(SeveralPeople, PairsMayHaveAnothersSources) {
+    const TakeOverview overview = overviewOf(kSuitInView);
+    ASSERT_EQ(overview.parties.size(), 3u);
+    EXPECT_EQ(overview.parties[1].subject.name, "Bea");
+    EXPECT_TRUE(overview.parties[2].subject.room);
+    EXPECT_EQ(overview.parties[2].suit.sources.size(), 4u);
+    const int ada = overview.subjects[0].suit();
+    const int64_t run = *overview.runs.back().settings.range_run;
+    const auto take = Take::open(processedPair());
+    ASSERT_TRUE(take);
+    std::map<int, size_t> rows;
+    ASSERT_TRUE(take->forEachCrossRange(run, ada, [&](const Take::CrossRange& cross) {
+        ++rows[cross.from_suit];
+        return true;
+    }));
+    const auto own = loadRanges({processedPair(), ada}, run, {});
+    ASSERT_TRUE(own);
+    for (const size_t party : {size_t{1}, size_t{2}}) {
+        const TakeParty& from = overview.parties[party];
+        const auto table = loadRanges({processedPair(), ada, from.subject.suit()}, run, {});
+        ASSERT_TRUE(table) << table.error().text();
+        EXPECT_EQ(table->source_count, static_cast<int>(from.suit.sources.size()));
+        EXPECT_EQ(table->board_count, 5);
+        const auto [count, mean_m] = heard(*table);
+        EXPECT_GT(count, 100u);
+        EXPECT_EQ(count, rows[from.subject.suit()]);
+        EXPECT_NEAR(mean_m, party == 1 ? 1.25 : 2.6, 0.5) << "as far as she or the corners stand";
+        EXPECT_GT(mean_m, heard(*own).second + 0.3);
+        const auto half =
+            loadRanges({processedPair(), ada, from.subject.suit()}, run, {}, {.index = 1, .count = 2});
+        ASSERT_TRUE(half);
+        EXPECT_LT(heard(*half).first, count);
+        for (const PairTrack& track : table->pairs)
+            EXPECT_TRUE(std::is_sorted(track.t_s.begin(), track.t_s.end()));
+    }
 }
 
 }  // namespace

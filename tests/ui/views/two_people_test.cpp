@@ -7,6 +7,7 @@
 
 #include "tests/core/simulation/swaying_pair.h"
 #include "tests/ui/views/reviewed_session.h"
+#include "ui/plots/heard_switch.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/scene/scene_view.h"
 #include "ui/scene/take_scene.h"
@@ -146,6 +147,46 @@ TEST_F(TwoPeopleTest, DistancesAreAPlotAndAPartOfTheReport) {
             EXPECT_FALSE(button->isEnabled()) << "it would go to Ada";
             EXPECT_TRUE(button->toolTip().contains("Ada"));
         }
+}
+
+TEST_F(TwoPeopleTest, PairsAndRaysMayComeFromTheOtherOrFromTheRoom) {
+    TakeDocument& take = studio_->take();
+    const auto* heard = page_->center().findChild<HeardSwitch*>();
+    ASSERT_TRUE(heard && heard->isVisible());
+    ASSERT_EQ(heard->buttons().size(), 3u);
+    EXPECT_EQ(heard->buttons()[0]->text(), "Own");
+    EXPECT_TRUE(heard->buttons()[0]->isChecked());
+    EXPECT_EQ(heard->buttons()[1]->text(), "B to A");
+    EXPECT_EQ(heard->buttons()[2]->text(), "Room to A");
+    studio_->time().setTime(2);
+    TakeScene scene(*studio_);
+    SceneLayers layers;
+    const auto rayBegins = [&](int party) {
+        QTest::mouseClick(heard->buttons()[static_cast<size_t>(party)], Qt::LeftButton);
+        EXPECT_TRUE(waitFor([&] { return !scene.compose(layers).pairs.empty() && jobsAreDone(); }));
+        EXPECT_EQ(take.sourcesOf(), party);
+        std::vector<float> z_m;
+        for (const SceneLine& ray : scene.compose(layers).scene.rays)
+            z_m.push_back(ray.from_m.z());
+        EXPECT_GT(z_m.size(), 5u);
+        return z_m;
+    };
+    EXPECT_TRUE(std::ranges::all_of(rayBegins(0), [](float z_m) { return z_m < 0; })) << "Ada's own";
+    EXPECT_TRUE(std::ranges::all_of(rayBegins(1), [](float z_m) { return z_m > 0; })) << "Bea's";
+    EXPECT_EQ(take.ranges()->source_count, 5);
+    EXPECT_TRUE(std::ranges::all_of(rayBegins(2), [](float z_m) { return std::abs(z_m) > 1.4F; }))
+        << "the corners'";
+    EXPECT_EQ(take.ranges()->source_count, 4);
+    studio_->selection().setPair(0, 1);
+    PlotPanel& plots = page_->center().plots();
+    plots.setOn(PlotTab::kConfidence, true);
+    EXPECT_TRUE(waitFor([&] { return plots.csv().find("Room to A: ") != std::string::npos; }))
+        << plots.csv().substr(0, 400);
+    show(1);
+    EXPECT_EQ(take.sourcesOf(), 1) << "her own at first";
+    EXPECT_EQ(heard->buttons()[0]->text(), "A to B");
+    openTake("swing_001");
+    EXPECT_FALSE(heard->isVisible()) << "there is nobody else";
 }
 
 TEST_F(TwoPeopleTest, ExportWritesAFileOfEach) {
