@@ -34,9 +34,11 @@ def urdf():
 
 
 def profile():
-    return {"format": "noctule-robot-profile", "version": 1, "robot": "arm", "clearance_m": 0, "arms": [
-        {"name": "right", "base": "l0", "tip": "l7", "shoulder_joint": "s0", "elbow_joint": "e", "wrist_joint": "w0",
-         "reference_rad": [0, 0, 0, -1.5, 0, 0, 0], "max_speed": [2] * 7}]}
+    return {"format": "noctule robot profile", "version": 1, "robot": "arm", "clearance_m": 0,
+            "weights": {}, "arms": [
+                {"name": "right", "side": "right", "base": "l0", "tip": "l7", "shoulder_joint": "s0",
+                 "elbow_joint": "e", "wrist_joint": "w0", "left_axis": [0, 1, 0], "up_axis": [0, 0, 1],
+                 "reference_rad": [0, 0, 0, -1.5, 0, 0, 0], "max_speed_rad_per_s": [2] * 7}]}
 
 
 def take_with_poses(path):

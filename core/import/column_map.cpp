@@ -14,6 +14,7 @@
 #include "core/import/column_text.h"
 #include "core/import/formats.h"
 #include "core/import/sensor_rows.h"
+#include "core/import/table_columns.h"
 #include "core/math/json.h"
 
 namespace noctule {
@@ -22,32 +23,10 @@ namespace {
 
 using json::Json;
 
-struct MapUnit {
-    const char* name;
-    double scale;
-};
-constexpr MapUnit kTimeUnits[] = {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}};
-constexpr MapUnit kRateUnits[] = {
-    {"rad/s", 1}, {"deg/s", std::numbers::pi / 180}, {"mdeg/s", std::numbers::pi / 180000}};
-constexpr MapUnit kAccelUnits[] = {{"m/s^2", 1},
-                                   {"g", kStandardGravity_m_per_s2},
-                                   {"mg", kStandardGravity_m_per_s2 / 1000},
-                                   {"cm/s^2", 0.01}};
-constexpr MapUnit kFieldUnits[] = {{"uT", 1},  {"nT", 1e-3}, {"mT", 1e3},
-                                   {"G", 100}, {"mG", 0.1},  {"a.u.", 1}};
-
 bool knowsCsv(const ImportFile& file) {
     const std::string extension = file.extension();
     return extension == ".csv" || extension == ".txt" || extension == ".tsv";
 }
-
-/// The table's header and where its rows begin.
-struct CsvHead {
-    std::vector<std::string> names;
-    char separator = ',';
-    size_t first_line = 1;
-    std::string_view rows;
-};
 
 Error mapError(const std::string& what, const std::string& remedy) {
     return {ErrorKind::kUsage, "The map: " + what, remedy};
@@ -64,7 +43,7 @@ std::string listOf(const std::vector<std::string>& names) {
 /// Reads a map against a table's columns.
 class ColumnMap {
 public:
-    ColumnMap(const Json& map, const CsvHead& head) : map_(map), head_(head) {}
+    ColumnMap(const Json& map, const TableHead& head) : map_(map), head_(head) {}
 
     /// Index in `wanted` of a column that the map names or counts from 1.
     Result<size_t> column(const Json& entry, const std::string& what) {
@@ -100,11 +79,10 @@ public:
         return found;
     }
 
-    template <size_t N>
-    Result<double> unit(const Json& object, const char* member, const MapUnit (&units)[N]) {
+    Result<double> unit(const Json& object, const char* member, TableQuantity quantity) {
         const auto named = json::text(object, member);
         std::string known;
-        for (const MapUnit& one : units) {
+        for (const TableUnit& one : unitsOf(quantity)) {
             if (named && *named == one.name)
                 return one.scale;
             known += (known.empty() ? "" : ", ") + std::string(one.name);
@@ -118,7 +96,7 @@ public:
 
 private:
     const Json& map_;
-    const CsvHead& head_;
+    const TableHead& head_;
     std::vector<size_t> wanted_;
 };
 
@@ -179,9 +157,9 @@ Result<MappedSensor> mappedSensor(const Json& entry, ColumnMap& map) {
         return Done{};
     };
     for (const Status& status :
-         {take(sensor.gyro, map.unit(entry, "gyro_unit", kRateUnits), sensor.gyro_scale),
-          take(sensor.accel, map.unit(entry, "accel_unit", kAccelUnits), sensor.accel_scale),
-          take(sensor.mag, map.unit(entry, "mag_unit", kFieldUnits), sensor.mag_scale)})
+         {take(sensor.gyro, map.unit(entry, "gyro_unit", TableQuantity::kGyro), sensor.gyro_scale),
+          take(sensor.accel, map.unit(entry, "accel_unit", TableQuantity::kAccel), sensor.accel_scale),
+          take(sensor.mag, map.unit(entry, "mag_unit", TableQuantity::kMag), sensor.mag_scale)})
         if (!status)
             return status.error();
     if (sensor.gyro.empty() && sensor.accel.empty() && sensor.quaternion.empty())
@@ -192,34 +170,6 @@ Result<MappedSensor> mappedSensor(const Json& entry, ColumnMap& map) {
         return axes.error();
     sensor.R_sensor_file = *axes;
     return sensor;
-}
-
-/// The first line with two cells of which one is no number is the header; a table without has columns 1, 2...
-Result<CsvHead> headOf(std::string_view text, const std::string& path) {
-    CsvHead head;
-    for (size_t line_number = 1; !text.empty() && line_number <= 200; ++line_number) {
-        const std::string_view before = text;
-        const std::string_view line = cutLine(text);
-        if (trimmed(line).empty() || line.front() == '#' || line.starts_with("//"))
-            continue;
-        head.separator = separatorOf(line);
-        head.names = cellsOfLine(line, head.separator);
-        if (head.names.size() < 2)
-            continue;
-        const bool numbers = std::all_of(head.names.begin(), head.names.end(), [](const std::string& cell) {
-            double value;
-            return readCell(cell, true, value);
-        });
-        head.first_line = line_number + (numbers ? 0 : 1);
-        head.rows = numbers ? before : text;
-        for (size_t i = 0; numbers && i < head.names.size(); ++i)
-            head.names[i] = "column " + std::to_string(i + 1);
-        if (head.names.back().empty())
-            head.names.pop_back();
-        return head;
-    }
-    return Error{ErrorKind::kUnreadable, path + ": no line has the names of columns or numbers",
-                 "Give a table with comma, semicolon, tab or blank between its cells"};
 }
 
 SensorRows mappedRows(const MappedSensor& sensor, const NumberColumns& table, const Quaterniond& turn) {
@@ -280,8 +230,8 @@ Result<std::vector<MappedSensor>> mappedSensors(const Json& map, ColumnMap& read
     return sensors;
 }
 
-Result<ImportedRecording> readMapped(const ImportFile& file, const CsvHead& head, const ImportChoice& choice,
-                                     const JobContext& job) {
+Result<ImportedRecording> readMapped(const ImportFile& file, const TableHead& head,
+                                     const ImportChoice& choice, const JobContext& job) {
     ColumnMap reader(choice.map, head);
     std::optional<size_t> time;
     double time_scale = 1;
@@ -289,7 +239,7 @@ Result<ImportedRecording> readMapped(const ImportFile& file, const CsvHead& head
         if (!entry->is_object() || !entry->contains("column"))
             return mapError("time names no column", "Write \"time\": {\"column\": \"t\", \"unit\": \"s\"}");
         const auto column = reader.column((*entry)["column"], "time");
-        const auto unit = reader.unit(*entry, "unit", kTimeUnits);
+        const auto unit = reader.unit(*entry, "unit", TableQuantity::kTime);
         if (!column || !unit)
             return column ? unit.error() : column.error();
         time = *column;
@@ -331,7 +281,7 @@ Result<ImportedRecording> readCsv(const std::vector<ImportFile>& files, const Im
     const std::optional<std::string> utf8 = fromUtf16(file.bytes);
     const std::string_view text =
         withoutByteOrderMark(utf8 ? std::string_view(*utf8) : std::string_view(file.bytes));
-    const auto head = headOf(text, file.path);
+    const auto head = tableHead(text, file.path);
     if (!head)
         return head.error();
     if (!choice.map.is_object())

@@ -2,6 +2,7 @@
 #include "ui/views/recording_dialog.h"
 
 #include <QComboBox>
+#include <QCryptographicHash>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -14,6 +15,7 @@
 #include "ui/language/core_words.h"
 #include "ui/models/part_names.h"
 #include "ui/style/words.h"
+#include "ui/views/columns_dialog.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -68,6 +70,7 @@ RecordingDialog::RecordingDialog(Studio& studio, const QStringList& paths, QWidg
       rate(new QDoubleSpinBox),
       by_movement(makeButton(ButtonKind::kOutlined, tr("Find by movement"), "search")),
       choose_map(makeButton(ButtonKind::kText, tr("Choose a map"))),
+      say_columns(makeButton(ButtonKind::kOutlined, tr("Say what the columns are"))),
       studio_(studio),
       format_(new Label),
       sensors_(new Label),
@@ -86,6 +89,7 @@ RecordingDialog::RecordingDialog(Studio& studio, const QStringList& paths, QWidg
     connect(world, qOverload<int>(&QComboBox::currentIndexChanged), this, &RecordingDialog::read);
     connect(by_movement, &QPushButton::clicked, this, &RecordingDialog::find);
     connect(choose_map, &QPushButton::clicked, this, &RecordingDialog::askForMap);
+    connect(say_columns, &QPushButton::clicked, this, &RecordingDialog::askForColumns);
     read();
 }
 
@@ -97,6 +101,7 @@ void RecordingDialog::makeFields() {
     head->addWidget(new Label(tr("Sensors"), TextRole::kSection, Ink::kValue, true), 1);
     head->addWidget(by_movement);
     head->addWidget(choose_map);
+    head->addWidget(say_columns);
     auto* area = new QWidget;
     rows_column_ = makeColumn(area);
     keepMinimumHeight(*area, kSensorsHeight);
@@ -180,6 +185,8 @@ void RecordingDialog::present(Result<ImportedRecording> read_now) {
         recording_ = std::make_shared<ImportedRecording>(std::move(*read_now));
     else
         problem_ = read_now.error();
+    if (isTable() && !columns_)
+        lookAtColumns();
     makeSensorRows();
     showFound();
     refresh();
@@ -351,11 +358,67 @@ void RecordingDialog::askForMap() {
     useMap(path);
 }
 
+/// Of any program, and of none whose tables are known.
+bool RecordingDialog::isTable() const {
+    static const QStringList kTables{"csv", "txt", "tsv"};
+    const bool named =
+        request_.paths.size() == 1 && kTables.contains(QFileInfo(request_.paths[0]).suffix().toLower());
+    return named &&
+           (recording_ ? recording_->format == "csv" : problem_ && problem_->kind == ErrorKind::kUsage);
+}
+
+void RecordingDialog::lookAtColumns() {
+    studio_.jobs().start<TableColumns>(
+        tr("Looking at the columns"),
+        [path = request_.paths[0].toStdString()](const JobContext&) { return guessColumns(path); },
+        [self = QPointer(this)](Result<TableColumns> columns) -> QString {
+            if (!self || !columns)
+                return {};
+            self->columns_ = std::move(*columns);
+            const QString known = self->studio_.settings().value(self->columnsKey()).toString();
+            const nlohmann::json map = json::parse(known.toStdString());
+            if (map.is_object() && self->request_.map.is_null())
+                self->useColumns(*self->columns_, map);
+            self->refresh();
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+/// By the header: tables of one program are read alike.
+QString RecordingDialog::columnsKey() const {
+    QByteArray names;
+    for (const TableColumn& column : columns_->columns)
+        names += QByteArray::fromStdString(column.name) + '\n';
+    return "import_columns/" +
+           QString::fromLatin1(QCryptographicHash::hash(names, QCryptographicHash::Sha1).toHex());
+}
+
+void RecordingDialog::askForColumns() {
+    if (!columns_)
+        return;
+    ColumnsDialog dialog(QFileInfo(request_.paths[0]).fileName(), *columns_, this);
+    if (dialog.exec() == QDialog::Accepted)
+        useColumns(dialog.table(), dialog.map());
+}
+
+void RecordingDialog::useColumns(TableColumns columns, const nlohmann::json& map) {
+    columns_ = std::move(columns);
+    request_.map = map;
+    studio_.settings().setValue(columnsKey(), QString::fromStdString(map.dump()));
+    recording_.reset();
+    read();
+}
+
 void RecordingDialog::refresh() {
     if (problem_ && problem_->kind != ErrorKind::kCancelled)
         setProblem(coreWords(problem_->text()));
     else
         setProblem({});
+    say_columns->setVisible(isTable());
+    say_columns->setDisabledBecause(isBusy()    ? tr("The recording is being read.")
+                                    : !columns_ ? tr("The columns are being looked at.")
+                                                : QString());
     const auto open = recording_ ? sensorsWithoutSegment(*recording_) : std::vector<std::string>();
     const bool single = recording_ && recording_->sensors.size() == 1;
     open_->setText(single ? QString()

@@ -5,6 +5,7 @@
 
 #include <QPointer>
 
+#include "core/import/table_columns.h"
 #include "ui/models/recording_import.h"
 #include "ui/models/studio.h"
 #include "ui/views/dialog_frame.h"
@@ -31,11 +32,15 @@ public:
     QComboBox* segmentOf(size_t sensor) const;
     /// A map of segments or of a table's columns, from a file; false and a problem shown when it is none.
     bool useMap(const QString& path);
+    /// The columns of a table; null of other files, and while nobody has looked.
+    const TableColumns* columns() const { return columns_ ? &*columns_ : nullptr; }
+    /// What they are; remembered for tables with the same header.
+    void useColumns(TableColumns columns, const nlohmann::json& map);
 
     // For the operator and tests.
     QComboBox* world;
     QDoubleSpinBox* rate;
-    Button *by_movement, *choose_map;
+    Button *by_movement, *choose_map, *say_columns;
 
 public slots:
     void accept() override;
@@ -51,12 +56,17 @@ private:
     void putOnSegment(size_t sensor, const std::string& segment);
     void find();
     void askForMap();
+    bool isTable() const;
+    void lookAtColumns();
+    void askForColumns();
+    QString columnsKey() const;
     void refresh();
     void keep();
 
     Studio& studio_;
     RecordingToRead request_;
     std::shared_ptr<ImportedRecording> recording_;
+    std::optional<TableColumns> columns_;
     std::optional<Error> problem_;
     std::vector<QComboBox*> segments_;
     QWidget* rows_ = nullptr;

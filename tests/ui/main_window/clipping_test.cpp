@@ -21,6 +21,7 @@
 #include "ui/style/theme.h"
 #include "ui/views/attach_dialog.h"
 #include "ui/views/body_dialog.h"
+#include "ui/views/columns_dialog.h"
 #include "ui/views/motion_dialog.h"
 #include "ui/views/new_session_dialog.h"
 #include "ui/views/process_takes_dialog.h"
@@ -134,6 +135,12 @@ TEST_P(ClippingTest, Dialogs) {
     noctule::test::writeBytes(recording.toStdString(),
                               noctule::test::xsensExample({1, 2, 3, 4, 5, 6, 7, 8}, '\t', true));
     dialogIsWhole<RecordingDialog>("import recording", *studio_, QStringList{recording});
+    const QString table = folder_.filePath("two_sensors.csv");
+    noctule::test::writeBytes(
+        table.toStdString(),
+        "Time (ms),pelvis AccX,pelvis AccY,pelvis AccZ,pelvis GyrX,pelvis GyrY,pelvis GyrZ,"
+        "battery\n0,0.1,0.2,9.7,1,2,40,3.9\n10,0.1,0.3,9.8,1,2,41,3.9\n");
+    dialogIsWhole<ColumnsDialog>("columns", "two_sensors.csv", guessColumns(table.toStdString()).value());
     dialogIsWhole<AddRobotDialog>("robot", RobotChoice());
     dialogIsWhole<ShotListDialog>("shot list", "Walk, straight line x2\nTurn, both ways x3", true);
     dialogIsWhole<ShortcutsDialog>("shortcuts", QList<ShortcutGroup>{{"Anywhere", window_->actions().all()}});

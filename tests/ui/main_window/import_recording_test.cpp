@@ -13,6 +13,7 @@
 #include "tests/core/import/example_files.h"
 #include "tests/support/files.h"
 #include "tests/ui/main_window/studio_fixture.h"
+#include "ui/views/columns_dialog.h"
 #include "ui/views/recording_dialog.h"
 #include "ui/widgets/button.h"
 
@@ -107,6 +108,37 @@ TEST_F(ImportRecording, ARateAndAMapFromTheOperatorAreUsed) {
     ASSERT_TRUE(waitFor([&] { return isSettled(dialog) && dialog.recording(); }));
     EXPECT_EQ(dialog.segmentOf(0)->currentData().toString(), "Head");
     EXPECT_FALSE(dialog.useMap(paths[0])) << "no map";
+}
+
+TEST_F(ImportRecording, TheColumnsOfATableAreSaidOnce) {
+    std::string text = "stamp,A ax,A ay,A az,A gx,A gy,A gz\n";
+    for (int i = 0; i < 300; ++i)
+        text += std::to_string(10 * i) + ",0,0,1.0,0,0," + std::to_string(i % 90) + "\n";
+    const QString path = folder_.filePath("shimmer.csv");
+    noctule::test::writeBytes(path.toStdString(), text);
+    {
+        RecordingDialog dialog(*studio_, {path}, window_.get());
+        dialog.show();
+        ASSERT_TRUE(waitFor([&] { return !dialog.isBusy() && dialog.columns(); }));
+        EXPECT_FALSE(dialog.recording()) << "nobody has said what they are";
+        EXPECT_TRUE(dialog.say_columns->isVisible() && dialog.say_columns->isEnabled());
+        ColumnsDialog columns("shimmer.csv", *dialog.columns(), &dialog);
+        columns.show();
+        EXPECT_FALSE(columns.actionButton()->isEnabled()) << "the time is not known";
+        columns.meaningOf(0)->setCurrentText("time");
+        EXPECT_TRUE(columns.actionButton()->isEnabled());
+        EXPECT_EQ(columns.accel_unit->currentText(), "g");
+        columns.time_unit->setCurrentText("ms");
+        columns.accept();
+        dialog.useColumns(columns.table(), columns.map());
+        ASSERT_TRUE(waitFor([&] { return isSettled(dialog) && dialog.recording(); }));
+        EXPECT_NEAR(dialog.recording()->sensors[0].samples.rate_hz, 100, 1e-6);
+        EXPECT_EQ(dialog.recording()->sensors[0].id, "a");
+        EXPECT_TRUE(dialog.say_columns->isVisible()) << "it can be said again";
+    }
+    RecordingDialog again(*studio_, {path}, window_.get());
+    again.show();
+    EXPECT_TRUE(waitFor([&] { return isSettled(again) && again.recording(); })) << "tables like it are known";
 }
 
 TEST_F(ImportRecording, FilesThatAreNoneAreRefusedInPlace) {

@@ -20,6 +20,7 @@
 #include "ui/style/theme.h"
 #include "ui/views/attach_dialog.h"
 #include "ui/views/body_dialog.h"
+#include "ui/views/columns_dialog.h"
 #include "ui/views/export_form.h"
 #include "ui/views/export_page.h"
 #include "ui/views/new_session_dialog.h"
@@ -200,6 +201,15 @@ TEST_F(Screenshots, OfARecordingToImport) {
     if (!QFileInfo::exists(recording))
         GTEST_SKIP() << "needs ../shared/data/imu";
     dialog<RecordingDialog>("dialog-import-recording", *studio_, QStringList{recording});
+}
+
+TEST_F(Screenshots, OfTheColumnsOfATable) {
+    const QString table = folder_.filePath("two_sensors.csv");
+    noctule::test::writeBytes(
+        table.toStdString(),
+        "Time (ms),pelvis AccX,pelvis AccY,pelvis AccZ,pelvis GyrX,pelvis GyrY,pelvis GyrZ,"
+        "battery\n0,0.1,0.2,9.7,1,2,40,3.9\n10,0.1,0.3,9.8,1,2,41,3.9\n");
+    dialog<ColumnsDialog>("dialog-columns", "two_sensors.csv", guessColumns(table.toStdString()).value());
 }
 
 TEST_F(Screenshots, OfDialogsAboutTakes) {
