@@ -2488,8 +2488,20 @@
         <translation>Eine .mat-Datei der Stufe 5 wählen</translation>
     </message>
     <message>
+        <source>Choose another meaning for one of them</source>
+        <translation>Wählen Sie für eine davon eine andere Bedeutung</translation>
+    </message>
+    <message>
         <source>Choose other markers</source>
         <translation>Andere Marken wählen</translation>
+    </message>
+    <message>
+        <source>Choose the column of the time, or give the rate</source>
+        <translation>Wählen Sie die Spalte der Zeit, oder geben Sie die Rate an</translation>
+    </message>
+    <message>
+        <source>Choose the column, or nothing for the others</source>
+        <translation>Wählen Sie die Spalte, oder nichts für die anderen</translation>
     </message>
     <message>
         <source>Columns, units and axes are those of the map</source>
@@ -2648,6 +2660,10 @@
         <translation>Die Dateien oder den Ordner einer einzigen Aufnahme nennen</translation>
     </message>
     <message>
+        <source>Name the sensor</source>
+        <translation>Benennen Sie den Sensor</translation>
+    </message>
+    <message>
         <source>No coordinate system is stated; attitudes were taken as ENU, MT Manager's usual one (--world replaces it)</source>
         <translation>Kein Koordinatensystem ist genannt; Lagen gelten als ENU, das übliche von MT Manager (--world ersetzt es)</translation>
     </message>
@@ -2686,6 +2702,10 @@
     <message>
         <source>Save it again in MATLAB or Octave with -v7</source>
         <translation>Sie in MATLAB oder Octave noch einmal mit -v7 sichern</translation>
+    </message>
+    <message>
+        <source>Say which columns are rates, accelerations or attitudes</source>
+        <translation>Sagen Sie, welche Spalten Drehraten, Beschleunigungen oder Lagen sind</translation>
     </message>
     <message>
         <source>Segments are those of the map</source>
@@ -2828,8 +2848,20 @@
         <translation>die Achsen %1 sind keine Drehung</translation>
     </message>
     <message>
+        <source>cm/s^2</source>
+        <translation>cm/s^2</translation>
+    </message>
+    <message>
+        <source>column %1 belongs to no sensor</source>
+        <translation>Spalte %1 gehört zu keinem Sensor</translation>
+    </message>
+    <message>
         <source>column %1 holds %2, which is no number</source>
         <translation>Spalte %1 enthält %2, was keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>deg/s</source>
+        <translation>deg/s</translation>
     </message>
     <message>
         <source>does not state where its data begin or their scale</source>
@@ -2948,6 +2980,14 @@
         <translation>Zeile %1 ist weder eine //-Zeile noch die Namen der Spalten</translation>
     </message>
     <message>
+        <source>no column belongs to a sensor</source>
+        <translation>keine Spalte gehört zu einem Sensor</translation>
+    </message>
+    <message>
+        <source>no column is the time</source>
+        <translation>keine Spalte ist die Zeit</translation>
+    </message>
+    <message>
         <source>no numeric arrays</source>
         <translation>keine Zahlenfelder</translation>
     </message>
@@ -2972,6 +3012,10 @@
         <translation>Punkt %1</translation>
     </message>
     <message>
+        <source>rad/s</source>
+        <translation>rad/s</translation>
+    </message>
+    <message>
         <source>sensor</source>
         <translation>Sensor</translation>
     </message>
@@ -2994,6 +3038,10 @@
     <message>
         <source>sensor %1 is put on %2, which no body has</source>
         <translation>Sensor %1 sitzt auf %2, das kein Körper hat</translation>
+    </message>
+    <message>
+        <source>sensor %1 lacks %2 of its %3</source>
+        <translation>Sensor %1 fehlt %2 von %3</translation>
     </message>
     <message>
         <source>sensor %1 stands there twice</source>
@@ -3046,6 +3094,14 @@
     <message>
         <source>time names no column</source>
         <translation>time nennt keine Spalte</translation>
+    </message>
+    <message>
+        <source>two columns are the same axis of sensor %1, the second is %2</source>
+        <translation>zwei Spalten sind dieselbe Achse von Sensor %1, die zweite ist %2</translation>
+    </message>
+    <message>
+        <source>two columns are the time, the second is %1</source>
+        <translation>zwei Spalten sind die Zeit, die zweite ist %1</translation>
     </message>
     <message>
         <source>world is %1</source>

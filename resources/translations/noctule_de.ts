@@ -177,6 +177,21 @@
     </message>
 </context>
 <context>
+    <name>HeardSwitch</name>
+    <message>
+        <source>Own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 zu %2</translation>
+    </message>
+    <message>
+        <source>Room to %1</source>
+        <translation>Raum zu %1</translation>
+    </message>
+</context>
+<context>
     <name>JobWords</name>
     <message numerus="yes">
         <source>%n s left</source>
@@ -426,6 +441,10 @@
     <message>
         <source>The shown result holds one performer only</source>
         <translation>Das gezeigte Ergebnis enthält nur einen Darsteller</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -2381,6 +2400,120 @@
     <message>
         <source>Calibration: %1</source>
         <translation>Kalibrierung: %1</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::ColumnsDialog</name>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>angular rate %1</source>
+        <translation>Drehrate %1</translation>
+    </message>
+    <message>
+        <source>acceleration %1</source>
+        <translation>Beschleunigung %1</translation>
+    </message>
+    <message>
+        <source>magnetic field %1</source>
+        <translation>Magnetfeld %1</translation>
+    </message>
+    <message>
+        <source>attitude %1</source>
+        <translation>Lage %1</translation>
+    </message>
+    <message>
+        <source>Columns of %1</source>
+        <translation>Spalten von %1</translation>
+    </message>
+    <message>
+        <source>Say what each column is. It was guessed from names and first values; check the units.</source>
+        <translation>Sagen Sie, was jede Spalte ist. Geraten wurde nach Namen und ersten Werten; prüfen Sie die Einheiten.</translation>
+    </message>
+    <message>
+        <source>Use these columns</source>
+        <translation>Diese Spalten verwenden</translation>
+    </message>
+    <message>
+        <source>Save as a map…</source>
+        <translation>Als Zuordnung speichern…</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>First values</source>
+        <translation>Erste Werte</translation>
+    </message>
+    <message>
+        <source>Is</source>
+        <translation>Ist</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>What column %1 is</source>
+        <translation>Was Spalte %1 ist</translation>
+    </message>
+    <message>
+        <source>Sensor of column %1</source>
+        <translation>Sensor von Spalte %1</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Angular rate</source>
+        <translation>Drehrate</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Magnetic field</source>
+        <translation>Magnetfeld</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>from the time</source>
+        <translation>aus der Zeit</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sensor(s) in these columns</source>
+        <translation>
+            <numerusform>%n Sensor in diesen Spalten</numerusform>
+            <numerusform>%n Sensoren in diesen Spalten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the map</source>
+        <translation>Zuordnung speichern</translation>
+    </message>
+    <message>
+        <source>Import maps (*.json)</source>
+        <translation>Import-Zuordnungen (*.json)</translation>
     </message>
 </context>
 <context>
@@ -6607,6 +6740,18 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Noctule&apos;s: Y is up</source>
         <translation>wie Noctule: Y ist oben</translation>
+    </message>
+    <message>
+        <source>Say what the columns are</source>
+        <translation>Spalten benennen</translation>
+    </message>
+    <message>
+        <source>Looking at the columns</source>
+        <translation>Spalten werden angesehen</translation>
+    </message>
+    <message>
+        <source>The columns are being looked at.</source>
+        <translation>Die Spalten werden gerade angesehen.</translation>
     </message>
 </context>
 <context>

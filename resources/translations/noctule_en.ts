@@ -76,6 +76,16 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::ColumnsDialog</name>
+    <message numerus="yes">
+        <source>%n sensor(s) in these columns</source>
+        <translation>
+            <numerusform>%n sensor in these columns</numerusform>
+            <numerusform>%n sensors in these columns</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ConnectPage</name>
     <message numerus="yes">
         <source>%n board(s) hear it well</source>
