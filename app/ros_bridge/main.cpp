@@ -4,10 +4,8 @@
 // where roscpp is installed. Commands pass through as they come: limits, watchdog and state machine are the
 // studio's and the robot's.
 #include <poll.h>
-#include <ros/ros.h>
-#include <sensor_msgs/JointState.h>
-#include <trajectory_msgs/JointTrajectory.h>
 
+#include <algorithm>
 #include <clocale>
 #include <cstdio>
 
@@ -17,6 +15,7 @@
 #include "app/batch/robot_profiles.h"
 #include "app/batch/signals.h"
 #include "app/ros_bridge/joint_values.h"
+#include "app/ros_bridge/ros_node.h"
 #include "app/ros_bridge/udp_socket.h"
 #include "core/robot/live_drive.h"
 #include "core/robot/urdf_reader.h"
@@ -33,7 +32,6 @@ using robot_link::DatagramKind;
 constexpr const char* kName = "noctule-ros-bridge";
 constexpr const char* kExample = "noctule-ros-bridge --robot g1.urdf --udp 127.0.0.1:41950";
 constexpr int kLookAtRos_ms = 1;
-constexpr int kQueuedMessages = 1;  // an old command is worse than none
 
 const std::vector<batch::Option>& optionTable() {
     using namespace batch;
@@ -86,6 +84,18 @@ Result<std::vector<std::string>> jointsOfRobot(const Arguments& arguments, const
     return robot::jointsOf(*arms);
 }
 
+RosOptions rosOptionsOf(const Arguments& arguments, const std::vector<std::string>& joints) {
+    RosOptions options;
+    options.joints = joints;
+    options.as_trajectory = arguments.text("message") == "trajectory";
+    options.command_topic = arguments.given("topic") ? arguments.text("topic")
+                            : options.as_trajectory  ? "/noctule/joint_trajectory"
+                                                     : "/noctule/joint_command";
+    options.state_topic = arguments.text("state-topic");
+    options.ahead_s = 2 / *arguments.number("rate");
+    return options;
+}
+
 class Bridge {
 public:
     Bridge(const Arguments& arguments, std::vector<std::string> joints, UdpSocket socket)
@@ -93,25 +103,18 @@ public:
           joints_hash_(robot_link::hashOf(joints_)),
           socket_(std::move(socket)),
           values_(joints_),
-          as_trajectory_(arguments.text("message") == "trajectory"),
-          ahead_(2 / *arguments.number("rate")) {
-        const std::string topic = arguments.given("topic") ? arguments.text("topic")
-                                  : as_trajectory_         ? "/noctule/joint_trajectory"
-                                                           : "/noctule/joint_command";
-        commands_ = as_trajectory_ ? node_.advertise<trajectory_msgs::JointTrajectory>(topic, kQueuedMessages)
-                                   : node_.advertise<sensor_msgs::JointState>(topic, kQueuedMessages);
-        states_ = node_.subscribe(arguments.text("state-topic"), kQueuedMessages, &Bridge::hear, this,
-                                  ros::TransportHints().tcpNoDelay());
-    }
+          node_(rosOptionsOf(arguments, joints_), [this](const auto& names, const auto& q, const auto& v) {
+              if (values_.take(names, q, v))
+                  tellState();
+          }) {}
 
     void run(const CancelFlag& cancel) {
-        while (!cancel.cancelled() && ros::ok()) {
+        do {
             pollfd waiting{socket_.handle(), POLLIN, 0};
             if (::poll(&waiting, 1, kLookAtRos_ms) > 0)
                 while (const auto bytes = socket_.receive())
                     obey(*bytes);
-            ros::spinOnce();
-        }
+        } while (node_.spinOnce() && !cancel.cancelled());
     }
 
 private:
@@ -129,35 +132,7 @@ private:
             return sayOnce({ErrorKind::kUnusable, "the studio drives other joints than this bridge",
                             "Give both the same --robot, --profile and --arms"});
         obeyed_ = read->sequence;
-        if (as_trajectory_)
-            commands_.publish(trajectoryOf(*read));
-        else
-            commands_.publish(jointStateOf(*read));
-    }
-
-    sensor_msgs::JointState jointStateOf(const Datagram& command) const {
-        sensor_msgs::JointState message;
-        message.header.stamp = ros::Time::now();
-        message.name = joints_;
-        message.position = command.q;
-        message.velocity = command.v;
-        return message;
-    }
-
-    trajectory_msgs::JointTrajectory trajectoryOf(const Datagram& command) const {
-        trajectory_msgs::JointTrajectory message;
-        message.header.stamp = ros::Time::now();
-        message.joint_names = joints_;
-        message.points.resize(1);
-        message.points[0].positions = command.q;
-        message.points[0].velocities = command.v;
-        message.points[0].time_from_start = ros::Duration(ahead_);
-        return message;
-    }
-
-    void hear(const sensor_msgs::JointState& message) {
-        if (values_.take(message.name, message.position, message.velocity))
-            tellState();
+        node_.publish(read->q, read->v);
     }
 
     void tellState() {
@@ -183,11 +158,7 @@ private:
     const uint64_t joints_hash_;
     UdpSocket socket_;
     JointValues values_;
-    const bool as_trajectory_;
-    const double ahead_;
-    ros::NodeHandle node_;
-    ros::Publisher commands_;
-    ros::Subscriber states_;
+    RosNode node_;
     uint64_t sequence_ = 0, obeyed_ = 0;
     std::string said_;
 };
@@ -207,8 +178,8 @@ int runChecked(const std::vector<std::string>& words, const CancelFlag& cancel) 
     auto socket = UdpSocket::listen(arguments->text("udp"));
     if (!socket)
         return endWithError(socket.error());
-    if (!ros::master::check())
-        return endWithError({ErrorKind::kDevice, ros::master::getURI() + ": no ROS master answers",
+    if (!RosNode::masterAnswers())
+        return endWithError({ErrorKind::kDevice, RosNode::masterUri() + ": no ROS master answers",
                              "Start roscore, or set ROS_MASTER_URI to where it runs"});
     std::printf("robot: udp://%s\n", socket->address().c_str());
     std::fflush(stdout);
@@ -221,8 +192,7 @@ int runChecked(const std::vector<std::string>& words, const CancelFlag& cancel) 
 
 int runBridge(int argc, char** argv) {
     const CancelFlag& cancel = batch::cancelOnSignals();
-    ros::init(argc, argv, "noctule_bridge",
-              ros::init_options::NoSigintHandler | ros::init_options::AnonymousName);
+    RosNode::initialise(argc, argv);
     std::setlocale(LC_NUMERIC, "C");
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (std::find(words.begin(), words.end(), "--help") != words.end()) {

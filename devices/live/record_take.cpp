@@ -14,6 +14,7 @@ constexpr std::chrono::milliseconds kLook{20};
 // not keep their word.
 constexpr std::chrono::seconds kGreetingTimeout{10}, kStopTimeout{6};
 constexpr std::chrono::milliseconds kStopTimeoutOnceCancelled{500};  // a cancelled job ends within a second
+constexpr double kPatienceOnceCancelled_s = 2;
 
 /// False when the time was over.
 template <class Condition>
