@@ -15,8 +15,10 @@ constexpr int kQueuedMessages = 1;  // an old command is worse than none
 }  // namespace
 
 struct RosNode::Parts {
-    RosOptions options;
-    Heard heard;
+    Parts(const RosOptions& of, Heard listener) : options(of), heard(std::move(listener)) {}
+
+    const RosOptions options;
+    const Heard heard;
     ros::NodeHandle node;
     ros::Publisher commands;
     ros::Subscriber states;
@@ -39,7 +41,7 @@ std::string RosNode::masterUri() {
     return ros::master::getURI();
 }
 
-RosNode::RosNode(const RosOptions& options, Heard heard) : parts_(new Parts{options, std::move(heard)}) {
+RosNode::RosNode(const RosOptions& options, Heard heard) : parts_(new Parts(options, std::move(heard))) {
     Parts& parts = *parts_;
     parts.commands =
         options.as_trajectory

@@ -84,8 +84,8 @@ private:
                     continue;
                 TakeParty party{subject, problems_.keep(take_.suit(subject.suit())).value_or(Suit{}), {}};
                 party.calibration = nominalCalibration(party.suit);
-                if (const auto rows = problems_.keep(take_.calibrations(subject.suit()));
-                    rows && !rows->empty())
+                const auto rows = problems_.keep(take_.calibrations()).value_or(std::vector<DocumentRow>{});
+                if (std::ranges::find(rows, subject.suit(), &DocumentRow::suit) != rows.end())
                     if (auto stored = problems_.keep(take_.calibrationInForce(subject.suit())))
                         party.calibration = std::move(stored->value);
                 view_.parties.push_back(std::move(party));

@@ -7,6 +7,7 @@
 #include <kdl_parser/kdl_parser.hpp>
 #include <sstream>
 
+#include "core/robot/inverse_kinematics.h"
 #include "tests/core/robot/robots.h"
 
 namespace noctule::robot {
