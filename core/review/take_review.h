@@ -26,7 +26,8 @@ namespace noctule {
 
 /// A take as one of its suits sees it: that suit's boards, sources, clock and body.
 struct TakeView {
-    TakeView(std::string of_path, int of_suit = kSuitInView) : path(std::move(of_path)), suit(of_suit) {}
+    TakeView(std::string of_path, int of_suit = kSuitInView, int with_sources_of = kSuitInView)
+        : path(std::move(of_path)), suit(of_suit), sources_of(with_sources_of) {}
 
     std::string path;
     int suit;                      ///< kSuitInView: that of the first subject
