@@ -50,7 +50,7 @@ tests_need=(
     libroscpp-dev        # roscpp: noctule-ros-bridge
     libsensor-msgs-dev   # sensor_msgs
     libtrajectory-msgs-dev # trajectory_msgs
-    python3-rosmaster python3-rostopic # a master, and programs of ROS that hear us
+    python3-rosmaster python3-rostopic python3-sensor-msgs # a master, and programs of ROS that hear us
 )
 
 fail() {
