@@ -178,14 +178,15 @@ std::string unitNamed(TableQuantity quantity, std::string text) {
     return {};
 }
 
-/// Values of the first rows by column; cells that are no numbers are missing.
-std::vector<std::vector<double>> firstValues(const TableHead& head, TableColumns& table) {
+/// Values of the first rows by column; cells that are no numbers are missing. `cut`: the last line has no
+/// end.
+std::vector<std::vector<double>> firstValues(const TableHead& head, TableColumns& table, bool cut) {
     std::vector<std::vector<double>> values(head.names.size());
     std::string_view rest = head.rows;
     for (size_t row = 0; row < kLookedAtRows && !rest.empty();) {
         const std::string_view line = cutLine(rest);
-        if (trimmed(line).empty() || rest.empty())
-            continue;  // the last one may be cut
+        if (trimmed(line).empty() || (cut && rest.empty()))
+            continue;
         const std::vector<std::string> cells = cellsOfLine(line, head.separator);
         for (size_t i = 0; i < std::min(cells.size(), values.size()); ++i) {
             double value = kMissing;
@@ -379,7 +380,11 @@ Result<TableColumns> guessColumns(const std::string& path) {
         table.columns.push_back({name, {}, TableQuantity::kNothing, 0, {}});
         tellByName(table.columns.back(), partsOf(name));
     }
-    tellUnits(table, firstValues(*head, table));
+    const auto values = firstValues(*head, table, bytes.size() == kLookedAtBytes);
+    if (values.front().empty())
+        return Error{ErrorKind::kUnreadable, path + ": there is a header and no row below it",
+                     "Give a table with numbers"};
+    tellUnits(table, values);
     for (const TableColumn& column : table.columns)
         takeUnit(table, column.quantity, partsOf(column.name).unit);
     // One time will do.

@@ -66,8 +66,8 @@ TEST_F(TableColumnsTest, NamesTellQuantityAxisAndSensor) {
                                                          {"acceleration", "nothing 0 "},
                                                          {"x", "nothing 0 "}};
     for (const auto& [name, expected] : names) {
-        const TableColumns table = guessed(std::string(name) + ",other\n1,2\n3,4\n");
-        ASSERT_EQ(table.columns.size(), 2u) << name;
+        const TableColumns table = guessed(std::string(name) + ",other,more\n1,2,3\n3,4,5\n");
+        ASSERT_EQ(table.columns.size(), 3u) << name;
         EXPECT_EQ(wordsOf(table.columns[0]), expected) << name;
     }
 }

@@ -185,6 +185,7 @@ TEST(LiveResultsOf, ATakeWhosePosesWereGivenUpAreNotKeptAndItsSoundIs) {
     session.connect();
     waitFor([&] { return session.status()->link == LinkState::kReady; });
     ASSERT_TRUE(session.begin(request));
+    waitFor([&] { return session.reachedSample() > 300'000; });
     session.stop();
     waitFor([&] { return !session.status()->stream_is_open; });
     const auto released = std::async(std::launch::async, [&] {
