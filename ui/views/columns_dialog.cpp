@@ -22,7 +22,7 @@ namespace noctule::ui {
 namespace {
 
 constexpr int kColumnsDialogWidth = 940, kUnitsWidth = 250, kUnitLabels = 110, kMeaningWidth = 170,
-              kSensorNameWidth = 130, kColumnRowsHeight = 380, kFirstValuesWidth = 190;
+              kSensorNameWidth = 130, kColumnRowsHeight = 300, kFirstValuesWidth = 190;
 constexpr double kNoRate_hz = 0, kMostTableRate_hz = 10000;
 
 struct ColumnMeaning {

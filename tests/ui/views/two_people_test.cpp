@@ -152,7 +152,8 @@ TEST_F(TwoPeopleTest, DistancesAreAPlotAndAPartOfTheReport) {
 TEST_F(TwoPeopleTest, PairsAndRaysMayComeFromTheOtherOrFromTheRoom) {
     TakeDocument& take = studio_->take();
     const auto* heard = page_->center().findChild<HeardSwitch*>();
-    ASSERT_TRUE(heard && heard->isVisible());
+    ASSERT_TRUE(heard);
+    EXPECT_TRUE(heard->isVisible());
     ASSERT_EQ(heard->buttons().size(), 3u);
     EXPECT_EQ(heard->buttons()[0]->text(), "Own");
     EXPECT_TRUE(heard->buttons()[0]->isChecked());
