@@ -120,6 +120,25 @@ TEST_F(Screenshots, OfEveryPageInBothThemesAndSizes) {
         }
 }
 
+/// Of a take of several people (NOCTULE_SCREENSHOT_TAKE): what the shown one hears of the others and the
+/// room.
+TEST_F(Screenshots, OfPairsBetweenPeople) {
+    openTakeToShow();
+    TakeDocument& take = studio_->take();
+    if (!take.isOpen() || take.overview()->parties.size() < 2)
+        GTEST_SKIP() << "needs a take of several people";
+    window_->goTo(Step::kReview);
+    window_->resize(1440, 900);
+    for (int party = 1; party < static_cast<int>(take.overview()->parties.size()); ++party)
+        for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
+            Theme::get().setScheme(scheme);
+            take.setSourcesOf(party);
+            ASSERT_TRUE(waitFor([&] { return take.ranges() != nullptr; }));
+            save(*window_,
+                 QStringLiteral("pairs-%1-%2").arg(party).arg(scheme == Scheme::kDark ? "dark" : "light"));
+        }
+}
+
 /// Several takes chosen: before they are written, and after.
 TEST_F(Screenshots, OfExports) {
     openTakeToShow();
