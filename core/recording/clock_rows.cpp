@@ -97,17 +97,19 @@ Status Take::forEachCrossRange(int64_t run, int suit,
             sources[id] = *count;
     const std::string sql =
         "SELECT range.pulse,pulse.suit,pulse.sample,pulse.source,range.board,range.arrival_sample,"
-        "range.distance_m,range.w_s,range.w_t,range.sigma_m FROM range JOIN pulse ON pulse.id=range.pulse "
-        "WHERE range.run=" +
-        std::to_string(run) + " AND +range.suit=" + std::to_string(suit) + " AND pulse.suit<>" +
-        std::to_string(suit) + " ORDER BY range.pulse,range.suit,range.board";
+        "range.distance_m,range.w_s,range.w_t,range.sigma_m," +
+        schema_->expression("range", "w_a") + "," + schema_->expression("range", "fate") + "," +
+        schema_->expression("range", "innovation_m") +
+        " FROM range JOIN pulse ON pulse.id=range.pulse WHERE range.run=" + std::to_string(run) +
+        " AND +range.suit=" + std::to_string(suit) + " AND pulse.suit<>" + std::to_string(suit) +
+        " ORDER BY range.pulse,range.suit,range.board";
     return forEachRow<CrossRange>(
         *database_, *log_, rowsOfSuit("range", suit) + " from others", sql,
         [&](const Statement& row, CrossRange& out) -> RowVerdict {
             const auto from = row.integer(1), sample = row.integer(2), source = row.integer(3),
                        board = row.integer(4);
             const auto arrival = row.real(5), distance = row.real(6), w_s = shareOf(row, 7),
-                       w_t = shareOf(row, 8);
+                       w_t = shareOf(row, 8), w_a = shareOf(row, 10);
             const auto owner = sources.find(static_cast<int>(from.value_or(-1)));
             if (owner == sources.end() || !source || *source < 0 || *source >= owner->second || !board ||
                 *board < 0 || *board >= *boards)
@@ -126,6 +128,9 @@ Status Take::forEachCrossRange(int64_t run, int suit,
             out.range.w_s = *w_s;
             out.range.w_t = *w_t;
             out.range.sigma_m = std::max(0.0, row.real(9).value_or(0));
+            out.range.w_a = isShare(w_a) ? *w_a : 1;
+            out.range.fate = rangeFateFromName(row.text(11).value_or(""));
+            out.range.innovation_m = row.real(12).value_or(0);
             return "";
         },
         [&](CrossRange&& range) { return sink(range); });

@@ -114,6 +114,13 @@ std::pair<size_t, double> heard(const RangeTable& table) {
     return {count, sum_m / static_cast<double>(std::max<size_t>(count, 1))};
 }
 
+size_t usedOf(const RangeTable& table) {
+    size_t used = 0;
+    for (const PairTrack& track : table.pairs)
+        used += static_cast<size_t>(std::ranges::count(track.fate, RangeFate::kUsed));
+    return used;
+}
+
 TEST(SeveralPeople, PairsMayHaveAnothersSources) {
     const TakeOverview overview = overviewOf(kSuitInView);
     ASSERT_EQ(overview.parties.size(), 3u);
@@ -142,6 +149,7 @@ TEST(SeveralPeople, PairsMayHaveAnothersSources) {
         EXPECT_EQ(count, rows[from.subject.suit()]);
         EXPECT_NEAR(mean_m, party == 1 ? 1.25 : 2.6, 0.5) << "as far as she or the corners stand";
         EXPECT_GT(mean_m, heard(*own).second + 0.3);
+        EXPECT_GT(usedOf(*table), count / 4) << "the result tells what became of each";
         const auto half =
             loadRanges({processedPair(), ada, from.subject.suit()}, run, {}, {.index = 1, .count = 2});
         ASSERT_TRUE(half);
