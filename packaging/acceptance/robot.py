@@ -164,6 +164,16 @@ def live_chain(seconds):
                                     f"{said['largest_speed_use']:.4f}"]])), missed
 
 
+def programs_of_ros():
+    """What `rostopic echo` hears of a drive through noctule-ros-bridge."""
+    bridge = studio.BUILD / "noctule-ros-bridge"
+    if not bridge.exists():
+        return "roscpp is not installed.", ["no bridge to ROS was built"]
+    ran = subprocess.run([studio.ROOT / "tests" / "ros_bridge.py", studio.BUILD / "noctule", bridge, "--rate"],
+                         capture_output=True, text=True, check=False)
+    return (f"- {ran.stdout.strip()}\n", []) if ran.returncode == 0 else (ran.stderr, ["the bridge to ROS failed"])
+
+
 def figure(options):
     if not ROBOTS.exists():
         raise RuntimeError(f"{ROBOTS} is needed: URDFs of real robots")
@@ -189,6 +199,8 @@ def figure(options):
     add("Limits on real motion, from the commands alone", limits_on_real_motion())
     add("Six trajectories", six_trajectories())
     add("Live chain", live_chain(options.robot_seconds))
+    add("Two programs of ROS 1", programs_of_ros())
+    add("Kinematics and Jacobians beside Orocos KDL", built("test_core_robot_kdl", "*", r"OK \] Robots"))
     add("Faults of the robot's control port, over both interfaces",
         built("test_app_virtual_robot", "Robot/EveryInterface.*", r"OK \] Robot"))
     text = "\n".join(parts)
