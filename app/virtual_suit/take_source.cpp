@@ -142,7 +142,7 @@ Measurements measured(const std::vector<StatusRow>& rows, int64_t sample) {
     return {row.temperature_c, row.humidity_percent, row.battery_v, row.battery_percent};
 }
 
-std::string nameOf(const TakeSubject& subject) {
+std::string subjectName(const TakeSubject& subject) {
     return subject.room ? "room" : subject.name;
 }
 
@@ -155,9 +155,9 @@ Result<int> suitOf(const Take& take, const std::string& name) {
         return subjects.error();
     std::vector<std::string> known;
     for (const TakeSubject& subject : *subjects) {
-        if (nameOf(subject) == name)
+        if (subjectName(subject) == name)
             return subject.suit();
-        known.push_back(nameOf(subject));
+        known.push_back(subjectName(subject));
     }
     return Error{ErrorKind::kUsage, take.path() + ": nobody in the take is called " + name,
                  "Give --subject " + batch::listed(known)};

@@ -5,7 +5,6 @@
 
 #include "core/math/json.h"
 #include "core/recording/take.h"
-#include "core/suit/placed_suit.h"
 
 namespace noctule {
 namespace {
@@ -13,6 +12,13 @@ namespace {
 Error badSubjects(const std::string& take, const std::string& what) {
     return {ErrorKind::kUnreadable, take + ": meta subjects: " + what,
             "Correct subjects in the take's meta table, or remove it"};
+}
+
+/// Nobody wears it: anchors.
+bool isFixed(const Suit& suit) {
+    return std::ranges::all_of(suit.boards, [](const Board& board) { return board.segment.empty(); }) &&
+           std::ranges::all_of(suit.sources, [](const Source& source) { return source.segment.empty(); }) &&
+           suit.boards.size() + suit.sources.size() > 0;
 }
 
 }  // namespace

@@ -136,13 +136,6 @@ Status TakeWriter::addBlock(const AdcBlock& block, int board_count, int suit, bo
     return added;
 }
 
-Status TakeWriter::setSuitClock(int suit, const SuitClock& clock) {
-    auto update = file_->prepare("UPDATE suit SET clock_offset_ns=?,clock_rate=? WHERE id=?");
-    if (!update)
-        return update.error();
-    return update->bind(0, clock.offset_ns).bind(1, clock.rate).bind(2, int64_t{suit}).run();
-}
-
 Status TakeWriter::commit() {
     if (options_.journal == Journal::kAside)
         return Done{};

@@ -37,9 +37,6 @@ public:
     /// request. Blocks must not overlap.
     Status addBlock(const AdcBlock& block, int board_count, int suit, bool compress = false);
 
-    /// Of a suit that was added before, once its clock is known better.
-    Status setSuitClock(int suit, const SuitClock& clock);
-
     /// Makes everything so far safe (kWal); a recorder calls it at least every 200 ms.
     Status commit();
     /// Takes the right to write (kWal), which commit() keeps as far as it can. False: another program has it,
@@ -47,8 +44,8 @@ public:
     Result<bool> ready();
     /// After a write that failed (kWal): everything since the last commit() is gone, finish() may follow.
     Status rollBack();
-    /// Sets `state` to complete and `sample_count` (of suit 1), and leaves one file under its name; a
-    /// recording that another program reads keeps its log beside it, which the next to open it folds in.
+    /// Sets `state` to complete and `sample_count`, and leaves one file under its name; a recording that
+    /// another program reads keeps its log beside it, which the next to open it folds in.
     Status finish();
     bool leftLog() const { return left_log_; }
     /// Removes what was written.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/suit/placed_suit.h"
 
-#include <algorithm>
-
 namespace noctule {
 
 Suit placedSuit(Suit suit, const Calibration& calibration) {
@@ -15,12 +13,6 @@ Suit placedSuit(Suit suit, const Calibration& calibration) {
         if (const SourceCalibration* known = calibration.findSource(source.id))
             source.p_segment_source_m = known->p_segment_source_m.value_or(source.p_segment_source_m);
     return suit;
-}
-
-bool isFixed(const Suit& suit) {
-    return std::ranges::all_of(suit.boards, [](const Board& board) { return board.segment.empty(); }) &&
-           std::ranges::all_of(suit.sources, [](const Source& source) { return source.segment.empty(); }) &&
-           suit.boards.size() + suit.sources.size() > 0;
 }
 
 }  // namespace noctule

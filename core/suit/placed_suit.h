@@ -8,7 +8,4 @@ namespace noctule {
 /// The suit with boards and sources where the calibration has found them; others stay as described.
 Suit placedSuit(Suit suit, const Calibration& calibration);
 
-/// Nobody wears it: anchors in the room.
-bool isFixed(const Suit& suit);
-
 }  // namespace noctule

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "core/suit/placed_suit.h"
 #include "devices/device/clock.h"
 #include "devices/live/live_plans.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/live/suit_voices.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -75,6 +76,12 @@ Suit withVoice(Suit suit, const link::Hello& hello) {
     suit.pulse_cycles = hello.pulse_cycles;
     suit.sample_rate_hz = hello.sample_rate_hz;
     return suit;
+}
+
+bool isFixed(const Suit& suit) {
+    return std::ranges::all_of(suit.boards, [](const Board& board) { return board.segment.empty(); }) &&
+           std::ranges::all_of(suit.sources, [](const Source& source) { return source.segment.empty(); }) &&
+           suit.boards.size() + suit.sources.size() > 0;
 }
 
 }  // namespace noctule

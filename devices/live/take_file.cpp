@@ -11,6 +11,19 @@
 namespace noctule {
 namespace {
 
+/// The clock of a suit is better known after its row was written.
+class ClockedWriter : public TakeWriter {
+public:
+    explicit ClockedWriter(TakeWriter writer) : TakeWriter(std::move(writer)) {}
+
+    Status setSuitClock(int suit, const SuitClock& clock) {
+        auto update = database().prepare("UPDATE suit SET clock_offset_ns=?,clock_rate=? WHERE id=?");
+        if (!update)
+            return update.error();
+        return update->bind(0, clock.offset_ns).bind(1, clock.rate).bind(2, int64_t{suit}).run();
+    }
+};
+
 /// A take that is being recorded. Whoever uses it holds the mutex.
 struct OpenTake {
     struct OfSuit {
@@ -53,7 +66,7 @@ struct OpenTake {
     }
 
     std::mutex mutex;
-    TakeWriter writer;
+    ClockedWriter writer;
     std::string path;
     std::vector<OfSuit> suits;
     size_t unfinished = 0;
