@@ -31,10 +31,11 @@ public:
                                  "--duration", "1.5", "--rest-seconds", "1", "--seed", "3"});
         EXPECT_EQ(made.exit_code, 0) << made.err;
         const auto take = Take::open(tape());
-        for (const DocumentRow& row : take->calibrations().value())
+        const auto calibrations = take->calibrations(), actors = take->actors();
+        for (const DocumentRow& row : calibrations.value())
             std::ofstream(file("calibration_" + std::to_string(row.suit) + ".json"))
                 << toJson(take->calibration(row.id).value()).dump();
-        for (const DocumentRow& row : take->actors().value())
+        for (const DocumentRow& row : actors.value())
             std::ofstream(file("actor_" + std::to_string(row.suit) + ".json"))
                 << toJson(take->actor(row.id).value()).dump();
     }
