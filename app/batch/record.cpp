@@ -3,16 +3,17 @@
 
 #include "app/batch/files.h"
 #include "app/batch/program.h"
-#include "app/batch/verb.h"
+#include "app/batch/record_report.h"
+#include "app/batch/record_together.h"
 #include "devices/device/clock.h"
-#include "devices/live/record_take.h"
 
 namespace noctule::batch {
 namespace {
 
 constexpr double kBytesPerMegabyte = 1e6;
 
-Result<StreamRequest> streamRequestOf(const Arguments& arguments) {
+/// Of all suits alike.
+StreamRequest sharedRequestOf(const Arguments& arguments) {
     StreamRequest request;
     request.take = RecordingRequest{};
     request.take->folder = arguments.text("out-dir");
@@ -24,6 +25,11 @@ Result<StreamRequest> streamRequestOf(const Arguments& arguments) {
     request.created_utc = utcNow();
     request.rest_s = *arguments.number("rest-seconds");
     request.keep_results = arguments.given("keep-results");
+    return request;
+}
+
+Result<StreamRequest> streamRequestOf(const Arguments& arguments) {
+    StreamRequest request = sharedRequestOf(arguments);
     if (const Status read = readGiven(arguments, "suit", readSuit, request.suit); !read)
         return read.error();
     if (const Status read = readGiven(arguments, "calibration", readCalibration, request.calibration); !read)
@@ -32,52 +38,11 @@ Result<StreamRequest> streamRequestOf(const Arguments& arguments) {
         return read.error();
     if (request.actor)
         request.take->meta["actor_name"] = request.actor->name;
+    if (arguments.given("subject"))
+        request.take->meta["performer"] = arguments.text("subject");
     // Without a calibration nothing is known of distances, and poses would mislead.
     request.process = request.calibration.has_value() || request.keep_results;
     return request;
-}
-
-nlohmann::json recordingJson(const RecordReport& report) {
-    const RecorderState& recording = *report.stream.recording;
-    nlohmann::json json{
-        {"take", recording.path},
-        {"samples", recording.samples},
-        {"seconds", static_cast<double>(recording.samples) / report.sample_rate_hz},
-        {"lost_samples", recording.lost_samples},
-        {"gaps", recording.gaps},
-        {"interrupted", report.interrupted},
-        {"commits", recording.commits},
-        {"slowest_commit_ms", static_cast<double>(recording.slowest_commit_ns) * 1e-6},
-        {"deepest_queue_s", static_cast<double>(recording.queue.deepest_samples) / report.sample_rate_hz},
-        {"reconnections", report.link.reconnections},
-        {"lacks_poses", report.stream.lacks_poses},
-        {"warnings", report.stream.warnings}};
-    if (const auto& frame = report.stream.frame)
-        json["live"] = {{"poses", frame->poses},
-                        {"latency_median_ms", 1e3 * frame->latency_median_s},
-                        {"latency_p999_ms", 1e3 * frame->latency_p999_s},
-                        {"latency_worst_ms", 1e3 * frame->latency_worst_s},
-                        {"dropped_samples", frame->queue.dropped_samples}};
-    if (const auto& results = report.stream.results)
-        json["run"] = results->run_name;
-    return json;
-}
-
-std::string recordingText(const RecordReport& report) {
-    const RecorderState& recording = *report.stream.recording;
-    char text[240];
-    std::snprintf(text, sizeof text, ": %.2f s, %lld samples missing in %lld gaps; slowest commit %.0f ms\n",
-                  static_cast<double>(recording.samples) / report.sample_rate_hz,
-                  static_cast<long long>(recording.lost_samples), static_cast<long long>(recording.gaps),
-                  static_cast<double>(recording.slowest_commit_ns) * 1e-6);
-    std::string all = recording.path + text;
-    if (const auto& frame = report.stream.frame) {
-        std::snprintf(text, sizeof text, "live: %lld poses, %.1f ms late in the median, %.1f ms at 99.9 %%\n",
-                      static_cast<long long>(frame->poses), 1e3 * frame->latency_median_s,
-                      1e3 * frame->latency_p999_s);
-        all += text;
-    }
-    return all;
 }
 
 Status checkTrigger(const Arguments& arguments) {
@@ -103,6 +68,10 @@ Result<RecordReport> record(const VerbContext& context, std::unique_ptr<Device> 
 Result<Outcome> runRecord(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     if (const Status checked = checkTrigger(arguments); !checked)
+        return checked.error();
+    if (arguments.texts("device").size() > 1)
+        return recordSeveral(context, sharedRequestOf(arguments));
+    if (const Status checked = checkPerDevice(arguments); !checked)
         return checked.error();
     const auto request = streamRequestOf(arguments);
     if (!request)
@@ -133,11 +102,13 @@ Result<Outcome> runRecord(const VerbContext& context) {
 Verb recordVerb() {
     Verb verb;
     verb.name = "record";
-    verb.summary = "record a take from a driver box";
+    verb.summary = "record a take from a driver box, or from one per suit";
     verb.example =
         "noctule --batch record --device tcp://127.0.0.1:41941 --out-dir takes --name walk --seconds 10";
     verb.options = {
-        text("device", "ADDRESS", "tcp://HOST:PORT, serial:///dev/ttyACM0 or replay:T.noctule").needed(),
+        texts("device", "ADDRESS",
+              "tcp://HOST:PORT, serial:///dev/ttyACM0 or replay:T.noctule; again for each further suit")
+            .needed(),
         text("out-dir", "D", "folder of the take; made if it is missing").needed(),
         text("name", "N", "the take becomes the next free N_###").orElse("take"),
         number("seconds", "S", 0.01, 1e6, "how long; until Ctrl-C when not given"),
@@ -148,9 +119,11 @@ Verb recordVerb() {
                "with --trigger: the take begins so long before CaptureStart")
             .orElse("0"),
         choice("kind", {"motion", "jig", "level", "turntable"}, "what is recorded").orElse("motion"),
-        text("suit", "S.json", "the suit as it is worn, matched by serial numbers"),
-        text("calibration", "C.json", "goes into the take; with it poses are made while recording"),
-        text("actor", "A.json", "the performer; goes into the take"),
+        texts("suit", "S.json", "the suit as it is worn, matched by serial numbers; once per device"),
+        texts("calibration", "C.json",
+              "goes into the take; with it poses are made while recording; once per device"),
+        texts("actor", "A.json", "the performer; goes into the take; once per device"),
+        texts("subject", "NAME", "who wears the suit; once per device"),
         number("rest-seconds", "S", 0, 3600, "the performer holds the rest pose so long at the beginning")
             .orElse("0"),
         flag("keep-results", "write the poses made while recording into the take"),
@@ -158,7 +131,12 @@ Verb recordVerb() {
             .orElse("256")};
     verb.remarks = {
         "Ctrl-C ends the recording in good order, and the take is complete. A box that restarts and a disk "
-        "that fills up end it too; the exit code is then 5 or 6, and what was recorded is safe."};
+        "that fills up end it too; the exit code is then 5 or 6, and what was recorded is safe.",
+        "Several suits, a --device each, go into one take, numbered in this order; a set of anchors in the "
+        "room "
+        "is a suit, too. --suit, --calibration, --actor and --subject then name one per device in the same "
+        "order, `none` where a device has none. A box that is lost does not end the recording of the "
+        "others."};
     verb.run = runRecord;
     return verb;
 }

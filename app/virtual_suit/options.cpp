@@ -19,7 +19,8 @@ const std::vector<batch::Option>& table() {
                  text("take", "T.noctule", "stream a take made before instead of a simulation"),
                  text("cast", "CAST.json",
                       "be the box of one of several performers, as in `simulate --cast`"),
-                 text("subject", "NAME", "whose box of the cast; room: the one of its anchors"),
+                 text("subject", "NAME",
+                      "whose box of the cast, or of a take of several; room: the one of its anchors"),
                  text("start-at", "UTC",
                       "when the cast begins, as 2026-05-01T10:00:00Z, the same for all of its boxes; or now"),
                  flag("loop", "after the end begin again; else silence follows"),
@@ -65,12 +66,14 @@ Status checkSource(const batch::Arguments& arguments) {
             if (arguments.given(name))
                 return usage("--" + std::string(name) + " does not go with --take, which is recorded already",
                              "Leave it out, or play a --motion");
-    for (const char* name : {"subject", "start-at"})
-        if (arguments.given(name) != arguments.given("cast"))
+    for (const char* name : {"subject", "start-at"}) {
+        const bool of_take = std::string(name) == "subject" && arguments.given("take");
+        if (arguments.given(name) != arguments.given("cast") && !of_take)
             return arguments.given("cast")
                        ? usage("--cast without --" + std::string(name),
                                "Give --subject NAME and --start-at UTC, the same instant for all boxes")
                        : usage("--" + std::string(name) + " without --cast", "Give --cast CAST.json too");
+    }
     if (arguments.given("cast"))
         for (const char* name : {"suit", "actor", "up", "height", "bones"})
             if (arguments.given(name))

@@ -45,7 +45,7 @@ void tellLine(const std::string& text) {
 /// Neither one who stands in the rest pose nor a rig is ever done.
 Result<SoundOfSuit> openSound(const Options& options) {
     if (!options.take().empty())
-        return openTakeSource(options.take(), options.loop());
+        return openTakeSource(options.take(), options.arguments.text("subject"), options.loop());
     if (options.arguments.given("cast"))
         return openCastBox(options);
     batch::Console console(false, false);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <deque>
 
+#include "app/batch/option.h"
 #include "core/recording/take.h"
 #include "devices/device/take_hello.h"
 
@@ -11,8 +12,8 @@ namespace noctule::virtual_suit {
 namespace {
 
 constexpr double kReadAhead_s = 0.2;
-/// Instead of one that the take does not name; boxes have six digits.
-constexpr const char* kSerialOfTakes = "NB-800000";
+/// Instead of one that the take does not name; boxes have six digits, the last ones are the suit's.
+constexpr int kSerialOfTakes = 800000;
 
 struct TakeContent {
     Take take;
@@ -141,21 +142,45 @@ Measurements measured(const std::vector<StatusRow>& rows, int64_t sample) {
     return {row.temperature_c, row.humidity_percent, row.battery_v, row.battery_percent};
 }
 
+std::string subjectName(const TakeSubject& subject) {
+    return subject.room ? "room" : subject.name;
+}
+
+Result<int> suitOf(const Take& take, const std::string& name) {
+    const std::vector<int> suits = take.suitIds();
+    if (name.empty())
+        return suits.empty() ? 1 : suits.front();
+    const auto subjects = take.subjects();
+    if (!subjects)
+        return subjects.error();
+    std::vector<std::string> known;
+    for (const TakeSubject& subject : *subjects) {
+        if (subjectName(subject) == name)
+            return subject.suit();
+        known.push_back(subjectName(subject));
+    }
+    return Error{ErrorKind::kUsage, take.path() + ": nobody in the take is called " + name,
+                 "Give --subject " + batch::listed(known)};
+}
+
 }  // namespace
 
-Result<SoundOfSuit> openTakeSource(const std::string& path, bool loop) {
+Result<SoundOfSuit> openTakeSource(const std::string& path, const std::string& subject, bool loop) {
     auto take = Take::open(path);
     if (!take)
         return take.error();
-    const std::vector<int> suits = take->suitIds();
-    const int suit_id = suits.empty() ? 1 : suits.front();
+    const auto found = suitOf(*take, subject);
+    if (!found)
+        return found.error();
+    const int suit_id = *found;
+    take->view(suit_id);
     const auto suit = take->suit(suit_id);
     if (!suit)
         return suit.error();
     const auto rows = take->statusRows(suit_id);
     if (!rows)
         return rows.error();
-    link::Hello hello = helloOf(*take, *suit, kSerialOfTakes);
+    link::Hello hello = helloOf(*take, *suit, "NB-" + std::to_string(kSerialOfTakes + suit_id - 1));
     auto content = contentOf(std::move(*take), suit_id, suit->sources.size());
     if (!content)
         return content.error();

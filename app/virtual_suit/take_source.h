@@ -9,8 +9,9 @@
 
 namespace noctule::virtual_suit {
 
-/// `loop`: after the end it begins again, with the sample clock going on. Fails (kUnusable) when the take
-/// holds no sound.
-Result<SoundOfSuit> openTakeSource(const std::string& path, bool loop);
+/// `subject`: whose box, in a take of several suits (`room`: that of its anchors); empty: the first. `loop`:
+/// after the end it begins again, with the sample clock going on. Fails (kUnusable) when the take holds no
+/// sound.
+Result<SoundOfSuit> openTakeSource(const std::string& path, const std::string& subject, bool loop);
 
 }  // namespace noctule::virtual_suit

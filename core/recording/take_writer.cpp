@@ -131,7 +131,7 @@ Status TakeWriter::addBlock(const AdcBlock& block, int board_count, int suit, bo
         return insert.error();
     (*insert)->bindNull(0).bind(1, int64_t{suit}).bind(2, block.first_sample).bind(3, sample_count);
     const Status added = (*insert)->bind(4, int64_t{compress ? 1 : 0}).bindBlob(5, data).run();
-    if (added)
+    if (added && suit == 1)  // meta speaks of suit 1
         end_sample_ = std::max(end_sample_, block.first_sample + sample_count);
     return added;
 }

@@ -7,7 +7,9 @@ namespace noctule {
 
 link::Hello helloOf(const Take& take, const Suit& suit, const std::string& otherwise) {
     const TakeHeader& header = take.header();
-    const auto serial = take.meta().find("box_serial");
+    const int viewed = take.viewed();
+    const auto serial =
+        take.meta().find(viewed == 1 ? "box_serial" : "x_box_serial_" + std::to_string(viewed));
     link::Hello hello;
     hello.serial = serial == take.meta().end() || serial->second.empty() ? otherwise : serial->second;
     hello.sample_rate_hz = static_cast<int>(header.sample_rate_hz);

@@ -7,7 +7,7 @@
 
 namespace noctule {
 
-/// `suit`: of the take. The serial number is `otherwise` when the take names none.
+/// `suit`: of the take, the one in view. The serial number is `otherwise` when the take names none.
 link::Hello helloOf(const Take& take, const Suit& suit, const std::string& otherwise);
 
 }  // namespace noctule

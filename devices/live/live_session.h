@@ -57,8 +57,9 @@ public:
     void connect();
     /// In kReady: makes the take, then starts the device; its first sample is the take's. While a stream
     /// without a take runs: the take begins in its midst, `pre_roll_s` before now, and the looking goes on.
-    /// A pipeline that cannot work does not hinder the recording; processingTrouble() says why.
-    Status begin(const StreamRequest& request);
+    /// A pipeline that cannot work does not hinder the recording; processingTrouble() says why. `into`: what
+    /// the take is written into, instead of a new file.
+    Status begin(const StreamRequest& request, std::unique_ptr<TakeSink> into = nullptr);
     /// Asks the box to stop; the stream is open until all that it holds has come.
     void stop();
     /// Ends what began last, here and now: completes the take and, if asked for, writes the results into it.
@@ -129,12 +130,13 @@ private:
     /// Of what began last; null when nothing is open.
     StreamPointer newest() const;
 
-    Status beginWithDevice(const StreamRequest& request, const link::Hello& hello);
-    Status beginInMidst(const StreamRequest& request, const link::Hello& hello);
+    using Sink = std::unique_ptr<TakeSink>;  ///< null: a new file is made
+    Status beginWithDevice(const StreamRequest& request, const link::Hello& hello, Sink into);
+    Status beginInMidst(const StreamRequest& request, const link::Hello& hello, Sink into);
     Result<StreamPointer> makeStream(const StreamRequest& request, const link::Hello& hello,
-                                     int64_t pre_roll_samples);
+                                     int64_t pre_roll_samples, Sink into);
     Result<std::shared_ptr<Recorder>> makeRecorder(const StreamRequest& request, const link::Hello& hello,
-                                                   const Suit& suit, int64_t pre_roll_samples);
+                                                   const Suit& suit, int64_t pre_roll_samples, Sink into);
     void startProcessor(Stream& stream, const link::Hello& hello, const Suit& suit, int64_t pre_roll_samples);
     Error notReady() const;
     StreamPointer detachNewest();

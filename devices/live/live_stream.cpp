@@ -17,15 +17,18 @@ constexpr double kSpareHeld_s = 2;
 
 Result<std::shared_ptr<Recorder>> LiveSession::makeRecorder(const StreamRequest& request,
                                                             const link::Hello& hello, const Suit& suit,
-                                                            int64_t pre_roll_samples) {
-    auto file = makeTakeFile(takePlanOf(request, hello, suit, pre_roll_samples));
-    if (!file)
-        return file.error();
+                                                            int64_t pre_roll_samples, Sink into) {
+    if (!into) {
+        auto file = makeTakeFile(takePlanOf(request, hello, suit, pre_roll_samples));
+        if (!file)
+            return file.error();
+        into = std::move(*file);
+    }
     RecorderSettings settings;
     settings.sample_rate_hz = hello.sample_rate_hz;
     settings.reserve_bytes = request.take->reserve_bytes;
     settings.queue_s = queueLength_s(pre_roll_samples, hello.sample_rate_hz);
-    return std::make_shared<Recorder>(std::move(*file), settings);
+    return std::make_shared<Recorder>(std::move(into), settings);
 }
 
 void LiveSession::startProcessor(Stream& stream, const link::Hello& hello, const Suit& suit,
@@ -56,8 +59,8 @@ void LiveSession::startProcessor(Stream& stream, const link::Hello& hello, const
 }
 
 Result<LiveSession::StreamPointer> LiveSession::makeStream(const StreamRequest& request,
-                                                           const link::Hello& hello,
-                                                           int64_t pre_roll_samples) {
+                                                           const link::Hello& hello, int64_t pre_roll_samples,
+                                                           Sink into) {
     const auto suit =
         request.suit ? link::placedBySerial(hello.suit, *request.suit) : Result<Suit>(hello.suit);
     if (!suit)
@@ -65,7 +68,7 @@ Result<LiveSession::StreamPointer> LiveSession::makeStream(const StreamRequest& 
     auto stream = std::make_shared<Stream>();
     stream->request = request;
     if (request.take) {
-        auto recorder = makeRecorder(request, hello, *suit, pre_roll_samples);
+        auto recorder = makeRecorder(request, hello, *suit, pre_roll_samples, std::move(into));
         if (!recorder)
             return recorder.error();
         stream->recorder = *recorder;
@@ -80,21 +83,21 @@ Error LiveSession::notReady() const {
             "Wait until the driver box has answered and the stream before has ended"};
 }
 
-Status LiveSession::begin(const StreamRequest& request) {
+Status LiveSession::begin(const StreamRequest& request, std::unique_ptr<TakeSink> into) {
     const std::lock_guard one_at_a_time(control_);
     const auto now = status();
     const bool flows = now->link == LinkState::kStreaming || now->link == LinkState::kStalled;
     if (now->stream_is_open && flows)
-        return beginInMidst(request, *now->hello);
+        return beginInMidst(request, *now->hello, std::move(into));
     if (now->stream_is_open || now->link != LinkState::kReady)
         return notReady();
     while (newest())
         finishNewest({});
-    return beginWithDevice(request, *now->hello);
+    return beginWithDevice(request, *now->hello, std::move(into));
 }
 
-Status LiveSession::beginWithDevice(const StreamRequest& request, const link::Hello& hello) {
-    const auto made = makeStream(request, hello, 0);
+Status LiveSession::beginWithDevice(const StreamRequest& request, const link::Hello& hello, Sink into) {
+    const auto made = makeStream(request, hello, 0, std::move(into));
     if (!made)
         return made.error();
     const StreamPointer& stream = *made;
@@ -117,7 +120,7 @@ Status LiveSession::beginWithDevice(const StreamRequest& request, const link::He
     return Done{};
 }
 
-Status LiveSession::beginInMidst(const StreamRequest& request, const link::Hello& hello) {
+Status LiveSession::beginInMidst(const StreamRequest& request, const link::Hello& hello, Sink into) {
     int64_t origin = 0, pre_roll_samples = 0;
     {
         const std::lock_guard lock(order_);
@@ -132,7 +135,7 @@ Status LiveSession::beginInMidst(const StreamRequest& request, const link::Hello
     StreamRequest of_take = request;
     if (const auto looked_at = newest(); looked_at->processor && looked_at->request.pose_listener)
         of_take.pose_listener = {};
-    const auto made = makeStream(of_take, hello, pre_roll_samples);
+    const auto made = makeStream(of_take, hello, pre_roll_samples, std::move(into));
     if (!made)
         return made.error();
     const StreamPointer& stream = *made;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/live/record_take.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <mutex>
@@ -12,7 +13,7 @@ namespace {
 constexpr std::chrono::milliseconds kLook{20};
 // The link gives up by itself after 3 s (greeting) and 1 s (STOP, three times); these are for devices that do
 // not keep their word.
-constexpr std::chrono::seconds kGreetingTimeout{10}, kStopTimeout{6};
+constexpr std::chrono::seconds kGreetingTimeout{10}, kStartTimeout{10}, kStopTimeout{6};
 constexpr std::chrono::milliseconds kStopTimeoutOnceCancelled{500};  // a cancelled job ends within a second
 constexpr double kPatienceOnceCancelled_s = 2;
 
@@ -28,8 +29,8 @@ bool waitUntil(std::chrono::milliseconds timeout, Condition condition) {
     return true;
 }
 
-Status greet(LiveSession& session, const std::string& address, const JobContext& job) {
-    session.connect();
+/// After connect().
+Status greet(const LiveSession& session, const std::string& address, const JobContext& job) {
     waitUntil(kGreetingTimeout, [&] {
         const LinkState link = session.status()->link;
         return job.cancelled() || link == LinkState::kReady || link == LinkState::kRefused;
@@ -141,6 +142,97 @@ StreamRequest asWished(StreamRequest request, const CaptureMessage& wish) {
     return request;
 }
 
+/// Names all boxes that do not answer.
+Status greetAll(LiveGroup& group, const JobContext& job) {
+    group.connect();
+    std::optional<Error> silent;
+    for (size_t i = 0; i < group.size(); ++i) {
+        const Status greeted = greet(group.session(i), group.address(i), job);
+        if (greeted)
+            continue;
+        if (greeted.error().kind == ErrorKind::kCancelled)
+            return greeted;
+        if (silent)
+            silent->message += "; " + greeted.error().message;
+        else
+            silent = greeted.error();
+    }
+    return silent ? Status(*silent) : Status(Done{});
+}
+
+Status waitForAll(const LiveGroup& group, const JobContext& job) {
+    std::optional<Error> failed;
+    const bool decided = waitUntil(kStartTimeout, [&] {
+        failed = group.failedToStart();
+        return failed || group.allFlow() || job.cancelled();
+    });
+    if (failed)
+        return *failed;
+    if (!group.allFlow() && job.cancelled())
+        return JobContext::cancelledError();
+    if (decided)
+        return Done{};
+    for (size_t i = 0; i < group.size(); ++i)
+        if (group.session(i).reachedSample() == 0)
+            return Error{ErrorKind::kDevice, group.address(i) + ": sends no sound",
+                         "Switch the driver box off and on, and record again"};
+    return Done{};
+}
+
+std::string groupProgress(const LiveGroup& group, double reached_s) {
+    char text[160];
+    std::snprintf(text, sizeof text, "Recording %zu suits %.1f s, disk for %.0f min", group.size(), reached_s,
+                  group.remaining_s().value_or(0) / 60);
+    std::string all = text;
+    for (size_t i = 0; i < group.size(); ++i)
+        if (const auto now = group.session(i).status(); !now->stream_is_open || now->link == LinkState::kLost)
+            all += "; suit " + std::to_string(i + 1) + " is lost";
+    return all;
+}
+
+/// As watch(), until the slowest suit that flows has come so far.
+bool watchAll(const LiveGroup& group, std::optional<double> seconds, const JobContext& job) {
+    double shown_s = 0;
+    while (group.isRecording()) {
+        const auto reached_s = group.reached_s();
+        if (seconds && reached_s && *reached_s >= *seconds)
+            return false;
+        if (job.cancelled())
+            return true;
+        shown_s = std::max(shown_s, reached_s.value_or(0));
+        job.progress(seconds ? shown_s / *seconds : 0, groupProgress(group, shown_s));
+        std::this_thread::sleep_for(kLook);
+    }
+    return false;
+}
+
+void stopAndWaitForAll(LiveGroup& group, const JobContext& job) {
+    group.stop();
+    waitUntil(kStopTimeout, [&] { return group.hasStopped() || job.cancelled(); });
+    if (job.cancelled())
+        waitUntil(kStopTimeoutOnceCancelled, [&] { return group.hasStopped(); });
+    for (size_t i = 0; i < group.size(); ++i)
+        if (group.session(i).status()->stream_is_open)
+            group.session(i).addNote("The driver box did not confirm that it had sent everything.");
+}
+
+GroupReport finishedReport(LiveGroup& group, const JobContext& job) {
+    GroupReport report;
+    std::vector<StreamResult> results = group.finish(patienceOf(job));
+    for (size_t i = 0; i < group.size(); ++i) {
+        SuitReport suit;
+        const link::Hello& hello = *group.session(i).status()->hello;
+        suit.stream = std::move(results[i]);
+        suit.link = group.session(i).linkStatistics();
+        suit.sample_rate_hz = hello.sample_rate_hz;
+        suit.address = group.address(i);
+        suit.serial = hello.serial;
+        suit.is_room = group.isRoom(i);
+        report.suits.push_back(std::move(suit));
+    }
+    return report;
+}
+
 }  // namespace
 
 Result<RecordReport> recordTake(std::unique_ptr<Device> device, const StreamRequest& request,
@@ -148,6 +240,7 @@ Result<RecordReport> recordTake(std::unique_ptr<Device> device, const StreamRequ
     require(request.take.has_value(), "a recording needs a take");
     const std::string address = device->address();
     LiveSession session(std::move(device));
+    session.connect();
     if (const Status greeted = greet(session, address, job); !greeted)
         return greeted.error();
     if (const Status begun = session.begin(request); !begun)
@@ -172,6 +265,7 @@ Result<RecordReport> recordWhenTriggered(std::unique_ptr<Device> device, const S
         return trigger.error();
     const std::string address = device->address();
     LiveSession session(std::move(device));
+    session.connect();
     if (const Status greeted = greet(session, address, job); !greeted)
         return greeted.error();
     const auto wish = waitForWish(session, wishes, (*trigger)->port(), job);
@@ -188,6 +282,28 @@ Result<RecordReport> recordWhenTriggered(std::unique_ptr<Device> device, const S
     report.stream = session.finish(patienceOf(job));
     stopAndWait(session, job);
     report.link = session.linkStatistics();
+    return report;
+}
+
+Result<GroupReport> recordTogether(std::vector<std::unique_ptr<Device>> devices, const GroupRequest& request,
+                                   std::optional<double> seconds, const JobContext& job) {
+    LiveGroup group(std::move(devices));
+    if (const Status greeted = greetAll(group, job); !greeted)
+        return greeted.error();
+    auto warnings = group.begin(request);
+    if (!warnings)
+        return warnings.error();
+    if (const Status flow = waitForAll(group, job); !flow) {
+        stopAndWaitForAll(group, job);
+        group.finish();
+        group.discard();
+        return flow.error();
+    }
+    const bool cancelled = watchAll(group, seconds, job);
+    stopAndWaitForAll(group, job);
+    GroupReport report = finishedReport(group, job);
+    report.warnings = std::move(*warnings);
+    report.interrupted = cancelled && seconds.has_value();
     return report;
 }
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/job/job.h"
-#include "devices/live/live_session.h"
+#include "devices/live/live_group.h"
 #include "devices/remote/remote_trigger.h"
 
 namespace noctule {
@@ -27,5 +27,22 @@ Result<RecordReport> recordTake(std::unique_ptr<Device> device, const StreamRequ
 Result<RecordReport> recordWhenTriggered(std::unique_ptr<Device> device, const StreamRequest& request,
                                          const RemoteTriggerOptions& options, std::optional<double> seconds,
                                          const JobContext& job);
+
+/// One suit of several.
+struct SuitReport : RecordReport {
+    std::string address, serial;
+    bool is_room = false;
+};
+
+struct GroupReport {
+    std::vector<SuitReport> suits;      ///< all of one take
+    std::vector<std::string> warnings;  ///< of suits beside each other; whole sentences
+    bool interrupted = false;
+};
+
+/// The same of several suits, one device each, into one take. Fails, and leaves no take, when one of them
+/// does not answer or does not start.
+Result<GroupReport> recordTogether(std::vector<std::unique_ptr<Device>> devices, const GroupRequest& request,
+                                   std::optional<double> seconds, const JobContext& job);
 
 }  // namespace noctule

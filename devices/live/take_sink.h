@@ -51,4 +51,12 @@ struct TakePlan {
 /// Makes the file under its name and commits what is known.
 Result<std::unique_ptr<TakeSink>> makeTakeFile(const TakePlan& plan);
 
+/// One file of several suits, which count from 1: a sink each, every one for a thread of its own. The first
+/// plan names the file and describes the take. What fails for one has failed for all; the last one to finish
+/// completes the file. The clocks of the suits are guessed from when their first blocks came.
+Result<std::vector<std::unique_ptr<TakeSink>>> makeTakeFiles(const std::vector<TakePlan>& plans);
+
+/// A take that did not come to be: removes the file, and what SQLite keeps beside it.
+void discardTakeFile(const std::string& path);
+
 }  // namespace noctule

@@ -16,6 +16,7 @@ import blender
 import bounds
 import calibration
 import cast
+import cast_live
 import drift
 import fuzz
 import ground
@@ -52,6 +53,7 @@ FIGURES = {
     "blender": ("Exports opened in Blender", blender.figure),
     "calibration": ("Calibration", calibration.figure),
     "cast": ("Several people: Welch 2018, section 4, and two whole suits", cast.figure),
+    "cast-live": ("Two whole suits in real time, into one take", cast_live.figure),
     "real": ("Recordings of real sensors, takes made elsewhere", real.figure),
     "robot": ("Robots: kinematics, following, limits, six trajectories, the live chain and its faults", robot.figure),
     "kills": ("Recordings that are killed, without power, with every fault", kills.figure),
@@ -81,6 +83,8 @@ def parse_options():
     parser.add_argument("--cast-seeds", type=int, default=20, metavar="N", help="of cast: handshakes of two whole suits")
     parser.add_argument("--cast-salsa-seeds", type=int, default=3, metavar="N", help="of cast: dances of two whole suits")
     parser.add_argument("--cast-paper-seeds", type=int, default=20, metavar="N", help="of cast: the paper's section 4")
+    parser.add_argument("--cast-live-seconds", type=int, default=300, metavar="N",
+                        help="of cast-live; up to 60 the take is processed and judged, too")
     parser.add_argument("--live-seconds", type=int, default=600, metavar="N", help="of live")
     parser.add_argument("--robot-seconds", type=int, default=600, metavar="N", help="of robot: the soak of the live chain")
     parser.add_argument("--studio-rounds", type=int, default=interface.ROUNDS_PER_HOUR, metavar="N",

@@ -8480,8 +8480,28 @@
         <translation>%1 `noctule --batch recover` darauf ausführen</translation>
     </message>
     <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are the same driver box, %3</source>
+        <translation>%1 und %2 sind dieselbe Steuerbox, %3</translation>
+    </message>
+    <message>
+        <source>%1 and %2 both sound at %3, and only carriers 5 kHz apart can be told from each other</source>
+        <translation>%1 und %2 klingen beide bei %3, und nur Trägerfrequenzen im Abstand von 5 kHz lassen sich unterscheiden</translation>
+    </message>
+    <message>
+        <source>%1 and %2 pulse at the same interval, %3 samples, so the same pulses may collide during the whole take. Set one of the boxes to another interval, such as 1200, 1230 or 1260 samples.</source>
+        <translation>%1 und %2 senden Pulse im selben Abstand von %3 Abtastwerten, also können dieselben Pulse während der ganzen Aufnahme zusammenfallen. Eine der Boxen auf einen anderen Abstand einstellen, etwa 1200, 1230 oder 1260 Abtastwerte.</translation>
+    </message>
+    <message>
         <source>%1%2%3 of sound waited in memory and %4 beside the take%5</source>
         <translation>%1%2%3 Ton warteten im Speicher und %4 neben der Aufnahme%5</translation>
+    </message>
+    <message>
+        <source>%1: all of it is fixed in the room, so nobody wears it, and %2 is given as its performer</source>
+        <translation>%1: alles davon ist fest im Raum, niemand trägt es also, und %2 ist als Darsteller angegeben</translation>
     </message>
     <message>
         <source>%1: another program has locked the take for two minutes</source>
@@ -8504,6 +8524,14 @@
         <translation>%1: keine Steuerbox antwortet</translation>
     </message>
     <message>
+        <source>%1: sends no sound</source>
+        <translation>%1: sendet keinen Schall</translation>
+    </message>
+    <message>
+        <source>%1: sends nothing</source>
+        <translation>%1: sendet nichts</translation>
+    </message>
+    <message>
         <source>%1: the recording was ended because only %2 are free on the disk; %3 are safe in the file</source>
         <translation>%1: die Aufnahme wurde beendet, weil auf der Platte nur %2 frei sind; %3 sind sicher in der Datei</translation>
     </message>
@@ -8522,6 +8550,10 @@
     <message>
         <source>; another program holds the take, what comes waits</source>
         <translation>; ein anderes Programm hält die Aufnahme, was ankommt, wartet</translation>
+    </message>
+    <message>
+        <source>; suit %1 is lost</source>
+        <translation>; Anzug %1 ist verloren</translation>
     </message>
     <message>
         <source>; the file could not be completed, the first %1 stand in it and in the -wal file beside it</source>
@@ -8560,6 +8592,14 @@
         <translation>Platz schaffen oder auf einen anderen Datenträger aufnehmen</translation>
     </message>
     <message>
+        <source>Give each --device a box of its own</source>
+        <translation>Jedem --device eine eigene Box geben</translation>
+    </message>
+    <message>
+        <source>Nobody wears any of these suits: all of them are fixed in the room</source>
+        <translation>Niemand trägt einen dieser Anzüge: alle sind fest im Raum</translation>
+    </message>
+    <message>
         <source>Nothing is processed live: %1.</source>
         <translation>Nichts wird live verarbeitet: %1.</translation>
     </message>
@@ -8568,8 +8608,24 @@
         <translation>Dem Hersteller melden</translation>
     </message>
     <message>
+        <source>Record at least one suit of a performer, or give its placement with --suit</source>
+        <translation>Mindestens einen getragenen Anzug aufnehmen, oder seine Platzierung mit --suit angeben</translation>
+    </message>
+    <message>
         <source>Recording %.1f s, %.2f s missing, disk for %.0f min</source>
         <translation>Nimmt auf %.1f s, %.2f s fehlen, Platte reicht für %.0f min</translation>
+    </message>
+    <message>
+        <source>Recording %zu suits %.1f s, disk for %.0f min</source>
+        <translation>Nimmt %zu Anzüge auf, %.1f s, Platte reicht für %.0f min</translation>
+    </message>
+    <message>
+        <source>Set one of the boxes to another carrier, such as 40, 48 or 58 kHz, or record them one after the other</source>
+        <translation>Eine der Boxen auf eine andere Trägerfrequenz einstellen, etwa 40, 48 oder 58 kHz, oder nacheinander aufnehmen</translation>
+    </message>
+    <message>
+        <source>Switch the driver box off and on, and record again</source>
+        <translation>Die Steuerbox aus- und einschalten und noch einmal aufnehmen</translation>
     </message>
     <message>
         <source>The device stopped before a recording was begun</source>
@@ -8592,6 +8648,10 @@
         <translation>Die Aufnahme endete vor ihrer Ruhehaltung. Ihr Ton ist vollständig da, aber keine Pose.</translation>
     </message>
     <message>
+        <source>Wait until all driver boxes have answered and the take before has ended</source>
+        <translation>Warten, bis alle Steuerboxen geantwortet haben und die vorige Aufnahme beendet ist</translation>
+    </message>
+    <message>
         <source>Wait until the driver box has answered and the stream before has ended</source>
         <translation>Warten, bis die Steuerbox geantwortet hat und der vorige Datenstrom beendet ist</translation>
     </message>
@@ -8604,6 +8664,10 @@
         <translation>Was aufgenommen ist, ist vollständig; die Aufnahme verarbeiten und den Fehler melden</translation>
     </message>
     <message>
+        <source>Write `none` in place of this device's actor</source>
+        <translation>`none` anstelle des Darstellers dieses Geräts schreiben</translation>
+    </message>
+    <message>
         <source>`noctule --batch recover` on it</source>
         <translation>`noctule --batch recover` darauf ausführen</translation>
     </message>
@@ -8614,6 +8678,10 @@
     <message>
         <source>the live view</source>
         <translation>die Live-Ansicht</translation>
+    </message>
+    <message>
+        <source>was lost after %.1f s and did not come back; the last %.1f s of it are missing and marked as a gap. The other suits were recorded on.</source>
+        <translation>ging nach %.1f s verloren und kam nicht zurück; die letzten %.1f s davon fehlen und sind als Lücke vermerkt. Die anderen Anzüge wurden weiter aufgenommen.</translation>
     </message>
 </context>
 <context>

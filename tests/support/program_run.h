@@ -36,8 +36,8 @@ struct Ran {
 /// A program that has been started, both outputs into files.
 class Started {
 public:
-    explicit Started(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), NOCTULE_PROGRAM);
+    explicit Started(std::vector<std::string> arguments, const std::string& program = NOCTULE_PROGRAM) {
+        arguments.insert(arguments.begin(), program);
         std::vector<char*> argv;
         for (std::string& argument : arguments)
             argv.push_back(argument.data());
@@ -47,7 +47,7 @@ public:
         const int flags = O_WRONLY | O_CREAT | O_TRUNC;
         posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, outputs_.file("out").c_str(), flags, 0600);
         posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, outputs_.file("err").c_str(), flags, 0600);
-        EXPECT_EQ(posix_spawn(&pid_, NOCTULE_PROGRAM, &actions, nullptr, argv.data(), environ), 0);
+        EXPECT_EQ(posix_spawn(&pid_, program.c_str(), &actions, nullptr, argv.data(), environ), 0);
         posix_spawn_file_actions_destroy(&actions);
     }
     void send(int signal) const { kill(pid_, signal); }

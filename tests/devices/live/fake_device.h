@@ -22,8 +22,9 @@ public:
         bool greets = true;
         bool ends_by_itself = false;  ///< no Stopped comes: the script says how it ends
         bool waits_for_stop = true;   ///< after the last event, as a box would go on
+        std::string address = "fake://box";
     };
-    explicit FakeDevice(Script script) : script_(std::move(script)) {}
+    explicit FakeDevice(Script script) : script_(std::move(script)), address_(script_.address) {}
     ~FakeDevice() override {
         closing_ = true;
         if (thread_.joinable())
@@ -79,7 +80,7 @@ private:
     }
 
     Script script_;
-    std::string address_ = "fake://box";
+    std::string address_;
     Listener listener_;
     std::atomic<bool> started_{false}, stopped_{false}, closing_{false};
     std::thread thread_;

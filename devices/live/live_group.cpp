@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "devices/live/live_group.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "devices/device/clock.h"
+#include "devices/live/live_plans.h"
+
+namespace noctule {
+namespace {
+
+/// Boxes start some milliseconds apart, and the rest of a take comes in blocks: less is no loss.
+constexpr double kWorthMarking_s = 0.25;
+
+std::string suitName(size_t index) {
+    return "suit " + std::to_string(index + 1);
+}
+
+std::string asSentence(std::string text) {
+    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+        text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    return text;
+}
+
+/// Empty when nobody has a name: readers then take every suit with an actor for a subject.
+std::string subjectsJson(const GroupRequest& request, const std::vector<bool>& rooms) {
+    if (std::ranges::all_of(request.suits, [](const GroupSuit& suit) { return suit.subject.empty(); }))
+        return "";
+    nlohmann::json subjects = nlohmann::json::array();
+    for (size_t i = 0; i < request.suits.size(); ++i) {
+        nlohmann::json subject{{"suits", {i + 1}}};
+        if (rooms[i])
+            subject["room"] = true;
+        else
+            subject["name"] = request.suits[i].subject.empty() ? suitName(i) : request.suits[i].subject;
+        subjects.push_back(std::move(subject));
+    }
+    return subjects.dump();
+}
+
+}  // namespace
+
+LiveGroup::LiveGroup(std::vector<std::unique_ptr<Device>> devices) {
+    require(!devices.empty(), "a group needs a device");
+    for (auto& device : devices) {
+        const std::string address = device->address();
+        members_.push_back({address, std::make_unique<LiveSession>(std::move(device))});
+    }
+}
+
+std::string LiveGroup::nameOf(size_t index) const {
+    return suitName(index) + " (" + members_[index].address + ")";
+}
+
+void LiveGroup::connect() {
+    for (const Member& member : members_)
+        member.session->connect();
+}
+
+Result<std::vector<SuitVoice>> LiveGroup::greetedVoices() const {
+    std::vector<SuitVoice> voices;
+    for (size_t i = 0; i < size(); ++i) {
+        const auto now = session(i).status();
+        if (now->link != LinkState::kReady || !now->hello)
+            return Error{ErrorKind::kDevice, members_[i].address + ": is not ready to start",
+                         "Wait until all driver boxes have answered and the take before has ended"};
+        voices.push_back({nameOf(i), *now->hello});
+    }
+    const Status told_apart = checkVoices(voices);
+    return told_apart ? Result<std::vector<SuitVoice>>(voices) : told_apart.error();
+}
+
+/// The suit as it is worn; whether it hangs in the room instead is known from then on.
+Result<Suit> LiveGroup::wornSuit(const GroupSuit& wish, size_t index) {
+    const link::Hello& hello = *session(index).status()->hello;
+    auto suit = wish.suit ? link::placedBySerial(hello.suit, *wish.suit) : Result<Suit>(hello.suit);
+    if (!suit)
+        return suit;
+    members_[index].is_room = (wish.suit || hello.suit_is_placed) && isFixed(*suit);
+    if (isRoom(index) && wish.actor)
+        return Error{ErrorKind::kUsage,
+                     nameOf(index) + ": all of it is fixed in the room, so nobody wears it, and " +
+                         wish.actor->name + " is given as its performer",
+                     "Write `none` in place of this device's actor"};
+    return suit;
+}
+
+StreamRequest LiveGroup::requestOf(const GroupRequest& request, size_t index) const {
+    const GroupSuit& wish = request.suits[index];
+    StreamRequest of = request.all;
+    of.suit = wish.suit;
+    of.calibration = wish.calibration;
+    of.actor = wish.actor;
+    of.process = wish.process && !isRoom(index);
+    if (isRoom(index))
+        of.rest_s = 0;
+    else if (!of.actor)
+        of.actor = defaultActor();
+    if (of.actor)
+        of.take->meta["actor_name"] = of.actor->name;
+    return of;
+}
+
+Result<LiveGroup::Prepared> LiveGroup::prepare(const GroupRequest& request,
+                                               const std::vector<SuitVoice>& voices) {
+    Prepared prepared;
+    std::vector<bool> rooms;
+    for (size_t i = 0; i < size(); ++i) {
+        const auto suit = wornSuit(request.suits[i], i);
+        if (!suit)
+            return suit.error();
+        const link::Hello& hello = voices[i].hello;
+        prepared.requests.push_back(requestOf(request, i));
+        prepared.plans.push_back(
+            takePlanOf(prepared.requests[i], hello, i == 0 ? *suit : withVoice(*suit, hello), 0));
+        rooms.push_back(isRoom(i));
+    }
+    if (std::ranges::all_of(rooms, [](bool room) { return room; }))
+        return Error{ErrorKind::kUsage, "Nobody wears any of these suits: all of them are fixed in the room",
+                     "Record at least one suit of a performer, or give its placement with --suit"};
+    if (const std::string subjects = subjectsJson(request, rooms); !subjects.empty())
+        prepared.plans.front().meta["subjects"] = subjects;
+    return prepared;
+}
+
+Result<std::vector<std::string>> LiveGroup::begin(const GroupRequest& request) {
+    require(request.suits.size() == size() && request.all.take && !request.all.keep_results,
+            "a group's request names each suit and a take, and keeps no results");
+    const auto voices = greetedVoices();
+    if (!voices)
+        return voices.error();
+    const auto prepared = prepare(request, *voices);
+    if (!prepared)
+        return prepared.error();
+    auto sinks = makeTakeFiles(prepared->plans);
+    if (!sinks)
+        return sinks.error();
+    path_ = sinks->front()->path();
+    for (size_t i = 0; i < size(); ++i)
+        if (const Status begun = session(i).begin(prepared->requests[i], std::move(sinks->at(i))); !begun) {
+            sinks->clear();
+            finish();
+            discard();
+            return begun.error();
+        }
+    return voiceWarnings(*voices);
+}
+
+bool LiveGroup::allFlow() const {
+    return std::ranges::all_of(members_,
+                               [](const Member& member) { return member.session->reachedSample() > 0; });
+}
+
+std::optional<Error> LiveGroup::failedToStart() const {
+    for (const Member& member : members_) {
+        const auto now = member.session->status();
+        if (!now->stream_is_open && member.session->reachedSample() == 0)
+            return now->trouble.value_or(Error{ErrorKind::kDevice, member.address + ": sends nothing",
+                                               "Switch the driver box off and on, and record again"});
+    }
+    return std::nullopt;
+}
+
+bool LiveGroup::isRecording() const {
+    const auto ended = [](const Member& member) {
+        const auto recording = member.session->recording();
+        return !recording || recording->ended;
+    };
+    return std::ranges::none_of(members_, ended) && !hasStopped();
+}
+
+bool LiveGroup::hasStopped() const {
+    return std::ranges::none_of(
+        members_, [](const Member& member) { return member.session->status()->stream_is_open; });
+}
+
+double LiveGroup::reachedOf_s(size_t index) const {
+    const auto hello = session(index).status()->hello;
+    return hello ? static_cast<double>(session(index).reachedSample()) / hello->sample_rate_hz : 0;
+}
+
+std::optional<double> LiveGroup::reached_s() const {
+    std::optional<double> least;
+    for (size_t i = 0; i < size(); ++i)
+        if (const LinkState link = session(i).status()->link;
+            link == LinkState::kStreaming || link == LinkState::kStalled)
+            least = std::min(least.value_or(reachedOf_s(i)), reachedOf_s(i));
+    return least;
+}
+
+std::optional<double> LiveGroup::remaining_s() const {
+    double per_s = 0;  // of the room that is left
+    for (const Member& member : members_) {
+        const auto recording = member.session->recording();
+        if (!recording || !recording->remaining_s)
+            return std::nullopt;
+        if (*recording->remaining_s <= 0)
+            return 0;
+        per_s += 1 / *recording->remaining_s;
+    }
+    return 1 / per_s;
+}
+
+void LiveGroup::stop() {
+    for (const Member& member : members_)
+        if (member.session->status()->stream_is_open)
+            member.session->stop();
+}
+
+/// One sentence per suit; empty for those that lack nothing.
+std::vector<std::string> LiveGroup::markMissing() {
+    double end_s = 0;
+    for (size_t i = 0; i < size(); ++i)
+        end_s = std::max(end_s, reachedOf_s(i));
+    std::vector<std::string> said(size());
+    for (size_t i = 0; i < size(); ++i) {
+        const double missing_s = end_s - reachedOf_s(i);
+        const auto input = session(i).takeInput();
+        if (missing_s < kWorthMarking_s || !input)
+            continue;
+        const auto now = session(i).status();
+        const int64_t from = session(i).reachedSample();
+        input->recorder->push(GapRow{from, std::llround(missing_s * now->hello->sample_rate_hz), std::nullopt,
+                                     now->trouble ? kGapOfBox : kGapOfLink});
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      " was lost after %.1f s and did not come back; the last %.1f s of it are missing and "
+                      "marked as a gap. The other suits were recorded on.",
+                      reachedOf_s(i), missing_s);
+        said[i] = asSentence(nameOf(i)) + text;
+    }
+    return said;
+}
+
+std::vector<StreamResult> LiveGroup::finish(std::optional<double> patience_s) {
+    const int64_t begun_ns = steadyNow_ns();
+    const std::vector<std::string> missing = markMissing();
+    std::vector<StreamResult> results;
+    std::optional<double> left_s;
+    for (size_t i = 0; i < size(); ++i) {
+        if (patience_s)
+            left_s = std::max(0.0, *patience_s - static_cast<double>(steadyNow_ns() - begun_ns) * 1e-9);
+        results.push_back(session(i).finish(left_s));
+        if (!missing[i].empty())
+            results.back().warnings.insert(results.back().warnings.begin(), missing[i]);
+    }
+    return results;
+}
+
+}  // namespace noctule
