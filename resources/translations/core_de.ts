@@ -2452,6 +2452,10 @@
         <translation>%1: die Aufnahme wurde mitten in einer Nachricht oder Zeile abgeschnitten; diese wurde ausgelassen</translation>
     </message>
     <message>
+        <source>%1: there is a header and no row below it</source>
+        <translation>%1: Unter der Kopfzeile steht keine Zeile</translation>
+    </message>
+    <message>
         <source>%1: two sensors are named %2</source>
         <translation>%1: zwei Sensoren heißen %2</translation>
     </message>
@@ -2558,6 +2562,10 @@
     <message>
         <source>Give a table with comma, semicolon, tab or blank between its cells</source>
         <translation>Eine Tabelle mit Komma, Strichpunkt, Tabulator oder Leerzeichen zwischen den Zellen angeben</translation>
+    </message>
+    <message>
+        <source>Give a table with numbers</source>
+        <translation>Geben Sie eine Tabelle mit Zahlen an</translation>
     </message>
     <message>
         <source>Give each sensor an id</source>
