@@ -28,7 +28,7 @@ constexpr TableUnit kAccelUnits[] = {{"m/s^2", 1},
 constexpr TableUnit kFieldUnits[] = {{"uT", 1},  {"nT", 1e-3}, {"mT", 1e3},
                                      {"G", 100}, {"mG", 0.1},  {"a.u.", 1}};
 
-constexpr size_t kLookedAtBytes = 256 * 1024, kLookedAtRows = 300, kShownCells = 4;
+constexpr size_t kLookedAtBytes = 256 * 1024, kLookedAtRows = 20'000, kShownCells = 4;
 
 /// "GyrX (deg/s)" -> {"gyr", "x"} and "deg/s".
 struct NameParts {
@@ -355,6 +355,7 @@ Result<TableHead> tableHead(std::string_view text, const std::string& path) {
         });
         head.first_line = line_number + (numbers ? 0 : 1);
         head.rows = numbers ? before : text;
+        head.has_names = !numbers;
         for (size_t i = 0; numbers && i < head.names.size(); ++i)
             head.names[i] = "column " + std::to_string(i + 1);
         if (head.names.back().empty())
@@ -376,6 +377,7 @@ Result<TableColumns> guessColumns(const std::string& path) {
     if (!head)
         return head.error();
     TableColumns table;
+    table.has_header = head->has_names;
     for (const std::string& name : head->names) {
         table.columns.push_back({name, {}, TableQuantity::kNothing, 0, {}});
         tellByName(table.columns.back(), partsOf(name));

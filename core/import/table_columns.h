@@ -19,6 +19,7 @@ struct TableHead {
     char separator = ',';
     size_t first_line = 1;
     std::string_view rows;
+    bool has_names = true;
 };
 /// The first line with two cells of which one is no number is the header; a table without has columns 1, 2...
 Result<TableHead> tableHead(std::string_view text, const std::string& path);
@@ -44,6 +45,7 @@ struct TableColumn {
 
 struct TableColumns {
     std::vector<TableColumn> columns;
+    bool has_header = true;  ///< false: the columns are named by their numbers
     std::string time_unit = "s", gyro_unit = "rad/s", accel_unit = "m/s^2", mag_unit = "uT";
 };
 

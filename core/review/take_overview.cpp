@@ -77,14 +77,14 @@ private:
     }
 
     void readParties() {
+        const auto subjects = problems_.keep(take_.subjects()).value_or(std::vector<TakeSubject>{});
+        const auto rows = problems_.keep(take_.calibrations()).value_or(std::vector<DocumentRow>{});
         for (const bool room : {false, true})
-            for (const TakeSubject& subject :
-                 problems_.keep(take_.subjects()).value_or(std::vector<TakeSubject>{})) {
+            for (const TakeSubject& subject : subjects) {
                 if (subject.room != room)
                     continue;
                 TakeParty party{subject, problems_.keep(take_.suit(subject.suit())).value_or(Suit{}), {}};
                 party.calibration = nominalCalibration(party.suit);
-                const auto rows = problems_.keep(take_.calibrations()).value_or(std::vector<DocumentRow>{});
                 if (std::ranges::find(rows, subject.suit(), &DocumentRow::suit) != rows.end())
                     if (auto stored = problems_.keep(take_.calibrationInForce(subject.suit())))
                         party.calibration = std::move(stored->value);

@@ -6753,6 +6753,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>The columns are being looked at.</source>
         <translation>Die Spalten werden gerade angesehen.</translation>
     </message>
+    <message>
+        <source>They are as you said for the last table with this header; check the units.</source>
+        <translation>Sie sind, wie Sie es für die letzte Tabelle mit dieser Kopfzeile gesagt haben; prüfen Sie die Einheiten.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RecoveryWords</name>

@@ -84,12 +84,16 @@ void TakeDocument::setSourcesOf(int party) {
 
 void TakeDocument::listenTo(int party) {
     sources_of_ = party;
-    auto suit = std::make_shared<Suit>(overview_->suit);
-    if (!showsOwnPairs())
-        suit->sources = overview_->parties[static_cast<size_t>(party)].suit.sources;
-    pair_suit_ = std::move(suit);
+    composePairSuit();
     drop(ranges_, [](int64_t) { return true; });
     drop(range_curves_, [](const RangeCurveKey&) { return true; });
+}
+
+void TakeDocument::composePairSuit() {
+    auto suit = std::make_shared<Suit>(overview_->suit);
+    if (!showsOwnPairs())
+        suit->sources = overview_->parties[static_cast<size_t>(sources_of_)].suit.sources;
+    pair_suit_ = std::move(suit);
 }
 
 const std::vector<TakeSubject>& TakeDocument::subjects() const {
@@ -134,6 +138,8 @@ void TakeDocument::accept(TakeOverview overview, bool show_newest) {
     const bool still_there = sources_of_ < static_cast<int>(overview_->parties.size());
     if (!earlier || overview_->suit_in_view != earlier->suit_in_view || (!showsOwnPairs() && !still_there))
         listenTo(subject());
+    else
+        composePairSuit();
     const auto newest = static_cast<int>(overview_->runs.size()) - 1;
     const auto same = [&](int index) {
         return index >= 0 ? indexOf(*overview_, earlier->runs[static_cast<size_t>(index)].run) : index;

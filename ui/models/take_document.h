@@ -177,6 +177,7 @@ private:
     void rangesLoaded();
     void readingsLoaded();
     void listenTo(int party);
+    void composePairSuit();
     void forget();
     void forgetUnshown();
     /// Parts of runs that the take no longer holds as they were, and what failed to load.

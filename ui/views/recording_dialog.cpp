@@ -2,20 +2,15 @@
 #include "ui/views/recording_dialog.h"
 
 #include <QComboBox>
-#include <QCryptographicHash>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 
 #include "core/import/segment_map.h"
 #include "core/import/sensor_findings.h"
-#include "core/job/atomic_file.h"
-#include "core/math/json.h"
 #include "ui/language/core_words.h"
 #include "ui/models/part_names.h"
 #include "ui/style/words.h"
-#include "ui/views/columns_dialog.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -29,7 +24,6 @@ namespace {
 constexpr int kRecordingDialogWidth = 1000, kFoundWidth = 310, kFoundLabels = 100, kSegmentWidth = 150,
               kSensorsHeight = 330;
 constexpr double kAsFileSays_hz = 0, kMostRate_hz = 10000;
-constexpr const char* kImportMapsKey = "folders/import_maps";
 
 QString wordsOf(const std::vector<std::string>& sentences) {
     QStringList lines;
@@ -288,7 +282,10 @@ void RecordingDialog::showNotes() {
         warnings += (warnings.isEmpty() ? "" : "\n") + found_.join('\n');
     warnings_->setText(warnings);
     warnings_->setVisible(!warnings.isEmpty());
-    notes_->setText(wordsOf(recording_ ? recording_->notes : none));
+    QString notes = wordsOf(recording_ ? recording_->notes : none);
+    if (recording_ && columns_remembered_)
+        notes += '\n' + tr("They are as you said for the last table with this header; check the units.");
+    notes_->setText(notes);
     notes_->setVisible(!notes_->text().isEmpty());
 }
 
@@ -330,84 +327,6 @@ void RecordingDialog::find() {
         Jobs::Loudness::kQuiet);
     progress_->follow(job_);
     refresh();
-}
-
-bool RecordingDialog::useMap(const QString& path) {
-    const auto bytes = readWholeFile(path.toStdString(), {});
-    const nlohmann::json map = bytes ? json::parse(*bytes) : nlohmann::json();
-    if (!map.is_object() || map.value("format", nlohmann::json()) != "noctule-import-map") {
-        setProblem(bytes ? tr("%1 is no import map.").arg(QFileInfo(path).fileName())
-                         : coreWords(bytes.error()));
-        return false;
-    }
-    request_.map = map;
-    recording_.reset();
-    read();
-    return true;
-}
-
-void RecordingDialog::askForMap() {
-    QSettings& settings = studio_.settings();
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Choose a map of sensors or columns"),
-        settings.value(kImportMapsKey, QFileInfo(request_.paths.value(0)).path()).toString(),
-        tr("Import maps (*.json)"));
-    if (path.isEmpty())
-        return;
-    settings.setValue(kImportMapsKey, QFileInfo(path).path());
-    useMap(path);
-}
-
-/// Of any program, and of none whose tables are known.
-bool RecordingDialog::isTable() const {
-    static const QStringList kTables{"csv", "txt", "tsv"};
-    const bool named =
-        request_.paths.size() == 1 && kTables.contains(QFileInfo(request_.paths[0]).suffix().toLower());
-    return named &&
-           (recording_ ? recording_->format == "csv" : problem_ && problem_->kind == ErrorKind::kUsage);
-}
-
-void RecordingDialog::lookAtColumns() {
-    studio_.jobs().start<TableColumns>(
-        tr("Looking at the columns"),
-        [path = request_.paths[0].toStdString()](const JobContext&) { return guessColumns(path); },
-        [self = QPointer(this)](Result<TableColumns> columns) -> QString {
-            if (!self || !columns)
-                return {};
-            self->columns_ = std::move(*columns);
-            const QString known = self->studio_.settings().value(self->columnsKey()).toString();
-            const nlohmann::json map = json::parse(known.toStdString());
-            if (map.is_object() && self->request_.map.is_null())
-                self->useColumns(*self->columns_, map);
-            self->refresh();
-            return {};
-        },
-        Jobs::Loudness::kQuiet);
-}
-
-/// By the header: tables of one program are read alike.
-QString RecordingDialog::columnsKey() const {
-    QByteArray names;
-    for (const TableColumn& column : columns_->columns)
-        names += QByteArray::fromStdString(column.name) + '\n';
-    return "import_columns/" +
-           QString::fromLatin1(QCryptographicHash::hash(names, QCryptographicHash::Sha1).toHex());
-}
-
-void RecordingDialog::askForColumns() {
-    if (!columns_)
-        return;
-    ColumnsDialog dialog(QFileInfo(request_.paths[0]).fileName(), *columns_, this);
-    if (dialog.exec() == QDialog::Accepted)
-        useColumns(dialog.table(), dialog.map());
-}
-
-void RecordingDialog::useColumns(TableColumns columns, const nlohmann::json& map) {
-    columns_ = std::move(columns);
-    request_.map = map;
-    studio_.settings().setValue(columnsKey(), QString::fromStdString(map.dump()));
-    recording_.reset();
-    read();
 }
 
 void RecordingDialog::refresh() {

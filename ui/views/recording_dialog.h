@@ -58,6 +58,7 @@ private:
     void askForMap();
     bool isTable() const;
     void lookAtColumns();
+    void presentColumns(Result<TableColumns> columns);
     void askForColumns();
     QString columnsKey() const;
     void refresh();
@@ -67,6 +68,7 @@ private:
     RecordingToRead request_;
     std::shared_ptr<ImportedRecording> recording_;
     std::optional<TableColumns> columns_;
+    bool columns_remembered_ = false;  ///< what they are was said for a table like it
     std::optional<Error> problem_;
     std::vector<QComboBox*> segments_;
     QWidget* rows_ = nullptr;

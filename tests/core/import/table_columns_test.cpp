@@ -115,6 +115,7 @@ TEST_F(TableColumnsTest, AGuessReadsTheTable) {
 TEST_F(TableColumnsTest, ATableWithoutHeaderIsLeftToTheOperator) {
     const TableColumns table = guessed("0,1,2\n1,2,3\n");
     ASSERT_EQ(table.columns.size(), 3u);
+    EXPECT_FALSE(table.has_header);
     EXPECT_EQ(table.columns[1].name, "column 2");
     for (const TableColumn& column : table.columns)
         EXPECT_EQ(column.quantity, TableQuantity::kNothing);

@@ -140,6 +140,7 @@ TEST_P(ClippingTest, Dialogs) {
         table.toStdString(),
         "Time (ms),pelvis AccX,pelvis AccY,pelvis AccZ,pelvis GyrX,pelvis GyrY,pelvis GyrZ,"
         "battery\n0,0.1,0.2,9.7,1,2,40,3.9\n10,0.1,0.3,9.8,1,2,41,3.9\n");
+    dialogIsWhole<RecordingDialog>("import table", *studio_, QStringList{table});
     dialogIsWhole<ColumnsDialog>("columns", "two_sensors.csv", guessColumns(table.toStdString()).value());
     dialogIsWhole<AddRobotDialog>("robot", RobotChoice());
     dialogIsWhole<ShotListDialog>("shot list", "Walk, straight line x2\nTurn, both ways x3", true);

@@ -35,6 +35,12 @@ protected:
         }
         return paths;
     }
+    static bool says(const QWidget& dialog, const QString& words) {
+        const auto labels = dialog.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+            return label->isVisible() && label->text().contains(words);
+        });
+    }
     static bool isSettled(const RecordingDialog& dialog) { return !dialog.isBusy() && dialog.segmentOf(0); }
 };
 
@@ -139,6 +145,42 @@ TEST_F(ImportRecording, TheColumnsOfATableAreSaidOnce) {
     RecordingDialog again(*studio_, {path}, window_.get());
     again.show();
     EXPECT_TRUE(waitFor([&] { return isSettled(again) && again.recording(); })) << "tables like it are known";
+    EXPECT_TRUE(says(again, "last table with this header")) << "nothing is converted silently";
+}
+
+/// Two tables of numbers may be anything.
+TEST_F(ImportRecording, ColumnsWithoutNamesAreSaidEachTime) {
+    std::string text;
+    for (int i = 0; i < 300; ++i)
+        text += std::to_string(10 * i) + ",0,0,9.8\n";
+    const QString path = folder_.filePath("numbers.csv");
+    noctule::test::writeBytes(path.toStdString(), text);
+    for (int time = 0; time < 2; ++time) {
+        RecordingDialog dialog(*studio_, {path}, window_.get());
+        dialog.show();
+        ASSERT_TRUE(waitFor([&] { return !dialog.isBusy() && dialog.columns(); }));
+        EXPECT_FALSE(dialog.recording());
+        TableColumns table = *dialog.columns();
+        table.columns[0].quantity = TableQuantity::kTime;
+        for (size_t axis = 0; axis < 3; ++axis) {
+            TableColumn& column = table.columns[axis + 1];
+            column.quantity = TableQuantity::kAccel;
+            column.axis = axis;
+            column.sensor = "a";
+        }
+        table.time_unit = "ms";
+        dialog.useColumns(table, mapOfColumns(table, 0).value());
+        EXPECT_TRUE(waitFor([&] { return isSettled(dialog) && dialog.recording(); }));
+    }
+}
+
+TEST_F(ImportRecording, AHeaderWithoutRowsIsSaid) {
+    const QString path = folder_.filePath("empty.csv");
+    noctule::test::writeBytes(path.toStdString(), "t,ax,ay,az\n");
+    RecordingDialog dialog(*studio_, {path}, window_.get());
+    dialog.show();
+    EXPECT_TRUE(waitFor([&] { return says(dialog, "no row below"); }));
+    EXPECT_FALSE(dialog.actionButton()->isEnabled());
 }
 
 TEST_F(ImportRecording, FilesThatAreNoneAreRefusedInPlace) {

@@ -128,15 +128,23 @@ TEST_F(Screenshots, OfPairsBetweenPeople) {
     if (!take.isOpen() || take.overview()->parties.size() < 2)
         GTEST_SKIP() << "needs a take of several people";
     window_->goTo(Step::kReview);
-    window_->resize(1440, 900);
-    for (int party = 1; party < static_cast<int>(take.overview()->parties.size()); ++party)
-        for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
-            Theme::get().setScheme(scheme);
-            take.setSourcesOf(party);
-            ASSERT_TRUE(waitFor([&] { return take.ranges() != nullptr; }));
-            save(*window_,
-                 QStringLiteral("pairs-%1-%2").arg(party).arg(scheme == Scheme::kDark ? "dark" : "light"));
-        }
+    for (int party = 1; party < static_cast<int>(take.overview()->parties.size()); ++party) {
+        take.setSourcesOf(party);
+        ASSERT_TRUE(waitFor([&] { return take.ranges() != nullptr; }));
+        for (const Scheme scheme : {Scheme::kDark, Scheme::kLight})
+            for (const QSize size : {QSize(1280, 800), QSize(1440, 900), QSize(1920, 1080)}) {
+                Theme::get().setScheme(scheme);
+                window_->resize(size);
+                save(*window_, QStringLiteral("pairs-%1-%2-%3")
+                                   .arg(party)
+                                   .arg(scheme == Scheme::kDark ? "dark" : "light")
+                                   .arg(size.width()));
+            }
+    }
+    Theme::get().setScale(1.5);
+    window_->resize(1280, 800);
+    save(*window_, QStringLiteral("pairs-large"));
+    Theme::get().setScale(1);
 }
 
 /// Several takes chosen: before they are written, and after.
@@ -228,6 +236,7 @@ TEST_F(Screenshots, OfTheColumnsOfATable) {
         table.toStdString(),
         "Time (ms),pelvis AccX,pelvis AccY,pelvis AccZ,pelvis GyrX,pelvis GyrY,pelvis GyrZ,"
         "battery\n0,0.1,0.2,9.7,1,2,40,3.9\n10,0.1,0.3,9.8,1,2,41,3.9\n");
+    dialog<RecordingDialog>("dialog-import-table", *studio_, QStringList{table});
     dialog<ColumnsDialog>("dialog-columns", "two_sensors.csv", guessColumns(table.toStdString()).value());
 }
 
