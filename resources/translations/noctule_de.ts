@@ -6757,6 +6757,14 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>They are as you said for the last table with this header; check the units.</source>
         <translation>Sie sind, wie Sie es für die letzte Tabelle mit dieser Kopfzeile gesagt haben; prüfen Sie die Einheiten.</translation>
     </message>
+    <message>
+        <source>Nobody has said yet what the columns of this table are</source>
+        <translation>Noch hat niemand gesagt, was die Spalten dieser Tabelle sind</translation>
+    </message>
+    <message>
+        <source>Say it here, or choose a map that does</source>
+        <translation>Sagen Sie es hier, oder wählen Sie eine Zuordnung</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RecoveryWords</name>

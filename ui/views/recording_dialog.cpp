@@ -179,6 +179,11 @@ void RecordingDialog::present(Result<ImportedRecording> read_now) {
         recording_ = std::make_shared<ImportedRecording>(std::move(*read_now));
     else
         problem_ = read_now.error();
+    progress_->follow(nullptr);  // what went wrong is said in one place
+    if (isTable() && request_.map.is_null())
+        problem_ = Error{ErrorKind::kUsage,
+                         tr("Nobody has said yet what the columns of this table are").toStdString(),
+                         tr("Say it here, or choose a map that does").toStdString()};
     if (isTable() && !columns_)
         lookAtColumns();
     makeSensorRows();

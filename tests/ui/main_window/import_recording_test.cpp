@@ -127,6 +127,8 @@ TEST_F(ImportRecording, TheColumnsOfATableAreSaidOnce) {
         dialog.show();
         ASSERT_TRUE(waitFor([&] { return !dialog.isBusy() && dialog.columns(); }));
         EXPECT_FALSE(dialog.recording()) << "nobody has said what they are";
+        EXPECT_TRUE(says(dialog, "Nobody has said yet"));
+        EXPECT_FALSE(says(dialog, "--map")) << "that is for the command line";
         EXPECT_TRUE(dialog.say_columns->isVisible() && dialog.say_columns->isEnabled());
         ColumnsDialog columns("shimmer.csv", *dialog.columns(), &dialog);
         columns.show();
