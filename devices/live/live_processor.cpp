@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/live/live_processor.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "devices/device/clock.h"
@@ -27,16 +28,22 @@ Result<std::unique_ptr<LiveProcessor>> LiveProcessor::start(const LivePlan& plan
     auto pipeline = LivePipeline::create(plan.suit, plan.calibration, plan.actor, plan.pipeline);
     if (!pipeline)
         return pipeline.error();
-    return std::unique_ptr<LiveProcessor>(new LiveProcessor(plan, std::move(*pipeline), std::move(spool)));
+    auto predictor = PosePredictor::create(plan.suit, plan.calibration, plan.actor,
+                                           plan.pipeline.decoder.train.sample_rate_hz);
+    if (!predictor)
+        return predictor.error();
+    return std::unique_ptr<LiveProcessor>(
+        new LiveProcessor(plan, std::move(*pipeline), std::move(*predictor), std::move(spool)));
 }
 
 LiveProcessor::LiveProcessor(const LivePlan& plan, std::unique_ptr<LivePipeline> pipeline,
-                             std::optional<ResultSpool> spool)
+                             std::unique_ptr<PosePredictor> predictor, std::optional<ResultSpool> spool)
     : sample_rate_hz_(static_cast<int>(plan.pipeline.decoder.train.sample_rate_hz)),
       board_count_(plan.suit.boards.size()),
       pipeline_(std::move(pipeline)),
       spool_(std::move(spool)),
       pose_listener_(plan.pose_listener),
+      predictor_(std::move(predictor)),
       queue_(static_cast<int64_t>(plan.queue_s * sample_rate_hz_)),
       health_(plan.suit, sample_rate_hz_),
       latency_from_ns_(latencyFrom_ns(plan)) {
@@ -122,9 +129,9 @@ void LiveProcessor::collect() {
     const std::vector<InertialReading> readings = pipeline_->takeReadings();
     const std::vector<RangeMeasurement> ranges = pipeline_->takeRanges();
     const std::vector<TimedPose> poses = pipeline_->takePoses();
-    const int64_t arrived_ns = measureLatency(poses);
-    if (pose_listener_ && !poses.empty())
-        pose_listener_(poses.back(), arrived_ns > 0 ? arrived_ns : steadyNow_ns());
+    measureLatency(poses);
+    if (pose_listener_)
+        predict(readings, poses);
     for (const InertialReading& reading : readings) {
         health_.add(reading);
         frame_.readings[static_cast<size_t>(reading.board)] = reading;
@@ -144,26 +151,41 @@ void LiveProcessor::collect() {
     }
 }
 
-int64_t LiveProcessor::measureLatency(const std::vector<TimedPose>& poses) {
+void LiveProcessor::predict(const std::vector<InertialReading>& readings,
+                            const std::vector<TimedPose>& poses) {
+    for (const InertialReading& reading : readings)
+        predictor_->add(reading);
+    for (const TimedPose& pose : poses)
+        predictor_->add(pose);
+    const auto predicted = predictor_->predict();
+    if (!predicted || predicted->time_ns <= predicted_ns_)
+        return;
+    predicted_ns_ = predicted->time_ns;
+    const int64_t last_bit = lastBit(predicted_ns_);
+    const auto arrival =
+        std::ranges::find_if(arrivals_, [&](const Arrival& one) { return one.end_sample > last_bit; });
+    pose_listener_(*predicted, arrival != arrivals_.end() ? arrival->arrived_ns : steadyNow_ns());
+}
+
+int64_t LiveProcessor::lastBit(int64_t time_ns) const {
+    const double instant = static_cast<double>(time_ns) * 1e-9 * sample_rate_hz_;
+    return std::llround(instant + static_cast<double>(sample_rate_hz_) / kInertialFramesPerSecond);
+}
+
+void LiveProcessor::measureLatency(const std::vector<TimedPose>& poses) {
     const int64_t now_ns = steadyNow_ns();
-    int64_t newest_arrived_ns = 0;
     for (const TimedPose& timed : poses) {
         if (!caught_up_ || timed.time_ns < latency_from_ns_)
             continue;
-        const double instant = static_cast<double>(timed.time_ns) * 1e-9 * sample_rate_hz_;
-        const auto last_bit =
-            std::llround(instant + static_cast<double>(sample_rate_hz_) / kInertialFramesPerSecond);
+        const int64_t last_bit = lastBit(timed.time_ns);
         while (arrivals_.size() > 1 && arrivals_.front().end_sample <= last_bit)
             arrivals_.pop_front();
-        if (arrivals_.empty() || arrivals_.front().end_sample <= last_bit)
-            continue;
-        newest_arrived_ns = arrivals_.front().arrived_ns;
-        latency_.add(now_ns - newest_arrived_ns);
+        if (!arrivals_.empty() && arrivals_.front().end_sample > last_bit)
+            latency_.add(now_ns - arrivals_.front().arrived_ns);
     }
     while (!arrivals_.empty() &&
            arrivals_.front().end_sample < frame_.sample - int64_t{kArrivalsKept_s} * sample_rate_hz_)
         arrivals_.pop_front();
-    return newest_arrived_ns;
 }
 
 void LiveProcessor::publish() {

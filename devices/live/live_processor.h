@@ -15,6 +15,7 @@
 #include "core/live/health.h"
 #include "core/live/latency.h"
 #include "core/live/live_pipeline.h"
+#include "core/live/pose_predictor.h"
 #include "core/processing/result_spool.h"
 #include "devices/live/live_queue.h"
 #include "devices/live/published.h"
@@ -34,8 +35,9 @@ struct LiveFrame {
     std::optional<Error> trouble;  ///< nothing moves any more, and why
 };
 
-/// Called on the processor's thread with the newest pose and when the data that made it came
-/// (std::chrono::steady_clock); returns at once.
+/// Called on the processor's thread whenever readings have come, with the newest pose of the filter carried
+/// to their instant (PosePredictor), and when the newest of them came (std::chrono::steady_clock); returns at
+/// once.
 using PoseListener = std::function<void(const TimedPose&, int64_t arrived_ns)>;
 
 struct LivePlan {
@@ -70,7 +72,7 @@ public:
 
 private:
     LiveProcessor(const LivePlan& plan, std::unique_ptr<LivePipeline> pipeline,
-                  std::optional<ResultSpool> spool);
+                  std::unique_ptr<PosePredictor> predictor, std::optional<ResultSpool> spool);
     void work();
     int64_t time_ns(int64_t sample) const;
     void handle(const ArrivedBlock& block);
@@ -80,8 +82,10 @@ private:
     template <class Other>
     void handle(const Other&) {}
     void collect();
-    /// When the data of the newest pose came; 0: not known.
-    int64_t measureLatency(const std::vector<TimedPose>& poses);
+    void predict(const std::vector<InertialReading>& readings, const std::vector<TimedPose>& poses);
+    /// The last sample of a frame with this instant.
+    int64_t lastBit(int64_t time_ns) const;
+    void measureLatency(const std::vector<TimedPose>& poses);
     void publish();
     void endWith(const char* why);
 
@@ -90,6 +94,7 @@ private:
     std::unique_ptr<LivePipeline> pipeline_;
     std::optional<ResultSpool> spool_;
     const PoseListener pose_listener_;
+    const std::unique_ptr<PosePredictor> predictor_;
     LiveQueue queue_;
     std::atomic<int64_t> give_up_at_ns_ = std::numeric_limits<int64_t>::max();
     Published<LiveFrame> published_;
@@ -102,8 +107,9 @@ private:
         int64_t end_sample, arrived_ns;
     };
     std::deque<Arrival> arrivals_;
-    int64_t latency_from_ns_;  ///< the poses of the rest come all at once when it is over
-    bool caught_up_ = false;   ///< with a pre-roll, which keeps what follows waiting: that is no latency
+    int64_t predicted_ns_ = -1;  ///< instant of the pose that the listener got last
+    int64_t latency_from_ns_;    ///< the poses of the rest come all at once when it is over
+    bool caught_up_ = false;     ///< with a pre-roll, which keeps what follows waiting: that is no latency
     std::thread thread_;
 };
 
