@@ -8,12 +8,14 @@
 #include "app/batch/verb.h"
 #include "core/body/actor.h"
 #include "core/figure/our_frames.h"
+#include "core/film/video_file.h"
 #include "core/job/atomic_file.h"
 #include "core/motion/timed_poses.h"
 #include "core/processing/pose_runs.h"
 #include "core/robot/command_files.h"
 #include "core/robot/robot_report.h"
 #include "core/robot/urdf_reader.h"
+#include "core/robot_film/robot_film.h"
 
 namespace noctule::batch {
 namespace {
@@ -169,13 +171,33 @@ Status writeReport(const Arguments& arguments, const MotionClip& clip, const rob
     return writeFileAtomically(path, robot::reportHtml(report), arguments.given("overwrite"));
 }
 
+/// Absent: not asked for.
+Status writeFilm(const VerbContext& context, const MotionClip& clip, const robot::RobotModel& model,
+                 const robot::RobotProfile& profile, const robot::RobotTrajectory& trajectory) {
+    const std::string path = context.arguments.text("video");
+    if (path.empty())
+        return Done{};
+    const bool resamples = clip.p_parent_joint_m.empty();
+    return robot::writeRobotFilm(
+        path, resamples ? toClip(clip.name, timed(clip), FilmSettings().frames_per_second) : clip, model,
+        profile, trajectory, context.arguments.given("overwrite"), context.job());
+}
+
+Status checkRobotOutputs(const Arguments& arguments) {
+    const std::string video = arguments.text("video");
+    if (!video.empty() && !isVideoFileName(video))
+        return Error{ErrorKind::kUsage, video + ": films of this kind cannot be written",
+                     "End its name with .mp4, .mkv or .avi"};
+    return checkOutputs({arguments.text("out"), arguments.text("trajectory"), arguments.text("profile-out"),
+                         arguments.text("report"), video},
+                        arguments.given("overwrite"),
+                        {arguments.operands().front(), arguments.text("robot"), arguments.text("profile")});
+}
+
 Result<Outcome> runRobot(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     const std::string input = arguments.operands().front(), urdf = arguments.text("robot");
-    if (Status fits = checkOutputs({arguments.text("out"), arguments.text("trajectory"),
-                                    arguments.text("profile-out"), arguments.text("report")},
-                                   arguments.given("overwrite"), {input, urdf, arguments.text("profile")});
-        !fits)
+    if (Status fits = checkRobotOutputs(arguments); !fits)
         return fits.error();
     const auto model = robot::readUrdf(urdf, &context.cancel);
     if (!model)
@@ -203,6 +225,8 @@ Result<Outcome> runRobot(const VerbContext& context) {
         return written.error();
     if (Status written = writeReport(arguments, *clip, *model, *profile, *trajectory); !written)
         return written.error();
+    if (Status written = writeFilm(context, *clip, *model, *profile, *trajectory); !written)
+        return written.error();
     return outcomeOf(input, *model, *trajectory, use);
 }
 
@@ -223,6 +247,7 @@ Verb robotVerb() {
         text("profile-out", "P.json", "writes the profile that was used"),
         text("trajectory", "T.json", "the commands as a JointTrajectory of ROS"),
         text("report", "R.html", "the wrists asked for and commanded, in three views, and what is between"),
+        text("video", "F", "a film of the performer and the robot beside: .mp4, .mkv or .avi"),
         choice("mapping", {"posture", "miller", "miller-trunk"},
                "posture and scaled wrist, or the angles of Miller 2004")
             .orElse("posture"),

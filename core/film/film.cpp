@@ -32,7 +32,15 @@ Eigen::AlignedBox3d jointBox(const MotionClip& clip, size_t frame) {
     return placeBody(clip.skeleton, clip.frames[frame], {}, nullptr).box();
 }
 
-/// Per frame the box around the body: around its joints, wider by what the skin needs in some frames.
+Eigen::AlignedBox3d companionBox(const FilmCompanion& companion, size_t frame) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3f& p_m : skinned(*companion.mesh, companion.skin[frame]).points_m)
+        box.extend(p_m.cast<double>());
+    return box;
+}
+
+/// Per frame the box around the body, in some with its companion: around its joints, wider by what the skin
+/// needs in some frames.
 std::vector<Eigen::AlignedBox3d> bodyBoxes(const FilmSubject& subject) {
     const MotionClip& clip = subject.clip;
     std::vector<Eigen::AlignedBox3d> boxes;
@@ -48,8 +56,11 @@ std::vector<Eigen::AlignedBox3d> bodyBoxes(const FilmSubject& subject) {
         below = below.cwiseMax(boxes[f].min() - skin.min());
         above = above.cwiseMax(skin.max() - boxes[f].max());
     }
-    for (Eigen::AlignedBox3d& box : boxes)
-        box = Eigen::AlignedBox3d(Vector3d(box.min() - below), Vector3d(box.max() + above));
+    for (size_t f = 0; f < boxes.size(); ++f) {
+        boxes[f] = Eigen::AlignedBox3d(Vector3d(boxes[f].min() - below), Vector3d(boxes[f].max() + above));
+        if (subject.companion && f % step == 0)
+            boxes[f].extend(companionBox(*subject.companion, f));
+    }
     return boxes;
 }
 
@@ -91,18 +102,23 @@ private:
         scene.grid->axis_z = kZColor;
         scene.discs.push_back(softShadow(places.box(), kShadowColor));
         if (subject_.body.mesh())
-            addBody(scene, frame);
+            addBody(scene, subject_.body.mesh(), subject_.skinMatrices(frame), kBodyColor);
         else
             addBones(scene, places);
+        if (const auto& companion = subject_.companion) {
+            scene.discs.push_back(softShadow(companionBox(*companion, frame), kShadowColor));
+            addBody(scene, companion->mesh, companion->skin[frame], companion->color);
+        }
         return scene;
     }
 
-    void addBody(Scene& scene, size_t frame) const {
+    void addBody(Scene& scene, const std::shared_ptr<const SkinnedMesh>& mesh,
+                 std::vector<Eigen::Matrix4f> skin, const Rgba& color) const {
         SceneBody drawn;
-        drawn.mesh = subject_.body.mesh();
-        drawn.skin = subject_.skinMatrices(frame);
+        drawn.mesh = mesh;
+        drawn.skin = std::move(skin);
         drawn.blending = settings_.blending;
-        drawn.color = kBodyColor;
+        drawn.color = color;
         scene.bodies.push_back(std::move(drawn));
     }
 
@@ -220,6 +236,8 @@ Status writePicture(const std::string& path, const FilmSubject& subject, size_t 
     FilmSubject alone{subject.body, still};
     if (!subject.feet.empty())
         alone.feet = {subject.feet[frame]};
+    if (const auto& companion = subject.companion)
+        alone.companion = FilmCompanion{companion->mesh, {companion->skin[frame]}, companion->color};
     const auto picture = FilmScene(alone, settings).draw(**offscreen, 0);
     if (!picture)
         return picture.error();

@@ -27,11 +27,19 @@ struct FilmSettings {
     bool operator==(const FilmSettings&) const = default;
 };
 
+/// What moves beside the performer and is no performer.
+struct FilmCompanion {
+    std::shared_ptr<const SkinnedMesh> mesh;
+    std::vector<std::vector<Eigen::Matrix4f>> skin;  ///< per frame and bone, mesh -> world
+    Rgba color;
+};
+
 /// Who is seen and what they do.
 struct FilmSubject {
     const MovingBody& body;  ///< one without a mesh is shown as its skeleton
     const MotionClip& clip;
     std::vector<FootCorrections> feet{};  ///< per frame (MovingBody::lockedFeet); empty: none
+    std::optional<FilmCompanion> companion{};
 
     std::vector<Eigen::Matrix4f> skinMatrices(size_t frame) const {
         return body.skinMatrices(clip.frames[frame], feet.empty() ? FootCorrections() : feet[frame]);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/live/pose_predictor.h"
 #include "devices/device/clock.h"
 
 namespace noctule {

@@ -15,12 +15,13 @@
 #include "core/live/health.h"
 #include "core/live/latency.h"
 #include "core/live/live_pipeline.h"
-#include "core/live/pose_predictor.h"
 #include "core/processing/result_spool.h"
 #include "devices/live/live_queue.h"
 #include "devices/live/published.h"
 
 namespace noctule {
+
+class PosePredictor;
 
 /// The newest of everything, as of `sample`; about 60 a second.
 struct LiveFrame {

@@ -2,6 +2,7 @@
 // Commands for a robot from a motion, through the command line. The arm stands in the test.
 #include <fstream>
 
+#include "core/film/video_file.h"
 #include "tests/support/program_run.h"
 
 namespace noctule::test {
@@ -60,7 +61,21 @@ TEST_F(RobotVerb, WritesCommandsTrajectoryAndProfile) {
               std::string(std::istreambuf_iterator<char>(two), {}));
 }
 
+TEST_F(RobotVerb, FilmsTheRobotBesideThePerformer) {
+    const Ran ran =
+        batch({"robot", kCircle, "--robot", robot(), "--out", file("c.csv"), "--video", file("c.avi")});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const auto film = readVideo(file("c.avi"));
+    ASSERT_TRUE(film);
+    EXPECT_NEAR(film->frames_per_second, 30, 0.1);
+    EXPECT_GT(film->frames, 20U);
+}
+
 TEST_F(RobotVerb, BadInputLeavesNoFile) {
+    const Ran film =
+        batch({"robot", kCircle, "--robot", robot(), "--out", file("c.csv"), "--video", file("c.gif")});
+    EXPECT_EQ(film.exit_code, 2);
+    EXPECT_NE(film.err.find(".mp4, .mkv or .avi"), std::string::npos) << film.err;
     const Ran limits = batch({"robot", kCircle, "--robot", robot("nan"), "--out", file("c.csv")});
     EXPECT_EQ(limits.exit_code, 3);
     EXPECT_NE(limits.err.find("lower limit of joint \"j0\""), std::string::npos) << limits.err;

@@ -4,7 +4,7 @@
 #include <QMouseEvent>
 #include <QResizeEvent>
 
-#include "ui/robot/robot_mesh.h"
+#include "core/robot_film/robot_mesh.h"
 #include "ui/robot/robot_words.h"
 #include "ui/scene/camera_control.h"
 #include "ui/scene/dressed_body.h"
@@ -63,12 +63,12 @@ void RobotView::takeRobot() {
     title_->setText(parts_ ? robotInWords(parts_->model.name) : QString());
     legend_->setVisible(parts_ != nullptr);
     if (parts_) {
-        mesh_ = meshOf(parts_->model, parts_->profile);
+        mesh_ = robot::meshOf(parts_->model, parts_->profile);
         std::vector<double> reference;
         for (const robot::RobotArm& arm : parts_->arms)
             for (int i = 0; i < arm.chain.size(); ++i)
                 reference.push_back(arm.reference[i]);
-        box_ = boxOf(parts_->model, parts_->profile, valuesOf(reference));
+        box_ = robot::boxOf(parts_->model, parts_->profile, valuesOf(reference));
         lift_m_ = box_.isEmpty() ? 0 : -box_.min().y();
         box_.translate(Vector3d(0, lift_m_, 0));
         frame();
@@ -102,7 +102,7 @@ void RobotView::addHand(const robot::RobotArm& arm) {
     const Eigen::Isometry3d T_root_base = robot::linkPlaces(parts_->model, {})[static_cast<size_t>(base)];
     const Tokens& tokens = Theme::get().tokens();
     const auto inWorld = [&](const Vector3d& p_body) -> Eigen::Vector3f {
-        const Vector3d p = worldOfRobot() * (T_root_base * (arm.profile.R_base_body * p_body));
+        const Vector3d p = robot::worldOfRobot() * (T_root_base * (arm.profile.R_base_body * p_body));
         return (p + Vector3d(0, lift_m_, 0)).cast<float>();
     };
     SceneTrail trail;
@@ -133,7 +133,7 @@ const Scene& RobotView::compose() {
     SceneBody body;
     body.mesh = mesh_;
     body.color = colors.body;
-    body.skin = skinOf(parts_->model, *mesh_,
+    body.skin = robot::skinOf(parts_->model, *mesh_,
                        newest && !newest->actual.empty() ? valuesOf(newest->actual) : valuesOf({}), lift_m_);
     scene_.bodies.push_back(body);
     if (!newest)
@@ -141,7 +141,7 @@ const Scene& RobotView::compose() {
     const bool follows = drive_.word() == RobotWord::kFollowing;
     const std::vector<double>& wanted =
         follows || newest->output.ghost.empty() ? newest->output.q : newest->output.ghost;
-    body.skin = skinOf(parts_->model, *mesh_, valuesOf(wanted), lift_m_);
+    body.skin = robot::skinOf(parts_->model, *mesh_, valuesOf(wanted), lift_m_);
     body.color = colors.ghost;
     body.style = BodyStyle::kOutline;
     scene_.bodies.push_back(std::move(body));

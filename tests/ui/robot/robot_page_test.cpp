@@ -21,7 +21,6 @@
 #include "ui/robot/add_robot_dialog.h"
 #include "ui/robot/key_card.h"
 #include "ui/robot/robot_center.h"
-#include "ui/robot/robot_mesh.h"
 #include "ui/robot/robot_sidebar.h"
 #include "ui/robot/robot_state_panel.h"
 #include "ui/robot/robot_view.h"
@@ -359,33 +358,6 @@ TEST_F(RobotPageTest, PicturesOfThePageInBothThemes) {
         EXPECT_TRUE(all.save(folder + (scheme == Scheme::kDark ? "/robot-dark.png" : "/robot-light.png")));
     }
     Theme::get().setScheme(Scheme::kDark);
-}
-
-TEST(RobotMeshTest, CapsulesFaceOutwardsAndStandWhereTheLinksAre) {
-    const auto model = robot::parseUrdf(noctule::test::plainArmUrdf(), "arm");
-    ASSERT_TRUE(model);
-    const robot::RobotProfile profile = noctule::test::plainArmProfile();
-    const auto mesh = meshOf(*model, profile);
-    ASSERT_GT(mesh->triangles.size(), 100U);
-    double volume = 0;
-    for (const auto& triangle : mesh->triangles) {
-        const auto p = [&](int i) {
-            return mesh->vertices[triangle[static_cast<size_t>(i)]].p_m.cast<double>().eval();
-        };
-        volume += p(0).dot(p(1).cross(p(2))) / 6;
-        const Vector3d across = (p(1) - p(0)).cross(p(2) - p(0));
-        if (across.norm() > 1e-12) {
-            EXPECT_GT(across.dot(mesh->vertices[triangle[0]].normal.cast<double>()), 0);
-        }
-    }
-    // Lines from the shoulder to the elbow, to the forearm's turn and to the wrist, and from the base.
-    const double r = profile.capsule_radius_m, pi = std::numbers::pi;
-    const double base = std::hypot(0.2, 1.4);
-    const double expected = pi * r * r * (base + 0.3 + 0.1 + 0.2) + 4 * 4.0 / 3 * pi * r * r * r;
-    EXPECT_NEAR(volume, expected, 0.05 * expected);
-    const Eigen::AlignedBox3d box = boxOf(*model, profile, {});
-    EXPECT_NEAR(box.max().y(), 1.4 + r, 1e-9) << "z of the robot is up";
-    EXPECT_NEAR(box.min().x(), -0.2 - r, 1e-9) << "its right is the performer's right";
 }
 
 TEST(RobotWordsTest, JointsReadAsWords) {

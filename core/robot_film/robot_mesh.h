@@ -7,19 +7,18 @@
 #include "core/robot/link_shapes.h"
 #include "core/robot/profile.h"
 
-namespace noctule::ui {
+namespace noctule::robot {
 
 Matrix3d worldOfRobot();
 
 /// Links without a shape have no bone: the lines between their joints are drawn in the profile's radius.
-std::shared_ptr<const SkinnedMesh> meshOf(const robot::RobotModel& model, const robot::RobotProfile& profile);
+std::shared_ptr<const SkinnedMesh> meshOf(const RobotModel& model, const RobotProfile& profile);
 
 /// Per bone of meshOf(); `lift_m`: of the root above the ground.
-std::vector<Eigen::Matrix4f> skinOf(const robot::RobotModel& model, const SkinnedMesh& mesh,
-                                    const robot::JointValues& values, double lift_m);
+std::vector<Eigen::Matrix4f> skinOf(const RobotModel& model, const SkinnedMesh& mesh,
+                                    const JointValues& values, double lift_m);
 
 /// What the mesh fills in the world, without a lift.
-Eigen::AlignedBox3d boxOf(const robot::RobotModel& model, const robot::RobotProfile& profile,
-                          const robot::JointValues& values);
+Eigen::AlignedBox3d boxOf(const RobotModel& model, const RobotProfile& profile, const JointValues& values);
 
-}  // namespace noctule::ui
+}  // namespace noctule::robot

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/robot/robot_mesh.h"
+#include "core/robot_film/robot_mesh.h"
 
 #include <numbers>
 
-namespace noctule::ui {
+namespace noctule::robot {
 namespace {
 
 constexpr int kAround = 20, kRings = 5;  ///< of each half ball
 
 /// A capsule in the frame of its link; triangles are counter-clockwise seen from outside.
-void addCapsule(const robot::LinkShape& shape, uint16_t bone, SkinnedMesh& mesh) {
+void addCapsule(const LinkShape& shape, uint16_t bone, SkinnedMesh& mesh) {
     const Vector3d way = shape.b_m - shape.a_m;
     const Vector3d up = way.norm() > 1e-9 ? Vector3d(way.normalized()) : Vector3d::UnitZ();
     const Vector3d side = up.unitOrthogonal(), front = up.cross(side);
@@ -49,24 +49,23 @@ Matrix3d worldOfRobot() {
     return R;
 }
 
-std::shared_ptr<const SkinnedMesh> meshOf(const robot::RobotModel& model,
-                                          const robot::RobotProfile& profile) {
+std::shared_ptr<const SkinnedMesh> meshOf(const RobotModel& model, const RobotProfile& profile) {
     auto mesh = std::make_shared<SkinnedMesh>();
     for (size_t link = 0; link < model.links.size(); ++link) {
-        const auto shapes = robot::shapesOf(model, link, profile.capsule_radius_m);
+        const auto shapes = shapesOf(model, link, profile.capsule_radius_m);
         if (shapes.empty())
             continue;
         const auto bone = static_cast<uint16_t>(mesh->bones.size());
         mesh->bones.push_back({model.links[link].name, Eigen::Matrix4f::Identity()});
-        for (const robot::LinkShape& shape : shapes)
+        for (const LinkShape& shape : shapes)
             addCapsule(shape, bone, *mesh);
     }
     return mesh;
 }
 
-std::vector<Eigen::Matrix4f> skinOf(const robot::RobotModel& model, const SkinnedMesh& mesh,
-                                    const robot::JointValues& values, double lift_m) {
-    const auto places = robot::linkPlaces(model, values);
+std::vector<Eigen::Matrix4f> skinOf(const RobotModel& model, const SkinnedMesh& mesh,
+                                    const JointValues& values, double lift_m) {
+    const auto places = linkPlaces(model, values);
     Eigen::Isometry3d world = Eigen::Isometry3d::Identity();
     world.linear() = worldOfRobot();
     world.translation().y() = lift_m;
@@ -77,12 +76,11 @@ std::vector<Eigen::Matrix4f> skinOf(const robot::RobotModel& model, const Skinne
     return skin;
 }
 
-Eigen::AlignedBox3d boxOf(const robot::RobotModel& model, const robot::RobotProfile& profile,
-                          const robot::JointValues& values) {
-    const auto places = robot::linkPlaces(model, values);
+Eigen::AlignedBox3d boxOf(const RobotModel& model, const RobotProfile& profile, const JointValues& values) {
+    const auto places = linkPlaces(model, values);
     Eigen::AlignedBox3d box;
     for (size_t link = 0; link < model.links.size(); ++link)
-        for (const robot::LinkShape& shape : robot::shapesOf(model, link, profile.capsule_radius_m))
+        for (const LinkShape& shape : shapesOf(model, link, profile.capsule_radius_m))
             for (const Vector3d& end : {shape.a_m, shape.b_m}) {
                 const Vector3d p = worldOfRobot() * (places[link] * end);
                 box.extend(Vector3d(p.array() - shape.radius_m));
@@ -91,4 +89,4 @@ Eigen::AlignedBox3d boxOf(const robot::RobotModel& model, const robot::RobotProf
     return box;
 }
 
-}  // namespace noctule::ui
+}  // namespace noctule::robot
