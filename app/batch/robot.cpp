@@ -71,6 +71,7 @@ robot::MappingChoice choiceFor(const Arguments& arguments) {
                      : mapping == "miller-trunk" ? robot::Mapping::kMillerTrunk
                                                  : robot::Mapping::kPosture;
     choice.trunk = arguments.given("trunk");
+    choice.legs = arguments.given("legs");
     return choice;
 }
 
@@ -83,9 +84,9 @@ void tellNotices(Console& console, const std::string& path, const std::vector<st
         console.warn(path + ": so for " + std::to_string(notices.size() - kTold) + " more; --json lists all");
 }
 
-nlohmann::json figuresJson(const robot::RobotTrajectory& trajectory) {
+nlohmann::json figuresJson(const std::vector<robot::ArmFigures>& figures) {
     nlohmann::json arms = nlohmann::json::array();
-    for (const robot::ArmFigures& arm : trajectory.arms)
+    for (const robot::ArmFigures& arm : figures)
         arms.push_back({{"arm", arm.arm},
                         {"upper_mean_deg", arm.upper_mean_deg},
                         {"upper_max_deg", arm.upper_max_deg},
@@ -105,7 +106,7 @@ Outcome outcomeOf(const std::string& input, const robot::RobotModel& model,
          {"joints", trajectory.joints},
          {"frames", trajectory.frames.size()},
          {"frame_time_s", trajectory.frame_time_s},
-         {"arms", figuresJson(trajectory)},
+         {"arms", figuresJson(trajectory.arms)},
          {"held_frames", trajectory.held_frames},
          {"limit_use", {{"speed", use.speed}, {"acceleration", use.acceleration}, {"jerk", use.jerk}}},
          {"notices", model.notices}},
@@ -121,6 +122,15 @@ Outcome outcomeOf(const std::string& input, const robot::RobotModel& model,
             arm.arm.c_str(), arm.upper_mean_deg, arm.forearm_mean_deg, arm.wrist_mean_mm, arm.limited_frames);
         outcome.text += line;
     }
+    for (const robot::ArmFigures& leg : trajectory.legs) {
+        std::snprintf(
+            line, sizeof line,
+            "  %-6s thigh %.1f deg, shank %.1f deg, ankle %.1f mm in the mean; %d frames at a limit\n",
+            leg.arm.c_str(), leg.upper_mean_deg, leg.forearm_mean_deg, leg.wrist_mean_mm, leg.limited_frames);
+        outcome.text += line;
+    }
+    if (!trajectory.legs.empty())
+        outcome.json["legs"] = figuresJson(trajectory.legs);
     if (trajectory.held_frames > 0)
         outcome.text += "  " + std::to_string(trajectory.held_frames) +
                         " frames held: " + trajectory.nearest_parts + " would have come too near\n";
@@ -253,6 +263,7 @@ Verb robotVerb() {
             .orElse("posture"),
         choice("arms", {"both", "left", "right"}, "which of the profile's arms move").orElse("both"),
         flag("trunk", "the robot's waist follows the performer's chest"),
+        flag("legs", "legs follow too, feet first: for robots that balance by themselves, and for films"),
         flag("loop", "goes back to the beginning, for playback without end"),
         number("rate", "HZ", 1, 1000, "commands a second; else 140, of BVH the file's rate"),
         text("run", "NAME", "which run of the take; else the last")};

@@ -23,7 +23,9 @@ public:
         upper_ = R * pose.upper;
         forearm_ = R * pose.forearm;
         wrist_ = R * (scale * pose.wrist_m);
-        const Matrix3d R_reference = PerformerArms::referenceForearm(arm.profile.side);
+        const Matrix3d R_reference = arm.profile.limb == Limb::kLeg
+                                         ? Matrix3d::Identity()
+                                         : PerformerArms::referenceForearm(arm.profile.side);
         R_tip_ = R * pose.R_hand * R_reference.transpose() * arm.R_body_tip;
         const double sigma = weights.wrist_per_arm * scale;
         wrist_weight_ = 1 / (sigma * sigma);
@@ -39,7 +41,10 @@ public:
         chain.pointJacobian(state_, arm_.wrist < 0 ? arm_.elbow : arm_.wrist - 1, points.wrist, J_wrist_);
         addDirection(points.elbow - points.shoulder, upper_, J_elbow_ - J_shoulder_, at);
         addDirection(points.wrist - points.elbow, forearm_, J_wrist_ - J_elbow_, at);
-        at.add(wrist_weight_, Vector3d(points.wrist - points.shoulder - wrist_), J_wrist_ - J_shoulder_);
+        if (arm_.p_base_centre_m)
+            at.add(wrist_weight_, Vector3d(points.wrist - *arm_.p_base_centre_m - wrist_), J_wrist_);
+        else
+            at.add(wrist_weight_, Vector3d(points.wrist - points.shoulder - wrist_), J_wrist_ - J_shoulder_);
         if (weights_.hand > 0 && arm_.wrist >= 0) {
             const TurnError turn = turnError(R_tip_, state_.R_base_tip);
             chain.turnJacobian(state_, chain.size() - 1, J_wrist_);
@@ -100,13 +105,14 @@ ArmCommand measured(const RobotArm& arm, double scale, const JointVector& q, con
     command.q = q;
     command.upper_deg = angleDeg(points.elbow - points.shoulder, R * pose.upper);
     command.forearm_deg = angleDeg(points.wrist - points.elbow, R * pose.forearm);
-    command.wrist_mm = 1e3 * (points.wrist - points.shoulder - R * (scale * pose.wrist_m)).norm();
+    const Vector3d from = arm.p_base_centre_m.value_or(points.shoulder);
+    command.wrist_mm = 1e3 * (points.wrist - from - R * (scale * pose.wrist_m)).norm();
     return command;
 }
 
 ArmFollower::ArmFollower(const RobotArm& arm, const RobotProfile& profile, double human_length_m, double dt_s)
     : arm_(arm),
-      weights_(profile.weights),
+      weights_(arm.profile.limb == Limb::kLeg ? weightsOfLegs() : profile.weights),
       scale_(arm.length_m / human_length_m),
       dt_s_(dt_s),
       limiters_(limitersOf(arm, profile, dt_s)) {

@@ -199,7 +199,82 @@ void addTrunk(const RobotModel& model, int base, RobotProfile& profile) {
     }
 }
 
+/// Moving joints of one leg, from the first to the last: below the hip of that side, with a knee.
+ArmJoints legJoints(const RobotModel& model, const std::string& side) {
+    ArmJoints longest;
+    for (size_t link = 0; link < model.links.size(); ++link) {
+        ArmJoints chain;
+        for (const int index : model.jointsAbove(static_cast<int>(link))) {
+            const RobotJoint& joint = model.joints[static_cast<size_t>(index)];
+            const std::string words = wordsOf(model, joint);
+            if (joint.moves() && !joint.mimic && holdsOne(words, {side.c_str()}) &&
+                holdsOne(words, {"hip", "knee", "ankle", "leg", "thigh", "shin", "calf"}))
+                chain.push_back(index);
+        }
+        if (chain.size() > longest.size())
+            longest = chain;
+    }
+    return longest;
+}
+
+/// Of a leg: its knee by name; its hip, the last joint above it that does not turn the thigh about itself.
+std::optional<Landmarks> landmarksOfLeg(const RobotModel& model, const ArmJoints& joints) {
+    constexpr double kAlong = 0.7;  // cosine between the axis and the thigh
+    const auto knee = std::ranges::find_if(joints, [&](int index) {
+        return holdsOne(lowered(model.joints[static_cast<size_t>(index)].name), {"knee"});
+    });
+    const auto at = static_cast<size_t>(knee - joints.begin());
+    if (joints.size() < 4 || joints.size() > 6 || at < 2 || at + 1 >= joints.size())
+        return std::nullopt;
+    const auto place = [&](size_t i) {
+        return placeAtZero(model, 0, model.joints[static_cast<size_t>(joints[i])].child_link);
+    };
+    const Vector3d thigh = (place(at).translation() - place(0).translation()).normalized();
+    for (size_t hip = at; hip-- > 0;) {
+        const Vector3d axis = place(hip).linear() * model.joints[static_cast<size_t>(joints[hip])].axis;
+        if (std::abs(axis.dot(thigh)) < kAlong)
+            return Landmarks{hip, at, static_cast<int>(at) + 1};
+    }
+    return std::nullopt;
+}
+
 }  // namespace
+
+std::vector<ArmProfile> makeLegs(const RobotModel& model) {
+    std::vector<ArmProfile> legs;
+    const std::array joints{legJoints(model, "left"), legJoints(model, "right")};
+    if (joints[0].empty() || joints[1].empty())
+        return {};
+    const int base = commonLink(model, parentOfFirst(model, joints[0]), parentOfFirst(model, joints[1]));
+    for (size_t s = 0; s < 2; ++s) {
+        const auto at = landmarksOfLeg(model, joints[s]);
+        if (!at)
+            return {};
+        const auto joint = [&](size_t i) -> const RobotJoint& {
+            return model.joints[static_cast<size_t>(joints[s][i])];
+        };
+        ArmProfile leg;
+        leg.limb = Limb::kLeg;
+        leg.name = s == 0 ? "left" : "right";
+        leg.side = s == 0 ? Side::kLeft : Side::kRight;
+        leg.base = model.links[static_cast<size_t>(base)].name;
+        leg.tip = model.links[static_cast<size_t>(joint(joints[s].size() - 1).child_link)].name;
+        leg.shoulder_joint = joint(at->shoulder).name;
+        leg.elbow_joint = joint(at->elbow).name;
+        leg.wrist_joint = joint(static_cast<size_t>(at->wrist)).name;
+        leg.R_base_body = bodyAxes(model, base, {joints[0], joints[1]});
+        for (const int index : joints[s]) {
+            const RobotJoint& one = model.joints[static_cast<size_t>(index)];
+            leg.max_speed.push_back(one.max_speed > kHighestSpeed_rad_per_s ? kUsualSpeed_rad_per_s
+                                                                            : one.max_speed);
+            leg.reference_rad.push_back(std::clamp(0.0, one.lower, one.upper));
+        }
+        if (const auto made = makeArm(model, leg); !made)
+            return {};
+        legs.push_back(std::move(leg));
+    }
+    return legs;
+}
 
 Result<RobotProfile> makeProfile(const RobotModel& model) {
     const auto none = [&](const std::string& what) {
@@ -226,6 +301,7 @@ Result<RobotProfile> makeProfile(const RobotModel& model) {
             return made.error();
     }
     addTrunk(model, base, profile);
+    profile.legs = makeLegs(model);
     return profile;
 }
 

@@ -43,12 +43,19 @@ public:
                 return trunk.error();
             trunk_.emplace(std::move(*trunk));
         }
+        if (choice_.legs)
+            if (Status added = addLegs(); !added)
+                return added;
+        const auto drive = [&](const Chain& chain) {
+            for (const ChainJoint& joint : chain.joints())
+                joints_.push_back(joint.model_joint);
+        };
         for (const DrivenArm& arm : arms_)
-            for (const ChainJoint& joint : arm.follower.arm().chain.joints())
-                joints_.push_back(joint.model_joint);
+            drive(arm.follower.arm().chain);
         if (trunk_)
-            for (const ChainJoint& joint : trunk_->chain().joints())
-                joints_.push_back(joint.model_joint);
+            drive(trunk_->chain());
+        for (const DrivenArm& leg : legs_)
+            drive(leg.follower.arm().chain);
         for (const int joint : joints_)
             trajectory_.joints.push_back(model_.joints[static_cast<size_t>(joint)].name);
         trajectory_.frame_time_s = dt_s_;
@@ -63,6 +70,9 @@ public:
                 arm.follower.settle(poseFor(arm, frame));
         if (is_first && trunk_)
             trunk_->settle(frame.R_hips_chest);
+        for (DrivenArm& leg : legs_)
+            if (is_first)
+                leg.follower.settle(legFor(leg, frame));
         step(frame);
         std::vector<double> row;
         for (const auto& [joint, value] : orderedNow())
@@ -72,12 +82,16 @@ public:
 
     RobotTrajectory finish() {
         const double count = std::max<double>(1, static_cast<double>(trajectory_.frames.size()));
-        for (DrivenArm& arm : arms_) {
-            arm.figures.upper_mean_deg /= count;
-            arm.figures.forearm_mean_deg /= count;
-            arm.figures.wrist_mean_mm /= count;
-            trajectory_.arms.push_back(arm.figures);
-        }
+        const auto tell = [count](const std::vector<DrivenArm>& limbs, std::vector<ArmFigures>& figures) {
+            for (const DrivenArm& limb : limbs) {
+                figures.push_back(limb.figures);
+                figures.back().upper_mean_deg /= count;
+                figures.back().forearm_mean_deg /= count;
+                figures.back().wrist_mean_mm /= count;
+            }
+        };
+        tell(arms_, trajectory_.arms);
+        tell(legs_, trajectory_.legs);
         trajectory_.nearest_m = nearest_.distance_m;
         if (nearest_.link_a >= 0)
             trajectory_.nearest_parts = model_.links[static_cast<size_t>(nearest_.link_a)].name + " and " +
@@ -105,6 +119,38 @@ private:
         }
         arms_.push_back(std::move(driven));
         return Done{};
+    }
+
+    Status addLegs() {
+        if (performer_.legLength_m() <= 0)
+            return Error{ErrorKind::kUnusable, "the performer has no two whole legs",
+                         "Leave --legs out, or take a motion of a whole body"};
+        auto legs = legsOf(model_, profile_);
+        if (!legs)
+            return legs.error();
+        for (const RobotArm& leg : *legs) {
+            legs_.push_back({ArmFollower(leg, profile_, performer_.legLength_m(), dt_s_),
+                             std::nullopt,
+                             {},
+                             leg.length_m / performer_.legLength_m(),
+                             {}});
+            legs_.back().figures.arm = leg.profile.name;
+        }
+        return Done{};
+    }
+
+    static const ArmPose& legFor(const DrivenArm& leg, const PerformerFrame& frame) {
+        return frame.legs->in_hips[static_cast<size_t>(leg.follower.arm().profile.side)];
+    }
+
+    /// In the performer's world, scaled as the legs are.
+    Eigen::Isometry3d rootFor(const LegsPose& pose) const {
+        const RobotArm& leg = legs_.front().follower.arm();
+        Eigen::Isometry3d T_world_base = Eigen::Isometry3d::Identity();
+        T_world_base.linear() = pose.R_world_hips * leg.profile.R_base_body.transpose();
+        T_world_base.translation() =
+            legs_.front().scale * pose.p_world_hips_m - T_world_base.linear() * *leg.p_base_centre_m;
+        return T_world_base * placeAtZero(model_, model_.findLink(leg.profile.base), 0);
     }
 
     const ArmPose& poseFor(const DrivenArm& arm, const PerformerFrame& frame) const {
@@ -153,6 +199,10 @@ private:
         }
         if (trunk_)
             trunk_->follow(frame.R_hips_chest);
+        for (DrivenArm& leg : legs_)
+            count(leg.follower.follow(legFor(leg, frame)), leg.figures);
+        if (!legs_.empty())
+            trajectory_.root.push_back(rootFor(*frame.legs));
         keepApart(frame, before, commands, is_first);
         for (size_t i = 0; i < arms_.size(); ++i)
             count(commands[i], arms_[i].figures);
@@ -197,6 +247,9 @@ private:
         if (trunk_)
             for (const JointMotion& motion : trunk_->motion())
                 values.emplace_back(joints_[at++], motion.place);
+        for (const DrivenArm& leg : legs_)
+            for (const JointMotion& motion : leg.follower.motion())
+                values.emplace_back(joints_[at++], motion.place);
         return values;
     }
     JointValues valuesNow() const {
@@ -211,6 +264,7 @@ private:
     double dt_s_;
     std::vector<DrivenArm> arms_;
     std::optional<TrunkFollower> trunk_;
+    std::vector<DrivenArm> legs_;
     std::vector<int> joints_;
     std::unique_ptr<SelfCollision> collision_;
     SelfCollision::Nearest nearest_;

@@ -21,9 +21,10 @@ struct MappingChoice {
     Mapping mapping = Mapping::kPosture;
     bool left = true, right = true;  ///< which of the profile's arms
     bool trunk = false;              ///< the robot's waist follows the performer's
+    bool legs = false;  ///< so do both legs; feet that stand keep their place (RobotTrajectory::root)
 };
 
-/// Over all frames of one arm.
+/// Over all frames of one arm or leg; of a leg thigh, shank and ankle.
 struct ArmFigures {
     std::string arm;
     double upper_mean_deg = 0, upper_max_deg = 0;
@@ -37,6 +38,11 @@ struct RobotTrajectory {
     std::vector<std::string> joints;
     std::vector<std::vector<double>> frames;  ///< per frame one value per joint, rad or m
     std::vector<ArmFigures> arms;
+    std::vector<ArmFigures> legs;
+    /// With legs, per frame: where the root link would be in the performer's world, which is as much smaller
+    /// or larger as the legs are. There a foot stands still when the performer's does. A robot that balances
+    /// chooses its root itself.
+    std::vector<Eigen::Isometry3d> root;
     int held_frames = 0;        ///< the robot's own parts would have come too near
     std::string nearest_parts;  ///< which, at their nearest
     double nearest_m = 0;

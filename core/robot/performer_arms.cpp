@@ -74,7 +74,37 @@ Result<PerformerArms> PerformerArms::make(const Skeleton& skeleton, const std::s
         arm.R_forearm_t = turn(smallestRotation(outwards, forearm)) * made.R_world_body_;
         arm.R_hand_t = arm.R_forearm_t;  // the hand lies as the forearm in the zero pose
     }
+    made.findLegs(skeleton, bones);
     return made;
+}
+
+void PerformerArms::findLegs(const Skeleton& skeleton, const std::map<std::string, int>& bones) {
+    const GlobalPose zero = globalPose(skeleton, skeleton.zeroPose());
+    const auto place = [&](int joint) { return zero.p_world_joint[static_cast<size_t>(joint)]; };
+    std::array<ArmBones, 2> legs;
+    double length_m = 0;
+    const std::string sides[] = {"Left", "Right"};
+    for (size_t s = 0; s < 2; ++s) {
+        int* const wanted[] = {&legs[s].upper, &legs[s].forearm, &legs[s].hand};
+        const char* const names[] = {"UpLeg", "Leg", "Foot"};
+        for (size_t i = 0; i < 3; ++i) {
+            const auto found = bones.find(sides[s] + names[i]);
+            if (found == bones.end())
+                return;
+            *wanted[i] = found->second;
+        }
+        const Vector3d thigh = place(legs[s].forearm) - place(legs[s].upper);
+        const Vector3d shank = place(legs[s].hand) - place(legs[s].forearm);
+        if (thigh.norm() < kShortestBone_m || shank.norm() < kShortestBone_m)
+            return;
+        length_m += (thigh.norm() + shank.norm()) / 2;
+        const Vector3d down = -R_world_body_.col(1);
+        legs[s].R_upper_t = turn(smallestRotation(down, thigh)) * R_world_body_;
+        legs[s].R_forearm_t = turn(smallestRotation(down, shank)) * R_world_body_;
+        legs[s].R_hand_t = R_world_body_;  // the foot is flat in the zero pose
+    }
+    legs_ = legs;
+    leg_length_m_ = length_m;
 }
 
 ArmPose PerformerArms::armAt(const GlobalPose& pose, const ArmBones& bones,
@@ -102,7 +132,17 @@ PerformerFrame PerformerArms::at(const GlobalPose& pose) const {
     }
     const Vector3d forward = R_world_body_.transpose() * R_world_chest.col(2);
     frame.heading_rad = std::atan2(forward.x(), forward.z());
-    frame.R_hips_chest = (rotation(hips_) * R_world_body_).transpose() * R_world_chest;
+    const Matrix3d R_world_hips = rotation(hips_) * R_world_body_;
+    frame.R_hips_chest = R_world_hips.transpose() * R_world_chest;
+    if (legs_) {
+        const auto hip = [&](size_t s) { return pose.p_world_joint[static_cast<size_t>((*legs_)[s].upper)]; };
+        frame.legs = LegsPose{{}, R_world_hips, (hip(0) + hip(1)) / 2};
+        for (size_t s = 0; s < 2; ++s) {
+            ArmPose& leg = frame.legs->in_hips[s];
+            leg = armAt(pose, (*legs_)[s], R_world_hips);
+            leg.wrist_m += R_world_hips.transpose() * (hip(s) - frame.legs->p_world_hips_m);
+        }
+    }
     return frame;
 }
 

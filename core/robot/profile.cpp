@@ -26,7 +26,7 @@ Result<RobotArm> makeArm(const RobotModel& model, const ArmProfile& profile) {
     auto chain = Chain::make(model, profile.base, profile.tip);
     if (!chain)
         return chain.error();
-    RobotArm arm{profile, std::move(*chain), 0, 0, -1, {}, 0, Matrix3d::Identity()};
+    RobotArm arm{profile, std::move(*chain), 0, 0, -1, {}, 0, Matrix3d::Identity(), {}};
     const auto size = static_cast<size_t>(arm.chain.size());
     if (profile.reference_rad.size() != size || profile.max_speed.size() != size)
         return missing("arm " + profile.name + " has " + std::to_string(size) +
@@ -61,6 +61,36 @@ Result<RobotArm> makeArm(const RobotModel& model, const ArmProfile& profile) {
     arm.length_m = upper_m + forearm_m;
     arm.R_body_tip = profile.R_base_body.transpose() * state.R_base_tip;
     return arm;
+}
+
+Result<std::vector<RobotArm>> legsOf(const RobotModel& model, const RobotProfile& profile) {
+    if (profile.legs.size() != 2)
+        return Error{ErrorKind::kUnusable, "robot " + profile.robot + " has no two legs",
+                     "Leave --legs out, or describe them in the profile"};
+    std::vector<RobotArm> legs;
+    Vector3d centre_m = Vector3d::Zero();
+    for (const ArmProfile& wanted : profile.legs) {
+        auto leg = makeArm(model, wanted);
+        if (!leg)
+            return leg.error();
+        ChainState state;
+        leg->chain.forward(leg->reference, state);
+        centre_m += leg->points(state).shoulder / 2;
+        legs.push_back(std::move(*leg));
+    }
+    if (legs[0].profile.base != legs[1].profile.base)
+        return missing("its legs have two bases");
+    for (RobotArm& leg : legs)
+        leg.p_base_centre_m = centre_m;
+    return legs;
+}
+
+MappingWeights weightsOfLegs() {
+    MappingWeights weights;
+    weights.posture = 0.02;
+    weights.wrist_per_arm = 0.02;
+    weights.hand = 0.3;
+    return weights;
 }
 
 }  // namespace noctule::robot

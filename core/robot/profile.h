@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a robot's arms answer to a performer's: which joints are shoulder, elbow and wrist, how the robot's
-// base stands to a chest, the limits of motion. Saved per robot as JSON (README.md); made from the URDF by
-// names and shape where there is none.
+// How a robot's arms and legs answer to a performer's: which joints are shoulder, elbow and wrist, how the
+// robot's base stands to a chest, the limits of motion. A leg is described as an arm is: its shoulder is the
+// hip, its elbow the knee, its wrist the ankle, its hand the foot. Saved per robot as JSON (README.md); made
+// from the URDF by names and shape where there is none.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,7 +12,13 @@
 
 namespace noctule::robot {
 
+enum class Limb {
+    kArm,  ///< seen from the shoulder, in the axes of the chest
+    kLeg,  ///< seen from between the hips, in their axes; in the reference posture it stands straight
+};
+
 struct ArmProfile {
+    Limb limb = Limb::kArm;
     std::string name;          ///< "right"
     Side side = Side::kRight;  ///< which arm of the performer moves it
     std::string base, tip;     ///< links; the base carries the shoulders
@@ -36,6 +43,7 @@ struct MappingWeights {
 struct RobotProfile {
     std::string robot;
     std::vector<ArmProfile> arms;
+    std::vector<ArmProfile> legs;               ///< left and right, or none
     std::vector<std::string> trunk_joints;      ///< from the root up to the arms' base; followed by the chest
     std::string trunk_base, trunk_tip;          ///< links around them
     double max_acceleration = 0, max_jerk = 0;  ///< rad/s^2 and rad/s^3; 0: not limited
@@ -55,6 +63,7 @@ struct RobotArm {
     JointVector reference;
     double length_m = 0;                         ///< shoulder to elbow to wrist
     Matrix3d R_body_tip = Matrix3d::Identity();  ///< in the reference posture
+    std::optional<Vector3d> p_base_centre_m{};   ///< of a leg: between both hips, in the base's frame
 
     struct Points {
         Vector3d shoulder, elbow, wrist;  ///< in the base's frame
@@ -65,8 +74,14 @@ struct RobotArm {
 /// kUnusable names the joint or link that the robot has not.
 Result<RobotArm> makeArm(const RobotModel& model, const ArmProfile& profile);
 
-/// kUnusable when no arm is found; the remedy says what to write.
+/// kUnusable when no arm is found; the remedy says what to write. With legs where they are known by name.
 Result<RobotProfile> makeProfile(const RobotModel& model);
+/// Two legs of 4 to 6 joints by their names, or none.
+std::vector<ArmProfile> makeLegs(const RobotModel& model);
+/// Both of them, with what they share. kUnusable when the profile has no legs, or they do not fit.
+Result<std::vector<RobotArm>> legsOf(const RobotModel& model, const RobotProfile& profile);
+/// A foot keeps its place before the leg looks like the performer's.
+MappingWeights weightsOfLegs();
 
 nlohmann::json toJson(const RobotProfile& profile);
 /// `where` names the file in errors (kUnreadable).

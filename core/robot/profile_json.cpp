@@ -148,6 +148,8 @@ nlohmann::json toJson(const RobotProfile& profile) {
     object["arms"] = json::Json::array();
     for (const ArmProfile& arm : profile.arms)
         object["arms"].push_back(armJson(arm));
+    for (const ArmProfile& leg : profile.legs)
+        object["legs"].push_back(armJson(leg));
     if (!profile.trunk_joints.empty())
         object["trunk"] = {
             {"joints", profile.trunk_joints}, {"base", profile.trunk_base}, {"tip", profile.trunk_tip}};
@@ -175,6 +177,15 @@ Result<RobotProfile> profileFromJson(const nlohmann::json& object, const std::st
     else
         for (const auto& arm : *arms)
             profile.arms.push_back(armFrom(arm, read));
+    if (const auto legs = object.find("legs"); legs != object.end()) {
+        if (!legs->is_array() || legs->size() != 2)
+            read.fail("legs", "a list of two legs");
+        else
+            for (const auto& leg : *legs) {
+                profile.legs.push_back(armFrom(leg, read));
+                profile.legs.back().limb = Limb::kLeg;
+            }
+    }
     if (const auto trunk = object.find("trunk"); trunk != object.end()) {
         profile.trunk_base = read.text(*trunk, "base");
         profile.trunk_tip = read.text(*trunk, "tip");

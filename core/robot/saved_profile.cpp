@@ -34,9 +34,8 @@ bool isPlainName(const std::string& name) {
     });
 }
 
-}  // namespace
-
-Result<RobotProfile> profileFor(const RobotModel& model, const std::string& path, const CancelFlag* cancel) {
+Result<RobotProfile> foundProfile(const RobotModel& model, const std::string& path,
+                                  const CancelFlag* cancel) {
     if (!path.empty())
         return readProfile(path, cancel);
     if (!isPlainName(model.name))
@@ -44,6 +43,15 @@ Result<RobotProfile> profileFor(const RobotModel& model, const std::string& path
     const std::string saved = sharedPath("robots") + "/" + model.name + ".json";
     std::error_code ignored;
     return std::filesystem::exists(saved, ignored) ? readProfile(saved, cancel) : makeProfile(model);
+}
+
+}  // namespace
+
+Result<RobotProfile> profileFor(const RobotModel& model, const std::string& path, const CancelFlag* cancel) {
+    auto profile = foundProfile(model, path, cancel);
+    if (profile && profile->legs.empty())
+        profile->legs = makeLegs(model);
+    return profile;
 }
 
 }  // namespace noctule::robot

@@ -59,9 +59,11 @@ Result<std::vector<CommandLimits>> limitsOf(const RobotModel& model, const Robot
             joint.max_speed > kHighestSpeed_rad_per_s ? kUsualSpeed_rad_per_s : joint.max_speed;
         CommandLimits one{joint.lower, joint.upper, stated, profile.max_acceleration,
                           profile.max_acceleration > 0 ? profile.max_jerk : 0};
-        for (const ArmProfile& arm : profile.arms)
-            if (const auto chain = Chain::make(model, arm.base, arm.tip); chain && chain->find(name) >= 0)
-                one.speed = arm.max_speed[static_cast<size_t>(chain->find(name))];
+        for (const auto* limbs : {&profile.arms, &profile.legs})
+            for (const ArmProfile& limb : *limbs)
+                if (const auto chain = Chain::make(model, limb.base, limb.tip);
+                    chain && chain->find(name) >= 0)
+                    one.speed = limb.max_speed[static_cast<size_t>(chain->find(name))];
         limits.push_back(one);
     }
     return limits;
@@ -111,8 +113,10 @@ Status closeLoop(RobotTrajectory& trajectory, const std::vector<CommandLimits>& 
     for (double duration_s = shortest_s; duration_s <= kLongestLoop_s; duration_s *= 1.25) {
         const auto steps = static_cast<size_t>(std::ceil(duration_s / trajectory.frame_time_s));
         const auto rows = bridge(trajectory, limits, std::max<size_t>(2, steps));
-        RobotTrajectory judged{
-            trajectory.frame_time_s, trajectory.joints, trajectory.frames, {}, 0, {}, 0, {}};
+        RobotTrajectory judged;
+        judged.frame_time_s = trajectory.frame_time_s;
+        judged.joints = trajectory.joints;
+        judged.frames = trajectory.frames;
         judged.frames.insert(judged.frames.end(), rows.begin(), rows.end());
         for (size_t i = 0; i < 3; ++i)  // and on into the beginning
             judged.frames.push_back(trajectory.frames[i]);

@@ -15,13 +15,16 @@ constexpr Rgba kRobotColor{0.45F, 0.62F, 0.86F, 1};
 constexpr double kApart_m = 0.25;  ///< between the performer's joints and the robot
 constexpr size_t kMeasured = 24;   ///< frames in which what the robot fills is measured
 
-JointValues valuesAt(const RobotModel& model, const RobotTrajectory& commands, double time_s) {
+/// The command of each frame of the clip; the last one stays.
+size_t commandAt(const RobotTrajectory& commands, double time_s) {
     const double frame = std::round(time_s / commands.frame_time_s);
-    const auto at =
-        static_cast<size_t>(std::clamp(frame, 0.0, static_cast<double>(commands.frames.size() - 1)));
+    return static_cast<size_t>(std::clamp(frame, 0.0, static_cast<double>(commands.frames.size() - 1)));
+}
+
+JointValues valuesOf(const RobotModel& model, const RobotTrajectory& commands, size_t frame) {
     JointValues values;
     for (size_t i = 0; i < commands.joints.size(); ++i)
-        values[model.findJoint(commands.joints[i])] = commands.frames[at][i];
+        values[model.findJoint(commands.joints[i])] = commands.frames[frame][i];
     return values;
 }
 
@@ -33,23 +36,23 @@ FilmCompanion companionOf(const MotionClip& clip, const RobotModel& model, const
     const size_t step = std::max<size_t>(1, clip.frames.size() / kMeasured);
     Eigen::AlignedBox3d way, filled;
     std::vector<JointValues> values;
+    std::vector<Eigen::Isometry3d> roots;
     for (size_t f = 0; f < clip.frames.size(); ++f) {
-        values.push_back(valuesAt(model, commands, static_cast<double>(f) * clip.frame_time_s));
+        const size_t command = commandAt(commands, static_cast<double>(f) * clip.frame_time_s);
+        values.push_back(valuesOf(model, commands, command));
+        roots.push_back(commands.root.empty() ? standingRoot(0)
+                                              : commands.root[std::min(command, commands.root.size() - 1)]);
         if (f % step != 0)
             continue;
         way.extend(placeBody(clip.skeleton, clip.frames[f], {}, nullptr).box());
-        filled.extend(boxOf(model, profile, values.back()));
+        filled.extend(boxOf(model, profile, values.back(), roots.back()));
     }
     // It stands on the ground, or on a post that is not drawn when it has no legs.
-    const Eigen::Translation3f place(static_cast<float>(way.max().x() + kApart_m - filled.min().x()),
-                                     static_cast<float>(-filled.min().y()),
-                                     static_cast<float>(way.center().z() - filled.center().z()));
+    const Eigen::Translation3d place(way.max().x() + kApart_m - filled.min().x(), -filled.min().y(),
+                                     way.center().z() - filled.center().z());
     FilmCompanion robot{meshOf(model, profile), {}, kRobotColor};
-    for (const JointValues& now : values) {
-        robot.skin.push_back(skinOf(model, *robot.mesh, now, 0));
-        for (Eigen::Matrix4f& bone : robot.skin.back())
-            bone = place * bone;
-    }
+    for (size_t f = 0; f < values.size(); ++f)
+        robot.skin.push_back(skinOf(model, *robot.mesh, values[f], place * roots[f]));
     return robot;
 }
 

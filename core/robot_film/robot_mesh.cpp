@@ -63,26 +63,31 @@ std::shared_ptr<const SkinnedMesh> meshOf(const RobotModel& model, const RobotPr
     return mesh;
 }
 
+Eigen::Isometry3d standingRoot(double lift_m) {
+    Eigen::Isometry3d root = Eigen::Isometry3d::Identity();
+    root.linear() = worldOfRobot();
+    root.translation().y() = lift_m;
+    return root;
+}
+
 std::vector<Eigen::Matrix4f> skinOf(const RobotModel& model, const SkinnedMesh& mesh,
-                                    const JointValues& values, double lift_m) {
+                                    const JointValues& values, const Eigen::Isometry3d& T_world_root) {
     const auto places = linkPlaces(model, values);
-    Eigen::Isometry3d world = Eigen::Isometry3d::Identity();
-    world.linear() = worldOfRobot();
-    world.translation().y() = lift_m;
     std::vector<Eigen::Matrix4f> skin;
     for (const SkinBone& bone : mesh.bones)
         skin.push_back(
-            (world * places[static_cast<size_t>(model.findLink(bone.joint))]).matrix().cast<float>());
+            (T_world_root * places[static_cast<size_t>(model.findLink(bone.joint))]).matrix().cast<float>());
     return skin;
 }
 
-Eigen::AlignedBox3d boxOf(const RobotModel& model, const RobotProfile& profile, const JointValues& values) {
+Eigen::AlignedBox3d boxOf(const RobotModel& model, const RobotProfile& profile, const JointValues& values,
+                          const Eigen::Isometry3d& T_world_root) {
     const auto places = linkPlaces(model, values);
     Eigen::AlignedBox3d box;
     for (size_t link = 0; link < model.links.size(); ++link)
         for (const LinkShape& shape : shapesOf(model, link, profile.capsule_radius_m))
             for (const Vector3d& end : {shape.a_m, shape.b_m}) {
-                const Vector3d p = worldOfRobot() * (places[link] * end);
+                const Vector3d p = T_world_root * (places[link] * end);
                 box.extend(Vector3d(p.array() - shape.radius_m));
                 box.extend(Vector3d(p.array() + shape.radius_m));
             }

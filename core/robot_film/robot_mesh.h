@@ -14,11 +14,15 @@ Matrix3d worldOfRobot();
 /// Links without a shape have no bone: the lines between their joints are drawn in the profile's radius.
 std::shared_ptr<const SkinnedMesh> meshOf(const RobotModel& model, const RobotProfile& profile);
 
-/// Per bone of meshOf(); `lift_m`: of the root above the ground.
-std::vector<Eigen::Matrix4f> skinOf(const RobotModel& model, const SkinnedMesh& mesh,
-                                    const JointValues& values, double lift_m);
+/// Its root `lift_m` above the middle of the world, facing as a performer who stands there.
+Eigen::Isometry3d standingRoot(double lift_m);
 
-/// What the mesh fills in the world, without a lift.
-Eigen::AlignedBox3d boxOf(const RobotModel& model, const RobotProfile& profile, const JointValues& values);
+/// Per bone of meshOf().
+std::vector<Eigen::Matrix4f> skinOf(const RobotModel& model, const SkinnedMesh& mesh,
+                                    const JointValues& values, const Eigen::Isometry3d& T_world_root);
+
+/// What the mesh fills.
+Eigen::AlignedBox3d boxOf(const RobotModel& model, const RobotProfile& profile, const JointValues& values,
+                          const Eigen::Isometry3d& T_world_root);
 
 }  // namespace noctule::robot

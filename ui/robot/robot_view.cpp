@@ -68,7 +68,7 @@ void RobotView::takeRobot() {
         for (const robot::RobotArm& arm : parts_->arms)
             for (int i = 0; i < arm.chain.size(); ++i)
                 reference.push_back(arm.reference[i]);
-        box_ = robot::boxOf(parts_->model, parts_->profile, valuesOf(reference));
+        box_ = robot::boxOf(parts_->model, parts_->profile, valuesOf(reference), robot::standingRoot(0));
         lift_m_ = box_.isEmpty() ? 0 : -box_.min().y();
         box_.translate(Vector3d(0, lift_m_, 0));
         frame();
@@ -134,14 +134,15 @@ const Scene& RobotView::compose() {
     body.mesh = mesh_;
     body.color = colors.body;
     body.skin = robot::skinOf(parts_->model, *mesh_,
-                       newest && !newest->actual.empty() ? valuesOf(newest->actual) : valuesOf({}), lift_m_);
+                              newest && !newest->actual.empty() ? valuesOf(newest->actual) : valuesOf({}),
+                              robot::standingRoot(lift_m_));
     scene_.bodies.push_back(body);
     if (!newest)
         return scene_;
     const bool follows = drive_.word() == RobotWord::kFollowing;
     const std::vector<double>& wanted =
         follows || newest->output.ghost.empty() ? newest->output.q : newest->output.ghost;
-    body.skin = robot::skinOf(parts_->model, *mesh_, valuesOf(wanted), lift_m_);
+    body.skin = robot::skinOf(parts_->model, *mesh_, valuesOf(wanted), robot::standingRoot(lift_m_));
     body.color = colors.ghost;
     body.style = BodyStyle::kOutline;
     scene_.bodies.push_back(std::move(body));

@@ -188,5 +188,91 @@ TEST_F(RobotMapping, ALoopMeetsItsBeginningWithinTheLimits) {
     EXPECT_LE(limitUse(twice, *limits).speed, 1 + 1e-6);
 }
 
+/// In the performer's world as the trajectory has it: where the ankle of a side is.
+Vector3d ankleOf(const RobotModel& model, const RobotArm& leg, const RobotTrajectory& trajectory,
+                 size_t frame) {
+    JointVector q(leg.chain.size());
+    for (int i = 0; i < leg.chain.size(); ++i) {
+        const auto at = std::ranges::find(trajectory.joints, leg.chain.joint(i).name);
+        q[i] = trajectory.frames[frame][static_cast<size_t>(at - trajectory.joints.begin())];
+    }
+    ChainState state;
+    leg.chain.forward(q, state);
+    return trajectory.root[frame] * placeAtZero(model, 0, model.findLink(leg.profile.base)) *
+           leg.points(state).wrist;
+}
+
+/// Wherever a performer's foot stands, so does the robot's.
+class RobotLegs : public RobotMapping, public testing::WithParamInterface<std::pair<const char*, double>> {};
+
+TEST_P(RobotLegs, FeetThatStandKeepTheirPlace) {
+    const auto [file, most_ankle_mm] = GetParam();
+    const RobotModel model = read(file);
+    const RobotProfile profile = profileFor(model, 0);
+    ASSERT_EQ(profile.legs.size(), 2U);
+    MappingChoice choice;
+    choice.legs = choice.trunk = true;
+    const MotionClip clip = motion(kHandshake);
+    const auto mapped = mapMotion(clip, model, profile, choice);
+    ASSERT_TRUE(mapped) << mapped.error().text();
+    ASSERT_EQ(mapped->root.size(), clip.frames.size());
+    for (const ArmFigures& leg : mapped->legs) {
+        std::printf("%s %s: thigh %.1f deg, shank %.1f deg, ankle %.2f mm (at most %.1f)\n", file,
+                    leg.arm.c_str(), leg.upper_mean_deg, leg.forearm_mean_deg, leg.wrist_mean_mm,
+                    leg.wrist_max_mm);
+        EXPECT_LT(leg.wrist_mean_mm, most_ankle_mm);
+        EXPECT_LT(leg.upper_mean_deg, 8) << "the knee looks where the performer's does";
+    }
+    const auto legs = legsOf(model, profile);
+    ASSERT_TRUE(legs);
+    int standing = 0;
+    double slid_m = 0, stood_s = 0;
+    for (size_t frame = 1; frame < clip.frames.size(); ++frame)
+        for (size_t s = 0; s < 2; ++s) {
+            const int foot = clip.skeleton.find(s == 0 ? "LeftFoot" : "RightFoot");
+            ASSERT_GE(foot, 0);
+            const auto human = [&](size_t f) {
+                return globalPose(clip, f).p_world_joint[static_cast<size_t>(foot)];
+            };
+            const double moved_m = (human(frame) - human(frame - 1)).norm();
+            if (moved_m > 0.03 * clip.frame_time_s)
+                continue;
+            ++standing;
+            stood_s += clip.frame_time_s;
+            slid_m +=
+                (ankleOf(model, (*legs)[s], *mapped, frame) - ankleOf(model, (*legs)[s], *mapped, frame - 1))
+                    .norm();
+        }
+    std::printf("%s: feet stand for %.1f s and slide by %.1f mm a second\n", file, stood_s,
+                1e3 * slid_m / stood_s);
+    ASSERT_GT(standing, 200);
+    EXPECT_LT(slid_m / stood_s, 0.03);
+}
+
+TEST_P(RobotLegs, AreSavedWithTheProfile) {
+    const RobotProfile made = profileFor(read(GetParam().first), 0);
+    const auto back = profileFromJson(toJson(made), "p.json");
+    ASSERT_TRUE(back) << back.error().text();
+    ASSERT_EQ(back->legs.size(), 2U);
+    EXPECT_EQ(back->legs[1].limb, Limb::kLeg);
+    EXPECT_EQ(back->legs[1].elbow_joint, made.legs[1].elbow_joint);
+    EXPECT_EQ(toJson(*back), toJson(made));
+}
+
+INSTANTIATE_TEST_SUITE_P(Humanoids, RobotLegs,
+                         testing::Values(std::pair{"unitree_g1/g1_29dof_rev_1_0.urdf", 5.0},
+                                         std::pair{"unitree_h1/h1.urdf", 10.0}));
+
+TEST_F(RobotMapping, ARobotWithoutLegsIsNamed) {
+    const RobotModel model = read("robonaut2/r2.urdf");
+    RobotProfile profile = profileFor(model, 0);
+    EXPECT_TRUE(profile.legs.empty());
+    MappingChoice choice;
+    choice.legs = true;
+    const auto mapped = mapMotion(motion(kHandshake), model, profile, choice);
+    ASSERT_FALSE(mapped);
+    EXPECT_NE(mapped.error().message.find("has no two legs"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace noctule::robot
