@@ -203,7 +203,7 @@ Vector3d ankleOf(const RobotModel& model, const RobotArm& leg, const RobotTrajec
 }
 
 /// Wherever a performer's foot stands, so does the robot's.
-class RobotLegs : public RobotMapping, public testing::WithParamInterface<std::pair<const char*, double>> {};
+class RobotLegs : public RobotMapping, public ::testing::WithParamInterface<std::pair<const char*, double>> {};
 
 TEST_P(RobotLegs, FeetThatStandKeepTheirPlace) {
     const auto [file, most_ankle_mm] = GetParam();
