@@ -203,7 +203,8 @@ Vector3d ankleOf(const RobotModel& model, const RobotArm& leg, const RobotTrajec
 }
 
 /// Wherever a performer's foot stands, so does the robot's.
-class RobotLegs : public RobotMapping, public ::testing::WithParamInterface<std::pair<const char*, double>> {};
+class RobotLegs : public RobotMapping,
+                  public ::testing::WithParamInterface<std::pair<const char*, double>> {};
 
 TEST_P(RobotLegs, FeetThatStandKeepTheirPlace) {
     const auto [file, most_ankle_mm] = GetParam();
@@ -260,8 +261,8 @@ TEST_P(RobotLegs, AreSavedWithTheProfile) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Humanoids, RobotLegs,
-                         testing::Values(std::pair{"unitree_g1/g1_29dof_rev_1_0.urdf", 5.0},
-                                         std::pair{"unitree_h1/h1.urdf", 10.0}));
+                         ::testing::Values(std::pair{"unitree_g1/g1_29dof_rev_1_0.urdf", 5.0},
+                                           std::pair{"unitree_h1/h1.urdf", 10.0}));
 
 TEST_F(RobotMapping, ARobotWithoutLegsIsNamed) {
     const RobotModel model = read("robonaut2/r2.urdf");

@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "core/body/actor.h"
 #include "core/robot/urdf_reader.h"
 #include "core/robot_film/robot_mesh.h"
 #include "tests/support/plain_arm.h"
