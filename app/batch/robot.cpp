@@ -16,6 +16,7 @@
 #include "core/robot/robot_report.h"
 #include "core/robot/urdf_reader.h"
 #include "core/robot_film/robot_film.h"
+#include "core/robot_film/robot_mesh.h"
 
 namespace noctule::batch {
 namespace {
@@ -187,10 +188,13 @@ Status writeFilm(const VerbContext& context, const MotionClip& clip, const robot
     const std::string path = context.arguments.text("video");
     if (path.empty())
         return Done{};
+    const robot::RobotLook look =
+        robot::lookOf(model, profile, context.arguments.text("robot"), context.job());
+    tellNotices(context.console, context.arguments.text("robot"), look.notices);
     const bool resamples = clip.p_parent_joint_m.empty();
     return robot::writeRobotFilm(
         path, resamples ? toClip(clip.name, timed(clip), FilmSettings().frames_per_second) : clip, model,
-        profile, trajectory, context.arguments.given("overwrite"), context.job());
+        profile, look.mesh, trajectory, context.arguments.given("overwrite"), context.job());
 }
 
 Status checkRobotOutputs(const Arguments& arguments) {

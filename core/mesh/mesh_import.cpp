@@ -23,12 +23,13 @@ std::string suffixOf(const std::string& path) {
     return suffix;
 }
 
-Status checkFile(const std::string& path) {
+Status checkFile(const std::string& path, const MeshImportSettings& settings) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored))
         return Error{ErrorKind::kUnreadable, path + ": there is no such file",
                      "Choose a .glb, .gltf, .vrm, .fbx, .dae, .obj or .ply file"};
-    if (!isMeshFileName(path))
+    const bool is_part = settings.keeps_axes && suffixOf(path) == ".stl";
+    if (!is_part && !isMeshFileName(path))
         return Error{ErrorKind::kUnreadable, path + ": meshes of this kind cannot be read",
                      "Export the body as .glb, .fbx, .dae, .obj or .ply"};
     return Done{};
@@ -138,13 +139,14 @@ bool isMeshFileName(const std::string& path) {
 }
 
 Result<RiggedMesh> importMesh(const std::string& path, const MeshImportSettings& settings) {
-    if (const Status checked = checkFile(path); !checked)
+    if (const Status checked = checkFile(path, settings); !checked)
         return checked.error();
     if (isGltf(path))
         return importGltf(path, settings);
     Assimp::Importer importer;
     // Maya's pivots folded into the nodes, so that bones keep their own names and stand in one piece.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, settings.keeps_axes);
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_GenSmoothNormals);
     if (!scene || !scene->mRootNode)
         return Error{ErrorKind::kUnreadable,

@@ -21,6 +21,7 @@ struct MeshImportSettings {
     std::optional<double> unit_m;
     TextureDecoder decode = nullptr;  ///< null: textures are carried, but cannot be drawn
     bool needs_surface = true;        ///< false: nodes and their animations alone will do
+    bool keeps_axes = false;  ///< a part of a machine, also STL: no axis is turned and no unit guessed
 };
 
 /// Checked by checkRiggedMesh(). At most four weights per vertex, normalised; vertices without weights in a

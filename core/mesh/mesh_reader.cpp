@@ -26,6 +26,7 @@ constexpr int kOutOfMemory = 12;  ///< exit code of the reader
 constexpr int kLook_ms = 50;      ///< at a cancel while nothing comes
 constexpr const char* kSurface = "surface";
 constexpr const char* kMotion = "motion";
+constexpr const char* kPart = "part";
 
 class Descriptor {
 public:
@@ -145,11 +146,13 @@ Result<RiggedMesh> importMeshApart(const std::string& path, const MeshImportSett
                      "Close other programs and try again"};
     Descriptor from_reader(ends[0]), to_us(ends[1]);
     pid_t pid = 0;
-    const int failed =
-        startReader(program,
-                    {path, std::to_string(settings.unit_m.value_or(0)), std::to_string(limits.seconds),
-                     std::to_string(limits.memory_mb), settings.needs_surface ? kSurface : kMotion},
-                    to_us.number(), pid);
+    const int failed = startReader(program,
+                                   {path, std::to_string(settings.unit_m.value_or(0)),
+                                    std::to_string(limits.seconds), std::to_string(limits.memory_mb),
+                                    settings.keeps_axes      ? kPart
+                                    : settings.needs_surface ? kSurface
+                                                             : kMotion},
+                                   to_us.number(), pid);
     if (failed)
         return Error{ErrorKind::kInternal, program + " cannot be started: " + std::strerror(failed),
                      "Install the program again; this one belongs beside it"};
@@ -178,7 +181,8 @@ int runMeshReader(const std::vector<std::string>& arguments, TextureDecoder deco
     try {
         MeshImportSettings settings;
         settings.decode = decode;
-        settings.needs_surface = arguments[4] == kSurface;
+        settings.needs_surface = arguments[4] != kMotion;
+        settings.keeps_axes = arguments[4] == kPart;
         if (unit_m > 0)
             settings.unit_m = unit_m;
         const std::string bytes = toBytes(importMesh(arguments[0], settings));

@@ -65,6 +65,8 @@ WorldChange guessedWorld(const aiScene& scene) {
 WorldChange worldChangeOf(const aiScene& scene, const std::string& suffix,
                           const MeshImportSettings& settings) {
     WorldChange change;
+    if (settings.keeps_axes)
+        return change;
     if (suffix == ".fbx")
         change = fbxWorld(scene);
     else if (suffix == ".obj" || suffix == ".ply")

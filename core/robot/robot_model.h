@@ -45,11 +45,19 @@ struct LinkShape {
     double radius_m = 0;
 };
 
+/// A mesh that shows the link.
+struct LinkMesh {
+    std::string file;  ///< as the URDF names it: package://, file:// or a path
+    Eigen::Isometry3d T_link_mesh = Eigen::Isometry3d::Identity();
+    Vector3d scale = Vector3d::Ones();
+};
+
 struct RobotLink {
     std::string name;
     int parent_joint = -1;             ///< -1: the root
     std::vector<int> child_joints;     ///< in the order of names
-    std::vector<LinkShape> shapes;     ///< of spheres, cylinders and boxes; meshes are not read
+    std::vector<LinkShape> shapes;     ///< of spheres, cylinders and boxes
+    std::vector<LinkMesh> meshes;      ///< not read: see robot_film/robot_mesh.h
     std::optional<Vector3d> centre_m;  ///< of mass
 };
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr size_t kMostUrdfBytes = 16 << 20;  ///< Robonaut 2 takes 0.1 MB
 constexpr size_t kMostLinks = 2000;
+constexpr size_t kMostMeshes = 100;  ///< of a link
 
 /// Keeps what urdfdom would print, while it lives.
 class Overheard : public console_bridge::OutputHandler {
@@ -132,9 +133,20 @@ private:
             if (collision && collision->geometry)
                 if (const auto shape = shapeOf(*collision))
                     made.shapes.push_back(*shape);
+        for (const auto& visual : link.visual_array)
+            if (const auto* mesh = visual ? dynamic_cast<const urdf::Mesh*>(visual->geometry.get()) : nullptr)
+                addMesh(*mesh, isometry(visual->origin), made);
         if (link.inertial && isometry(link.inertial->origin).matrix().allFinite())
             made.centre_m = isometry(link.inertial->origin).translation();
         return made;
+    }
+
+    static void addMesh(const urdf::Mesh& mesh, const Eigen::Isometry3d& T_link_mesh, RobotLink& link) {
+        const Vector3d scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
+        const bool is_sound = scale.allFinite() && T_link_mesh.matrix().allFinite() &&
+                              scale.cwiseAbs().minCoeff() > 1e-9 && scale.cwiseAbs().maxCoeff() < 1e6;
+        if (is_sound && link.meshes.size() < kMostMeshes)
+            link.meshes.push_back({mesh.filename, T_link_mesh, scale});
     }
 
     Result<RobotJoint> jointOf(const urdf::Joint& joint, int parent_link) {

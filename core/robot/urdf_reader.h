@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads URDF, the robot description of ROS (wiki.ros.org/urdf/XML), through urdfdom. What urdfdom accepts
 // silently is refused first: loops, names twice, limits that are no numbers or the wrong way round. Meshes
-// are not looked for.
+// are named, not read.
 #pragma once
 
 #include <string>

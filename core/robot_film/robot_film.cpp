@@ -31,7 +31,7 @@ JointValues valuesOf(const RobotModel& model, const RobotTrajectory& commands, s
 }  // namespace
 
 FilmCompanion companionOf(const MotionClip& clip, const RobotModel& model, const RobotProfile& profile,
-                          const RobotTrajectory& commands) {
+                          std::shared_ptr<const SkinnedMesh> mesh, const RobotTrajectory& commands) {
     require(!commands.frames.empty(), "companionOf() needs commands");
     const size_t step = std::max<size_t>(1, clip.frames.size() / kMeasured);
     Eigen::AlignedBox3d way, filled;
@@ -50,18 +50,19 @@ FilmCompanion companionOf(const MotionClip& clip, const RobotModel& model, const
     // It stands on the ground, or on a post that is not drawn when it has no legs.
     const Eigen::Translation3d place(way.max().x() + kApart_m - filled.min().x(), -filled.min().y(),
                                      way.center().z() - filled.center().z());
-    FilmCompanion robot{meshOf(model, profile), {}, kRobotColor};
+    FilmCompanion robot{std::move(mesh), {}, kRobotColor};
     for (size_t f = 0; f < values.size(); ++f)
         robot.skin.push_back(skinOf(model, *robot.mesh, values[f], place * roots[f]));
     return robot;
 }
 
 Status writeRobotFilm(const std::string& path, const MotionClip& clip, const RobotModel& model,
-                      const RobotProfile& profile, const RobotTrajectory& commands, bool overwrite,
-                      const JobContext& job) {
+                      const RobotProfile& profile, std::shared_ptr<const SkinnedMesh> mesh,
+                      const RobotTrajectory& commands, bool overwrite, const JobContext& job) {
     const MovingBody performer =
         MovingBody::ofOurs(makeMannequin(defaultActor()), clip.skeleton, feetAtRest(clip.skeleton));
-    const FilmSubject subject{performer, clip, {}, companionOf(clip, model, profile, commands)};
+    const FilmSubject subject{
+        performer, clip, {}, companionOf(clip, model, profile, std::move(mesh), commands)};
     return writeFilm(path, subject, {}, overwrite, job);
 }
 

@@ -6,6 +6,7 @@
 #include "core/body/actor.h"
 #include "core/robot/saved_profile.h"
 #include "core/robot/urdf_reader.h"
+#include "core/robot_film/robot_mesh.h"
 #include "devices/device/clock.h"
 #include "ui/language/core_words.h"
 #include "ui/robot/robot_running.h"
@@ -39,6 +40,7 @@ Result<std::shared_ptr<const RobotParts>> readParts(const RobotChoice& choice, c
         parts->axes.insert(parts->axes.end(), arm.chain.joints().begin(), arm.chain.joints().end());
         parts->speeds.insert(parts->speeds.end(), arm.profile.max_speed.begin(), arm.profile.max_speed.end());
     }
+    parts->mesh = robot::lookOf(*model, *profile, choice.urdf.toStdString(), job).mesh;
     parts->model = std::move(*model);
     parts->profile = std::move(*profile);
     parts->arms = std::move(*arms);

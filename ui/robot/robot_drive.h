@@ -27,6 +27,7 @@ struct RobotParts {
     std::vector<std::string> joints;      ///< in the order of commands
     std::vector<robot::ChainJoint> axes;  ///< likewise, with their limits
     std::vector<double> speeds;           ///< rad/s, likewise
+    std::shared_ptr<const SkinnedMesh> mesh;
 };
 
 /// One step of the drive; values in the order of RobotParts::joints.

@@ -63,7 +63,7 @@ void RobotView::takeRobot() {
     title_->setText(parts_ ? robotInWords(parts_->model.name) : QString());
     legend_->setVisible(parts_ != nullptr);
     if (parts_) {
-        mesh_ = robot::meshOf(parts_->model, parts_->profile);
+        mesh_ = parts_->mesh;
         std::vector<double> reference;
         for (const robot::RobotArm& arm : parts_->arms)
             for (int i = 0; i < arm.chain.size(); ++i)

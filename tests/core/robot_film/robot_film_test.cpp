@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <numbers>
+#include <sstream>
 
 #include "core/body/actor.h"
 #include "core/robot/urdf_reader.h"
 #include "core/robot_film/robot_mesh.h"
+#include "tests/support/files.h"
 #include "tests/support/plain_arm.h"
 
 namespace noctule::robot {
@@ -40,6 +44,70 @@ TEST(RobotMesh, CapsulesFaceOutwardsAndStandWhereTheLinksAre) {
     EXPECT_NEAR(box.min().x(), -0.2 - r, 1e-9) << "its right is the performer's right";
 }
 
+/// A tetrahedron of 1 m along x, y and z as STL.
+std::string tetrahedron() {
+    const std::array<Vector3d, 4> p{Vector3d::Zero(), Vector3d::UnitX(), Vector3d::UnitY(),
+                                    Vector3d::UnitZ()};
+    std::ostringstream text;
+    text << "solid t\n";
+    for (const auto& face :
+         {std::array{0, 2, 1}, std::array{0, 1, 3}, std::array{0, 3, 2}, std::array{1, 2, 3}}) {
+        text << "facet normal 0 0 0\nouter loop\n";
+        for (const int corner : face)
+            text << "vertex " << p[static_cast<size_t>(corner)].transpose() << '\n';
+        text << "endloop\nendfacet\n";
+    }
+    text << "endsolid t\n";
+    return text.str();
+}
+
+TEST(RobotLook, ShowsTheMeshesThatAreThereAndCapsulesForTheOthers) {
+    const test::Folder folder;
+    std::filesystem::create_directories(folder.file("meshes"));
+    std::filesystem::create_directories(folder.file("urdf"));
+    std::ofstream(folder.file("meshes/part.STL")) << tetrahedron();
+    std::ofstream(folder.file("meshes/broken.stl")) << "no mesh";
+    const auto link = [](const std::string& name, const std::string& mesh) {
+        return "<link name='" + name +
+               "'><visual><origin xyz='0 0 0.5' rpy='0 0 0'/><geometry><mesh filename='" + mesh +
+               "' scale='0.1 0.1 -0.2'/></geometry></visual><collision><geometry><sphere radius='0.05'/>" +
+               "</geometry></collision></link>";
+    };
+    const auto joint = [](const std::string& child) {
+        return "<joint name='to_" + child + "' type='fixed'><parent link='base'/><child link='" + child +
+               "'/></joint>";
+    };
+    const std::string urdf = "<robot name='r'>" + link("base", "package://r_description/meshes/part.STL") +
+                             link("gone", "package://r_description/meshes/gone.stl") +
+                             link("broken", "../meshes/broken.stl") + joint("gone") + joint("broken") +
+                             "</robot>";
+    std::ofstream(folder.file("urdf/r.urdf")) << urdf;
+    const auto model = readUrdf(folder.file("urdf/r.urdf"));
+    ASSERT_TRUE(model) << model.error().text();
+
+    const RobotLook look = lookOf(*model, {}, folder.file("urdf/r.urdf"));
+    ASSERT_EQ(look.mesh->bones.size(), 3U);
+    EXPECT_EQ(look.mesh->bones[0].joint, "base");
+    Eigen::AlignedBox3f of_part;
+    double volume = 0;
+    for (size_t i = 0; i < 4; ++i) {
+        std::array<Vector3d, 3> corners;
+        for (size_t k = 0; k < 3; ++k) {
+            const SkinnedVertex& vertex = look.mesh->vertices[look.mesh->triangles[i][k]];
+            ASSERT_EQ(vertex.bones[0], 0);
+            of_part.extend(vertex.p_m);
+            corners[k] = vertex.p_m.cast<double>() - Vector3d(0, 0, 0.5);
+        }
+        volume += corners[0].dot(corners[1].cross(corners[2])) / 6;
+    }
+    EXPECT_TRUE(of_part.isApprox(
+        Eigen::AlignedBox3f(Eigen::Vector3f(0, 0, 0.3F), Eigen::Vector3f(0.1F, 0.1F, 0.5F)), 1e-5F));
+    EXPECT_NEAR(volume, 0.1 * 0.1 * 0.2 / 6, 1e-9) << "faces outwards although it is mirrored";
+    ASSERT_EQ(look.notices.size(), 2U);
+    EXPECT_NE(look.notices[0].find("broken.stl"), std::string::npos) << look.notices[0];
+    EXPECT_NE(look.notices[1].find("1 of 3 meshes"), std::string::npos) << look.notices[1];
+}
+
 TEST(RobotFilm, TheRobotStandsOnTheGroundBesideThePerformersWayAndMovesAsCommanded) {
     const auto model = parseUrdf(test::plainArmUrdf(), "arm");
     ASSERT_TRUE(model);
@@ -58,7 +126,7 @@ TEST(RobotFilm, TheRobotStandsOnTheGroundBesideThePerformersWayAndMovesAsCommand
     for (int frame = 0; frame < 100; ++frame)
         commands.frames.emplace_back(commands.joints.size(), frame < 50 ? 0.0 : 0.4);
 
-    const FilmCompanion robot = companionOf(clip, *model, profile, commands);
+    const FilmCompanion robot = companionOf(clip, *model, profile, meshOf(*model, profile), commands);
     ASSERT_EQ(robot.skin.size(), clip.frames.size());
     Eigen::AlignedBox3d filled;
     for (const auto& skin : robot.skin)
