@@ -63,16 +63,21 @@ RecordButton::State look(RecordRun::State state) {
     }
 }
 
-QString verbOf(RecordRun::State state) {
+/// `suits`: that the take records.
+QString verbOf(RecordRun::State state, int suits) {
     switch (state) {
         case RecordRun::State::kCountdown:
             return RecordBar::tr("Cancel", "the countdown");
         case RecordRun::State::kRecording:
-            return RecordBar::tr("Stop");
+            return suits < 2    ? RecordBar::tr("Stop")
+                   : suits == 2 ? RecordBar::tr("Stop both")
+                                : RecordBar::tr("Stop all %1").arg(suits);
         case RecordRun::State::kSaving:
             return RecordBar::tr("Saving");
         default:
-            return RecordBar::tr("Record");
+            return suits < 2    ? RecordBar::tr("Record")
+                   : suits == 2 ? RecordBar::tr("Record both")
+                                : RecordBar::tr("Record all %1").arg(suits);
     }
 }
 
@@ -202,6 +207,8 @@ void RecordBar::fillMenu(QMenu& menu) {
     if (run_.canPreRoll())
         addSeconds(menu, tr("Pre-roll, from before the recording begins"), kPreRolls_s, run_.preRollSeconds(),
                    [this](int seconds) { run_.setPreRollSeconds(seconds); });
+    else if (run_.suitCount() > 1)
+        addHeading(menu, tr("No pre-roll: several suits begin together"));
     else
         addHeading(menu, tr("No pre-roll: each stream of this suit begins in the rest pose"));
 }
@@ -218,7 +225,7 @@ void RecordBar::refresh() {
     button_->setState(look(state));
     if (state == RecordRun::State::kCountdown)
         button_->setCountdown(run_.countdownLeft(), run_.countdownSeconds());
-    verb_->setText(verbOf(state));
+    verb_->setText(verbOf(state, run_.suitCount()));
     const QString why = state == RecordRun::State::kRecording
                             ? QString()
                             : tr("Markers and notes belong to a take that is being recorded.");
@@ -227,6 +234,10 @@ void RecordBar::refresh() {
     review_->setChecked(run_.opensReview());
     if (!runs && below_->currentWidget() == note_)
         closeNote();
+}
+
+QString RecordBar::verb() const {
+    return verb_->text();
 }
 
 void RecordBar::editName() {

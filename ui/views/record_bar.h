@@ -27,6 +27,8 @@ public:
     RecordButton& button() { return *button_; }
     QLineEdit& name() { return *name_; }
     QLineEdit& note() { return *note_; }
+    /// Beside the button: "Record both".
+    QString verb() const;
     Button& markerButton() { return *marker_; }
     Button& countdownButton() { return *countdown_; }
 

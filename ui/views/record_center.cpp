@@ -5,12 +5,14 @@
 
 #include "ui/scene/scene_view.h"
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 #include "ui/views/levels_panel.h"
 #include "ui/views/record_bar.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/take_clock.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
+#include "ui/widgets/label.h"
 #include "ui/widgets/problem_card.h"
 
 namespace noctule::ui {
@@ -18,6 +20,14 @@ namespace {
 
 /// At 100 percent, as on a screen of 800 lines; from there on the picture grows first.
 constexpr int kBarHeight = 88, kLevels = 156, kMostLevels = 220;
+
+LiveWearer wearerOf(const LiveSuit& suit) {
+    LiveWearer wearer{suit.actor(), suit.suit(),
+                      suit.canMoveBody() ? suit.calibration() : std::optional<Calibration>()};
+    if (const auto hello = suit.status()->hello)
+        wearer.sample_rate_hz = hello->sample_rate_hz;
+    return wearer;
+}
 
 }  // namespace
 
@@ -29,8 +39,17 @@ RecordCenter::RecordCenter(Studio& studio, RecordRun& run, QWidget* parent)
       clock_(new TakeClock(scene_)),
       bar_(new RecordBar(run)),
       levels_(new LevelsPanel(studio)),
-      column_(makeColumn(this)) {
+      column_(makeColumn(this)),
+      row_(new QWidget) {
     column_->addWidget(scene_, 5);
+    auto* row = makeRow(row_, {16, 4, 16, 4});
+    row->addWidget((new Label(tr("Live, performers stand in a row, %1 apart. Where they really are to each "
+                                 "other comes with processing, after the take.")
+                                  .arg(metresText(LiveScene::kApart_m)),
+                              TextRole::kSecondary, Ink::kHint))
+                       ->wrapped(),
+                   1);
+    column_->addWidget(row_);
     column_->addWidget(new Divider);
     column_->addWidget(bar_);
     column_->addWidget(new Divider);
@@ -42,13 +61,14 @@ RecordCenter::RecordCenter(Studio& studio, RecordRun& run, QWidget* parent)
     };
     fit();
     connect(&Theme::get(), &Theme::changed, this, fit);
-    LiveSuit& suit = studio.suit();
-    connect(&suit, &LiveSuit::wearingChanged, this, &RecordCenter::wear);
-    connect(&suit, &LiveSuit::frameChanged, this, &RecordCenter::showFrame);
+    studio.suits().follow(&LiveSuit::wearingChanged, this, &RecordCenter::wear);
+    studio.suits().follow(&LiveSuit::frameChanged, this, &RecordCenter::showFrame);
+    connect(&studio.suits(), &LiveSuits::changed, this, &RecordCenter::showRow);
     connect(&run, &RecordRun::changed, this, &RecordCenter::showTake);
     connect(&run, &RecordRun::ticked, this, &RecordCenter::showTime);
     connect(&run, &RecordRun::refused, this, &RecordCenter::showRefusal);
     wear();
+    showRow();
     showTake();
 }
 
@@ -57,18 +77,25 @@ void RecordCenter::showEvent(QShowEvent*) {
 }
 
 void RecordCenter::wear() {
-    const LiveSuit& suit = studio_.suit();
-    const auto hello = suit.status()->hello;
-    LiveWearer wearer{suit.actor(), suit.suit(),
-                      suit.canMoveBody() ? suit.calibration() : std::optional<Calibration>()};
-    if (hello)
-        wearer.sample_rate_hz = hello->sample_rate_hz;
-    scene_->setLive(std::move(wearer));
+    scene_->setLive(wearerOf(studio_.suit()));
 }
 
 void RecordCenter::showFrame() {
-    if (isVisible())
-        scene_->showFrame(studio_.suit().frame());
+    if (!isVisible())
+        return;
+    LiveSuits& suits = studio_.suits();
+    std::vector<LiveCompanion> others;
+    if (suits.areSeveral())
+        for (const WornSuit* worn : suits.connected())
+            if (worn != &suits.current())
+                others.push_back({wearerOf(worn->suit), worn->suit.frame(), suits.letterOf(*worn)});
+    scene_->setCompany(suits.letterOf(suits.current()), std::move(others));
+    scene_->showFrame(studio_.suit().frame());
+}
+
+/// What the picture cannot know is said below it.
+void RecordCenter::showRow() {
+    row_->setVisible(studio_.suits().areSeveral());
 }
 
 void RecordCenter::showTake() {
@@ -91,10 +118,9 @@ void RecordCenter::showTake() {
 }
 
 void RecordCenter::showTime() {
-    const LiveSuit& suit = studio_.suit();
-    const auto hello = suit.status()->hello;
-    clock_->setSeconds(suit.recordedSeconds());
-    clock_->setRecorder(suit.recording(), hello ? hello->sample_rate_hz : 0);
+    const LiveSuits::OnDisk on_disk = studio_.suits().onDisk();
+    clock_->setSeconds(studio_.suits().recordedSeconds());
+    clock_->setRecorder(on_disk.recorder, on_disk.sample_rate_hz);
 }
 
 void RecordCenter::showRefusal() {

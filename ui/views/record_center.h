@@ -36,6 +36,7 @@ protected:
 private:
     void wear();
     void showFrame();
+    void showRow();
     void showTake();
     void showTime();
     void showRefusal();
@@ -48,6 +49,7 @@ private:
     RecordBar* bar_;
     LevelsPanel* levels_;
     QVBoxLayout* column_;
+    QWidget* row_;
     ProblemCard* refusal_ = nullptr;
 };
 

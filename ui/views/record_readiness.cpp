@@ -11,6 +11,7 @@
 #include "ui/views/readiness_words.h"
 #include "ui/views/record_problems.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/suit_cards.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/form_rows.h"
@@ -45,12 +46,14 @@ double shareOf(qint64 part, qint64 whole) {
 RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
+      suits_(new SuitCards(studio)),
       verdict_(new VerdictHeader),
       problems_(new RecordProblems(studio)),
       of_suit_(new QWidget),
       numbers_(new NumberRows) {
     auto* content = new QWidget;
     auto* column = makeColumn(content, {0, 12, 0, 12}, 12);
+    addRow(column, 0, {12, 0, 12, 0})->addWidget(suits_);
     verdict_->setCompact(true);
     addRow(column, 0, {12, 0, 12, 0})->addWidget(verdict_);
     column->addWidget(problems_);
@@ -63,9 +66,9 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     column->addWidget(of_suit_);
     column->addStretch();
     makeColumn(this)->addWidget(new ScrollArea(content));
-    connect(&studio.check(), &SuitCheck::changed, this, &RecordReadiness::refresh);
-    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &RecordReadiness::refresh);
-    connect(&studio.suit(), &LiveSuit::wearingChanged, this, &RecordReadiness::refresh);
+    studio.suits().follow(&SuitCheck::changed, this, &RecordReadiness::refresh);
+    studio.suits().follow(&LiveSuit::phaseChanged, this, &RecordReadiness::refresh);
+    studio.suits().follow(&LiveSuit::wearingChanged, this, &RecordReadiness::refresh);
     connect(&studio, &Studio::checkedChanged, this, &RecordReadiness::refresh);
     refresh();
 }

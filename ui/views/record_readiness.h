@@ -15,6 +15,7 @@ class Button;
 class Label;
 class NumberRows;
 class RecordProblems;
+class SuitCards;
 class VerdictHeader;
 
 class RecordReadiness : public QWidget {
@@ -28,6 +29,7 @@ public:
     /// From a live frame to the screen, in the median.
     void setScreenDelay(double seconds);
     QString verdict() const { return verdict_text_; }
+    SuitCards& suits() { return *suits_; }
     RecordProblems& problems() { return *problems_; }
 
 protected:
@@ -48,6 +50,7 @@ private:
     void showVerdict();
 
     Studio& studio_;
+    SuitCards* suits_;  ///< of several
     VerdictHeader* verdict_;
     QString verdict_text_;
     RecordProblems* problems_;
