@@ -98,8 +98,11 @@ const ShelvedCalibration* CalibrationShelf::chosenFile() const {
 }
 
 void CalibrationShelf::follow() {
-    if (folder() == folder_ && fileInForce() == in_force_)
+    if (folder() == folder_ && fileInForce() == in_force_) {
+        if (is_beside_)
+            hand();  // it may have become this suit's own, or not be any more
         return;
+    }
     folder_ = folder();
     in_force_ = fileInForce();
     read();

@@ -70,6 +70,7 @@ public:
         std::string take = kTinyTake;
         std::string serial = {};  ///< empty: the usual one
         double drive_hz = 0;      ///< 0: the take's
+        bool fixed = false;       ///< all of it hangs in the room
     };
 
     explicit TestBox(const Options& options)
@@ -112,6 +113,10 @@ private:
             hello.serial = options_.serial;
         if (options_.drive_hz > 0)
             hello.drive_hz = options_.drive_hz;
+        for (Board& board : hello.suit.boards)
+            board.segment = options_.fixed ? "" : board.segment;
+        for (Source& source : hello.suit.sources)
+            source.segment = options_.fixed ? "" : source.segment;
         return std::make_unique<link::BoxConversation>(hello, options);
     }
 

@@ -187,6 +187,27 @@ TEST_F(LiveSuitsTest, ABoxThatIsLostEndsNothingAndIsNamed) {
     EXPECT_EQ(take.subjects()->size(), 2u);
 }
 
+TEST_F(LiveSuitsTest, AnchorsAreRecordedAsTheRoom) {
+    openSession();
+    bob_ = std::make_unique<TestBox>(
+        TestBox::Options{.loops = true, .serial = "NB-000002", .drive_hz = 48000, .fixed = true});
+    suits_->current().suit.connectTo(QString::fromStdString(ann_->address()), wearingOfTinyTake());
+    ASSERT_TRUE(looks(suits_->current()));
+    suits_->add(QString::fromStdString(bob_->address()));
+    ASSERT_TRUE(looks(suits_->current()));
+    EXPECT_EQ(suits_->nameOf(second()), "Room");
+    EXPECT_EQ(session_.session().performers.size(), 1u) << "nobody wears it";
+    QSignalSpy ended(suits_.get(), &LiveSuits::recordingEnded);
+    ASSERT_TRUE(recordFor(0.5));
+    suits_->stopRecording();
+    ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }));
+    const auto subjects = recordedTake().subjects();
+    ASSERT_TRUE(subjects);
+    ASSERT_EQ(subjects->size(), 2u);
+    EXPECT_FALSE(subjects->at(0).room);
+    EXPECT_TRUE(subjects->at(1).room);
+}
+
 TEST_F(LiveSuitsTest, SuitsThatCannotBeToldApartAreRefusedInWords) {
     openSession();
     bob_ = makeBox("NB-000002", 40000);
