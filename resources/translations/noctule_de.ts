@@ -6311,6 +6311,16 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>No pre-roll: several suits begin together</source>
         <translation>Kein Vorlauf: mehrere Anzüge beginnen zusammen</translation>
     </message>
+    <message>
+        <source>on</source>
+        <comment>tones</comment>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <comment>tones</comment>
+        <translation>aus</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RecordButton</name>
@@ -6348,10 +6358,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Open Connect</source>
         <translation>Verbinden öffnen</translation>
-    </message>
-    <message>
-        <source>Live, performers stand in a row, %1 apart. Where they really are to each other comes with processing, after the take.</source>
-        <translation>Live stehen die Darsteller in einer Reihe, %1 auseinander. Wo sie wirklich zueinander sind, ergibt die Verarbeitung nach der Aufnahme.</translation>
     </message>
 </context>
 <context>
@@ -6553,6 +6559,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Recording, with problems</source>
         <translation>Aufnahme läuft, mit Problemen</translation>
+    </message>
+    <message>
+        <source>Live, performers stand in a row, %1 apart. Where they really are to each other comes with processing, after the take.</source>
+        <translation>Live stehen die Darsteller in einer Reihe, %1 auseinander. Wo sie wirklich zueinander sind, ergibt die Verarbeitung nach der Aufnahme.</translation>
     </message>
 </context>
 <context>

@@ -50,7 +50,9 @@ ConnectPage::ConnectPage(Studio& studio, QWidget* parent)
         dock->setParent(this);
         dock->hide();
     }
-    auto* column = makeColumn(this);
+    auto* content = new QWidget;
+    auto* column = makeColumn(content);
+    makeColumn(this)->addWidget(new ScrollArea(content));
     column->addWidget(new SuitSwitch(studio));
     column->addWidget(makeCentre(), 3);
     column->addWidget(pairs_, 2);

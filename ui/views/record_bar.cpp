@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/key_hint.h"
@@ -21,6 +22,7 @@ namespace {
 
 constexpr int kCountdowns_s[] = {0, 3, 5, 10};
 constexpr int kPreRolls_s[] = {0, 2, 5, 10};
+constexpr int kRoomForWords = 760;  ///< below it choices are short, and keys are in the tooltips
 
 QString countdownText(int seconds, int pre_roll_s) {
     const QString text =
@@ -219,9 +221,7 @@ void RecordBar::refresh() {
     if (!name_->hasFocus() || runs)
         name_->setText(run_.takeName());
     name_->setReadOnly(runs);
-    next_->setText(runs ? tr("next: %1").arg(run_.nextName()) : QString());
-    countdown_->setText(countdownText(run_.countdownSeconds(), run_.preRollSeconds()));
-    tones_->setText(run_.tones() ? tr("Tones on") : tr("Tones off"));
+    showChoices();
     button_->setState(look(state));
     if (state == RecordRun::State::kCountdown)
         button_->setCountdown(run_.countdownLeft(), run_.countdownSeconds());
@@ -238,6 +238,27 @@ void RecordBar::refresh() {
 
 QString RecordBar::verb() const {
     return verb_->text();
+}
+
+void RecordBar::showChoices() {
+    const RecordRun::State state = run_.state();
+    const bool runs = state == RecordRun::State::kRecording || state == RecordRun::State::kSaving;
+    const bool narrow = width() < Theme::get().px(kRoomForWords);
+    next_->setText(runs ? tr("next: %1").arg(run_.nextName()) : QString());
+    next_->setVisible(!narrow);
+    const QString countdown = countdownText(run_.countdownSeconds(), run_.preRollSeconds());
+    const QString tones = run_.tones() ? tr("Tones on") : tr("Tones off");
+    countdown_->setText(narrow ? secondsText(run_.countdownSeconds(), 0) : countdown);
+    countdown_->setAccessibleName(countdown);
+    tones_->setText(!narrow ? tones : run_.tones() ? tr("on", "tones") : tr("off", "tones"));
+    tones_->setAccessibleName(tones);
+    marker_->setShortcutHint(narrow ? QKeySequence() : QKeySequence(Qt::Key_M));
+    note_button_->setShortcutHint(narrow ? QKeySequence() : QKeySequence(Qt::Key_N));
+}
+
+void RecordBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showChoices();
 }
 
 void RecordBar::editName() {

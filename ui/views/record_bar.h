@@ -41,6 +41,7 @@ signals:
     void fieldLeft();
 
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
@@ -49,6 +50,7 @@ private:
     QWidget* makeRight();
     void fillMenu(QMenu& menu);
     void refresh();
+    void showChoices();
     void closeNote();
 
     RecordRun& run_;

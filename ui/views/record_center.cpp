@@ -5,21 +5,19 @@
 
 #include "ui/scene/scene_view.h"
 #include "ui/style/theme.h"
-#include "ui/style/words.h"
 #include "ui/views/levels_panel.h"
 #include "ui/views/record_bar.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/take_clock.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
-#include "ui/widgets/label.h"
 #include "ui/widgets/problem_card.h"
 
 namespace noctule::ui {
 namespace {
 
 /// At 100 percent, as on a screen of 800 lines; from there on the picture grows first.
-constexpr int kBarHeight = 88, kLevels = 156, kMostLevels = 220;
+constexpr int kBarHeight = 88, kLevels = 150, kMostLevels = 220;
 
 LiveWearer wearerOf(const LiveSuit& suit) {
     LiveWearer wearer{suit.actor(), suit.suit(),
@@ -39,17 +37,8 @@ RecordCenter::RecordCenter(Studio& studio, RecordRun& run, QWidget* parent)
       clock_(new TakeClock(scene_)),
       bar_(new RecordBar(run)),
       levels_(new LevelsPanel(studio)),
-      column_(makeColumn(this)),
-      row_(new QWidget) {
+      column_(makeColumn(this)) {
     column_->addWidget(scene_, 5);
-    auto* row = makeRow(row_, {16, 4, 16, 4});
-    row->addWidget((new Label(tr("Live, performers stand in a row, %1 apart. Where they really are to each "
-                                 "other comes with processing, after the take.")
-                                  .arg(metresText(LiveScene::kApart_m)),
-                              TextRole::kSecondary, Ink::kHint))
-                       ->wrapped(),
-                   1);
-    column_->addWidget(row_);
     column_->addWidget(new Divider);
     column_->addWidget(bar_);
     column_->addWidget(new Divider);
@@ -63,12 +52,10 @@ RecordCenter::RecordCenter(Studio& studio, RecordRun& run, QWidget* parent)
     connect(&Theme::get(), &Theme::changed, this, fit);
     studio.suits().follow(&LiveSuit::wearingChanged, this, &RecordCenter::wear);
     studio.suits().follow(&LiveSuit::frameChanged, this, &RecordCenter::showFrame);
-    connect(&studio.suits(), &LiveSuits::changed, this, &RecordCenter::showRow);
     connect(&run, &RecordRun::changed, this, &RecordCenter::showTake);
     connect(&run, &RecordRun::ticked, this, &RecordCenter::showTime);
     connect(&run, &RecordRun::refused, this, &RecordCenter::showRefusal);
     wear();
-    showRow();
     showTake();
 }
 
@@ -91,11 +78,6 @@ void RecordCenter::showFrame() {
                 others.push_back({wearerOf(worn->suit), worn->suit.frame(), suits.letterOf(*worn)});
     scene_->setCompany(suits.letterOf(suits.current()), std::move(others));
     scene_->showFrame(studio_.suit().frame());
-}
-
-/// What the picture cannot know is said below it.
-void RecordCenter::showRow() {
-    row_->setVisible(studio_.suits().areSeveral());
 }
 
 void RecordCenter::showTake() {

@@ -36,7 +36,6 @@ protected:
 private:
     void wear();
     void showFrame();
-    void showRow();
     void showTake();
     void showTime();
     void showRefusal();
@@ -49,7 +48,6 @@ private:
     RecordBar* bar_;
     LevelsPanel* levels_;
     QVBoxLayout* column_;
-    QWidget* row_;
     ProblemCard* refusal_ = nullptr;
 };
 

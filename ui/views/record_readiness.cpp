@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/acoustics/speed_of_sound.h"
+#include "ui/scene/live_scene.h"
 #include "ui/style/words.h"
 #include "ui/views/fit_words.h"
 #include "ui/views/number_rows.h"
@@ -54,6 +55,13 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     auto* content = new QWidget;
     auto* column = makeColumn(content, {0, 12, 0, 12}, 12);
     addRow(column, 0, {12, 0, 12, 0})->addWidget(suits_);
+    in_row_ = (new Label(tr("Live, performers stand in a row, %1 apart. Where they really are to each other "
+                            "comes with processing, after the take.")
+                             .arg(metresText(LiveScene::kApart_m)),
+                         TextRole::kSecondary, Ink::kHint))
+                  ->wrapped();
+    addRow(column, 0, {12, 0, 12, 0})->addWidget(in_row_);
+    connect(&studio.suits(), &LiveSuits::changed, this, &RecordReadiness::showRow);
     verdict_->setCompact(true);
     addRow(column, 0, {12, 0, 12, 0})->addWidget(verdict_);
     column->addWidget(problems_);
@@ -71,6 +79,7 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     studio.suits().follow(&LiveSuit::wearingChanged, this, &RecordReadiness::refresh);
     connect(&studio, &Studio::checkedChanged, this, &RecordReadiness::refresh);
     refresh();
+    showRow();
 }
 
 /// In the order of Fact.
@@ -111,6 +120,11 @@ QWidget* RecordReadiness::makeCalibration() {
     row->addWidget(check_);
     row->addStretch();
     return part;
+}
+
+/// What the picture cannot know.
+void RecordReadiness::showRow() {
+    in_row_->setVisible(studio_.suits().areSeveral());
 }
 
 void RecordReadiness::setScreenDelay(double seconds) {

@@ -48,9 +48,11 @@ private:
     void showCalibration();
     QString checkedWords() const;
     void showVerdict();
+    void showRow();
 
     Studio& studio_;
-    SuitCards* suits_;  ///< of several
+    SuitCards* suits_;         ///< of several
+    Label* in_row_ = nullptr;  ///< the same
     VerdictHeader* verdict_;
     QString verdict_text_;
     RecordProblems* problems_;
