@@ -2,9 +2,11 @@
 #include "app/studio/sample_take.h"
 
 #include <QFile>
+#include <numbers>
 
 #include "app/batch/files.h"
 #include "core/formats/bvh.h"
+#include "core/simulation/cast.h"
 #include "core/simulation/simulate.h"
 #include "core/suit/default_suit.h"
 
@@ -21,6 +23,8 @@ Result<MotionClip> sampleMotion() {
         return document.error();
     return toClip(*document);
 }
+
+constexpr double kPairApart_m = 2;
 
 struct Header {
     std::string path, created_utc, software;
@@ -57,6 +61,36 @@ Status makeSampleTake(const std::string& path, const std::string& created_utc, c
     request.clip = std::move(*clip);
     request.scenario = simulation::Scenario::nominal();
     return writeStaged(request, simulation::Level::kSignal, {path, created_utc, software}, job);
+}
+
+Status makePairTake(const std::string& path, const std::string& created_utc, const std::string& software,
+                    const JobContext& job) {
+    const auto clip = sampleMotion();
+    if (!clip)
+        return clip.error();
+    job.progress(0, "Preparing the motion");
+    simulation::CastRequest request;
+    for (const std::string name : {"A", "B"}) {
+        simulation::CastSubject subject;
+        subject.name = name;
+        subject.stage.clip = *clip;
+        subject.stage.suit = defaultSuit();
+        subject.place = name == "A" ? simulation::StandingPlace{0, -kPairApart_m / 2, 0}
+                                    : simulation::StandingPlace{0, kPairApart_m / 2, std::numbers::pi};
+        request.subjects.push_back(std::move(subject));
+    }
+    request.shared_clock = true;
+    request.scenario = simulation::Scenario::nominal();
+    const auto cast = simulation::prepareCast(request);
+    if (!cast)
+        return cast.error();
+    simulation::TakeRequest take;
+    take.out_path = path;
+    take.name = batch::takeName(path);
+    take.created_utc = created_utc;
+    take.software = software;
+    const auto written = simulation::writeTake(*cast, take, job);
+    return written ? Status(Done{}) : Status(written.error());
 }
 
 Status makeMotionTake(const MotionTake& wanted, const JobContext& job) {

@@ -19,6 +19,11 @@ constexpr const char* kSampleMotion = ":/noctule/motions/sample.bvh";
 Status makeSampleTake(const std::string& path, const std::string& created_utc, const std::string& software,
                       const JobContext& job);
 
+/// The same motion by two performers, "A" and "B", who face each other, each with a suit of its own carrier.
+/// Both hear each other.
+Status makePairTake(const std::string& path, const std::string& created_utc, const std::string& software,
+                    const JobContext& job);
+
 /// A suit on the person of a motion, straight to inertial and range rows. `scenario`: as `--scenario` has it.
 struct MotionTake {
     const figure::UnderstoodMotion& motion;

@@ -77,6 +77,9 @@ StudioParts parts() {
     parts.make_sample_take = [software = parts.software](const std::string& path, const JobContext& job) {
         return makeSampleTake(path, utcNow(), software, job);
     };
+    parts.make_pair_take = [software = parts.software](const std::string& path, const JobContext& job) {
+        return makePairTake(path, utcNow(), software, job);
+    };
     parts.make_motion_take = [software = parts.software](const figure::UnderstoodMotion& motion,
                                                          const std::string& scenario, const std::string& path,
                                                          const JobContext& job) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -68,6 +69,8 @@ struct Session {
     std::vector<Shot> shots;         ///< in the order in which they are recorded
     std::string current_performer;
     std::string calibration;  ///< file in calibration/ that new takes are made with; empty: none
+    /// Of suits that are worn beside each other, by the serial number of the box: instead of `calibration`.
+    std::map<std::string, std::string> suit_calibrations;
     SessionBody body;
     std::string notes;
     UnknownMembers unknown = UnknownMembers::object();

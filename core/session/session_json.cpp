@@ -103,6 +103,24 @@ Status readPerformers(JsonObject& object, const std::string& where, Session& ses
     return Done{};
 }
 
+bool isFileName(const std::string& name) {
+    return name == std::filesystem::path(name).filename();
+}
+
+void readSuitCalibrations(JsonObject& object, const nlohmann::json& json, Session& session) {
+    const auto found = json.find("suit_calibrations");
+    if (found == json.end())
+        return;
+    if (!found->is_object())
+        return object.fail(ErrorKind::kUnreadable, "suit_calibrations", "must be an object");
+    for (const auto& [serial, file] : found->items()) {
+        if (!file.is_string() || !isFileName(file.get<std::string>()))
+            return object.fail(ErrorKind::kUnreadable, "suit_calibrations",
+                               "must hold names of files in calibration/");
+        session.suit_calibrations[serial] = file.get<std::string>();
+    }
+}
+
 }  // namespace
 
 nlohmann::json toJson(const Session& session) {
@@ -122,6 +140,8 @@ nlohmann::json toJson(const Session& session) {
     json["created_utc"] = session.created_utc;
     json["current_performer"] = session.current_performer;
     json["calibration"] = session.calibration;
+    if (!session.suit_calibrations.empty())
+        json["suit_calibrations"] = session.suit_calibrations;
     json["notes"] = session.notes;
     json["body"] = toJson(session.body);
     json["performers"] = std::move(performers);
@@ -140,8 +160,9 @@ Result<Session> sessionFromJson(const nlohmann::json& json, const std::string& w
     session.created_utc = object.textOr("created_utc", "");
     session.current_performer = object.textOr("current_performer", "");
     session.calibration = object.textOr("calibration", "");
-    if (session.calibration != std::filesystem::path(session.calibration).filename())
+    if (!isFileName(session.calibration))
         object.fail(ErrorKind::kUnreadable, "calibration", "must be the name of a file in calibration/");
+    readSuitCalibrations(object, json, session);
     session.notes = object.textOr("notes", "");
     auto body = sessionBodyFromJson(json.value("body", nlohmann::json()), where + ": body");
     if (!body)
@@ -166,8 +187,9 @@ Result<Session> sessionFromJson(const nlohmann::json& json, const std::string& w
     if (error)
         return *error;
     // `version` stays with the unknown members: a newer minor version is written back as it was.
-    session.unknown = unknownMembers(json, {"format", "name", "created_utc", "current_performer",
-                                            "calibration", "notes", "body", "performers", "takes", "shots"});
+    session.unknown =
+        unknownMembers(json, {"format", "name", "created_utc", "current_performer", "calibration",
+                              "suit_calibrations", "notes", "body", "performers", "takes", "shots"});
     return session;
 }
 

@@ -47,12 +47,15 @@ LiveGroup::LiveGroup(std::vector<std::unique_ptr<Device>> devices) {
     require(!devices.empty(), "a group needs a device");
     for (auto& device : devices) {
         const std::string address = device->address();
-        members_.push_back({address, std::make_unique<LiveSession>(std::move(device))});
+        members_.push_back({address, suitName(members_.size()) + " (" + address + ")",
+                            std::make_shared<LiveSession>(std::move(device))});
     }
 }
 
-std::string LiveGroup::nameOf(size_t index) const {
-    return suitName(index) + " (" + members_[index].address + ")";
+LiveGroup::LiveGroup(std::vector<Connected> connected) {
+    require(!connected.empty(), "a group needs a session");
+    for (Connected& one : connected)
+        members_.push_back({one.name, one.name, std::move(one.session)});
 }
 
 void LiveGroup::connect() {
@@ -95,6 +98,9 @@ StreamRequest LiveGroup::requestOf(const GroupRequest& request, size_t index) co
     of.calibration = wish.calibration;
     of.actor = wish.actor;
     of.process = wish.process && !isRoom(index);
+    of.rest_s = wish.rest_s.value_or(of.rest_s);
+    if (wish.pose_listener)
+        of.pose_listener = wish.pose_listener;
     if (isRoom(index))
         of.rest_s = 0;
     else if (!of.actor)

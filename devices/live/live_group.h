@@ -19,8 +19,10 @@ struct GroupSuit {
     std::string subject;       ///< who wears it; empty: unnamed, or the room
     std::optional<Suit> suit;  ///< as it is worn, matched by serial; else as the box says
     std::optional<Calibration> calibration;
-    std::optional<Actor> actor;  ///< absent: the default one; none of a room
-    bool process = true;         ///< of a room nothing is processed
+    std::optional<Actor> actor;       ///< absent: the default one; none of a room
+    bool process = true;              ///< of a room nothing is processed
+    std::optional<double> rest_s{};   ///< instead of that of all; none of a room
+    PoseListener pose_listener = {};  ///< instead of that of all
 };
 
 struct GroupRequest {
@@ -31,11 +33,20 @@ struct GroupRequest {
 
 class LiveGroup {
 public:
+    /// A session that is connected already, and what errors call its suit: "Ada (NB-000123)".
+    struct Connected {
+        std::string name;
+        std::shared_ptr<LiveSession> session;
+    };
+
     explicit LiveGroup(std::vector<std::unique_ptr<Device>> devices);
+    /// For the length of a take: connect() is not called, and nobody else begins or ends streams of these.
+    explicit LiveGroup(std::vector<Connected> connected);
 
     size_t size() const { return members_.size(); }
     LiveSession& session(size_t index) { return *members_[index].session; }
     const LiveSession& session(size_t index) const { return *members_[index].session; }
+    /// Of a device; of a session that was connected already its name.
     const std::string& address(size_t index) const { return members_[index].address; }
     /// Of the take that began last: a set of anchors that nobody wears.
     bool isRoom(size_t index) const { return members_[index].is_room; }
@@ -52,6 +63,8 @@ public:
     std::optional<Error> failedToStart() const;
     /// At least one stream is open, and the file can be written.
     bool isRecording() const;
+    /// Of one suit's sound.
+    double reachedOf_s(size_t index) const;
     /// Of the suits whose sound flows, the one that has least; nothing when none flows.
     std::optional<double> reached_s() const;
     /// Until the disk's reserve is reached, at the rate of all suits so far.
@@ -67,8 +80,8 @@ public:
 
 private:
     struct Member {
-        std::string address;
-        std::unique_ptr<LiveSession> session;
+        std::string address, name;
+        std::shared_ptr<LiveSession> session;
         bool is_room = false;
     };
     struct Prepared {
@@ -79,8 +92,7 @@ private:
     Result<Suit> wornSuit(const GroupSuit& wish, size_t index);
     StreamRequest requestOf(const GroupRequest& request, size_t index) const;
     Result<Prepared> prepare(const GroupRequest& request, const std::vector<SuitVoice>& voices);
-    std::string nameOf(size_t index) const;
-    double reachedOf_s(size_t index) const;
+    const std::string& nameOf(size_t index) const { return members_[index].name; }
     std::vector<std::string> markMissing();
 
     std::vector<Member> members_;

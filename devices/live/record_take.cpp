@@ -285,23 +285,35 @@ Result<RecordReport> recordWhenTriggered(std::unique_ptr<Device> device, const S
     return report;
 }
 
-Result<GroupReport> recordTogether(std::vector<std::unique_ptr<Device>> devices, const GroupRequest& request,
-                                   std::optional<double> seconds, const JobContext& job) {
-    LiveGroup group(std::move(devices));
-    if (const Status greeted = greetAll(group, job); !greeted)
-        return greeted.error();
+Result<std::vector<std::string>> beginTogether(LiveGroup& group, const GroupRequest& request,
+                                               const JobContext& job) {
     auto warnings = group.begin(request);
     if (!warnings)
-        return warnings.error();
+        return warnings;
     if (const Status flow = waitForAll(group, job); !flow) {
         stopAndWaitForAll(group, job);
         group.finish();
         group.discard();
         return flow.error();
     }
-    const bool cancelled = watchAll(group, seconds, job);
+    return warnings;
+}
+
+GroupReport endTogether(LiveGroup& group, const JobContext& job) {
     stopAndWaitForAll(group, job);
-    GroupReport report = finishedReport(group, job);
+    return finishedReport(group, job);
+}
+
+Result<GroupReport> recordTogether(std::vector<std::unique_ptr<Device>> devices, const GroupRequest& request,
+                                   std::optional<double> seconds, const JobContext& job) {
+    LiveGroup group(std::move(devices));
+    if (const Status greeted = greetAll(group, job); !greeted)
+        return greeted.error();
+    auto warnings = beginTogether(group, request, job);
+    if (!warnings)
+        return warnings.error();
+    const bool cancelled = watchAll(group, seconds, job);
+    GroupReport report = endTogether(group, job);
     report.warnings = std::move(*warnings);
     report.interrupted = cancelled && seconds.has_value();
     return report;

@@ -45,4 +45,11 @@ struct GroupReport {
 Result<GroupReport> recordTogether(std::vector<std::unique_ptr<Device>> devices, const GroupRequest& request,
                                    std::optional<double> seconds, const JobContext& job);
 
+/// Begins a take of boxes that are ready and waits for sound of each; yields what begin() yields. On an error
+/// no take is left.
+Result<std::vector<std::string>> beginTogether(LiveGroup& group, const GroupRequest& request,
+                                               const JobContext& job);
+/// Stops all boxes in good order and completes the take.
+GroupReport endTogether(LiveGroup& group, const JobContext& job);
+
 }  // namespace noctule

@@ -32,7 +32,7 @@ Status checkPair(const SuitVoice& one, const SuitVoice& other) {
     if (one.hello.serial == other.hello.serial)
         return Error{ErrorKind::kDevice,
                      one.who + " and " + other.who + " are the same driver box, " + one.hello.serial,
-                     "Give each --device a box of its own"};
+                     "Give each suit a driver box of its own"};
     const double one_hz = one.hello.drive_hz, other_hz = other.hello.drive_hz;
     if (!sounds(one) || !sounds(other) || std::abs(one_hz - other_hz) > kLeastCarrierSpacing_hz - 1e-6)
         return Done{};

@@ -8600,8 +8600,8 @@
         <translation>Platz schaffen oder auf einen anderen Datenträger aufnehmen</translation>
     </message>
     <message>
-        <source>Give each --device a box of its own</source>
-        <translation>Jedem --device eine eigene Box geben</translation>
+        <source>Give each suit a driver box of its own</source>
+        <translation>Jedem Anzug eine eigene Box geben</translation>
     </message>
     <message>
         <source>Nobody wears any of these suits: all of them are fixed in the room</source>

@@ -2765,6 +2765,23 @@
         <source>A serial port; a driver box may be connected there</source>
         <translation>Eine serielle Schnittstelle; dort kann eine Steuerbox angeschlossen sein</translation>
     </message>
+    <message>
+        <source>%1, worn by %2 %3</source>
+        <comment>a device, letter and name of a performer</comment>
+        <translation>%1, getragen von %2 %3</translation>
+    </message>
+    <message>
+        <source>Add this suit</source>
+        <translation>Anzug hinzunehmen</translation>
+    </message>
+    <message>
+        <source>Second virtual suit</source>
+        <translation>Zweiter virtueller Anzug</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzunehmen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::DialogFrame</name>
@@ -4098,6 +4115,58 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::LiveSuits</name>
+    <message>
+        <source>A take is being recorded</source>
+        <translation>Es wird gerade aufgenommen</translation>
+    </message>
+    <message>
+        <source>Add the suit when it has ended</source>
+        <translation>Den Anzug danach hinzunehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n suit(s) are connected, and more cannot be</source>
+        <translation>
+            <numerusform>%n Anzug ist verbunden, mehr geht nicht</numerusform>
+            <numerusform>%n Anzüge sind verbunden, mehr geht nicht</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Disconnect one of them first</source>
+        <translation>Zuerst einen davon trennen</translation>
+    </message>
+    <message>
+        <source>Performer %1</source>
+        <translation>Darsteller %1</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <comment>anchors that nobody wears</comment>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>who wears a suit, what hinders it</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>A take is being recorded already.</source>
+        <translation>Es wird schon aufgenommen.</translation>
+    </message>
+    <message>
+        <source>There is no session to record into, and none could be made. Make one first.</source>
+        <translation>Es gibt keine Sitzung für die Aufnahme, und keine konnte angelegt werden. Zuerst eine anlegen.</translation>
+    </message>
+    <message>
+        <source>Starting the recording</source>
+        <translation>Die Aufnahme beginnt</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gesichert</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::MadeWithPanel</name>
     <message>
         <source>Recorded</source>
@@ -4321,6 +4390,14 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>%1 is written. It holds no names and no folders; read it before you pass it on.</source>
         <translation>%1 ist geschrieben. Darin stehen keine Namen und keine Ordner; vor dem Weitergeben durchlesen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n box(es)</source>
+        <comment>connected</comment>
+        <translation>
+            <numerusform>%n Box</numerusform>
+            <numerusform>%n Boxen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4852,6 +4929,14 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::PerformerButtons</name>
+    <message>
+        <source>Show %1</source>
+        <comment>a performer</comment>
+        <translation>%1 zeigen</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::PerformerEditor</name>
     <message>
         <source>Performer %1</source>
@@ -5095,11 +5180,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Shown</source>
         <translation>Gezeigt</translation>
-    </message>
-    <message>
-        <source>Show %1</source>
-        <comment>a performer</comment>
-        <translation>%1 zeigen</translation>
     </message>
 </context>
 <context>
@@ -6211,6 +6291,36 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Markers and notes belong to a take that is being recorded.</source>
         <translation>Marken und Notizen gehören zu einer laufenden Aufnahme.</translation>
     </message>
+    <message>
+        <source>Stop both</source>
+        <translation>Beide anhalten</translation>
+    </message>
+    <message>
+        <source>Stop all %1</source>
+        <translation>Alle %1 anhalten</translation>
+    </message>
+    <message>
+        <source>Record both</source>
+        <translation>Beide aufnehmen</translation>
+    </message>
+    <message>
+        <source>Record all %1</source>
+        <translation>Alle %1 aufnehmen</translation>
+    </message>
+    <message>
+        <source>No pre-roll: several suits begin together</source>
+        <translation>Kein Vorlauf: mehrere Anzüge beginnen zusammen</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <comment>tones</comment>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <comment>tones</comment>
+        <translation>aus</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RecordButton</name>
@@ -6450,6 +6560,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Recording, with problems</source>
         <translation>Aufnahme läuft, mit Problemen</translation>
     </message>
+    <message>
+        <source>Live, performers stand in a row, %1 apart. Where they really are to each other comes with processing, after the take.</source>
+        <translation>Live stehen die Darsteller in einer Reihe, %1 auseinander. Wo sie wirklich zueinander sind, ergibt die Verarbeitung nach der Aufnahme.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RecordRun</name>
@@ -6502,6 +6616,11 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>The recording has ended by itself</source>
         <translation>Die Aufnahme ist von selbst zu Ende gegangen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>who wears a suit, what hinders it</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -9471,6 +9590,53 @@ Drehen, beide Richtungen x3</translation>
         <source>Importing %1</source>
         <translation>%1 wird importiert</translation>
     </message>
+    <message>
+        <source>A take is being recorded</source>
+        <translation>Es wird gerade aufgenommen</translation>
+    </message>
+    <message>
+        <source>Start the second virtual suit when it has ended</source>
+        <translation>Den zweiten virtuellen Anzug danach starten</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SuitCards</name>
+    <message>
+        <source>%1, %2 kHz</source>
+        <comment>serial number and carrier of a driver box</comment>
+        <translation>%1, %2 kHz</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, and %n more</source>
+        <comment>what is wrong first</comment>
+        <translation>
+            <numerusform>%1 und %n weiteres</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lost at %1</source>
+        <comment>a time of the take</comment>
+        <translation>Verloren bei %1</translation>
+    </message>
+    <message>
+        <source>Its box is gone. The others are recorded on, and it goes on when the box is back.</source>
+        <translation>Die Steuerbox ist weg. Die anderen werden weiter aufgenommen; ist sie wieder da, geht es auch hier weiter.</translation>
+    </message>
+    <message>
+        <source>Its box has ended its part. The others are recorded on.</source>
+        <translation>Die Steuerbox hat ihren Teil beendet. Die anderen werden weiter aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Being saved</source>
+        <comment>a suit&apos;s part of a take</comment>
+        <translation>Wird gesichert</translation>
+    </message>
+    <message>
+        <source>Records, %1</source>
+        <comment>a time of the take</comment>
+        <translation>Nimmt auf, %1</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::SuitCheck</name>
@@ -9501,6 +9667,25 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Moved</source>
         <translation>Bewegt</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SuitStateCard</name>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <comment>a performer</comment>
+        <translation>%1 zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SuitSwitch</name>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
     </message>
 </context>
 <context>

@@ -229,12 +229,30 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::LiveSuits</name>
+    <message numerus="yes">
+        <source>%n suit(s) are connected, and more cannot be</source>
+        <translation>
+            <numerusform>%n suit is connected, and more cannot be</numerusform>
+            <numerusform>%n suits are connected, and more cannot be</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::MainWindow</name>
     <message numerus="yes">
         <source>%n job(s) are still running</source>
         <translation>
             <numerusform>One job is still running</numerusform>
             <numerusform>%n jobs are still running</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n box(es)</source>
+        <comment>connected</comment>
+        <translation>
+            <numerusform>%n box</numerusform>
+            <numerusform>%n boxes</numerusform>
         </translation>
     </message>
 </context>
@@ -598,6 +616,17 @@
         <translation>
             <numerusform>%1 of %2 is ready: %n pose</numerusform>
             <numerusform>%1 of %2 is ready: %n poses</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SuitCards</name>
+    <message numerus="yes">
+        <source>%1, and %n more</source>
+        <comment>what is wrong first</comment>
+        <translation>
+            <numerusform>%1, and %n more</numerusform>
+            <numerusform>%1, and %n more</numerusform>
         </translation>
     </message>
 </context>

@@ -9,37 +9,27 @@
 #include "ui/views/record_page.h"
 
 namespace noctule::ui {
-namespace {
-
-bool isTakeOpen(const LiveSuit& suit) {
-    return suit.phase() == LiveSuit::Phase::kStarting || suit.phase() == LiveSuit::Phase::kRecording ||
-           suit.phase() == LiveSuit::Phase::kSaving;
-}
-
-}  // namespace
 
 void MainWindow::connectSuit() {
-    LiveSuit& suit = studio_.suit();
     // The page has to hear of every take, also of one that was begun elsewhere.
-    connect(&suit, &LiveSuit::phaseChanged, this, [this] {
-        if (isTakeOpen(studio_.suit()))
+    connect(&studio_.suits(), &LiveSuits::changed, this, [this] {
+        if (studio_.suits().isTakeOpen())
             page(Step::kRecord);
         showRecording();
     });
-    connect(&suit, &LiveSuit::statusChanged, this, &MainWindow::showRecording);
     connect(
         &studio_.remoteStart(), &RemoteStart::startWanted, this,
         [this](const QString& name, const QString& notes) { recordRun().beginFromElsewhere(name, notes); });
     connect(&studio_.remoteStart(), &RemoteStart::stopWanted, this,
             [this] { recordRun().stopFromElsewhere(); });
     connect(
-        &suit, &LiveSuit::recordingEnded, this,
+        &studio_.suits(), &LiveSuits::recordingEnded, this,
         [this] {
             if (closes_after_take_)
                 close();
         },
         Qt::QueuedConnection);
-    connect(&suit, &LiveSuit::posesMissing, this, &MainWindow::tellPosesMissing);
+    connect(&studio_.suits(), &LiveSuits::posesMissing, this, &MainWindow::tellPosesMissing);
     showRecording();
 }
 
@@ -71,21 +61,21 @@ void MainWindow::recordOrStop() {
 }
 
 void MainWindow::showRecording() {
-    const LiveSuit& suit = studio_.suit();
-    top_bar_->showRecording(isTakeOpen(suit) ? std::optional(suit.recordedSeconds()) : std::nullopt);
+    const LiveSuits& suits = studio_.suits();
+    top_bar_->showRecording(suits.isTakeOpen() ? std::optional(suits.recordedSeconds()) : std::nullopt);
 }
 
 /// Asks when a take is being recorded. Stopped, it becomes complete first; then the window closes by itself.
 bool MainWindow::mayStopTake() {
-    const LiveSuit& suit = studio_.suit();
-    if (!isTakeOpen(suit))
+    LiveSuits& suits = studio_.suits();
+    if (!suits.isTakeOpen())
         return true;
-    if (suit.phase() != LiveSuit::Phase::kSaving && !closes_after_take_ && !asks_nothing_) {
+    if (suits.phase() != LiveSuit::Phase::kSaving && !closes_after_take_ && !asks_nothing_) {
         QMessageBox box(this);
         box.setWindowTitle(tr("Close Noctule"));
         box.setText(tr("The take is being recorded"));
         box.setInformativeText(tr("It runs for %1. Stopped now, it is complete up to here.")
-                                   .arg(timeText(suit.recordedSeconds(), 0)));
+                                   .arg(timeText(suits.recordedSeconds(), 0)));
         QPushButton* cancel = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
         QPushButton* stop = box.addButton(tr("Stop and close"), QMessageBox::AcceptRole);
         box.setDefaultButton(cancel);
@@ -94,10 +84,10 @@ bool MainWindow::mayStopTake() {
         if (box.clickedButton() != stop || !mayClose())
             return false;
     }
-    if (!isTakeOpen(studio_.suit()))
+    if (!suits.isTakeOpen())
         return true;  // it ended while the question stood
     closes_after_take_ = true;
-    studio_.suit().stopRecording();
+    suits.stopRecording();
     return false;
 }
 

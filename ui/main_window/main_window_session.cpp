@@ -73,8 +73,8 @@ void MainWindow::connectStudio() {
     connect(&studio_.take(), &TakeDocument::failed, this, &MainWindow::onSessionFailure);
     connect(&studio_, &Studio::failed, this, &MainWindow::onFailure);
     connect(&studio_, &Studio::warned, this, &MainWindow::onWarning);
-    connect(&studio_.check(), &SuitCheck::changed, this, &MainWindow::showSuit);
-    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &MainWindow::showSuit);
+    studio_.suits().follow(&SuitCheck::changed, this, &MainWindow::showSuit);
+    connect(&studio_.suits(), &LiveSuits::changed, this, &MainWindow::showSuit);
     showSuit();
     for (const Command command : {Command::kBody, Command::kShowFolder, Command::kCloseSession})
         (*actions_)[command]->setEnabled(studio_.session().isOpen());
@@ -85,8 +85,11 @@ void MainWindow::showSuit() {
     if (studio_.suit().phase() == LiveSuit::Phase::kNone || !hello)
         return top_bar_->showSuit(Tone::kNeutral, {}, {});
     const Readiness& readiness = studio_.check().readiness();
+    const int suits = static_cast<int>(studio_.suits().connected().size());
+    const QString box =
+        suits > 1 ? tr("%n box(es)", "connected", suits) : QString::fromStdString(hello->serial);
     if (studio_.check().lostSince().isValid())
-        return top_bar_->showSuit(Tone::kError, linkBrokenInShort(), QString::fromStdString(hello->serial));
+        return top_bar_->showSuit(Tone::kError, linkBrokenInShort(), box);
     const bool waits = readiness.verdict == Readiness::Verdict::kWaiting;
     const bool all = readiness.boards_there == hello->boardCount() && readiness.problems.empty();
     const Tone tone = waits                                                ? Tone::kNeutral
@@ -95,7 +98,7 @@ void MainWindow::showSuit() {
                                                                            : Tone::kWarn;
     const QString boards =
         tr("%1/%2 boards", "there, of all").arg(readiness.boards_there).arg(hello->boardCount());
-    top_bar_->showSuit(tone, waits ? tr("Looking") : boards, QString::fromStdString(hello->serial));
+    top_bar_->showSuit(tone, waits ? tr("Looking") : boards, box);
 }
 
 void MainWindow::open(const QString& path) {

@@ -59,8 +59,8 @@ StatusLine::StatusLine(Studio& studio, QWidget* parent) : QWidget(parent), studi
     connect(&studio_.session(), &SessionModel::changed, this, &StatusLine::showOpen);
     connect(&studio_.take(), &TakeDocument::opened, this, &StatusLine::showOpen);
     connect(&studio_, &Studio::said, this, &StatusLine::say);
-    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &StatusLine::showOpen);
-    connect(&studio_.check(), &SuitCheck::changed, this, &StatusLine::showOpen);
+    studio_.suits().follow(&LiveSuit::phaseChanged, this, &StatusLine::showOpen);
+    studio_.suits().follow(&SuitCheck::changed, this, &StatusLine::showOpen);
     connect(&Theme::get(), &Theme::changed, this, &StatusLine::showOpen);
     said_timer_.setSingleShot(true);
     connect(&said_timer_, &QTimer::timeout, this, [this] {

@@ -48,6 +48,7 @@ CalibrationShelf::CalibrationShelf(SessionModel& session, LiveSuit& suit, const 
             remembered_.reset();
             newer_.reset();
         }
+        follow();  // the session may name a file for this suit alone
         hand();
     });
 }
@@ -58,17 +59,50 @@ QString CalibrationShelf::folder() const {
 }
 
 QString CalibrationShelf::fileInForce() const {
-    return session_.isOpen() ? QString::fromStdString(session_.session().calibration) : QString();
+    if (!session_.isOpen())
+        return {};
+    const auto& own = session_.session().suit_calibrations;
+    const auto found = own.find(serial().toStdString());
+    return QString::fromStdString(found != own.end() ? found->second : session_.session().calibration);
+}
+
+/// The session names a file for this suit alone.
+bool CalibrationShelf::isOwnFile() const {
+    return session_.isOpen() && session_.session().suit_calibrations.contains(serial().toStdString());
+}
+
+bool CalibrationShelf::isOfThisSuit(const Calibration& calibration) const {
+    const auto& boards = suit_.suit().boards;
+    return !boards.empty() && std::ranges::all_of(boards, [&](const Board& board) {
+        const BoardCalibration* calibrated = calibration.findBoard(board.id);
+        return calibrated && !board.serial.empty() && calibrated->serial == board.serial;
+    });
+}
+
+void CalibrationShelf::setBeside(bool beside) {
+    if (std::exchange(is_beside_, beside) != beside)
+        hand();
 }
 
 std::optional<Calibration> CalibrationShelf::inForce() const {
+    const ShelvedCalibration* chosen = chosenFile();
+    return chosen ? std::optional(chosen->calibration) : suit_.calibration();
+}
+
+/// Null: the session has none for this suit.
+const ShelvedCalibration* CalibrationShelf::chosenFile() const {
     const auto found = std::ranges::find(all_, fileInForce(), &ShelvedCalibration::file);
-    return found != all_.end() ? std::optional(found->calibration) : suit_.calibration();
+    if (found == all_.end() || (is_beside_ && !isOwnFile() && !isOfThisSuit(found->calibration)))
+        return nullptr;
+    return &*found;
 }
 
 void CalibrationShelf::follow() {
-    if (folder() == folder_ && fileInForce() == in_force_)
+    if (folder() == folder_ && fileInForce() == in_force_) {
+        if (is_beside_)
+            hand();  // it may have become this suit's own, or not be any more
         return;
+    }
     folder_ = folder();
     in_force_ = fileInForce();
     read();
@@ -108,8 +142,8 @@ QStringList CalibrationShelf::strangers(const Calibration& calibration) const {
 void CalibrationShelf::hand() {
     if (suit_.phase() != LiveSuit::Phase::kLooking)
         return;
-    const auto found = std::ranges::find(all_, in_force_, &ShelvedCalibration::file);
-    if (in_force_.isEmpty() || found == all_.end()) {
+    const ShelvedCalibration* found = chosenFile();
+    if (!found) {
         newer_.reset();
         if (std::exchange(handed_, std::nullopt))
             suit_.takeOwnCalibration();
@@ -241,7 +275,7 @@ QString CalibrationShelf::save(const CalibrationResult& result, const QString& t
 void CalibrationShelf::keepMeasures(const Actor& actor, const QString& what) {
     const auto measures = measuresOf(actor);
     const Session& session = session_.session();
-    const auto performer = std::ranges::find(session.performers, session.current_performer, &Performer::name);
+    const auto performer = std::ranges::find(session.performers, suit_.wearing().performer, &Performer::name);
     if (!measures || performer == session.performers.end() || suit_.known().actor)
         return;
     Performer measured = *performer;
@@ -250,7 +284,10 @@ void CalibrationShelf::keepMeasures(const Actor& actor, const QString& what) {
 }
 
 void CalibrationShelf::use(const QString& file, const QString& what) {
-    session_.setCalibration(file, what);
+    if (is_beside_ || isOwnFile())
+        session_.setSuitCalibration(serial(), file, what);
+    else
+        session_.setCalibration(file, what);
 }
 
 }  // namespace noctule::ui

@@ -54,6 +54,8 @@ public:
     QString importFile(const QString& path);
     /// Writes the one in force. In words why not, else empty.
     QString exportFile(const QString& path) const;
+    /// The suit is worn beside others: the session's one calibration is not its own, unless its parts say so.
+    void setBeside(bool beside);
     /// What save() would call it: "accelerometers-2026-11-22", or with "-2" behind it.
     QString nextName(const QString& task) const;
 
@@ -74,6 +76,9 @@ private:
     void remember(const Calibration& calibration);
     void recall();
     QString serial() const;
+    bool isOwnFile() const;
+    const ShelvedCalibration* chosenFile() const;
+    bool isOfThisSuit(const Calibration& calibration) const;
     QString write(const Calibration& calibration, const QString& name) const;
     QString folder() const;
 
@@ -84,6 +89,7 @@ private:
     std::optional<QString> handed_;  ///< to the suit that is connected
     const SuitMemory memory_;
     std::optional<Calibration> remembered_, newer_;
+    bool is_beside_ = false;
 };
 
 }  // namespace noctule::ui

@@ -77,7 +77,10 @@ void LiveSuit::disconnectSuit() {
         return;
     if (phase_ == Phase::kStarting || phase_ == Phase::kRecording || phase_ == Phase::kSaving) {
         leave_wanted_ = true;
-        stopRecording();
+        if (is_lent_)
+            emit leaveWanted();
+        else
+            stopRecording();
     } else {
         release();
     }
@@ -97,7 +100,7 @@ void LiveSuit::release() {
         },
         [](Result<Done>) { return QString(); }, Jobs::Loudness::kQuiet);
     live_.reset();
-    working_ = look_again_ = stop_wanted_ = leave_wanted_ = told_ = sources_set_ = false;
+    working_ = is_lent_ = look_again_ = stop_wanted_ = leave_wanted_ = told_ = sources_set_ = false;
     next_take_.reset();
     lone_source_.reset();
     recorded_.reset();
@@ -107,6 +110,7 @@ void LiveSuit::release() {
     known_ = {};
     own_.reset();
     address_.clear();
+    performer_.clear();
     setPhase(Phase::kNone);
     emit frameChanged();
     emit wearingChanged();
@@ -152,7 +156,7 @@ void LiveSuit::lookAtStatus() {
 }
 
 void LiveSuit::followLink() {
-    if (working_)
+    if (working_ || is_lent_)
         return;
     const auto status = live_->status();
     if (phase_ == Phase::kRecording) {
@@ -181,8 +185,10 @@ void LiveSuit::wear() {
     const auto hello = status()->hello;
     if (!live_ || !hello)
         return;
-    const Performer* performer =
-        session_.isOpen() ? session_.session().findPerformer(session_.session().current_performer) : nullptr;
+    const Performer* performer = nullptr;
+    if (session_.isOpen())
+        performer = session_.session().findPerformer(
+            performer_.isEmpty() ? session_.session().current_performer : performer_.toStdString());
     Wearing now = wearingOf(*hello, performer, known_.actor);
     if (wearing_.suit.boards.size() == now.suit.boards.size() && toJson(now.suit) == toJson(wearing_.suit) &&
         toJson(now.actor) == toJson(wearing_.actor) && now.performer == wearing_.performer &&
@@ -191,6 +197,11 @@ void LiveSuit::wear() {
     wearing_ = std::move(now);
     look_again_ = true;
     emit wearingChanged();
+}
+
+void LiveSuit::setPerformer(const QString& name) {
+    performer_ = name;
+    wear();
 }
 
 void LiveSuit::setCalibration(std::optional<Calibration> calibration) {

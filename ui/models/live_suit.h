@@ -11,7 +11,7 @@
 #include <mutex>
 #include <optional>
 
-#include "devices/live/live_session.h"
+#include "devices/live/live_group.h"
 #include "ui/jobs/jobs.h"
 #include "ui/models/session_model.h"
 #include "ui/models/wearing.h"
@@ -106,6 +106,23 @@ public:
     bool makeSureOfSession();
     void addMarker(const QString& label);
     void addNote(const QString& text);
+    /// Who wears it; empty: the session's current performer.
+    void setPerformer(const QString& name);
+
+    /// Lends the session for a take of several suits (live_suits.h): nothing begins by itself until
+    /// takeBack(). What runs ends first, see isAtRest().
+    void lend();
+    bool isLent() const { return is_lent_; }
+    bool isAtRest() const { return !working_; }
+    std::shared_ptr<LiveSession> session() const { return live_; }
+    /// How it is worn, for the take of several.
+    GroupSuit groupSuit() const;
+    /// What the take of several does: kRecording or kSaving.
+    void followTake(Phase phase, const QString& take_name);
+    /// `recorded`: its part of the take; absent: no take came to be.
+    void takeBack(const std::optional<RecorderState>& recorded);
+    /// Why no take can begin now, in words; empty: one can.
+    QString whyNotRecord() const;
     /// Lights a board's lamp, or lets a source sound by itself for some seconds. Nothing happens to a board
     /// that is unplugged.
     void blinkBoard(int board);
@@ -133,6 +150,8 @@ signals:
     void failed(const QString& what, const QString& remedy);
     /// Nothing failed, but it should be known: whole sentences.
     void warned(const QString& what);
+    /// It is lent, and the operator wants it to be disconnected: the take should end.
+    void leaveWanted();
 
 private:
     void look();
@@ -142,7 +161,6 @@ private:
     void setPhase(Phase phase);
     void endBlinking();
     void wear();
-    QString whyNotRecord() const;
     StreamRequest requestOf(const std::optional<TakePlan>& plan) const;
     StreamRequest requestOf(const EvidencePlan& plan) const;
     void evidenceEnded(const StreamResult& result);
@@ -167,6 +185,8 @@ private:
     QString address_, next_address_;
     Phase phase_ = Phase::kNone;
     bool working_ = false;  ///< a job has the session
+    bool is_lent_ = false;
+    QString performer_;  ///< empty: the session's current one
     bool look_again_ = false, stop_wanted_ = false, leave_wanted_ = false, told_ = false;
     std::optional<TakePlan> next_take_;
     std::optional<int> lone_source_;

@@ -8,6 +8,7 @@
 
 #include "core/session/shot_list.h"
 #include "core/suit/calibration_lack.h"
+#include "devices/live/suit_voices.h"
 #include "ui/models/live_steps.h"
 #include "ui/models/live_suit.h"
 
@@ -120,6 +121,8 @@ void LiveSuit::begin(const std::optional<TakePlan>& plan) {
 
 void LiveSuit::begun(bool of_take, const std::optional<Error>& trouble) {
     working_ = false;
+    if (is_lent_)
+        return;  // a take of several begins instead, and tells what is wrong
     if (trouble) {
         since_trouble_.start();
         next_take_.reset();
@@ -292,6 +295,46 @@ void LiveSuit::ended(const StreamResult& result) {
         setPhase(phaseWithoutTake());
     since_trouble_.invalidate();
     emit recordingEnded(name, trouble ? wordsOf(trouble->text()) : QString());
+}
+
+void LiveSuit::lend() {
+    is_lent_ = true;
+    look_again_ = false;
+    lone_source_.reset();
+    recorded_.reset();
+    setPhase(Phase::kStarting);
+}
+
+GroupSuit LiveSuit::groupSuit() const {
+    const StreamRequest request = requestOf(std::optional<TakePlan>());
+    GroupSuit suit;
+    suit.suit = wearing_.suit;
+    if (isFixed(wearing_.suit))
+        return suit;  // anchors in the room
+    suit.subject = wearing_.performer;
+    suit.calibration = request.calibration;
+    suit.actor = request.actor;
+    suit.process = request.calibration.has_value();
+    suit.rest_s = request.rest_s;
+    suit.pose_listener = request.pose_listener;
+    return suit;
+}
+
+void LiveSuit::followTake(Phase phase, const QString& take_name) {
+    take_name_ = take_name;
+    if (const auto now = live_->recording())
+        recorded_ = now;
+    setPhase(phase);
+}
+
+void LiveSuit::takeBack(const std::optional<RecorderState>& recorded) {
+    is_lent_ = false;
+    look_again_ = sources_set_;
+    recorded_ = recorded;
+    since_trouble_.invalidate();
+    if (leave_wanted_)
+        return release();
+    setPhase(phaseWithoutTake());
 }
 
 void LiveSuit::addMarker(const QString& label) {

@@ -145,6 +145,16 @@ void SessionModel::setCalibration(const QString& file, const QString& what) {
              setOf(&Session::calibration, session_->calibration));
 }
 
+void SessionModel::setSuitCalibration(const QString& serial, const QString& file, const QString& what) {
+    if (!session_)
+        return;
+    auto all = session_->suit_calibrations;
+    all[serial.toStdString()] = file.toStdString();
+    if (all != session_->suit_calibrations)
+        push(what, setOf(&Session::suit_calibrations, all),
+             setOf(&Session::suit_calibrations, session_->suit_calibrations));
+}
+
 void SessionModel::setBody(const SessionBody& body) {
     if (session_ && !(body == session_->body))
         push(tr("Change the body of the view"), setOf(&Session::body, body),

@@ -60,6 +60,8 @@ public:
     void setCurrentPerformer(const QString& name);
     /// A file in the session's calibration/; empty: none. `what` stands in the Edit menu.
     void setCalibration(const QString& file, const QString& what);
+    /// Of one suit of several.
+    void setSuitCalibration(const QString& serial, const QString& file, const QString& what);
     /// What views, pictures and exports show.
     void setBody(const SessionBody& body);
     /// The shot list; what only the file knows of a shot stays with its name.

@@ -33,6 +33,12 @@ Result<SkinnedMesh> readBody() {
     return readSkinnedMesh(file.fileName().toStdString());
 }
 
+VirtualSuit::Parts virtualSuitParts(const StudioParts& parts) {
+    return {words(parts.virtual_suit_program),
+            QStandardPaths::writableLocation(QStandardPaths::CacheLocation), parts.software,
+            parts.make_sample_take, parts.make_pair_take};
+}
+
 /// Waits for its turn and still hears Cancel; false: cancelled.
 bool waitForTurn(std::unique_lock<std::timed_mutex>& turn, const JobContext& job) {
     constexpr std::chrono::milliseconds kLook(50);
@@ -56,12 +62,10 @@ Studio::Studio(StudioParts parts, QObject* parent)
       markers_(changes_, take_),
       contacts_(changes_, take_, time_),
       finder_(settings_),
-      suit_(jobs_, session_, {parts_.software, parts_.utc_now, [this] { return sessionsFolder(); }}),
-      calibrations_(session_, suit_, suitsFolder()),
-      check_(jobs_, suit_, [this] { return takesFolder(); }),
-      virtual_suit_(jobs_, {words(parts_.virtual_suit_program),
-                            QStandardPaths::writableLocation(QStandardPaths::CacheLocation), parts_.software,
-                            parts_.make_sample_take}),
+      suits_(jobs_, session_, {parts_.software, parts_.utc_now, [this] { return sessionsFolder(); }},
+             {[this] { return takesFolder(); }, suitsFolder()}),
+      virtual_suit_(jobs_, virtualSuitParts(parts_)),
+      second_virtual_suit_(jobs_, virtualSuitParts(parts_)),
       remote_start_(settings_),
       processing_(std::make_shared<std::timed_mutex>()) {
     connect(&session_, &SessionModel::currentTakeChanged, this, &Studio::openTakeUnderReview);
@@ -75,22 +79,51 @@ Studio::Studio(StudioParts parts, QObject* parent)
     });
     connect(&shown_body_, &ShownBody::failed, this, &Studio::failed);
     connect(&changes_, &TakeChanges::failed, this, &Studio::failed);
-    connect(&suit_, &LiveSuit::failed, this, &Studio::failed);
-    connect(&suit_, &LiveSuit::warned, this, &Studio::warned);
-    connect(&calibrations_, &CalibrationShelf::warned, this, &Studio::warned);
-    connect(&suit_, &LiveSuit::phaseChanged, this, &Studio::followSuit);
-    connect(&calibrations_, &CalibrationShelf::told, this, &Studio::said);
-    connect(&calibrations_, &CalibrationShelf::changed, this, [this] { setChecked({}); });
-    connect(&calibrations_, &CalibrationShelf::saved, this, [this](const QString& task, bool is_good) {
-        // A rest pose that was found just now is as good as a check of it.
-        if (task == QLatin1String("rest-pose"))
-            setChecked(CheckedSuit{QDateTime::currentDateTime(), is_good});
-    });
-    connect(&virtual_suit_, &VirtualSuit::failed, this, &Studio::failed);
-    connect(&virtual_suit_, &VirtualSuit::started, this,
-            [this] { suit_.connectTo(virtual_suit_.address(), virtual_suit_.known()); });
-    connect(&virtual_suit_, &VirtualSuit::changed, this, &Studio::followSuit);
+    connectSuits();
+    connectVirtualSuits();
     loadBody();
+}
+
+void Studio::connectSuits() {
+    connect(&suits_, &LiveSuits::failed, this, &Studio::failed);
+    connect(&suits_, &LiveSuits::warned, this, &Studio::warned);
+    connect(&suits_, &LiveSuits::checkedChanged, this, &Studio::checkedChanged);
+    connect(&suits_, &LiveSuits::takeOfSeveral, this,
+            [this](const QString& path) { process(accurateRequest(path.toStdString())); });
+    suits_.forEach(this, [this](WornSuit& worn) {
+        connect(&worn.suit, &LiveSuit::phaseChanged, this, [this, &worn] { followSuit(worn); });
+        CalibrationShelf& shelf = worn.calibrations;
+        connect(&shelf, &CalibrationShelf::warned, this, &Studio::warned);
+        connect(&shelf, &CalibrationShelf::told, this, &Studio::said);
+        connect(&shelf, &CalibrationShelf::changed, this, [this, &worn] { suits_.setChecked(worn, {}); });
+        connect(&shelf, &CalibrationShelf::saved, this, [this, &worn](const QString& task, bool is_good) {
+            // A rest pose that was found just now is as good as a check of it.
+            if (task == QLatin1String("rest-pose"))
+                suits_.setChecked(worn, CheckedSuit{QDateTime::currentDateTime(), is_good});
+        });
+    });
+}
+
+void Studio::connectVirtualSuits() {
+    connect(&virtual_suit_, &VirtualSuit::failed, this, &Studio::failed);
+    connect(&second_virtual_suit_, &VirtualSuit::failed, this, &Studio::failed);
+    connect(&virtual_suit_, &VirtualSuit::started, this, [this] {
+        if (virtual_suit_.role() == VirtualSuit::Role::kAlone && !suits_.areSeveral())
+            return suit().connectTo(virtual_suit_.address(), virtual_suit_.known());
+        suits_.add(virtual_suit_.address(), virtual_suit_.known());
+        if (std::exchange(second_virtual_suit_waits_, false))
+            suits_.add(second_virtual_suit_.address(), second_virtual_suit_.known());
+    });
+    connect(&second_virtual_suit_, &VirtualSuit::started, this, [this] {
+        second_virtual_suit_waits_ = virtual_suit_.role() != VirtualSuit::Role::kFirst ||
+                                     virtual_suit_.state() != VirtualSuit::State::kOn;
+        if (!second_virtual_suit_waits_)
+            return suits_.add(second_virtual_suit_.address(), second_virtual_suit_.known());
+        virtual_suit_.stop();
+        virtual_suit_.start(VirtualSuit::Role::kFirst);
+    });
+    connect(&virtual_suit_, &VirtualSuit::changed, this, &Studio::followVirtualSuits);
+    connect(&second_virtual_suit_, &VirtualSuit::changed, this, &Studio::followVirtualSuits);
 }
 
 void Studio::loadBody() {
@@ -142,40 +175,70 @@ void Studio::openTakeUnderReview(int index) {
 
 void Studio::startVirtualSuit() {
     const bool on = virtual_suit_.state() == VirtualSuit::State::kOn;
-    if (on && suit_.address() == virtual_suit_.address())
+    if (on && suits_.at(virtual_suit_.address()))
         return;
-    if (on)
-        suit_.connectTo(virtual_suit_.address(), virtual_suit_.known());
-    else
+    if (!on)
         virtual_suit_.start();
+    else if (suits_.areSeveral())
+        suits_.add(virtual_suit_.address(), virtual_suit_.known());
+    else
+        suit().connectTo(virtual_suit_.address(), virtual_suit_.known());
+}
+
+void Studio::startSecondVirtualSuit() {
+    if (suits_.isTakeOpen()) {
+        emit failed(tr("A take is being recorded"), tr("Start the second virtual suit when it has ended"));
+        return;
+    }
+    if (second_virtual_suit_.state() != VirtualSuit::State::kOn)
+        return second_virtual_suit_.start(VirtualSuit::Role::kSecond);
+    suits_.add(second_virtual_suit_.address(), second_virtual_suit_.known());
 }
 
 void Studio::stopVirtualSuit() {
+    if (second_virtual_suit_.state() != VirtualSuit::State::kOff)
+        stopSecondVirtualSuit();
     virtual_suit_ends_ = true;
-    if (suit_.address() == virtual_suit_.address())
-        suit_.disconnectSuit();
-    followSuit();
+    if (WornSuit* worn = suits_.at(virtual_suit_.address()))
+        worn->suit.disconnectSuit();
+    followVirtualSuits();
+}
+
+void Studio::stopSecondVirtualSuit() {
+    second_virtual_suit_ends_ = true;
+    if (WornSuit* worn = suits_.at(second_virtual_suit_.address()))
+        worn->suit.disconnectSuit();
+    followVirtualSuits();
 }
 
 void Studio::setChecked(const std::optional<CheckedSuit>& checked) {
-    checked_ = checked;
-    check_.setChecked(checked ? std::optional(checked->is_good) : std::nullopt);
-    emit checkedChanged();
+    suits_.setChecked(suits_.current(), checked);
 }
 
-void Studio::followSuit() {
-    if (suit_.phase() == LiveSuit::Phase::kNone)
-        setChecked({});
-    const bool off = virtual_suit_.state() == VirtualSuit::State::kOff;
-    const bool connected = !suit_.address().isEmpty() && suit_.address() == virtual_suit_.address();
-    if (off && connected)
-        suit_.disconnectSuit();  // nobody is there to connect to again
-    else if (virtual_suit_ends_ && !connected) {
-        virtual_suit_ends_ = false;
-        virtual_suit_.stop();
-    }
-    if (suit_.phase() == LiveSuit::Phase::kReady && !connected && suit_.status()->hello)
-        finder_.remember(words(suit_.status()->hello->serial));
+void Studio::followSuit(WornSuit& worn) {
+    if (worn.suit.phase() == LiveSuit::Phase::kNone)
+        suits_.setChecked(worn, {});
+    followVirtualSuits();
+    const QString& address = worn.suit.address();
+    const bool is_virtual = address == virtual_suit_.address() || address == second_virtual_suit_.address();
+    if (worn.suit.phase() == LiveSuit::Phase::kReady && !is_virtual && worn.suit.status()->hello)
+        finder_.remember(words(worn.suit.status()->hello->serial));
+}
+
+void Studio::followVirtualSuits() {
+    const auto follow = [this](VirtualSuit& program, bool& ends) {
+        WornSuit* worn = program.address().isEmpty() ? nullptr : suits_.at(program.address());
+        if (program.state() == VirtualSuit::State::kOff && worn) {
+            // Nobody is there to connect to again; what the others record goes on.
+            if (!worn->suit.isLent())
+                worn->suit.disconnectSuit();
+        } else if (ends && !worn) {
+            ends = false;
+            program.stop();
+        }
+    };
+    follow(virtual_suit_, virtual_suit_ends_);
+    follow(second_virtual_suit_, second_virtual_suit_ends_);
 }
 
 Job* Studio::tryVirtualSuit() {

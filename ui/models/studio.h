@@ -17,15 +17,13 @@
 #include "core/mesh/skinned_mesh.h"
 #include "core/processing/process_take.h"
 #include "ui/jobs/jobs.h"
-#include "ui/models/calibration_shelf.h"
 #include "ui/models/contact_editor.h"
-#include "ui/models/live_suit.h"
+#include "ui/models/live_suits.h"
 #include "ui/models/marker_editor.h"
 #include "ui/models/remote_start.h"
 #include "ui/models/selection.h"
 #include "ui/models/session_model.h"
 #include "ui/models/shown_body.h"
-#include "ui/models/suit_check.h"
 #include "ui/models/suit_finder.h"
 #include "ui/models/take_document.h"
 #include "ui/models/time_cursor.h"
@@ -49,6 +47,9 @@ struct StudioParts {
     std::string virtual_suit_program{};
     /// Outlives the studio; null: nothing is logged.
     LogFile* log = nullptr;
+    /// Writes the sound of two virtual suits, worn by "A" and "B", that hear each other; null: there is one
+    /// virtual suit only.
+    std::function<Status(const std::string& path, const JobContext&)> make_pair_take{};
 };
 
 enum class Step { kStart, kConnect, kCalibrate, kRecord, kReview, kExport, kPerformer, kRobot };
@@ -69,10 +70,13 @@ public:
     MarkerEditor& markers() { return markers_; }
     ContactEditor& contacts() { return contacts_; }
     SuitFinder& finder() { return finder_; }
-    LiveSuit& suit() { return suit_; }
-    CalibrationShelf& calibrations() { return calibrations_; }
-    SuitCheck& check() { return check_; }
+    LiveSuits& suits() { return suits_; }
+    /// The one that is looked at, and what belongs to it.
+    LiveSuit& suit() { return suits_.current().suit; }
+    CalibrationShelf& calibrations() { return suits_.current().calibrations; }
+    SuitCheck& check() { return suits_.current().check; }
     VirtualSuit& virtualSuit() { return virtual_suit_; }
+    VirtualSuit& secondVirtualSuit() { return second_virtual_suit_; }
     RemoteStart& remoteStart() { return remote_start_; }
     QSettings& settings() { return settings_; }
     /// The body that ships with the studio; null until a job of the start has loaded it, or when it cannot be
@@ -97,17 +101,17 @@ public:
     /// session().failed() said why.
     Job* importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion, const std::string& scenario);
     /// Makes one by date when none is open; false: it could not be made, and session().failed() said why.
-    bool makeSureOfSession() { return suit_.makeSureOfSession(); }
+    bool makeSureOfSession() { return suit().makeSureOfSession(); }
     /// Starts the virtual suit's program and connects it.
     void startVirtualSuit();
-    /// A take of it that is being recorded ends intact first.
+    /// Two of them beside each other, that hear each other: the first begins anew.
+    void startSecondVirtualSuit();
+    /// A take of it that is being recorded ends intact first. With the first goes the second.
     void stopVirtualSuit();
-    /// The last check of the suit that is connected, with the calibration in force; empty: none was made.
-    struct CheckedSuit {
-        QDateTime when;
-        bool is_good = false;
-    };
-    const std::optional<CheckedSuit>& checked() const { return checked_; }
+    void stopSecondVirtualSuit();
+    using CheckedSuit = ui::CheckedSuit;
+    /// The last check of the suit that is looked at; empty: none was made.
+    const std::optional<CheckedSuit>& checked() const { return suits_.current().checked; }
     void setChecked(const std::optional<CheckedSuit>& checked);
     /// The most accurate settings for a take that is recorded: the whole take smoothed, and pulses found by
     /// their whole shape.
@@ -148,20 +152,20 @@ private:
     MarkerEditor markers_;
     ContactEditor contacts_;
     SuitFinder finder_;
-    LiveSuit suit_;
-    CalibrationShelf calibrations_;
-    SuitCheck check_;
-    VirtualSuit virtual_suit_;
+    LiveSuits suits_;
+    VirtualSuit virtual_suit_, second_virtual_suit_;
     RemoteStart remote_start_;
     void openTakeUnderReview(int index);
     void loadBody();
-    void followSuit();
+    void connectSuits();
+    void connectVirtualSuits();
+    void followSuit(WornSuit& worn);
+    void followVirtualSuits();
 
     std::shared_ptr<const SkinnedMesh> body_;
     bool body_ended_ = false;  ///< loading it
     QPointer<Job> trying_;     ///< the virtual suit
-    bool virtual_suit_ends_ = false;
-    std::optional<CheckedSuit> checked_;
+    bool virtual_suit_ends_ = false, second_virtual_suit_ends_ = false, second_virtual_suit_waits_ = false;
     std::shared_ptr<std::timed_mutex> processing_;  ///< a take takes one writer, the machine one filter
 };
 

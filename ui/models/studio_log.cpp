@@ -62,7 +62,9 @@ StudioLog::StudioLog(Studio& studio, LogFile& log, QObject* parent)
     connect(&studio.take(), &TakeDocument::opened, this,
             [this] { log_.write("info", studio_.take().isOpen() ? "take opened" : "take closed"); });
     connect(&studio.jobs(), &Jobs::started, this, [this](Job* job) { follow(*job); });
-    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &StudioLog::tellPhase);
+    studio.suits().forEach(this, [this](WornSuit& worn) {
+        connect(&worn.suit, &LiveSuit::phaseChanged, this, [this, &worn] { tellPhase(worn.suit); });
+    });
 }
 
 void StudioLog::follow(Job& job) {
@@ -73,10 +75,10 @@ void StudioLog::follow(Job& job) {
     });
 }
 
-void StudioLog::tellPhase() {
-    const auto hello = studio_.suit().status()->hello;
+void StudioLog::tellPhase(const LiveSuit& suit) {
+    const auto hello = suit.status()->hello;
     const QString serial = hello ? QString::fromStdString(hello->serial) + ' ' : QString();
-    log_.write("info", "suit " + serial + phaseName(studio_.suit().phase()));
+    log_.write("info", "suit " + serial + phaseName(suit.phase()));
 }
 
 }  // namespace noctule::ui

@@ -17,7 +17,7 @@ public:
 
 private:
     void follow(Job& job);
-    void tellPhase();
+    void tellPhase(const LiveSuit& suit);
 
     Studio& studio_;
     LogFile& log_;

@@ -27,10 +27,19 @@ struct SampleOfSuit {
     KnownWearing known;
 };
 
-Result<SampleOfSuit> readSample(const std::string& path) {
-    const auto take = Take::open(path);
+/// Of the pair's take whose suit it is.
+QString subjectOf(VirtualSuit::Role role) {
+    return role == VirtualSuit::Role::kFirst ? "A" : role == VirtualSuit::Role::kSecond ? "B" : "";
+}
+
+Result<SampleOfSuit> readSample(const std::string& path, VirtualSuit::Role role) {
+    auto take = Take::open(path);
     if (!take)
         return take.error();
+    if (const auto subjects = take->subjects(); subjects && role != VirtualSuit::Role::kAlone)
+        for (const TakeSubject& subject : *subjects)
+            if (subject.name == subjectOf(role).toStdString())
+                take->view(subject.suit());
     const auto calibration = take->calibrationInForce();
     const auto actor = take->actorInForce();
     const auto rest = take->restInterval();
@@ -47,8 +56,8 @@ Result<SampleOfSuit> readSample(const std::string& path) {
 
 /// One that cannot be read is made again.
 Result<SampleOfSuit> sampleAt(const std::filesystem::path& path, const VirtualSuit::Parts& parts,
-                              const JobContext& job) {
-    if (auto kept = readSample(path.string()))
+                              VirtualSuit::Role role, const JobContext& job) {
+    if (auto kept = readSample(path.string(), role))
         return kept;
     std::error_code error;
     std::filesystem::create_directories(path.parent_path(), error);
@@ -56,19 +65,20 @@ Result<SampleOfSuit> sampleAt(const std::filesystem::path& path, const VirtualSu
         return Error{ErrorKind::kDisk, path.parent_path().string() + ": cannot be made: " + error.message(),
                      "Check that you may write there"};
     const std::string made = asidePath(path.string());
-    if (const Status done = parts.make_take(made, job); !done)
+    const auto& make = role == VirtualSuit::Role::kAlone ? parts.make_take : parts.make_pair_take;
+    if (const Status done = make(made, job); !done)
         return done.error();
     if (const Status published = publishFile(made, path.string(), true); !published)
         return published.error();
-    return readSample(path.string());
+    return readSample(path.string(), role);
 }
 
-QString fileName(const std::string& software) {
+QString fileName(const std::string& software, VirtualSuit::Role role) {
     QString name = QString::fromStdString(software);
     for (QChar& letter : name)
         if (!letter.isLetterOrNumber() && letter != '.')
             letter = '-';
-    return QStringLiteral("sample-%1.noctule").arg(name);
+    return QStringLiteral("%1-%2.noctule").arg(role == VirtualSuit::Role::kAlone ? "sample" : "pair", name);
 }
 
 }  // namespace
@@ -98,9 +108,10 @@ void VirtualSuit::setState(State state) {
     emit changed();
 }
 
-void VirtualSuit::start() {
+void VirtualSuit::start(Role role) {
     if (state_ != State::kOff)
         return;
+    role_ = role;
     if (!isAvailable()) {
         emit failed(tr("The virtual suit’s program is not part of this installation"),
                     tr("Install Noctule again"));
@@ -108,10 +119,10 @@ void VirtualSuit::start() {
     }
     setState(State::kPreparing);
     const std::filesystem::path path =
-        QDir(parts_.cache_folder).filePath(fileName(parts_.software)).toStdString();
+        QDir(parts_.cache_folder).filePath(fileName(parts_.software, role)).toStdString();
     preparing_ = jobs_.start<SampleOfSuit>(
         tr("Preparing the virtual suit"),
-        [path, parts = parts_](const JobContext& job) { return sampleAt(path, parts, job); },
+        [path, parts = parts_, role](const JobContext& job) { return sampleAt(path, parts, role, job); },
         [self = QPointer(this)](Result<SampleOfSuit> sample) -> QString {
             if (!self || self->state_ != State::kPreparing)
                 return {};
@@ -146,8 +157,10 @@ void VirtualSuit::launch(const QString& take) {
             ended();
     });
     setState(State::kStarting);
-    program_->start(parts_.program,
-                    {"--take", take, "--loop", "--tcp", "127.0.0.1:0", "--control", "127.0.0.1:0"});
+    QStringList words{"--take", take, "--loop", "--tcp", "127.0.0.1:0", "--control", "127.0.0.1:0"};
+    if (role_ != Role::kAlone)
+        words << "--subject" << subjectOf(role_);
+    program_->start(parts_.program, words);
 }
 
 void VirtualSuit::hear() {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The virtual suit as a driver box on this computer: the program noctule-virtual-suit, which streams a sample
 // take in a loop for the studio to connect to like to any box. The take is made once and kept in the cache.
-// The program ends with the studio, also when that crashes.
+// Two of them, each with a program of its own, can play the two performers of one take. The program ends with
+// the studio, also when that crashes.
 #pragma once
 
 #include <QObject>
@@ -25,19 +26,29 @@ public:
         kStarting,
         kOn,
     };
+    enum class Role {
+        kAlone,
+        kFirst,  ///< of two that hear each other
+        kSecond,
+    };
     struct Parts {
         QString program;       ///< its path; empty: there is none
         QString cache_folder;  ///< for the take
         std::string software;  ///< a take of another version is not used again
-        std::function<Status(const std::string& path, const JobContext&)> make_take;
+        using Maker = std::function<Status(const std::string& path, const JobContext&)>;
+        Maker make_take;
+        Maker make_pair_take{};  ///< worn by "A" and "B"; null: there is only one virtual suit
     };
 
     VirtualSuit(Jobs& jobs, Parts parts, QObject* parent = nullptr);
     ~VirtualSuit() override;
 
     bool isAvailable() const { return !parts_.program.isEmpty(); }
+    bool canBeTwo() const { return isAvailable() && parts_.make_pair_take; }
     State state() const { return state_; }
-    void start();
+    void start(Role role = Role::kAlone);
+    /// As started last.
+    Role role() const { return role_; }
     /// Returns at once.
     void stop();
 
@@ -64,6 +75,7 @@ private:
     Jobs& jobs_;
     const Parts parts_;
     State state_ = State::kOff;
+    Role role_ = Role::kAlone;
     QString address_, control_;
     QByteArray heard_, complaints_;
     KnownWearing known_;

@@ -62,9 +62,9 @@ RobotCenter::RobotCenter(Studio& studio, RobotDrive& drive, QWidget* parent)
     });
     connect(&drive, &RobotDrive::ticked, this, &RobotCenter::showPaths);
     connect(&drive, &RobotDrive::recordingChanged, this, &RobotCenter::showRecording);
-    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &RobotCenter::showRecording);
-    connect(&studio.suit(), &LiveSuit::wearingChanged, this, &RobotCenter::wear);
-    connect(&studio.suit(), &LiveSuit::frameChanged, this, &RobotCenter::showFrame);
+    studio.suits().follow(&LiveSuit::phaseChanged, this, &RobotCenter::showRecording);
+    studio.suits().follow(&LiveSuit::wearingChanged, this, &RobotCenter::wear);
+    studio.suits().follow(&LiveSuit::frameChanged, this, &RobotCenter::showFrame);
     connect(&Theme::get(), &Theme::changed, this, &RobotCenter::arrangeKeys);
     wear();
     showState();

@@ -68,12 +68,12 @@ RobotDrive::RobotDrive(Studio& studio, QObject* parent)
     : QObject(parent), studio_(studio), choice_(loadRobot(studio.settings())) {
     timer_.setInterval(kTick_ms);
     connect(&timer_, &QTimer::timeout, this, &RobotDrive::tick);
-    connect(&studio.suit(), &LiveSuit::wearingChanged, this, [this] {
+    studio.suits().follow(&LiveSuit::wearingChanged, this, [this] {
         if (leader_ == Leader::kSuit)
             restart();
     });
-    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &RobotDrive::followSuitsTake);
-    connect(&studio.suit(), &LiveSuit::recordingEnded, this, [this] {
+    studio.suits().follow(&LiveSuit::phaseChanged, this, &RobotDrive::followSuitsTake);
+    connect(&studio.suits(), &LiveSuits::recordingEnded, this, [this] {
         if (const QString take = std::exchange(recorded_take_, QString()); !take.isEmpty())
             readRecorded(take);
     });
@@ -182,10 +182,12 @@ void RobotDrive::begin() {
     table_.clear();
     running_ = std::make_unique<RobotRunning>(std::move(plan));
     running_->setKeys(dead_man_, clutch_);
-    if (!of_take)
-        studio_.suit().setPoseListener([feed = &running_->feed()](const TimedPose& pose, int64_t arrived_ns) {
+    if (!of_take) {
+        led_by_ = &studio_.suit();
+        led_by_->setPoseListener([feed = &running_->feed()](const TimedPose& pose, int64_t arrived_ns) {
             feed->put(pose, arrived_ns);
         });
+    }
     timer_.start();
     followSuitsTake();
     tick();
@@ -195,7 +197,8 @@ void RobotDrive::begin() {
 void RobotDrive::end() {
     timer_.stop();
     endRecording();
-    studio_.suit().setPoseListener({});
+    if (LiveSuit* suit = std::exchange(led_by_, nullptr))
+        suit->setPoseListener({});
     running_.reset();
     dead_man_ = clutch_ = false;
     emit keysChanged();

@@ -155,6 +155,7 @@ private:
     std::shared_ptr<const RobotParts> parts_;
     int reading_ = 0;  ///< what earlier readings bring is void
     QString trouble_;
+    LiveSuit* led_by_ = nullptr;  ///< has our listener
     Leader leader_ = Leader::kSuit;
     bool repeats_ = false, wants_link_ = false;
     bool dead_man_ = false, clutch_ = false;

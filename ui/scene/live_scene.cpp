@@ -1,13 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/scene/live_scene.h"
 
+#include <algorithm>
+
 namespace noctule::ui {
 namespace {
 
 /// Three rounds of eight sources: one pulse may be missed.
 constexpr double kHeardFor_s = 0.2;
 
+constexpr double kLetterOverHead_m = 0.32;
+
+/// Before the first one, where its own stream has it; each next one further to the side.
+Pose inRow(Pose pose, int performer) {
+    pose.p_world_root.x() += LiveScene::kApart_m * performer;
+    return pose;
+}
+
+Vector3d letterPlace(const BodyPlaces& places) {
+    const std::vector<Vector3d>& joints = places.joints.p_world_joint;
+    return *std::ranges::max_element(joints, {}, [](const Vector3d& p_m) { return p_m.y(); }) +
+           kLetterOverHead_m * Vector3d::UnitY();
+}
+
+bool hasPose(const LiveWearer& wearer, const std::shared_ptr<const LiveFrame>& frame) {
+    return frame && frame->pose && frame->pose->pose && wearer.calibration;
+}
+
 }  // namespace
+
+void LiveScene::setCompany(int performer, std::vector<LiveCompanion> others) {
+    performer_ = others.empty() ? 0 : performer;
+    others_ = std::move(others);
+    bodies_.resize(others_.size());
+}
+
+void LiveScene::addOther(ComposedScene& composed, const LiveCompanion& other, size_t index, Studio& studio,
+                         const SceneLayers& layers, const SceneColors& colors) {
+    if (!hasPose(other.wearer, other.frame))
+        return;
+    const Skeleton& skeleton = other.wearer.actor.skeleton;
+    const Pose pose = inRow(*other.frame->pose->pose, other.performer);
+    const BodyPlaces places = placeBody(skeleton, pose, other.wearer.suit, &*other.wearer.calibration);
+    const BodyLook look = studio.look();
+    const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);
+    addShadow(composed.scene, colors, places);
+    if (has_mesh)
+        addSurface(composed.scene, colors, bodies_[index].fit(look, skeleton, feetAtRest(skeleton)), pose,
+                   look.blending);
+    if (layers.has(SceneLayer::kSkeleton))
+        addSkeleton(composed.scene, colors, places, !has_mesh);
+    composed.tags.push_back({other.performer, letterPlace(places)});
+    composed.others.extend(places.box());
+}
 
 void LiveScene::addPairs(ComposedScene& composed) const {
     const int sources = static_cast<int>(composed.places.sources.size());
@@ -23,18 +68,22 @@ ComposedScene LiveScene::compose(Studio& studio, const SceneLayers& layers) {
     const SceneColors colors = SceneColors::of(Theme::get());
     ComposedScene composed;
     Scene& scene = composed.scene;
-    const bool has_pose = frame_ && frame_->pose && frame_->pose->pose && wearer_.calibration;
-    addRoom(scene, colors, layers, has_pose ? frame_->pose->pose->p_world_root : Vector3d::Zero());
+    const bool has_pose = hasPose(wearer_, frame_);
+    const Pose pose = has_pose ? inRow(*frame_->pose->pose, performer_) : Pose{};
+    addRoom(scene, colors, layers, has_pose ? pose.p_world_root : Vector3d::Zero());
+    for (size_t i = 0; i < others_.size(); ++i)
+        addOther(composed, others_[i], i, studio, layers, colors);
     if (!has_pose)
         return composed;
     const Skeleton& skeleton = wearer_.actor.skeleton;
-    composed.places = placeBody(skeleton, *frame_->pose->pose, wearer_.suit, &*wearer_.calibration);
+    composed.places = placeBody(skeleton, pose, wearer_.suit, &*wearer_.calibration);
+    if (isInCompany())
+        composed.tags.push_back({performer_, letterPlace(composed.places)});
     addShadow(scene, colors, composed.places);
     const BodyLook look = studio.look();
     const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);
     if (has_mesh)
-        addSurface(scene, colors, body_.fit(look, skeleton, feetAtRest(skeleton)), *frame_->pose->pose,
-                   look.blending);
+        addSurface(scene, colors, body_.fit(look, skeleton, feetAtRest(skeleton)), pose, look.blending);
     if (layers.has(SceneLayer::kSkeleton))
         addSkeleton(scene, colors, composed.places, !has_mesh);
     addPairs(composed);

@@ -21,8 +21,21 @@ struct LiveWearer {
     int sample_rate_hz = 150000;
 };
 
+/// Another performer beside the one that is shown.
+struct LiveCompanion {
+    LiveWearer wearer;
+    std::shared_ptr<const LiveFrame> frame;
+    int performer = 0;  ///< 0 for A
+};
+
 class LiveScene {
 public:
+    /// Several performers stand in a row, since nothing tells live where they are to each other.
+    static constexpr double kApart_m = 1.2;
+
+    /// Whose body this is among the others; none: nobody else is there.
+    void setCompany(int performer, std::vector<LiveCompanion> others);
+    bool isInCompany() const { return !others_.empty(); }
     void setWearer(LiveWearer wearer) { wearer_ = std::move(wearer); }
     const LiveWearer& wearer() const { return wearer_; }
     void setFrame(std::shared_ptr<const LiveFrame> frame) { frame_ = std::move(frame); }
@@ -32,10 +45,15 @@ public:
 
 private:
     void addPairs(ComposedScene& composed) const;
+    void addOther(ComposedScene& composed, const LiveCompanion& other, size_t index, Studio& studio,
+                  const SceneLayers& layers, const SceneColors& colors);
 
     LiveWearer wearer_;
     std::shared_ptr<const LiveFrame> frame_;
     FittedBody body_;
+    int performer_ = 0;
+    std::vector<LiveCompanion> others_;
+    std::vector<FittedBody> bodies_;  ///< of the others
 };
 
 }  // namespace noctule::ui

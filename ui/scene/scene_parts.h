@@ -34,6 +34,7 @@ struct SceneView::Parts {
     TakeScene take;
     std::optional<FigureScene> figure;
     std::optional<LiveScene> live;
+    int company = 0;            ///< other performers that are shown live
     QElapsedTimer since_frame;  ///< the live frame came
     struct Asked {
         std::shared_ptr<const LiveFrame> frame;  ///< null: none

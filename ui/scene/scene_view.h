@@ -49,6 +49,8 @@ public:
     void clearFigure();
     /// Shows what showFrame() brings from now on, instead of the take.
     void setLive(LiveWearer wearer);
+    /// Of a live suit: who else is there, and its own place among them.
+    void setCompany(int performer, std::vector<LiveCompanion> others);
     /// Null: nothing comes.
     void showFrame(std::shared_ptr<const LiveFrame> frame);
     /// From showFrame() to the picture on the screen.

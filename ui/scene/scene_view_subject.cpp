@@ -67,6 +67,16 @@ void SceneView::setLive(LiveWearer wearer) {
     refresh();
 }
 
+void SceneView::setCompany(int performer, std::vector<LiveCompanion> others) {
+    if (!parts_->live)
+        return;
+    const bool changes = others.size() != static_cast<size_t>(parts_->company);
+    parts_->company = static_cast<int>(others.size());
+    parts_->live->setCompany(performer, std::move(others));
+    if (changes && parts_->untouched)
+        parts_->framed.clear();
+}
+
 void SceneView::showFrame(std::shared_ptr<const LiveFrame> frame) {
     if (!parts_->live || !parts_->canvas)
         return;

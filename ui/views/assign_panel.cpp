@@ -40,11 +40,16 @@ AssignPanel::AssignPanel(Studio& studio, QWidget* parent)
     addWornBy(*column);
     column->addWidget(new Divider);
     addAssign(*column);
+    studio_.suits().follow(&LiveSuit::wearingChanged, this, &AssignPanel::showPerformers);
     connect(&studio_.session(), &SessionModel::changed, this, &AssignPanel::showPerformers);
     connect(&studio_.session(), &SessionModel::opened, this, &AssignPanel::showPerformers);
-    connect(&studio_.suit(), &LiveSuit::wearingChanged, this, &AssignPanel::showSuit);
-    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &AssignPanel::showSuit);
-    connect(&studio_.suit(), &LiveSuit::frameChanged, this, &AssignPanel::listen);
+    studio_.suits().follow(&LiveSuit::wearingChanged, this, &AssignPanel::showSuit);
+    studio_.suits().follow(&LiveSuit::phaseChanged, this, &AssignPanel::showSuit);
+    studio_.suits().follow(&LiveSuit::frameChanged, this, &AssignPanel::listen);
+    connect(&studio_.suits(), &LiveSuits::currentChanged, this, [this] {
+        if (isFinding())
+            find(false);
+    });
     showPerformers();
     showSuit();
 }
@@ -59,7 +64,7 @@ void AssignPanel::addWornBy(QVBoxLayout& column) {
     column.addWidget(part);
     connect(performers_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
         if (studio_.session().isOpen())
-            studio_.session().setCurrentPerformer(performers_->itemText(index));
+            studio_.suits().setPerformer(studio_.suits().current(), performers_->itemText(index));
     });
 }
 
@@ -92,12 +97,18 @@ void AssignPanel::showPerformers() {
     performers_->setEnabled(true);
     for (const Performer& performer : model.session().performers)
         performers_->addItem(QString::fromStdString(performer.name));
-    const QString current = QString::fromStdString(model.session().current_performer);
-    performers_->setCurrentIndex(performers_->findText(current));
-    if (const Performer* performer = model.session().findPerformer(model.session().current_performer))
+    const std::string current = wearer();
+    performers_->setCurrentIndex(performers_->findText(QString::fromStdString(current)));
+    if (const Performer* performer = model.session().findPerformer(current))
         measures_->setText(
             tr("%1, suit “%2”", "height, name")
                 .arg(metresText(performer->measures.height_m), QString::fromStdString(performer->suit.name)));
+}
+
+/// Of the suit that is looked at; of none the session's current performer.
+std::string AssignPanel::wearer() const {
+    const std::string& worn_by = studio_.suit().wearing().performer;
+    return worn_by.empty() ? studio_.session().session().current_performer : worn_by;
 }
 
 void AssignPanel::showSuit() {
@@ -169,7 +180,7 @@ void AssignPanel::swap(int board, int with) {
     exchangePlaces(suit.boards[static_cast<size_t>(board)], suit.boards[static_cast<size_t>(with)]);
     const auto& performers = model.session().performers;
     for (size_t i = 0; i < performers.size(); ++i)
-        if (performers[i].name == model.session().current_performer) {
+        if (performers[i].name == wearer()) {
             Performer performer = performers[i];
             suit.name = performer.suit.name;
             const LiveSuit& live = studio_.suit();

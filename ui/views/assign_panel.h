@@ -39,6 +39,7 @@ private:
     void addWornBy(QVBoxLayout& column);
     void addAssign(QVBoxLayout& column);
     void showPerformers();
+    std::string wearer() const;
     void showSuit();
     void find(bool on);
     void listen();

@@ -44,10 +44,9 @@ std::array<std::optional<double>, 3> inSi(const InertialReading& reading, size_t
 
 }  // namespace
 
-BoardCard::BoardCard(LiveSuit& suit, SuitCheck& check, QWidget* parent)
+BoardCard::BoardCard(Studio& studio, QWidget* parent)
     : Card(parent),
-      suit_(suit),
-      check_(check),
+      studio_(studio),
       title_((new Label({}, TextRole::kSection, Ink::kValue, true))->wrapped()),
       serial_((new Label({}, TextRole::kSecondary, Ink::kLabel))->wrapped()),
       frames_((new Label({}, TextRole::kSecondary, Ink::kLabel))->wrapped()),
@@ -66,10 +65,10 @@ BoardCard::BoardCard(LiveSuit& suit, SuitCheck& check, QWidget* parent)
     inner->addWidget(frames_);
     addRow(inner, 0, {0, 4, 0, 0})->addWidget(blink_, 0, Qt::AlignLeft);
     connect(blink_, &QPushButton::clicked, this, [this] { emit blinkRequested(board_); });
-    connect(&suit_, &LiveSuit::frameChanged, this, &BoardCard::showFrame);
-    connect(&check_, &SuitCheck::changed, this, &BoardCard::showWords);
-    connect(&suit_, &LiveSuit::wearingChanged, this, &BoardCard::showWords);
-    connect(&suit_, &LiveSuit::blinkingChanged, this, &BoardCard::showWords);
+    studio.suits().follow(&LiveSuit::frameChanged, this, &BoardCard::showFrame);
+    studio.suits().follow(&SuitCheck::changed, this, &BoardCard::showWords);
+    studio.suits().follow(&LiveSuit::wearingChanged, this, &BoardCard::showWords);
+    studio.suits().follow(&LiveSuit::blinkingChanged, this, &BoardCard::showWords);
     setBoard(-1);
 }
 
@@ -108,7 +107,7 @@ void BoardCard::setBoard(int board) {
 }
 
 void BoardCard::showWords() {
-    const Suit& suit = suit_.suit();
+    const Suit& suit = live().suit();
     const bool there = board_ >= 0 && static_cast<size_t>(board_) < suit.boards.size();
     details_->setVisible(there);
     if (!there) {
@@ -121,12 +120,12 @@ void BoardCard::showWords() {
         tr("Board %1, %2", "number, body part").arg(board_ + 1).arg(boardName(board, NameCase::kInside)));
     serial_->setText(board.serial.empty() ? tr("Its serial number is not known")
                                           : tr("Serial %1").arg(QString::fromStdString(board.serial)));
-    const bool blinks = suit_.blinkingBoard() == board_;
+    const bool blinks = live().blinkingBoard() == board_;
     blink_->setText(blinks ? tr("Board %1 blinks").arg(board_ + 1) : tr("Blink board %1").arg(board_ + 1));
-    blink_->setDisabledBecause(suit_.isPlugged(board_) ? QString() : tr("The board is unplugged."));
-    const auto frame = suit_.frame();
+    blink_->setDisabledBecause(live().isPlugged(board_) ? QString() : tr("The board is unplugged."));
+    const auto frame = live().frame();
     if (!frame || frame->health.boards.size() != suit.boards.size())
-        return frames_->setText(boardDetail(check_, board_));
+        return frames_->setText(boardDetail(check(), board_));
     const BoardHealth& health = frame->health.boards[static_cast<size_t>(board_)];
     frames_->setText(
         tr("%1 of %2 frames a second, %n bit error(s)", nullptr, static_cast<int>(health.bits_corrected))
@@ -135,8 +134,8 @@ void BoardCard::showWords() {
 }
 
 void BoardCard::showFrame() {
-    const auto frame = suit_.frame();
-    const Suit& suit = suit_.suit();
+    const auto frame = live().frame();
+    const Suit& suit = live().suit();
     const auto index = static_cast<size_t>(board_);
     if (!isVisible() || !frame || board_ < 0 || index >= suit.boards.size() ||
         frame->health.boards.size() != suit.boards.size())
@@ -152,8 +151,9 @@ void BoardCard::showFrame() {
         return;
     const InertialReading& reading = *frame->readings[index];
     const Board& board = suit.boards[index];
-    const BoardCalibration* known = suit_.calibration() ? suit_.calibration()->findBoard(board.id) : nullptr;
-    const double t_s = reading.sample / suit_.status()->hello->sample_rate_hz;
+    const BoardCalibration* known =
+        live().calibration() ? live().calibration()->findBoard(board.id) : nullptr;
+    const double t_s = reading.sample / live().status()->hello->sample_rate_hz;
     turning_->add(t_s, inSi(reading, 0,
                             known ? known->gyro : AxisCalibration::nominal(board.gyro_full_scale_rad_per_s)));
     acceleration_->add(

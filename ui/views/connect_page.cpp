@@ -16,6 +16,7 @@
 #include "ui/views/readiness_panel.h"
 #include "ui/views/readiness_words.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/suit_switch.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/scroll_area.h"
 
@@ -42,14 +43,17 @@ ConnectPage::ConnectPage(Studio& studio, QWidget* parent)
       drawing_(new QWidget),
       beside_(new QWidget),
       beside_column_(makeColumn(beside_, {}, 16)),
-      card_(new BoardCard(studio.suit(), studio.check())),
+      card_(new BoardCard(studio)),
       legend_(new MapLegend(MapLegend::Shows::kState)),
-      pairs_(new LivePairs(studio.check())) {
+      pairs_(new LivePairs(studio)) {
     for (QWidget* dock : {left_, static_cast<QWidget*>(readiness_)}) {
         dock->setParent(this);
         dock->hide();
     }
-    auto* column = makeColumn(this);
+    auto* content = new QWidget;
+    auto* column = makeColumn(content);
+    makeColumn(this)->addWidget(new ScrollArea(content));
+    column->addWidget(new SuitSwitch(studio));
     column->addWidget(makeCentre(), 3);
     column->addWidget(pairs_, 2);
     addActions();
@@ -106,13 +110,13 @@ void ConnectPage::connectStudio() {
         if (isVisible() && studio_.suit().phase() == LiveSuit::Phase::kNone)
             showSuit();
     });
-    connect(&studio_.suit(), &LiveSuit::wearingChanged, this, &ConnectPage::showSuit);
-    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &ConnectPage::showLayout);
-    connect(&studio_.check(), &SuitCheck::changed, this, [this] {
+    studio_.suits().follow(&LiveSuit::wearingChanged, this, &ConnectPage::showSuit);
+    studio_.suits().follow(&LiveSuit::phaseChanged, this, &ConnectPage::showLayout);
+    studio_.suits().follow(&SuitCheck::changed, this, [this] {
         if (isVisible())
             showState();
     });
-    connect(&studio_.suit(), &LiveSuit::blinkingChanged, this, &ConnectPage::showState);
+    studio_.suits().follow(&LiveSuit::blinkingChanged, this, &ConnectPage::showState);
     connect(pairs_, &LivePairs::boardChosen, this, &ConnectPage::choose);
     connect(card_, &BoardCard::blinkRequested, this, [this](int board) { studio_.suit().blinkBoard(board); });
     connect(readiness_, &ReadinessPanel::boardChosen, this, &ConnectPage::choose);

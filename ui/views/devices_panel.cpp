@@ -3,6 +3,7 @@
 
 #include <QVBoxLayout>
 
+#include "ui/style/performer_disc.h"
 #include "ui/views/device_card.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -34,6 +35,7 @@ DevicesPanel::DevicesPanel(Studio& studio, QWidget* parent)
       list_(new QWidget),
       list_column_(makeColumn(list_, {}, 8)),
       virtual_card_(new DeviceCard),
+      second_virtual_card_(new DeviceCard),
       nothing_((new Label(tr("No driver box is found. Switch one on, or connect it by USB."),
                           TextRole::kSecondary, Ink::kHint))
                    ->wrapped()),
@@ -43,13 +45,16 @@ DevicesPanel::DevicesPanel(Studio& studio, QWidget* parent)
     column->addWidget(nothing_);
     column->addWidget(list_);
     column->addWidget(virtual_card_);
+    column->addWidget(second_virtual_card_);
     addRow(column)->addWidget(other_, 0, Qt::AlignLeft);
     addAddressForm(*column);
     connect(virtual_card_, &DeviceCard::activated, this, &DevicesPanel::actOnVirtualSuit);
+    connect(second_virtual_card_, &DeviceCard::activated, this, &DevicesPanel::actOnSecondVirtualSuit);
     connect(&studio_.finder(), &SuitFinder::changed, this, &DevicesPanel::showDevices);
-    connect(&studio_.suit(), &LiveSuit::statusChanged, this, &DevicesPanel::showDevices);
+    connect(&studio_.suits(), &LiveSuits::changed, this, &DevicesPanel::showDevices);
     connect(&studio_.virtualSuit(), &VirtualSuit::changed, this, &DevicesPanel::showVirtualSuit);
-    connect(&studio_.suit(), &LiveSuit::statusChanged, this, &DevicesPanel::showVirtualSuit);
+    connect(&studio_.secondVirtualSuit(), &VirtualSuit::changed, this, &DevicesPanel::showVirtualSuit);
+    connect(&studio_.suits(), &LiveSuits::changed, this, &DevicesPanel::showVirtualSuit);
     showDevices();
     showVirtualSuit();
 }
@@ -95,11 +100,16 @@ QString DevicesPanel::addressProblem() const {
     return problem_->isHidden() ? QString() : problem_->text();
 }
 
-bool DevicesPanel::isConnected(const KnownSuit& suit) const {
-    const LiveSuit& live = studio_.suit();
-    if (live.phase() == LiveSuit::Phase::kNone)
-        return false;
-    return live.address() == qt(suit.device.address) && suit.present;
+WornSuit* DevicesPanel::wornOf(const KnownSuit& suit) const {
+    return suit.present ? studio_.suits().at(qt(suit.device.address)) : nullptr;
+}
+
+/// Of several suits: whose it is.
+void DevicesPanel::nameWearer(const WornSuit& worn, DeviceWords& words) const {
+    if (studio_.suits().areSeveral())
+        words.detail = tr("%1, worn by %2 %3", "a device, letter and name of a performer")
+                           .arg(words.detail, performerLetter(studio_.suits().letterOf(worn)),
+                                studio_.suits().nameOf(worn));
 }
 
 void DevicesPanel::showDevices() {
@@ -141,9 +151,10 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
     if (!suit.present) {
         words.state = tr("not here");
         words.action = tr("Forget");
-    } else if (isConnected(suit)) {
-        const LiveSuit::Phase phase = studio_.suit().phase();
-        words.chosen = true;
+    } else if (const WornSuit* worn = wornOf(suit)) {
+        const LiveSuit::Phase phase = worn->suit.phase();
+        words.chosen = worn == &studio_.suits().current();
+        nameWearer(*worn, words);
         words.action = tr("Disconnect");
         if (phase == LiveSuit::Phase::kRefused) {
             words.tone = Tone::kError;
@@ -152,7 +163,7 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
         } else if (phase == LiveSuit::Phase::kConnecting) {
             words.detail = tr("is being connected");
         } else {
-            tellLink(studio_.suit(), words);
+            tellLink(worn->suit, words);
         }
     } else if (device.contact == FoundDevice::Contact::kAsking) {
         words.state = tr("asking");
@@ -169,7 +180,7 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
         words.tone = Tone::kWarn;
         words.detail = tr("Another studio uses it");
     } else {
-        words.action = tr("Connect");
+        words.action = studio_.suits().connected().empty() ? tr("Connect") : tr("Add this suit");
     }
     return words;
 }
@@ -178,24 +189,37 @@ void DevicesPanel::act(const KnownSuit& suit) {
     const QString address = qt(suit.device.address);
     if (!suit.present)
         studio_.finder().forget(qt(suit.device.serial));
-    else if (isConnected(suit) && studio_.suit().phase() == LiveSuit::Phase::kRefused)
-        studio_.suit().connectTo(address);
-    else if (isConnected(suit))
-        studio_.suit().disconnectSuit();
+    else if (WornSuit* worn = wornOf(suit); worn && worn->suit.phase() == LiveSuit::Phase::kRefused)
+        worn->suit.connectTo(address);
+    else if (worn)
+        worn->suit.disconnectSuit();
     else if (suit.device.contact == FoundDevice::Contact::kAnswers)
-        studio_.suit().connectTo(address);
+        studio_.suits().add(address);
     else
         studio_.finder().probe(address);
 }
 
 void DevicesPanel::showVirtualSuit() {
-    VirtualSuit& suit = studio_.virtualSuit();
-    const LiveSuit& live = studio_.suit();
-    const bool connected = suit.state() == VirtualSuit::State::kOn && live.address() == suit.address() &&
-                           live.phase() != LiveSuit::Phase::kNone;
+    VirtualSuit &first = studio_.virtualSuit(), &second = studio_.secondVirtualSuit();
+    DeviceWords words = wordsForVirtual(first);
+    words.name = tr("Virtual suit");
+    virtual_card_->setWords(words);
+    virtual_card_->setVisible(first.isAvailable());
+    words = wordsForVirtual(second);
+    words.name = tr("Second virtual suit");
+    if (second.state() == VirtualSuit::State::kOff)
+        words.action = tr("Add");
+    second_virtual_card_->setWords(words);
+    const bool can_be_added = studio_.suits().at(first.address()) && !studio_.suits().isFull();
+    second_virtual_card_->setVisible(first.canBeTwo() &&
+                                     (can_be_added || second.state() != VirtualSuit::State::kOff));
+}
+
+DeviceWords DevicesPanel::wordsForVirtual(VirtualSuit& suit) const {
+    const WornSuit* worn =
+        suit.state() == VirtualSuit::State::kOn ? studio_.suits().at(suit.address()) : nullptr;
     DeviceWords words;
     words.icon = "play";
-    words.name = tr("Virtual suit");
     words.detail = tr("A simulated performer, no hardware");
     switch (suit.state()) {
         case VirtualSuit::State::kOff:
@@ -209,23 +233,32 @@ void DevicesPanel::showVirtualSuit() {
             words.state = tr("starting");
             break;
         case VirtualSuit::State::kOn:
-            if (connected)
-                tellLink(live, words);
-            words.action = connected ? tr("Stop") : tr("Connect");
-            words.chosen = connected;
+            if (worn) {
+                tellLink(worn->suit, words);
+                nameWearer(*worn, words);
+            }
+            words.action = worn ? tr("Stop") : tr("Connect");
+            words.chosen = worn == &studio_.suits().current();
     }
-    virtual_card_->setWords(words);
-    virtual_card_->setVisible(suit.isAvailable());
+    return words;
 }
 
 void DevicesPanel::actOnVirtualSuit() {
     const VirtualSuit& suit = studio_.virtualSuit();
-    const bool elsewhere =
-        suit.state() == VirtualSuit::State::kOn && studio_.suit().address() != suit.address();
+    const bool elsewhere = suit.state() == VirtualSuit::State::kOn && !studio_.suits().at(suit.address());
     if (suit.state() == VirtualSuit::State::kOff || elsewhere)
         studio_.startVirtualSuit();
     else
         studio_.stopVirtualSuit();
+}
+
+void DevicesPanel::actOnSecondVirtualSuit() {
+    const VirtualSuit& suit = studio_.secondVirtualSuit();
+    const bool elsewhere = suit.state() == VirtualSuit::State::kOn && !studio_.suits().at(suit.address());
+    if (suit.state() == VirtualSuit::State::kOff || elsewhere)
+        studio_.startSecondVirtualSuit();
+    else
+        studio_.stopSecondVirtualSuit();
 }
 
 }  // namespace noctule::ui

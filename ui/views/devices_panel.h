@@ -24,6 +24,7 @@ public:
     /// In the order of the finder; the virtual suit comes after them.
     const std::vector<DeviceCard*>& cards() const { return cards_; }
     DeviceCard& virtualCard() { return *virtual_card_; }
+    DeviceCard& secondVirtualCard() { return *second_virtual_card_; }
     QLineEdit& addressField() { return *address_; }
     QString addressProblem() const;
 
@@ -32,16 +33,20 @@ private:
     void showVirtualSuit();
     void act(const KnownSuit& suit);
     void actOnVirtualSuit();
+    void actOnSecondVirtualSuit();
+    DeviceWords wordsForVirtual(VirtualSuit& suit) const;
     void addAddressForm(QVBoxLayout& column);
     void askAddress();
     DeviceWords wordsFor(const KnownSuit& suit) const;
-    bool isConnected(const KnownSuit& suit) const;
+    /// Null: it is not connected.
+    WornSuit* wornOf(const KnownSuit& suit) const;
+    void nameWearer(const WornSuit& worn, DeviceWords& words) const;
 
     Studio& studio_;
     QWidget* list_;
     QVBoxLayout* list_column_;
     std::vector<DeviceCard*> cards_;
-    DeviceCard* virtual_card_;
+    DeviceCard *virtual_card_, *second_virtual_card_;
     Label* nothing_;
     Button* other_;
     QWidget* form_;

@@ -33,8 +33,8 @@ LevelsPanel::LevelsPanel(Studio& studio, QWidget* parent)
     row->addWidget(new Divider(Qt::Vertical));
     row->addWidget(makeHalf(tr("Pairs heard"), tr("last 10\u00A0s, one row per source"), heard_, good_), 1);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
-    connect(&studio.suit(), &LiveSuit::frameChanged, this, &LevelsPanel::take);
-    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &LevelsPanel::startAnew);
+    studio.suits().follow(&LiveSuit::frameChanged, this, &LevelsPanel::take);
+    studio.suits().follow(&LiveSuit::phaseChanged, this, &LevelsPanel::startAnew);
     connect(meters_, &LevelMeters::chosen, this,
             [this](int board) { studio_.selection().setPair(studio_.selection().source(), board); });
     connect(&studio.selection(), &Selection::pairChanged, this,

@@ -21,9 +21,9 @@ constexpr int kLeastRow = 16, kAroundRows = 52;
 
 }  // namespace
 
-LivePairs::LivePairs(SuitCheck& check, QWidget* parent)
+LivePairs::LivePairs(Studio& studio, QWidget* parent)
     : QWidget(parent),
-      check_(check),
+      studio_(studio),
       grid_(new PairGrid),
       cell_(new ElidedLabel({}, TextRole::kSecondary, Ink::kLabel)) {
     auto* column = makeColumn(this, {16, 8, 16, 8}, 4);
@@ -34,9 +34,9 @@ LivePairs::LivePairs(SuitCheck& check, QWidget* parent)
     head->addWidget(new ConfidenceLegend);
     column->addWidget(grid_, 1);
     column->addWidget(cell_);
-    connect(&check_, &SuitCheck::changed, this, [this] {
+    studio.suits().follow(&SuitCheck::changed, this, [this] {
         if (isVisible())
-            show(check_.readiness());
+            show(check().readiness());
     });
     connect(grid_, &PairGrid::chosen, this, [this](int, int board) {
         tellCell();
@@ -51,7 +51,7 @@ void LivePairs::setBoard(int board) {
 }
 
 PairGridContent LivePairs::headings(const Readiness& readiness) const {
-    const Suit& suit = check_.suit().suit();
+    const Suit& suit = check().suit().suit();
     PairGridContent content;
     for (size_t source = 0; source < suit.sources.size(); ++source) {
         const bool attention = std::ranges::any_of(readiness.problems, [&](const auto& problem) {
@@ -74,12 +74,12 @@ PairGridContent LivePairs::headings(const Readiness& readiness) const {
 }
 
 PairCell LivePairs::cellOf(const Readiness& readiness, int source, int board) const {
-    const QString name = pairName(check_.suit().suit(), source, board);
-    const auto frame = check_.suit().frame();
+    const QString name = pairName(check().suit().suit(), source, board);
+    const auto frame = check().suit().frame();
     if (readiness.boards[static_cast<size_t>(board)].state == BoardReadiness::State::kSilent)
         return {PairCell::State::kLost, 0, tr("%1: the board sends nothing", "a pair").arg(name)};
     const PairHealth& pair = frame->health.pair(source, board);
-    if (check_.lostSince().isValid() || !pair.age_s || *pair.age_s > kNow_s)
+    if (check().lostSince().isValid() || !pair.age_s || *pair.age_s > kNow_s)
         return {PairCell::State::kSilent, 0, tr("%1: not heard", "a pair").arg(name)};
     return {PairCell::State::kHeard, pair.confidence,
             tr("%1: confidence %2, distance %3", "a pair")
@@ -87,8 +87,8 @@ PairCell LivePairs::cellOf(const Readiness& readiness, int source, int board) co
 }
 
 void LivePairs::show(const Readiness& readiness) {
-    const Suit& suit = check_.suit().suit();
-    const auto frame = check_.suit().frame();
+    const Suit& suit = check().suit().suit();
+    const auto frame = check().suit().frame();
     const bool known = frame && readiness.boards.size() == suit.boards.size() &&
                        frame->health.boards.size() == suit.boards.size() &&
                        readiness.source_good_pairs.size() == suit.sources.size();

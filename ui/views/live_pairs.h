@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "ui/models/suit_check.h"
+#include "ui/models/studio.h"
 #include "ui/plots/pair_grid.h"
 
 namespace noctule::ui {
@@ -15,7 +15,7 @@ class Label;
 class LivePairs : public QWidget {
     Q_OBJECT
 public:
-    explicit LivePairs(SuitCheck& check, QWidget* parent = nullptr);
+    explicit LivePairs(Studio& studio, QWidget* parent = nullptr);
 
     PairGrid& grid() { return *grid_; }
     void setBoard(int board);
@@ -29,7 +29,9 @@ private:
     PairCell cellOf(const Readiness& readiness, int source, int board) const;
     void tellCell();
 
-    SuitCheck& check_;
+    const SuitCheck& check() const { return studio_.check(); }
+
+    Studio& studio_;
     PairGrid* grid_;
     ElidedLabel* cell_;
 };

@@ -9,6 +9,7 @@
 #include "ui/views/number_rows.h"
 #include "ui/views/readiness_words.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/suit_cards.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/problem_card.h"
@@ -38,6 +39,7 @@ Tone worst(const Readiness& readiness, bool of_boards) {
 ReadinessPanel::ReadinessPanel(Studio& studio, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
+      suits_(new SuitCards(studio)),
       verdict_(new VerdictHeader),
       problems_(new QWidget),
       problem_column_(makeColumn(problems_, {}, 8)),
@@ -53,6 +55,7 @@ ReadinessPanel::ReadinessPanel(Studio& studio, QWidget* parent)
       way_on_(makeButton(ButtonKind::kPrimary, tr("Continue"))) {
     auto* content = new QWidget;
     auto* scrolled = makeColumn(content, {12, 16, 12, 12}, 12);
+    scrolled->addWidget(suits_);
     scrolled->addWidget(verdict_);
     scrolled->addWidget(ways_);
     scrolled->addWidget(problems_);
@@ -70,11 +73,11 @@ ReadinessPanel::ReadinessPanel(Studio& studio, QWidget* parent)
     foot_column->addWidget(way_on_);
     column->addWidget(foot);
     more_->hide();
-    connect(&studio_.check(), &SuitCheck::changed, this, &ReadinessPanel::show);
-    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &ReadinessPanel::show);
-    connect(&studio_.suit(), &LiveSuit::blinkingChanged, this, &ReadinessPanel::showBlinking);
+    studio_.suits().follow(&SuitCheck::changed, this, &ReadinessPanel::show);
+    studio_.suits().follow(&LiveSuit::phaseChanged, this, &ReadinessPanel::show);
+    studio_.suits().follow(&LiveSuit::blinkingChanged, this, &ReadinessPanel::showBlinking);
     connect(&studio_.finder(), &SuitFinder::changed, this, &ReadinessPanel::showWaysWithoutSuit);
-    connect(&studio_.calibrations(), &CalibrationShelf::changed, this, &ReadinessPanel::showNumbers);
+    studio_.suits().follow(&CalibrationShelf::changed, this, &ReadinessPanel::showNumbers);
     connect(more_, &QPushButton::clicked, this, [this] {
         shows_all_ = !shows_all_;
         show();

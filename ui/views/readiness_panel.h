@@ -14,6 +14,7 @@ namespace noctule::ui {
 class Button;
 class NumberRows;
 class ProblemCard;
+class SuitCards;
 class VerdictHeader;
 
 class ReadinessPanel : public QWidget {
@@ -48,6 +49,7 @@ private:
     QWidget* makeWaysWithoutSuit();
 
     Studio& studio_;
+    SuitCards* suits_;  ///< of several
     VerdictHeader* verdict_;
     QString verdict_text_, verdict_sentences_;
     QWidget* problems_;

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/key_hint.h"
@@ -21,6 +22,7 @@ namespace {
 
 constexpr int kCountdowns_s[] = {0, 3, 5, 10};
 constexpr int kPreRolls_s[] = {0, 2, 5, 10};
+constexpr int kRoomForWords = 760;  ///< below it choices are short, and keys are in the tooltips
 
 QString countdownText(int seconds, int pre_roll_s) {
     const QString text =
@@ -63,16 +65,21 @@ RecordButton::State look(RecordRun::State state) {
     }
 }
 
-QString verbOf(RecordRun::State state) {
+/// `suits`: that the take records.
+QString verbOf(RecordRun::State state, int suits) {
     switch (state) {
         case RecordRun::State::kCountdown:
             return RecordBar::tr("Cancel", "the countdown");
         case RecordRun::State::kRecording:
-            return RecordBar::tr("Stop");
+            return suits < 2    ? RecordBar::tr("Stop")
+                   : suits == 2 ? RecordBar::tr("Stop both")
+                                : RecordBar::tr("Stop all %1").arg(suits);
         case RecordRun::State::kSaving:
             return RecordBar::tr("Saving");
         default:
-            return RecordBar::tr("Record");
+            return suits < 2    ? RecordBar::tr("Record")
+                   : suits == 2 ? RecordBar::tr("Record both")
+                                : RecordBar::tr("Record all %1").arg(suits);
     }
 }
 
@@ -202,6 +209,8 @@ void RecordBar::fillMenu(QMenu& menu) {
     if (run_.canPreRoll())
         addSeconds(menu, tr("Pre-roll, from before the recording begins"), kPreRolls_s, run_.preRollSeconds(),
                    [this](int seconds) { run_.setPreRollSeconds(seconds); });
+    else if (run_.suitCount() > 1)
+        addHeading(menu, tr("No pre-roll: several suits begin together"));
     else
         addHeading(menu, tr("No pre-roll: each stream of this suit begins in the rest pose"));
 }
@@ -212,13 +221,11 @@ void RecordBar::refresh() {
     if (!name_->hasFocus() || runs)
         name_->setText(run_.takeName());
     name_->setReadOnly(runs);
-    next_->setText(runs ? tr("next: %1").arg(run_.nextName()) : QString());
-    countdown_->setText(countdownText(run_.countdownSeconds(), run_.preRollSeconds()));
-    tones_->setText(run_.tones() ? tr("Tones on") : tr("Tones off"));
+    showChoices();
     button_->setState(look(state));
     if (state == RecordRun::State::kCountdown)
         button_->setCountdown(run_.countdownLeft(), run_.countdownSeconds());
-    verb_->setText(verbOf(state));
+    verb_->setText(verbOf(state, run_.suitCount()));
     const QString why = state == RecordRun::State::kRecording
                             ? QString()
                             : tr("Markers and notes belong to a take that is being recorded.");
@@ -227,6 +234,31 @@ void RecordBar::refresh() {
     review_->setChecked(run_.opensReview());
     if (!runs && below_->currentWidget() == note_)
         closeNote();
+}
+
+QString RecordBar::verb() const {
+    return verb_->text();
+}
+
+void RecordBar::showChoices() {
+    const RecordRun::State state = run_.state();
+    const bool runs = state == RecordRun::State::kRecording || state == RecordRun::State::kSaving;
+    const bool narrow = width() < Theme::get().px(kRoomForWords);
+    next_->setText(runs ? tr("next: %1").arg(run_.nextName()) : QString());
+    next_->setVisible(!narrow);
+    const QString countdown = countdownText(run_.countdownSeconds(), run_.preRollSeconds());
+    const QString tones = run_.tones() ? tr("Tones on") : tr("Tones off");
+    countdown_->setText(narrow ? secondsText(run_.countdownSeconds(), 0) : countdown);
+    countdown_->setAccessibleName(countdown);
+    tones_->setText(!narrow ? tones : run_.tones() ? tr("on", "tones") : tr("off", "tones"));
+    tones_->setAccessibleName(tones);
+    marker_->setShortcutHint(narrow ? QKeySequence() : QKeySequence(Qt::Key_M));
+    note_button_->setShortcutHint(narrow ? QKeySequence() : QKeySequence(Qt::Key_N));
+}
+
+void RecordBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    showChoices();
 }
 
 void RecordBar::editName() {

@@ -27,6 +27,8 @@ public:
     RecordButton& button() { return *button_; }
     QLineEdit& name() { return *name_; }
     QLineEdit& note() { return *note_; }
+    /// Beside the button: "Record both".
+    QString verb() const;
     Button& markerButton() { return *marker_; }
     Button& countdownButton() { return *countdown_; }
 
@@ -39,6 +41,7 @@ signals:
     void fieldLeft();
 
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
@@ -47,6 +50,7 @@ private:
     QWidget* makeRight();
     void fillMenu(QMenu& menu);
     void refresh();
+    void showChoices();
     void closeNote();
 
     RecordRun& run_;

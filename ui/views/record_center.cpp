@@ -17,7 +17,15 @@ namespace noctule::ui {
 namespace {
 
 /// At 100 percent, as on a screen of 800 lines; from there on the picture grows first.
-constexpr int kBarHeight = 88, kLevels = 156, kMostLevels = 220;
+constexpr int kBarHeight = 88, kLevels = 150, kMostLevels = 220;
+
+LiveWearer wearerOf(const LiveSuit& suit) {
+    LiveWearer wearer{suit.actor(), suit.suit(),
+                      suit.canMoveBody() ? suit.calibration() : std::optional<Calibration>()};
+    if (const auto hello = suit.status()->hello)
+        wearer.sample_rate_hz = hello->sample_rate_hz;
+    return wearer;
+}
 
 }  // namespace
 
@@ -42,9 +50,8 @@ RecordCenter::RecordCenter(Studio& studio, RecordRun& run, QWidget* parent)
     };
     fit();
     connect(&Theme::get(), &Theme::changed, this, fit);
-    LiveSuit& suit = studio.suit();
-    connect(&suit, &LiveSuit::wearingChanged, this, &RecordCenter::wear);
-    connect(&suit, &LiveSuit::frameChanged, this, &RecordCenter::showFrame);
+    studio.suits().follow(&LiveSuit::wearingChanged, this, &RecordCenter::wear);
+    studio.suits().follow(&LiveSuit::frameChanged, this, &RecordCenter::showFrame);
     connect(&run, &RecordRun::changed, this, &RecordCenter::showTake);
     connect(&run, &RecordRun::ticked, this, &RecordCenter::showTime);
     connect(&run, &RecordRun::refused, this, &RecordCenter::showRefusal);
@@ -57,18 +64,20 @@ void RecordCenter::showEvent(QShowEvent*) {
 }
 
 void RecordCenter::wear() {
-    const LiveSuit& suit = studio_.suit();
-    const auto hello = suit.status()->hello;
-    LiveWearer wearer{suit.actor(), suit.suit(),
-                      suit.canMoveBody() ? suit.calibration() : std::optional<Calibration>()};
-    if (hello)
-        wearer.sample_rate_hz = hello->sample_rate_hz;
-    scene_->setLive(std::move(wearer));
+    scene_->setLive(wearerOf(studio_.suit()));
 }
 
 void RecordCenter::showFrame() {
-    if (isVisible())
-        scene_->showFrame(studio_.suit().frame());
+    if (!isVisible())
+        return;
+    LiveSuits& suits = studio_.suits();
+    std::vector<LiveCompanion> others;
+    if (suits.areSeveral())
+        for (const WornSuit* worn : suits.connected())
+            if (worn != &suits.current())
+                others.push_back({wearerOf(worn->suit), worn->suit.frame(), suits.letterOf(*worn)});
+    scene_->setCompany(suits.letterOf(suits.current()), std::move(others));
+    scene_->showFrame(studio_.suit().frame());
 }
 
 void RecordCenter::showTake() {
@@ -91,10 +100,9 @@ void RecordCenter::showTake() {
 }
 
 void RecordCenter::showTime() {
-    const LiveSuit& suit = studio_.suit();
-    const auto hello = suit.status()->hello;
-    clock_->setSeconds(suit.recordedSeconds());
-    clock_->setRecorder(suit.recording(), hello ? hello->sample_rate_hz : 0);
+    const LiveSuits::OnDisk on_disk = studio_.suits().onDisk();
+    clock_->setSeconds(studio_.suits().recordedSeconds());
+    clock_->setRecorder(on_disk.recorder, on_disk.sample_rate_hz);
 }
 
 void RecordCenter::showRefusal() {

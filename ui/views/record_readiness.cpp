@@ -5,12 +5,14 @@
 #include <set>
 
 #include "core/acoustics/speed_of_sound.h"
+#include "ui/scene/live_scene.h"
 #include "ui/style/words.h"
 #include "ui/views/fit_words.h"
 #include "ui/views/number_rows.h"
 #include "ui/views/readiness_words.h"
 #include "ui/views/record_problems.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/suit_cards.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/form_rows.h"
@@ -45,12 +47,21 @@ double shareOf(qint64 part, qint64 whole) {
 RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
+      suits_(new SuitCards(studio)),
       verdict_(new VerdictHeader),
       problems_(new RecordProblems(studio)),
       of_suit_(new QWidget),
       numbers_(new NumberRows) {
     auto* content = new QWidget;
     auto* column = makeColumn(content, {0, 12, 0, 12}, 12);
+    addRow(column, 0, {12, 0, 12, 0})->addWidget(suits_);
+    in_row_ = (new Label(tr("Live, performers stand in a row, %1 apart. Where they really are to each other "
+                            "comes with processing, after the take.")
+                             .arg(metresText(LiveScene::kApart_m)),
+                         TextRole::kSecondary, Ink::kHint))
+                  ->wrapped();
+    addRow(column, 0, {12, 0, 12, 0})->addWidget(in_row_);
+    connect(&studio.suits(), &LiveSuits::changed, this, &RecordReadiness::showRow);
     verdict_->setCompact(true);
     addRow(column, 0, {12, 0, 12, 0})->addWidget(verdict_);
     column->addWidget(problems_);
@@ -63,11 +74,12 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     column->addWidget(of_suit_);
     column->addStretch();
     makeColumn(this)->addWidget(new ScrollArea(content));
-    connect(&studio.check(), &SuitCheck::changed, this, &RecordReadiness::refresh);
-    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &RecordReadiness::refresh);
-    connect(&studio.suit(), &LiveSuit::wearingChanged, this, &RecordReadiness::refresh);
+    studio.suits().follow(&SuitCheck::changed, this, &RecordReadiness::refresh);
+    studio.suits().follow(&LiveSuit::phaseChanged, this, &RecordReadiness::refresh);
+    studio.suits().follow(&LiveSuit::wearingChanged, this, &RecordReadiness::refresh);
     connect(&studio, &Studio::checkedChanged, this, &RecordReadiness::refresh);
     refresh();
+    showRow();
 }
 
 /// In the order of Fact.
@@ -108,6 +120,11 @@ QWidget* RecordReadiness::makeCalibration() {
     row->addWidget(check_);
     row->addStretch();
     return part;
+}
+
+/// What the picture cannot know.
+void RecordReadiness::showRow() {
+    in_row_->setVisible(studio_.suits().areSeveral());
 }
 
 void RecordReadiness::setScreenDelay(double seconds) {

@@ -15,6 +15,7 @@ class Button;
 class Label;
 class NumberRows;
 class RecordProblems;
+class SuitCards;
 class VerdictHeader;
 
 class RecordReadiness : public QWidget {
@@ -28,6 +29,7 @@ public:
     /// From a live frame to the screen, in the median.
     void setScreenDelay(double seconds);
     QString verdict() const { return verdict_text_; }
+    SuitCards& suits() { return *suits_; }
     RecordProblems& problems() { return *problems_; }
 
 protected:
@@ -46,8 +48,11 @@ private:
     void showCalibration();
     QString checkedWords() const;
     void showVerdict();
+    void showRow();
 
     Studio& studio_;
+    SuitCards* suits_;         ///< of several
+    Label* in_row_ = nullptr;  ///< the same
     VerdictHeader* verdict_;
     QString verdict_text_;
     RecordProblems* problems_;

@@ -40,13 +40,16 @@ RecordRun::RecordRun(Studio& studio, QObject* parent)
         count();
         emit ticked();
     });
-    LiveSuit& suit = studio.suit();
-    connect(&suit, &LiveSuit::phaseChanged, this, &RecordRun::follow);
-    connect(&suit, &LiveSuit::statusChanged, this, &RecordRun::follow);
-    connect(&studio.check(), &SuitCheck::changed, this, &RecordRun::follow);
-    connect(&suit, &LiveSuit::wearingChanged, this, &RecordRun::changed);  // with or without a pre-roll
-    connect(&suit, &LiveSuit::recordingStarted, this, &RecordRun::onStarted);
-    connect(&suit, &LiveSuit::recordingEnded, this, &RecordRun::onEnded);
+    LiveSuits& suits = studio.suits();
+    suits.forEach(this, [this](WornSuit& worn) {
+        connect(&worn.suit, &LiveSuit::phaseChanged, this, &RecordRun::follow);
+        connect(&worn.suit, &LiveSuit::statusChanged, this, &RecordRun::follow);
+        connect(&worn.check, &SuitCheck::changed, this, &RecordRun::follow);
+        connect(&worn.suit, &LiveSuit::wearingChanged, this, &RecordRun::changed);  // with a pre-roll or not
+    });
+    connect(&suits, &LiveSuits::changed, this, &RecordRun::follow);
+    connect(&suits, &LiveSuits::recordingStarted, this, &RecordRun::onStarted);
+    connect(&suits, &LiveSuits::recordingEnded, this, &RecordRun::onEnded);
     connect(&studio.session(), &SessionModel::opened, this, [this] {
         shot_ = -1;
         without_shot_ = false;
@@ -57,9 +60,33 @@ RecordRun::RecordRun(Studio& studio, QObject* parent)
     follow();
 }
 
+/// Of several suits the first that has one, with the name of who wears it.
 RecordObstacle RecordRun::obstacleNow() const {
-    LiveSuit& suit = studio_.suit();
+    LiveSuits& suits = studio_.suits();
+    if (!suits.areSeveral())
+        return obstacleOf(suits.current());
+    RecordObstacle mild;
+    for (const WornSuit* worn : suits.connected()) {
+        RecordObstacle obstacle = obstacleOf(*worn);
+        if (!obstacle)
+            continue;
+        obstacle.title =
+            tr("%1: %2", "who wears a suit, what hinders it").arg(suits.nameOf(*worn), obstacle.title);
+        if (!obstacle.may_record_anyway)
+            return obstacle;
+        if (!mild)
+            mild = obstacle;
+    }
+    if (const auto apart = suits.whyNotTogether())
+        return {coreWords(apart->message), coreWords(apart->remedy) + '.'};
+    return mild;
+}
+
+RecordObstacle RecordRun::obstacleOf(const WornSuit& worn) {
+    const LiveSuit& suit = worn.suit;
     const auto status = suit.status();
+    if (suit.isLent())
+        return {};
     if (suit.phase() == LiveSuit::Phase::kRefused && status->trouble)
         return {coreWords(status->trouble->message), coreWords(status->trouble->remedy)};
     if (suit.phase() == LiveSuit::Phase::kConnecting)
@@ -67,9 +94,9 @@ RecordObstacle RecordRun::obstacleNow() const {
     if (status->link == LinkState::kLost)
         return {tr("The link to the driver box is broken"),
                 tr("Recording can begin as soon as it is back; the studio tries by itself.")};
-    for (const ReadinessProblem& problem : studio_.check().readiness().problems)
+    for (const ReadinessProblem& problem : worn.check.readiness().problems)
         if (problem.hinders && !problem.accepted) {
-            const HindranceWords words = wordsOf(problem, studio_.check());
+            const HindranceWords words = wordsOf(problem, worn.check);
             // Without sound there is no take to make; anything else costs a part of it.
             return {words.title, words.text, problem.kind != ProblemKind::kNoSound};
         }
@@ -77,7 +104,7 @@ RecordObstacle RecordRun::obstacleNow() const {
 }
 
 RecordRun::State RecordRun::stateNow() const {
-    switch (studio_.suit().phase()) {
+    switch (studio_.suits().phase()) {
         case LiveSuit::Phase::kNone:
             return State::kNoSuit;
         case LiveSuit::Phase::kStarting:
@@ -95,10 +122,11 @@ RecordRun::State RecordRun::stateNow() const {
 
 void RecordRun::follow() {
     const RecordObstacle obstacle = obstacleNow();
-    const bool same = obstacle.title == obstacle_.title && obstacle.text == obstacle_.text;
+    const bool same = obstacle.title == obstacle_.title && obstacle.text == obstacle_.text &&
+                      std::exchange(suits_, suitCount()) == suitCount();
     obstacle_ = obstacle;
     const bool cannot = obstacle_ && !obstacle_.may_record_anyway;
-    if (cannot || studio_.suit().phase() == LiveSuit::Phase::kNone)
+    if (cannot || studio_.suits().phase() == LiveSuit::Phase::kNone)
         counting_.invalidate();
     const State now = stateNow();
     if (now == state_ && same)
@@ -183,14 +211,14 @@ QString RecordRun::begin(const QString& base) {
     if (shot_ >= 0)
         plan.shot =
             QString::fromStdString(studio_.session().session().shots[static_cast<size_t>(shot_)].name);
-    const QString why = studio_.suit().record(plan);
+    const QString why = studio_.suits().record(plan);
     follow();
     return why;
 }
 
 void RecordRun::stop() {
     cue(tr("Stopped"));
-    studio_.suit().stopRecording();
+    studio_.suits().stopRecording();
 }
 
 void RecordRun::beginFromElsewhere(const QString& name, const QString& notes) {
@@ -322,16 +350,16 @@ void RecordRun::addMarker() {
     if (state_ != State::kRecording || running_.isEmpty())
         return;
     const QString label = tr("Marker %1").arg(++markers_);
-    studio_.suit().addMarker(label);
-    marks_.push_back({TakeMark::Kind::kMarker, studio_.suit().recordedSeconds(), label});
+    studio_.suits().addMarker(label);
+    marks_.push_back({TakeMark::Kind::kMarker, studio_.suits().recordedSeconds(), label});
     emit marksChanged();
 }
 
 void RecordRun::addNote(const QString& text) {
     if (state_ != State::kRecording || running_.isEmpty() || text.trimmed().isEmpty())
         return;
-    const double t_s = studio_.suit().recordedSeconds();
-    studio_.suit().addNote(QStringLiteral("%1 %2").arg(timeText(t_s), text.trimmed()));
+    const double t_s = studio_.suits().recordedSeconds();
+    studio_.suits().addNote(QStringLiteral("%1 %2").arg(timeText(t_s), text.trimmed()));
     marks_.push_back({TakeMark::Kind::kNote, t_s, text.trimmed()});
     emit marksChanged();
 }

@@ -37,6 +37,8 @@ public:
     State state() const { return state_; }
     /// In kRefused, what stands in the way.
     const RecordObstacle& obstacle() const { return obstacle_; }
+    /// Suits that a take records.
+    int suitCount() const { return static_cast<int>(studio_.suits().connected().size()); }
     /// Begins, ends the countdown, or stops; refused it tells why.
     void press();
     /// As if nothing stood in the way, where that is safe.
@@ -54,7 +56,7 @@ public:
     void setCountdownSeconds(int seconds);
     /// The take begins so long before the recording does; 0 where the suit allows none.
     int preRollSeconds() const { return canPreRoll() ? pre_roll_s_ : 0; }
-    bool canPreRoll() const { return studio_.suit().canPreRoll(); }
+    bool canPreRoll() const { return studio_.suits().canPreRoll(); }
     void setPreRollSeconds(int seconds);
     bool tones() const { return tones_; }
     void setTones(bool tones);
@@ -88,6 +90,7 @@ private:
     void follow();
     State stateNow() const;
     RecordObstacle obstacleNow() const;
+    static RecordObstacle obstacleOf(const WornSuit& worn);
     void beginOrCount();
     void beginOwn();
     /// Why it cannot begin; empty: it does.
@@ -103,6 +106,7 @@ private:
 
     Studio& studio_;
     State state_ = State::kNoSuit;
+    int suits_ = 0;  ///< connected, when this was told last
     RecordObstacle obstacle_;
     int countdown_s_, pre_roll_s_;
     bool tones_, opens_review_;

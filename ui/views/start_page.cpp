@@ -117,7 +117,7 @@ QWidget* StartPage::makeSuitsFound() {
     row->addWidget(connect_other_);
     row->addStretch();
     connect(&studio_.finder(), &SuitFinder::changed, this, &StartPage::showSuitsFound);
-    connect(&studio_.suit(), &LiveSuit::phaseChanged, this, &StartPage::showSuitsFound);
+    studio_.suits().follow(&LiveSuit::phaseChanged, this, &StartPage::showSuitsFound);
     showSuitsFound();
     connect(connect_other_, &QPushButton::clicked, this, [this] { studio_.goTo(Step::kConnect); });
     return suits;

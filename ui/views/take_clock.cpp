@@ -111,6 +111,7 @@ TakeClock::TakeClock(QWidget* parent)
     row->addWidget(safety_icon_);
     row->addWidget(safety_, 1);
     safety_row_->hide();
+    connect(&Theme::get(), &Theme::changed, this, &TakeClock::adjustSize, Qt::QueuedConnection);
 }
 
 void TakeClock::setTake(const QString& name, const QString& shot, bool runs) {

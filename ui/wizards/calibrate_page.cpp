@@ -50,9 +50,9 @@ CalibratePage::CalibratePage(Studio& studio, QWidget* parent)
     setFocusPolicy(Qt::ClickFocus);
     setDockTitles(tr("Calibrations"), tr("Calibration"));
     connect(wizard_, &WizardPage::leaveRequested, this, &CalibratePage::closeWizard);
-    connect(&studio.calibrations(), &CalibrationShelf::changed, this, &CalibratePage::refresh);
-    connect(&studio.suit(), &LiveSuit::wearingChanged, this, &CalibratePage::refresh);
-    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &CalibratePage::refresh);
+    studio.suits().follow(&CalibrationShelf::changed, this, &CalibratePage::refresh);
+    studio.suits().follow(&LiveSuit::wearingChanged, this, &CalibratePage::refresh);
+    studio.suits().follow(&LiveSuit::phaseChanged, this, &CalibratePage::refresh);
     connect(&studio.session(), &SessionModel::opened, this, &CalibratePage::followSession);
     refresh();
 }

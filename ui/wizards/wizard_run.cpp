@@ -32,11 +32,14 @@ HealthReport healthOnRig(const LiveFrame& frame) {
 
 WizardRun::WizardRun(Studio& studio, WizardTask task, QObject* parent)
     : QObject(parent), studio_(studio), task_(task) {
-    connect(&studio.suit(), &LiveSuit::frameChanged, this, &WizardRun::look);
-    connect(&studio.suit(), &LiveSuit::evidenceRecorded, this, &WizardRun::kept);
-    connect(&studio.suit(), &LiveSuit::phaseChanged, this, &WizardRun::changed);
-    connect(&studio.suit(), &LiveSuit::wearingChanged, this, &WizardRun::followWearing);
-    connect(&studio.calibrations(), &CalibrationShelf::changed, this, &WizardRun::changed);
+    studio.suits().follow(&LiveSuit::frameChanged, this, &WizardRun::look);
+    studio.suits().forEach(this, [this](WornSuit& worn) {
+        connect(&worn.suit, &LiveSuit::evidenceRecorded, this, &WizardRun::kept);
+    });
+    connect(&studio.suits(), &LiveSuits::currentChanged, this, &WizardRun::leaveSuit);
+    studio.suits().follow(&LiveSuit::phaseChanged, this, &WizardRun::changed);
+    studio.suits().follow(&LiveSuit::wearingChanged, this, &WizardRun::followWearing);
+    studio.suits().follow(&CalibrationShelf::changed, this, &WizardRun::changed);
     connect(&studio.session(), &SessionModel::opened, this, [this] {
         if (phase_ == Phase::kIntro)
             restore();
@@ -121,6 +124,18 @@ void WizardRun::followWearing() {
     if (phase_ == Phase::kGuiding && !isWaitingForSuit() && toJson(studio_.suit().suit()) != toJson(suit_))
         watch();
     emit changed();
+}
+
+/// What was taken of one suit says nothing of another one that is looked at now.
+void WizardRun::leaveSuit() {
+    if (phase_ == Phase::kIntro)
+        return emit changed();
+    if (job_)
+        job_->cancel();
+    guide_.reset();
+    result_.reset();
+    forget();
+    setPhase(Phase::kIntro);
 }
 
 void WizardRun::begin() {

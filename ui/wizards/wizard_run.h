@@ -100,6 +100,7 @@ private:
     void watch();
     std::optional<int> stepShownBy(const WizardEvidence& part) const;
     void followWearing();
+    void leaveSuit();
     int sampleRate_hz() const;
     void look();
     void keep();

@@ -70,9 +70,11 @@ TEST_F(SessionFile, EverythingTheOperatorSaidComesBack) {
     tall.suit.boards[9].p_segment_board_m.x() += 0.0123;
     session.performers.push_back(tall);
     session.current_performer = "Tall";
+    session.suit_calibrations["NB-000087"] = "rest-pose-2026-03-01.json";
     ASSERT_TRUE(saveSession(session));
     const Session again = opened();
     EXPECT_EQ(toJson(again), toJson(session));
+    EXPECT_EQ(again.suit_calibrations, session.suit_calibrations);
     const BodyMeasures& measures = again.findPerformer("Tall")->measures;
     EXPECT_EQ(measures.upper_arm_m, 0.31);
     EXPECT_EQ(measures.forearm_m, 0);
@@ -99,6 +101,19 @@ TEST_F(SessionFile, UnknownMembersAreKept) {
     json["name"] = "Renamed";
     json["takes"][0]["rating"] = 3;
     EXPECT_EQ(after, json);
+}
+
+TEST_F(SessionFile, CalibrationsOfSuitsAreNamesOfFilesInTheirFolder) {
+    newSession();
+    nlohmann::json json = nlohmann::json::parse(text(folder() / "session.json"));
+    for (const nlohmann::json& wrong : {nlohmann::json::array(), nlohmann::json{{"NB-1", 3}},
+                                        nlohmann::json{{"NB-1", "../elsewhere.json"}}}) {
+        json["suit_calibrations"] = wrong;
+        write(json.dump());
+        const auto session = openSession(folder(), {});
+        ASSERT_FALSE(session) << wrong;
+        EXPECT_NE(session.error().message.find("suit_calibrations"), std::string::npos);
+    }
 }
 
 TEST_F(SessionFile, CopiedAndMovedSessionIsTheSame) {

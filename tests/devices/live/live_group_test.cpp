@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <thread>
 
 #include "core/recording/database.h"
 #include "devices/live/record_take.h"
@@ -80,6 +81,17 @@ HeardOfSuit heardOf(const Take& take, int suit, int boards) {
         return true;
     }));
     return heard;
+}
+
+/// The limit only ends waits for what never comes.
+template <class Condition>
+bool groupComesTo(Condition condition) {
+    for (const auto end = std::chrono::steady_clock::now() + 60s; std::chrono::steady_clock::now() < end;) {
+        if (condition())
+            return true;
+        std::this_thread::sleep_for(2ms);
+    }
+    return condition();
 }
 
 TEST(LiveGroup, TwoSuitsBecomeOneTake) {
@@ -171,6 +183,34 @@ TEST(LiveGroup, BoxesThatCannotBeToldApartAreRefused) {
     scripts = twoScripts();
     scripts[1].hello.serial = scripts[0].hello.serial;
     refused(scripts, "NB-000001");
+}
+
+TEST(LiveGroup, SessionsThatAreConnectedAlreadyRecordTogetherUnderNames) {
+    const Folder folder;
+    std::vector<LiveGroup::Connected> members;
+    for (auto& device : devicesOf(twoScripts(6)))
+        members.push_back(
+            {members.empty() ? "Ann" : "Bob", std::make_shared<LiveSession>(std::move(device))});
+    for (const LiveGroup::Connected& member : members) {
+        member.session->connect();
+        ASSERT_TRUE(groupComesTo([&] { return member.session->status()->link == LinkState::kReady; }));
+    }
+    GroupRequest request = groupInto(folder);
+    request.suits[1].rest_s = 0.5;
+    {
+        LiveGroup group(members);
+        const auto begun = beginTogether(group, request, {});
+        ASSERT_TRUE(begun) << begun.error().text();
+        EXPECT_TRUE(groupComesTo([&] { return group.reachedOf_s(0) > 1 && group.reachedOf_s(1) > 1; }));
+        const GroupReport report = endTogether(group, {});
+        ASSERT_EQ(report.suits.size(), 2u);
+        EXPECT_EQ(report.suits[1].address, "Bob");
+        const Result<Take> take = Take::open(report.suits[0].stream.recording->path);
+        ASSERT_TRUE(take) << take.error().text();
+        EXPECT_EQ(take->suitIds(), (std::vector<int>{1, 2}));
+    }
+    for (const LiveGroup::Connected& member : members)
+        EXPECT_EQ(member.session->status()->link, LinkState::kReady) << "they outlive the group";
 }
 
 TEST(LiveGroup, EqualIntervalsAreSaidAndRecorded) {

@@ -68,6 +68,9 @@ public:
         bool loops = false;        ///< the take again and again instead of silence after its end
         link::Bytes garbage = {};  ///< written to every new client first
         std::string take = kTinyTake;
+        std::string serial = {};  ///< empty: the usual one
+        double drive_hz = 0;      ///< 0: the take's
+        bool fixed = false;       ///< all of it hangs in the room
     };
 
     explicit TestBox(const Options& options)
@@ -105,7 +108,16 @@ private:
         link::BoxOptions options;
         options.buffer_s = 10;
         options.drops_silent_clients = !options_.pty;
-        return std::make_unique<link::BoxConversation>(sound_.hello, options);
+        link::Hello hello = sound_.hello;
+        if (!options_.serial.empty())
+            hello.serial = options_.serial;
+        if (options_.drive_hz > 0)
+            hello.drive_hz = options_.drive_hz;
+        for (Board& board : hello.suit.boards)
+            board.segment = options_.fixed ? "" : board.segment;
+        for (Source& source : hello.suit.sources)
+            source.segment = options_.fixed ? "" : source.segment;
+        return std::make_unique<link::BoxConversation>(hello, options);
     }
 
     void run() {

@@ -6,6 +6,7 @@
 #include <QDockWidget>
 
 #include "tests/core/import/example_files.h"
+#include "tests/devices/support/test_box.h"
 #include "tests/support/files.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/language/language.h"
@@ -25,6 +26,7 @@
 #include "ui/views/motion_dialog.h"
 #include "ui/views/new_session_dialog.h"
 #include "ui/views/process_takes_dialog.h"
+#include "ui/views/record_page.h"
 #include "ui/views/recording_dialog.h"
 #include "ui/views/reprocess_dialog.h"
 #include "ui/views/review_page.h"
@@ -109,6 +111,49 @@ TEST_P(ClippingTest, PagesWithATake) {
     openSampleTake();
     ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
     inEveryLook([this](const QString& look) { pagesAreWhole(look); });
+}
+
+/// One of them, on one carrier and then on two.
+TEST_P(ClippingTest, ConnectAndRecordWithTwoSuits) {
+    using noctule::test::TestBox;
+    TestBox first({.loops = true, .serial = "NB-000123"});
+    auto second = std::make_unique<TestBox>(TestBox::Options{.loops = true, .serial = "NB-000087"});
+    ASSERT_TRUE(studio_->session().create(folder_.filePath("stage"), "Stage"));
+    LiveSuits& suits = studio_->suits();
+    const auto add = [&](const TestBox& box) {
+        suits.add(QString::fromStdString(box.address()));
+        ASSERT_TRUE(waitFor([&] { return suits.current().suit.phase() == LiveSuit::Phase::kLooking; }));
+    };
+    add(first);
+    add(*second);
+    const auto areWhole = [&](const QString& what) {
+        inEveryLook([&](const QString& look) {
+            for (const Step step : {Step::kConnect, Step::kRecord}) {
+                window_->resize(1280, 800);
+                window_->goTo(step);
+                window_->sideDocks().reset();
+                QTest::qWait(60);
+                expectWhole(*window_, look + ", " + what + ", page " + window_->page(step).title());
+                EXPECT_EQ(window_->size(), QSize(1280, 800)) << look.toStdString();
+            }
+        });
+    };
+    areWhole("two suits on one carrier");
+    suits.current().suit.disconnectSuit();
+    second =
+        std::make_unique<TestBox>(TestBox::Options{.loops = true, .serial = "NB-000087", .drive_hz = 48000});
+    add(*second);
+    RecordRun& run = dynamic_cast<RecordPage&>(window_->page(Step::kRecord)).run();
+    run.setCountdownSeconds(0);
+    run.setTones(false);
+    ASSERT_TRUE(waitFor([&] { return run.obstacle().may_record_anyway || !run.obstacle(); }));
+    run.press();
+    run.recordAnyway();  // where something is wanting
+    ASSERT_TRUE(waitFor([&] { return suits.phase() == LiveSuit::Phase::kRecording; }));
+    areWhole("a take of two suits");
+    run.setOpensReview(false);
+    run.stop();
+    ASSERT_TRUE(waitFor([&] { return !suits.isTakeOpen() && studio_->jobs().idle(); }));
 }
 
 TEST_P(ClippingTest, TheFullReport) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of pages with a suit, for packaging/screenshots.sh: NOCTULE_SCREENSHOTS names the folder that they
-// go into, NOCTULE_SCREENSHOT_SUIT the take with sound that the virtual suit streams. Without them nothing is
-// made.
+// go into, NOCTULE_SCREENSHOT_SUIT the take with sound that the virtual suit streams, NOCTULE_SCREENSHOT_PAIR
+// one of the subjects "A" and "B" for two of them. Without them nothing is made.
 #pragma once
 
 #include <QDir>
@@ -29,6 +29,12 @@ protected:
             std::filesystem::copy_file(take, path);
             return Done{};
         };
+        if (const std::string pair = qEnvironmentVariable("NOCTULE_SCREENSHOT_PAIR").toStdString();
+            !pair.empty())
+            parts.make_pair_take = [pair](const std::string& path, const JobContext&) -> Status {
+                std::filesystem::copy_file(pair, path);
+                return Done{};
+            };
         return parts;
     }
     /// To the virtual suit's control port.

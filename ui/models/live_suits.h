@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// The suits that are connected, each worn by a performer of its own, and the one of them that is looked at.
+// One suit alone records by itself (live_suit.h). Several record together into one take
+// (devices/live/live_group.h), to which they lend their sessions meanwhile. On the interface's thread.
+#pragma once
+
+#include <QDateTime>
+#include <QPointer>
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+#include "devices/live/record_take.h"
+#include "ui/models/calibration_shelf.h"
+#include "ui/models/live_suit.h"
+#include "ui/models/suit_check.h"
+
+namespace noctule::ui {
+
+/// The last check of a suit that is connected, with the calibration in force.
+struct CheckedSuit {
+    QDateTime when;
+    bool is_good = false;
+};
+
+/// A suit with what is judged and kept of it. Not connected it is free for the next one.
+struct WornSuit {
+    WornSuit(Jobs& jobs, SessionModel& session, const LiveSuit::Surroundings& surroundings,
+             const std::function<QString()>& takes_folder, const QString& suits_folder)
+        : suit(jobs, session, surroundings),
+          check(jobs, suit, takes_folder),
+          calibrations(session, suit, suits_folder) {}
+
+    LiveSuit suit;
+    SuitCheck check;
+    CalibrationShelf calibrations;
+    std::optional<CheckedSuit> checked;
+    /// Connected while another one was: worn by a performer of its own, not the session's current one.
+    bool is_beside = false;
+    int performer = -1;  ///< of the session, where `is_beside`
+};
+
+class LiveSuits : public QObject {
+    Q_OBJECT
+public:
+    static constexpr int kMost = 5;
+    using Phase = LiveSuit::Phase;
+    struct Folders {
+        std::function<QString()> takes;  ///< where takes would go
+        QString suits;                   ///< where calibrations of suits are kept beyond sessions
+    };
+
+    LiveSuits(Jobs& jobs, SessionModel& session, LiveSuit::Surroundings surroundings, Folders folders,
+              QObject* parent = nullptr);
+
+    /// Always there; not connected: none is.
+    WornSuit& current() { return *current_; }
+    const WornSuit& current() const { return *current_; }
+    void setCurrent(WornSuit& worn);
+    /// In the order in which they stand in a take.
+    std::vector<WornSuit*> connected() const;
+    bool areSeveral() const { return connected().size() > 1; }
+    bool isFull() const { return connected().size() >= kMost; }
+    /// Null: no suit is connected there.
+    WornSuit* at(const QString& address) const;
+    /// One more beside those that are connected; it is looked at then.
+    void add(const QString& address, const KnownWearing& known = {});
+    /// Who wears it: "Ada"; without a session "Performer 2"; "Room" of anchors that nobody wears.
+    QString nameOf(const WornSuit& worn) const;
+    /// 0 for A.
+    int letterOf(const WornSuit& worn) const;
+    /// Who wore it before gets the other's suit.
+    void setPerformer(WornSuit& worn, const QString& name);
+    /// Why those that are connected cannot be recorded together: two on one carrier, one box twice.
+    std::optional<Error> whyNotTogether() const;
+    void setChecked(WornSuit& worn, const std::optional<CheckedSuit>& checked);
+
+    // A take of all that are connected.
+
+    /// kNone to kRefused as of the suit that is looked at; of a take as of all.
+    Phase phase() const;
+    bool isTakeOpen() const;
+    /// In words why not, else empty.
+    QString record(const LiveSuit::TakePlan& plan);
+    void stopRecording();
+    bool canPreRoll() const { return !areSeveral() && current_->suit.canPreRoll(); }
+    /// Of the suit that has most.
+    double recordedSeconds() const;
+    /// Of the suit that has least on the disk, of those whose sound flows.
+    struct OnDisk {
+        std::optional<RecorderState> recorder;
+        int sample_rate_hz = 0;
+    };
+    OnDisk onDisk() const;
+    void addMarker(const QString& label);
+    void addNote(const QString& text);
+
+    /// Connects to a signal of whichever suit is looked at; `slot` is called, too, when another one is.
+    template <class Source, class Receiver, class Slot>
+    void follow(void (Source::*signal)(), Receiver* receiver, Slot slot) {
+        const auto call = [receiver, slot] {
+            if constexpr (std::is_member_function_pointer_v<Slot>)
+                (receiver->*slot)();
+            else
+                slot();
+        };
+        forEach(receiver, [this, signal, receiver, call](WornSuit& worn) {
+            connect(&partOf<Source>(worn), signal, receiver, [this, &worn, call] {
+                if (&worn == current_)
+                    call();
+            });
+        });
+        connect(this, &LiveSuits::currentChanged, receiver, call);
+    }
+    /// For each suit that there is and that comes, as long as `owner` lives.
+    void forEach(QObject* owner, std::function<void(WornSuit&)> act);
+
+signals:
+    void currentChanged();
+    /// Which are connected, who wears them, how they fare.
+    void changed();
+    void recordingStarted(const QString& take_name);
+    /// Over and saved, as LiveSuit::recordingEnded().
+    void recordingEnded(const QString& take_name, const QString& trouble);
+    void posesMissing(const QString& take_name);
+    /// A take of several is saved; it holds no poses yet, and can be processed.
+    void takeOfSeveral(const QString& path);
+    void checkedChanged();
+    void failed(const QString& what, const QString& remedy);
+    void warned(const QString& what);
+
+private:
+    template <class Part>
+    static Part& partOf(WornSuit& worn) {
+        if constexpr (std::is_same_v<Part, LiveSuit>)
+            return worn.suit;
+        else if constexpr (std::is_same_v<Part, SuitCheck>)
+            return worn.check;
+        else
+            return worn.calibrations;
+    }
+    WornSuit& make();
+    void followPhase(WornSuit& worn);
+    void assignPerformers();
+    void assignPerformer(WornSuit& worn);
+    bool isWornByAnother(const WornSuit& worn, const std::string& performer) const;
+    std::string nameInTake(const WornSuit& worn) const;
+    // live_suits_take.cpp
+    QString whyNotRecord() const;
+    void lookAtTake();
+    void beginTake();
+    GroupRequest requestOf(const LiveSuit::TakePlan& plan) const;
+    void takeBegun(const Result<std::vector<std::string>>& begun);
+    void endTake();
+    void takeEnded(const GroupReport& report, bool unasked);
+    void giveBack();
+
+    Jobs& jobs_;
+    SessionModel& session_;
+    const LiveSuit::Surroundings surroundings_;
+    const Folders folders_;
+    std::vector<std::unique_ptr<WornSuit>> all_;
+    WornSuit* current_ = nullptr;
+    struct Follower {
+        QPointer<QObject> owner;
+        std::function<void(WornSuit&)> act;
+    };
+    std::vector<Follower> followers_;
+
+    Phase take_phase_ = Phase::kNone;  ///< of a take of several; kNone: there is none
+    std::vector<WornSuit*> recorded_;  ///< by it
+    LiveSuit::TakePlan plan_;
+    std::shared_ptr<LiveGroup> group_;  ///< null: it waits until all suits are at rest
+    bool stop_wanted_ = false;
+    QString take_name_;
+    QTimer timer_;
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// A take of several suits: they lend their sessions to a group until it is saved.
+#include <QFileInfo>
+#include <algorithm>
+
+#include "core/session/shot_list.h"
+#include "ui/language/core_words.h"
+#include "ui/models/live_steps.h"
+#include "ui/models/live_suits.h"
+
+namespace noctule::ui {
+namespace {
+
+double committed_s(const LiveSuit& suit) {
+    const auto recorder = suit.recording();
+    const auto hello = suit.status()->hello;
+    return recorder && hello ? static_cast<double>(recorder->committed_samples) / hello->sample_rate_hz : 0;
+}
+
+bool flows(const LiveSuit& suit) {
+    return suit.status()->stream_is_open && suit.status()->link != LinkState::kLost;
+}
+
+}  // namespace
+
+LiveSuits::Phase LiveSuits::phase() const {
+    return take_phase_ != Phase::kNone ? take_phase_ : current_->suit.phase();
+}
+
+bool LiveSuits::isTakeOpen() const {
+    return phase() == Phase::kStarting || phase() == Phase::kRecording || phase() == Phase::kSaving;
+}
+
+QString LiveSuits::whyNotRecord() const {
+    for (const WornSuit* worn : connected())
+        if (const QString why = worn->suit.whyNotRecord(); !why.isEmpty())
+            return tr("%1: %2", "who wears a suit, what hinders it").arg(nameOf(*worn), why);
+    const auto apart = whyNotTogether();
+    return apart ? coreWords(*apart) : QString();
+}
+
+QString LiveSuits::record(const LiveSuit::TakePlan& plan) {
+    if (!areSeveral())
+        return current_->suit.record(plan);
+    if (take_phase_ != Phase::kNone)
+        return tr("A take is being recorded already.");
+    if (const QString why = whyNotRecord(); !why.isEmpty())
+        return why;
+    if (!current_->suit.makeSureOfSession())
+        return tr("There is no session to record into, and none could be made. Make one first.");
+    plan_ = plan;
+    stop_wanted_ = false;
+    recorded_ = connected();
+    take_phase_ = Phase::kStarting;
+    for (WornSuit* worn : recorded_)
+        worn->suit.lend();
+    timer_.start();
+    emit changed();
+    return {};
+}
+
+void LiveSuits::lookAtTake() {
+    if (take_phase_ == Phase::kStarting && !group_ &&
+        std::ranges::all_of(recorded_, [](const WornSuit* worn) { return worn->suit.isAtRest(); }))
+        beginTake();
+    else if (take_phase_ == Phase::kRecording && !group_->isRecording())
+        endTake();
+}
+
+GroupRequest LiveSuits::requestOf(const LiveSuit::TakePlan& plan) const {
+    GroupRequest request;
+    request.all.software = surroundings_.software;
+    request.all.created_utc = surroundings_.utc_now();
+    RecordingRequest take;
+    take.folder = session_.session().takesFolder();
+    take.name = plan.base_name.toStdString();
+    if (const std::string& performer = recorded_.front()->suit.wearing().performer; !performer.empty())
+        take.meta["performer"] = performer;
+    if (!plan.shot.isEmpty())
+        take.meta[kShotKey] = plan.shot.toStdString();
+    request.all.take = std::move(take);
+    for (const WornSuit* worn : recorded_) {
+        request.suits.push_back(worn->suit.groupSuit());
+        if (!isFixed(worn->suit.suit()))
+            request.suits.back().subject = nameOf(*worn).toStdString();
+    }
+    return request;
+}
+
+void LiveSuits::beginTake() {
+    std::vector<LiveGroup::Connected> members;
+    for (const WornSuit* worn : recorded_)
+        members.push_back({nameInTake(*worn), worn->suit.session()});
+    group_ = std::make_shared<LiveGroup>(std::move(members));
+    using Warnings = std::vector<std::string>;
+    jobs_.start<Warnings>(
+        tr("Starting the recording"),
+        [group = group_, request = requestOf(plan_)](const JobContext& job) -> Result<Warnings> {
+            group->stop();
+            for (size_t i = 0; i < group->size(); ++i)
+                endStream(group->session(i), job);
+            return beginTogether(*group, request, job);
+        },
+        [self = QPointer(this)](Result<Warnings> begun) -> QString {
+            if (self)
+                self->takeBegun(begun);
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+void LiveSuits::takeBegun(const Result<std::vector<std::string>>& begun) {
+    if (!begun) {
+        giveBack();
+        emit failed(coreWords(begun.error().message), coreWords(begun.error().remedy));
+        return;
+    }
+    take_name_ = QFileInfo(QString::fromStdString(group_->session(0).recording()->path)).completeBaseName();
+    take_phase_ = Phase::kRecording;
+    for (WornSuit* worn : recorded_)
+        worn->suit.followTake(Phase::kRecording, take_name_);
+    for (const std::string& warning : *begun)
+        emit warned(QStringLiteral("%1: %2").arg(take_name_, coreWords(warning)));
+    emit recordingStarted(take_name_);
+    emit changed();
+    if (std::exchange(stop_wanted_, false))
+        endTake();
+}
+
+void LiveSuits::stopRecording() {
+    if (take_phase_ == Phase::kNone)
+        current_->suit.stopRecording();
+    else if (take_phase_ == Phase::kStarting)
+        stop_wanted_ = true;
+    else if (take_phase_ == Phase::kRecording)
+        endTake();
+}
+
+void LiveSuits::endTake() {
+    const bool unasked = !group_->isRecording();
+    take_phase_ = Phase::kSaving;
+    for (WornSuit* worn : recorded_)
+        worn->suit.followTake(Phase::kSaving, take_name_);
+    emit changed();
+    jobs_.start<GroupReport>(
+        tr("Saving %1").arg(take_name_),
+        [group = group_](const JobContext& job) -> Result<GroupReport> { return endTogether(*group, job); },
+        [self = QPointer(this), unasked](Result<GroupReport> report) -> QString {
+            if (self && report)
+                self->takeEnded(*report, unasked);
+            else if (self)
+                self->giveBack();
+            return report ? QString() : coreWords(report.error());
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+/// The suits look by themselves again.
+void LiveSuits::giveBack() {
+    timer_.stop();
+    group_.reset();
+    take_phase_ = Phase::kNone;
+    for (WornSuit* worn : std::exchange(recorded_, {}))
+        worn->suit.takeBack({});
+    emit changed();
+}
+
+/// A box that was lost on the way has a warning of its own; what ended the take for all is its trouble.
+void LiveSuits::takeEnded(const GroupReport& report, bool unasked) {
+    std::optional<Error> trouble;
+    QString path;
+    bool can_be_processed = true;
+    for (size_t i = 0; i < report.suits.size(); ++i) {
+        const StreamResult& of_suit = report.suits[i].stream;
+        if (of_suit.recording) {
+            path = QString::fromStdString(of_suit.recording->path);
+            if (of_suit.recording->trouble)
+                trouble = of_suit.recording->trouble;
+        }
+        if (unasked && !trouble)
+            trouble = of_suit.trouble;
+        for (const std::string& warning : of_suit.warnings)
+            emit warned(QStringLiteral("%1: %2").arg(take_name_, coreWords(warning)));
+        can_be_processed = can_be_processed && (report.suits[i].is_room || recorded_[i]->suit.canMoveBody());
+    }
+    session_.refresh(path);
+    giveBack();
+    emit recordingEnded(take_name_, trouble ? coreWords(*trouble) : QString());
+    if (can_be_processed)
+        emit takeOfSeveral(path);
+}
+
+double LiveSuits::recordedSeconds() const {
+    if (take_phase_ == Phase::kNone)
+        return current_->suit.recordedSeconds();
+    double most_s = 0;
+    for (const WornSuit* worn : recorded_)
+        most_s = std::max(most_s, worn->suit.recordedSeconds());
+    return most_s;
+}
+
+LiveSuits::OnDisk LiveSuits::onDisk() const {
+    const LiveSuit* least = &current_->suit;
+    if (take_phase_ == Phase::kRecording) {
+        least = nullptr;
+        for (const WornSuit* worn : recorded_)
+            if (flows(worn->suit) && (!least || committed_s(worn->suit) < committed_s(*least)))
+                least = &worn->suit;
+        if (!least)
+            least = &recorded_.front()->suit;
+    }
+    const auto hello = least->status()->hello;
+    return {least->recording(), hello ? hello->sample_rate_hz : 0};
+}
+
+void LiveSuits::addMarker(const QString& label) {
+    (recorded_.empty() ? *current_ : *recorded_.front()).suit.addMarker(label);
+}
+
+void LiveSuits::addNote(const QString& text) {
+    (recorded_.empty() ? *current_ : *recorded_.front()).suit.addNote(text);
+}
+
+}  // namespace noctule::ui

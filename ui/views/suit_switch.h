@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whose suit is looked at, where several are connected: a button for each performer. Hidden for one.
+#pragma once
+
+#include "ui/models/studio.h"
+#include "ui/views/performer_buttons.h"
+
+namespace noctule::ui {
+
+class SuitSwitch : public PerformerButtons {
+    Q_OBJECT
+public:
+    explicit SuitSwitch(Studio& studio, QWidget* parent = nullptr);
+
+private:
+    void refresh();
+
+    Studio& studio_;
+};
+
+}  // namespace noctule::ui
