@@ -61,8 +61,9 @@ std::vector<Quaterniond> rolled(unsigned seed, int readings) {
 
 using FieldAt = std::function<Vector3d(int)>;
 
-FieldTurn turned(const Iron& iron, const std::vector<Quaterniond>& attitudes, unsigned seed,
-                 const FieldAt& world = [](int) { return kEarthField_ut; }) {
+FieldTurn turned(
+    const Iron& iron, const std::vector<Quaterniond>& attitudes, unsigned seed,
+    const FieldAt& world = [](int) { return kEarthField_ut; }) {
     std::mt19937 random(seed);
     std::normal_distribution<double> noise(0, 0.3);
     FieldTurn turn;
@@ -110,8 +111,8 @@ TEST(FieldTurn, IronOfTheSensorItselfIsFound) {
     for (unsigned seed = 1; seed <= 10; ++seed) {
         const Iron iron = usualIron(seed);
         const FieldTurn turn = turned(iron, rolled(seed, 2000), seed);
-        EXPECT_EQ(turn.state(), FieldTurnState::kDone) << seed << ": " << turn.sphere().seen() << " of 100, "
-                                                       << turn.fit().problem;
+        EXPECT_EQ(turn.state(), FieldTurnState::kDone)
+            << seed << ": " << turn.sphere().seen() << " of 100, " << turn.fit().problem;
         EXPECT_LT((turn.fit().ellipsoid.zero - iron.magnet_ut).norm(), 0.6) << seed;
         ASSERT_TRUE(turn.uneven_percent());
         EXPECT_LT(*turn.uneven_percent(), 1.5);
