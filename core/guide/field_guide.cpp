@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLeastSpot_s = 3;
 constexpr double kCarried_m_per_s2 = 0.15;  ///< deviation of an accelerometer that is carried
-constexpr int kJudgedAtOnce = 2;            ///< of the boards, ten times a second: a fit takes a millisecond
+constexpr int kJudgedAtOnce = 1;            ///< of the boards, ten times a second: a fit takes a millisecond
 
 Vector3d asField_ut(const Vector3d& counts) {
     return AxisCalibration::nominal(FieldTurnLimits::kFullScale_ut).apply(counts);

@@ -3585,7 +3585,7 @@
     </message>
 </context>
 <context>
-    <name>noctule::ui::FieldSide</name>
+    <name>noctule::ui::FieldSensors</name>
     <message>
         <source>Start it anew</source>
         <translation>Neu beginnen</translation>

@@ -178,7 +178,7 @@
     </message>
 </context>
 <context>
-    <name>noctule::ui::FieldSide</name>
+    <name>noctule::ui::FieldSensors</name>
     <message numerus="yes">
         <source>Use the %n that are done</source>
         <translation>

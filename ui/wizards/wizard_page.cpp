@@ -11,7 +11,7 @@
 #include "ui/widgets/label.h"
 #include "ui/widgets/progress_line.h"
 #include "ui/wizards/field_live.h"
-#include "ui/wizards/field_side.h"
+#include "ui/wizards/field_sensors.h"
 #include "ui/wizards/result_side.h"
 #include "ui/wizards/wizard_boards.h"
 #include "ui/wizards/wizard_intro.h"
@@ -34,7 +34,7 @@ WizardPage::WizardPage(Studio& studio, QWidget* parent)
       side_(new QStackedWidget),
       nothing_(new QWidget),
       boards_(new WizardBoards),
-      field_side_(new FieldSide),
+      field_sensors_(new FieldSensors),
       result_side_(new ResultSide(studio)) {
     auto* column = makeColumn(solving_, {32, 32, 32, 32}, 16);
     column->addStretch();
@@ -44,7 +44,7 @@ WizardPage::WizardPage(Studio& studio, QWidget* parent)
                           static_cast<QWidget*>(field_), solving_, static_cast<QWidget*>(result_)})
         addWidget(page);
     for (QWidget* side : {nothing_, intro_->words(), static_cast<QWidget*>(boards_),
-                          static_cast<QWidget*>(field_side_), static_cast<QWidget*>(result_side_)})
+                          static_cast<QWidget*>(field_sensors_), static_cast<QWidget*>(result_side_)})
         side_->addWidget(side);
     connect(rail_, &WizardRail::leaveRequested, this, &WizardPage::leaveRequested);
     connect(rail_, &WizardRail::stepChosen, boards_, &WizardBoards::setStep);
@@ -78,7 +78,7 @@ void WizardPage::open(WizardTask task) {
     boards_->setRun(run_.get());
     const bool turns = task == WizardTask::kMagnetometers;
     field_->setRun(turns ? run_.get() : nullptr);
-    field_side_->setRun(turns ? run_.get() : nullptr);
+    field_sensors_->setRun(turns ? run_.get() : nullptr);
     result_side_->setRun(run_.get());
     connect(run_.get(), &WizardRun::changed, this, &WizardPage::refresh);
     connect(run_.get(), &WizardRun::guided, this, &WizardPage::followGuide);
@@ -100,7 +100,7 @@ void WizardPage::close() {
     rail_->setRun(nullptr);
     boards_->setRun(nullptr);
     field_->setRun(nullptr);
-    field_side_->setRun(nullptr);
+    field_sensors_->setRun(nullptr);
     result_side_->setRun(nullptr);
 }
 
@@ -115,7 +115,7 @@ void WizardPage::refresh() {
         case Phase::kTaking:
             if (run_->task() == WizardTask::kMagnetometers) {
                 setCurrentWidget(field_);
-                side_->setCurrentWidget(field_side_);
+                side_->setCurrentWidget(field_sensors_);
                 break;
             }
             setCurrentWidget(live_);
@@ -152,7 +152,7 @@ void WizardPage::followGuide() {
 bool WizardPage::handleKey(int key) {
     if (run_ && currentWidget() == field_) {
         if (key == Qt::Key_S)
-            field_side_->skipSensor();
+            field_sensors_->skipSensor();
         else if (key == Qt::Key_V)
             run_->setTones(!run_->tones());
         return key == Qt::Key_S || key == Qt::Key_V;

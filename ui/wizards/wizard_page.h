@@ -12,7 +12,7 @@
 namespace noctule::ui {
 
 class FieldLive;
-class FieldSide;
+class FieldSensors;
 class ProgressLine;
 class ResultSide;
 class WizardBoards;
@@ -40,7 +40,7 @@ public:
     WizardIntro& intro() { return *intro_; }
     WizardLive& live() { return *live_; }
     FieldLive& field() { return *field_; }
-    FieldSide& fieldSide() { return *field_side_; }
+    FieldSensors& fieldSensors() { return *field_sensors_; }
     WizardResult& resultPage() { return *result_; }
     ResultSide& resultSide() { return *result_side_; }
     WizardBoards& boards() { return *boards_; }
@@ -66,7 +66,7 @@ private:
     QStackedWidget* side_;
     QWidget* nothing_;
     WizardBoards* boards_;
-    FieldSide* field_side_;
+    FieldSensors* field_sensors_;
     ResultSide* result_side_;
     bool was_right_ = false;
 };

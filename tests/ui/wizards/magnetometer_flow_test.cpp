@@ -5,7 +5,7 @@
 
 #include "tests/ui/wizards/wizard_flow.h"
 #include "ui/wizards/field_live.h"
-#include "ui/wizards/field_side.h"
+#include "ui/wizards/field_sensors.h"
 
 namespace noctule::ui {
 namespace {
@@ -93,7 +93,7 @@ TEST_F(MagnetometerFlow, UsesThoseThatAreDone) {
     operate("roll 200");
     ASSERT_TRUE(waitLong([this] { return guide().enoughBoards() > 0 || run().phase() == Phase::kResult; }));
     if (run().phase() == Phase::kGuiding)
-        click(page_->wizard().fieldSide().enoughButton());
+        click(page_->wizard().fieldSensors().enoughButton());
     ASSERT_TRUE(reach(Phase::kResult)) << said();
     save();
     EXPECT_FALSE(inForce().boards[2].mag);

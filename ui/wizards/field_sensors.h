@@ -13,10 +13,10 @@ class Label;
 class ProblemCard;
 class WizardRun;
 
-class FieldSide : public QWidget {
+class FieldSensors : public QWidget {
     Q_OBJECT
 public:
-    explicit FieldSide(QWidget* parent = nullptr);
+    explicit FieldSensors(QWidget* parent = nullptr);
 
     void setRun(WizardRun* run);
     /// "Use the 9 that are done"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/wizards/field_side.h"
+#include "ui/wizards/field_sensors.h"
 
 #include <QVBoxLayout>
 
@@ -16,7 +16,7 @@
 
 namespace noctule::ui {
 
-FieldSide::FieldSide(QWidget* parent)
+FieldSensors::FieldSensors(QWidget* parent)
     : QWidget(parent),
       count_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       table_(new FieldTable),
@@ -51,7 +51,7 @@ FieldSide::FieldSide(QWidget* parent)
         if (const int board = troubledBoard(); board >= 0)
             run_->startAnew(board);
     });
-    connect(skip_, &QPushButton::clicked, this, &FieldSide::skipSensor);
+    connect(skip_, &QPushButton::clicked, this, &FieldSensors::skipSensor);
     connect(anew_, &QPushButton::clicked, this, [this] { run_->repeat(FieldGuide::kTurn); });
     connect(enough_, &QPushButton::clicked, this, [this] { run_->useThoseDone(); });
     connect(back_, &QPushButton::clicked, this, [this] {
@@ -60,7 +60,7 @@ FieldSide::FieldSide(QWidget* parent)
     });
 }
 
-QWidget* FieldSide::makeSpot() {
+QWidget* FieldSensors::makeSpot() {
     auto* spot = new QWidget;
     auto* column = makeColumn(spot, {12, 8, 12, 4}, 6);
     column->addWidget(new SectionHeader(tr("Field of this spot")));
@@ -75,7 +75,7 @@ QWidget* FieldSide::makeSpot() {
     return spot;
 }
 
-QWidget* FieldSide::makeFoot() {
+QWidget* FieldSensors::makeFoot() {
     auto* foot = new QWidget;
     auto* column = makeColumn(foot, {12, 4, 12, 12}, 8);
     column->addWidget(words_->wrapped());
@@ -88,18 +88,18 @@ QWidget* FieldSide::makeFoot() {
     return foot;
 }
 
-void FieldSide::setRun(WizardRun* run) {
+void FieldSensors::setRun(WizardRun* run) {
     run_ = run;
     table_->setRun(run);
     if (!run)
         return;
-    connect(run, &WizardRun::changed, this, &FieldSide::refresh);
-    connect(run, &WizardRun::guided, this, &FieldSide::refresh);
+    connect(run, &WizardRun::changed, this, &FieldSensors::refresh);
+    connect(run, &WizardRun::guided, this, &FieldSensors::refresh);
     refresh();
 }
 
 /// The first that cannot be used as it is.
-int FieldSide::troubledBoard() const {
+int FieldSensors::troubledBoard() const {
     const FieldGuide* guide = run_ ? run_->fieldGuide() : nullptr;
     for (int board = 0; guide && board < static_cast<int>(run_->suit().boards.size()); ++board) {
         const FieldTurnState state = guide->turnOf(board).state();
@@ -110,12 +110,12 @@ int FieldSide::troubledBoard() const {
     return -1;
 }
 
-void FieldSide::skipSensor() {
+void FieldSensors::skipSensor() {
     if (const int board = troubledBoard(); board >= 0)
         run_->skip(board, true);
 }
 
-void FieldSide::showTrouble(int board) {
+void FieldSensors::showTrouble(int board) {
     card_->setVisible(board >= 0);
     if (board < 0)
         return;
@@ -144,7 +144,7 @@ void FieldSide::showTrouble(int board) {
         tr("The spot is bent, or iron lies beside it. Go 1 m away from steel; readings begin anew."));
 }
 
-void FieldSide::refresh() {
+void FieldSensors::refresh() {
     const FieldGuide* guide = run_ ? run_->fieldGuide() : nullptr;
     if (!guide)
         return;
