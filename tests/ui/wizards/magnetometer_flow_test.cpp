@@ -68,7 +68,7 @@ TEST_F(MagnetometerFlow, WalksThrough) {
     picture("magnetometers-overview");
     open(WizardTask::kMagnetometers);
     EXPECT_TRUE(waitLong([this] { return said() == "Lift it and carry it about"; })) << said();
-    operate("roll 200");
+    operate("roll 600");
     ASSERT_TRUE(waitLong([this] { return guide().isDone(FieldGuide::kSpot); })) << said();
     ASSERT_TRUE(waitLong([this] { return guide().leastShare() > 0.5; })) << said();
     EXPECT_FALSE(page_->wizard().field().instruction().isEmpty());
@@ -90,7 +90,7 @@ TEST_F(MagnetometerFlow, UsesThoseThatAreDone) {
     connectBag(suitInBag(3, 2));
     open(WizardTask::kMagnetometers);
     EXPECT_TRUE(guide().isSkipped(2)) << "it has no magnetometer";
-    operate("roll 200");
+    operate("roll 600");
     ASSERT_TRUE(waitLong([this] { return guide().enoughBoards() > 0 || run().phase() == Phase::kResult; }));
     if (run().phase() == Phase::kGuiding)
         click(page_->wizard().fieldSensors().enoughButton());
