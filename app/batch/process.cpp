@@ -308,7 +308,8 @@ Verb processVerb() {
     verb.max_operands = kAnyNumber;
     verb.example = "noctule --batch process hops_001.noctule --sensors AGD --root free";
     verb.options = {
-        text("calibration", "C.json", "the calibration, which comes into force in the take; else the one that is"),
+        text("calibration", "C.json",
+             "the calibration, which comes into force in the take; else the one that is"),
         text("actor", "A.json", "the performer, who comes into force in the take; else the one who is"),
         text("sensors", "AGD", "any of A accelerometers, G gyroscopes, D distances").orElse("AGD"),
         choice("root", {"free", "given"}, "given: by another system, from the take's external_root")

@@ -2452,6 +2452,10 @@
         <translation>%1: die Aufnahme wurde mitten in einer Nachricht oder Zeile abgeschnitten; diese wurde ausgelassen</translation>
     </message>
     <message>
+        <source>%1: there is a header and no row below it</source>
+        <translation>%1: Unter der Kopfzeile steht keine Zeile</translation>
+    </message>
+    <message>
         <source>%1: two sensors are named %2</source>
         <translation>%1: zwei Sensoren heißen %2</translation>
     </message>
@@ -2558,6 +2562,10 @@
     <message>
         <source>Give a table with comma, semicolon, tab or blank between its cells</source>
         <translation>Eine Tabelle mit Komma, Strichpunkt, Tabulator oder Leerzeichen zwischen den Zellen angeben</translation>
+    </message>
+    <message>
+        <source>Give a table with numbers</source>
+        <translation>Geben Sie eine Tabelle mit Zahlen an</translation>
     </message>
     <message>
         <source>Give each sensor an id</source>
@@ -4113,6 +4121,10 @@
         <translation>%1: das Magnetfeld ist %2 der Zeit verzerrt</translation>
     </message>
     <message>
+        <source>%1: the field's strength differs by %2</source>
+        <translation>%1: Die Stärke des Magnetfelds unterscheidet sich um %2</translation>
+    </message>
+    <message>
         <source>%1: the table's point '%2' of suit %3 is no device of this take</source>
         <translation>%1: der Punkt „%2“ von Anzug %3 in der Tabelle ist kein Gerät dieser Aufnahme</translation>
     </message>
@@ -4401,6 +4413,10 @@
         <translation>Schall wird gemessen</translation>
     </message>
     <message>
+        <source>Move it away from magnets and turn it again</source>
+        <translation>Von Magneten entfernen und noch einmal drehen</translation>
+    </message>
+    <message>
         <source>Name the column %1, or give the times in seconds</source>
         <translation>Die Spalte %1 nennen oder die Zeiten in Sekunden angeben</translation>
     </message>
@@ -4665,6 +4681,14 @@
         <translation>Punkte werden verfolgt</translation>
     </message>
     <message>
+        <source>Turn it again through all directions, away from iron</source>
+        <translation>Noch einmal in alle Richtungen drehen, fern von Eisen</translation>
+    </message>
+    <message>
+        <source>Turn the suit through all directions first</source>
+        <translation>Den Anzug zuerst in alle Richtungen drehen</translation>
+    </message>
+    <message>
         <source>Two people near each other</source>
         <translation>Zwei Personen nahe beieinander</translation>
     </message>
@@ -4715,6 +4739,10 @@
     <message>
         <source>board %1 reads at %2 Hz</source>
         <translation>Platine %1 misst mit %2 Hz</translation>
+    </message>
+    <message>
+        <source>directions of 100</source>
+        <translation>Richtungen von 100</translation>
     </message>
     <message>
         <source>directions of 26</source>
@@ -4773,6 +4801,10 @@
         <translation>sie enthält Schall, aus dem Punkte noch nicht gemessen werden</translation>
     </message>
     <message>
+        <source>its field cannot be measured</source>
+        <translation>das Magnetfeld ist nicht messbar</translation>
+    </message>
+    <message>
         <source>its readings were dropped while it was processed</source>
         <translation>ihre Messwerte wurden während der Verarbeitung verworfen</translation>
     </message>
@@ -4811,6 +4843,10 @@
     <message>
         <source>no board has readings of gyroscope and accelerometer</source>
         <translation>keine Platine hat Messwerte von Gyroskop und Beschleunigungssensor</translation>
+    </message>
+    <message>
+        <source>no board has readings of its magnetometer</source>
+        <translation>keine Platine hat Messwerte ihres Magnetometers</translation>
     </message>
     <message>
         <source>no instant of the run has a reference</source>
@@ -4963,6 +4999,10 @@
     <message>
         <source>with --root given another system says where everybody is</source>
         <translation>mit --root given sagt ein anderes System, wo alle sind</translation>
+    </message>
+    <message>
+        <source>zero +- uT</source>
+        <translation>Nullpunkt +- uT</translation>
     </message>
 </context>
 <context>
@@ -7613,6 +7653,10 @@
         <translation>air instruments</translation>
     </message>
     <message>
+        <source>all directions</source>
+        <translation>alle Richtungen</translation>
+    </message>
+    <message>
         <source>and %1</source>
         <translation>und %1</translation>
     </message>
@@ -7653,6 +7697,10 @@
         <translation>external root</translation>
     </message>
     <message>
+        <source>field noise</source>
+        <translation>Rauschen des Magnetfelds</translation>
+    </message>
+    <message>
         <source>first guess of the clock</source>
         <translation>first guess of the clock</translation>
     </message>
@@ -7683,14 +7731,6 @@
     <message>
         <source>is not an object</source>
         <translation>ist kein Objekt</translation>
-    </message>
-    <message>
-        <source>jig</source>
-        <translation>Messgestell</translation>
-    </message>
-    <message>
-        <source>level</source>
-        <translation>waagrechte Platte</translation>
     </message>
     <message>
         <source>level plate</source>
@@ -7767,10 +7807,6 @@
     <message>
         <source>suit %1: source '%2' sits on another segment than board '%3', with which it shares a housing</source>
         <translation>Anzug %1: Quelle '%2' sitzt auf einem anderen Glied als Platine '%3', mit der sie ein Gehäuse teilt</translation>
-    </message>
-    <message>
-        <source>turntable</source>
-        <translation>Drehteller</translation>
     </message>
     <message>
         <source>turntable speed</source>
