@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLookUp_rad = radians(-14);  ///< from a little below, so that the lower pole is seen
 constexpr double kManyReadings = 8;
-constexpr int kHead = 34, kFoot = 62, kEdgePoints = 8;
+constexpr int kHead = 34, kFieldFoot = 62, kEdgePoints = 8;
 
 /// In the drawing's axes: x right, y up, z towards the eye.
 Vector3d asSeen(const Vector3d& direction, bool is_behind) {
@@ -175,7 +175,7 @@ void FieldDrawing::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     paintBox(painter, rect(), theme.px(8), theme.tokens().panel);
-    const int margin = theme.px(16), head = theme.px(kHead), foot = theme.px(kFoot);
+    const int margin = theme.px(16), head = theme.px(kHead), foot = theme.px(kFieldFoot);
     const QRect row(margin, theme.px(8), width() - 2 * margin, head - theme.px(8));
     const double radius =
         std::max(10.0, std::min(width() / 4.0 - theme.px(34), (height() - head - foot) / 2.0));
