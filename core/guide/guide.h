@@ -41,6 +41,10 @@ enum class Hindrance {
     kStand,       ///< before a movement: in the rest pose, for so many seconds more
     kMove,        ///< the rest pose has been held long enough
     kIdle,        ///< the movement left boards out: once more, from the rest pose on
+    kNoField,     ///< no magnetometer is heard
+    kCarry,       ///< move it about here without turning it, so that the field of the spot is seen
+    kBentField,   ///< the field of the spot is bent; value: percent
+    kTurnOn,      ///< directions are missing; value: their share that was seen
 };
 
 struct Guidance {
@@ -85,6 +89,8 @@ public:
 
     /// The step that is shown has been recorded: it is done for all boards that were right.
     void take();
+    /// Whoever is on it may go on without recording anything: what the guide has seen is the evidence.
+    virtual bool keepsReadings() const { return false; }
     /// From what was recorded before.
     void setDone(int step, int board) { done_[index(step)][index(board)] = true; }
     void repeat(int step);

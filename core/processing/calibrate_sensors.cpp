@@ -8,8 +8,9 @@
 
 #include "core/recording/take_edit.h"
 #include "core/report/calibration_documents.h"
+#include "core/sensor_calibration/field_turn.h"
 #include "core/sensor_calibration/hand_calibration.h"
-#include "core/sensor_calibration/magnetometer_fit.h"
+#include "core/suit/calibration_entries.h"
 
 namespace noctule {
 
@@ -227,6 +228,69 @@ Result<CalibrationResult> calibrateMagnetometers(const CalibrateRequest& request
     if (table.rows.empty())
         return Error{ErrorKind::kUnusable, request.take_paths.front() + ": no board has a magnetometer",
                      "Record with magnetometers switched on"};
+    result.document.summary = "Hard and soft iron of " + std::to_string(table.rows.size()) + " magnetometers";
+    result.document.tables.push_back(std::move(table));
+    finishResult(result, "magnetometers");
+    return result;
+}
+
+Result<CalibrationResult> calibrateMagnetometers(const Suit& suit, const CalibrateRequest& request,
+                                                 const std::vector<MagnetometerReadings>& turned,
+                                                 const JobContext& job) {
+    SensorEvidence evidence;
+    evidence.base = request.base.value_or(nominalCalibration(suit));
+    CalibrationResult result = emptyResult("Magnetometers", request, evidence);
+    CalibrationTable table{
+        "Magnetometers",
+        "Spread: how much the field's strength differs between directions.",
+        {"board", "strength uT", "spread before %", "spread after %", "zero +- uT", "directions of 100"},
+        {}};
+    for (const MagnetometerReadings& one : turned) {
+        const int index = suit.findBoard(one.board);
+        if (index < 0 || one.readings_ut.empty())
+            continue;
+        if (job.cancelled())
+            return JobContext::cancelledError();
+        const Board& board = suit.boards[static_cast<size_t>(index)];
+        FieldTurn turn;
+        for (const Vector3d& reading : one.readings_ut)
+            turn.add(reading);
+        turn.judge();
+        const MagnetometerFit& fit = turn.fit();
+        const bool done = turn.state() == FieldTurnState::kDone;
+        const double sigma_ut = (fit.ellipsoid.matrix * fit.ellipsoid.sigma_zero).norm();
+        table.rows.push_back({board.id, formatted("%.1f", fit.strength_ut),
+                              formatted("%.1f", fit.before_percent), formatted("%.2f", fit.after_percent),
+                              formatted("%.2f", sigma_ut), std::to_string(turn.sphere().seen())});
+        result.json["boards"].push_back({{"id", board.id},
+                                         {"strength_ut", fit.strength_ut},
+                                         {"spread_before_percent", fit.before_percent},
+                                         {"spread_after_percent", fit.after_percent},
+                                         {"sigma_zero_ut", sigma_ut},
+                                         {"condition", fit.ellipsoid.condition},
+                                         {"directions_seen_percent", 100 * turn.sphere().share()},
+                                         {"usable", fit.problem.empty()}});
+        if (!fit.problem.empty() || turn.state() == FieldTurnState::kClipped ||
+            turn.state() == FieldTurnState::kNoField) {
+            addProblem(result, board.id, fit.problem.empty() ? "its field cannot be measured" : fit.problem,
+                       fit.remedy.empty() ? "Move it away from magnets and turn it again" : fit.remedy);
+            continue;
+        }
+        BoardCalibration& values = entryOf(result.calibration, board);
+        values.mag = onTopOf(AxisCalibration::nominal(FieldTurnLimits::kFullScale_ut), fit.ellipsoid.zero,
+                             fit.ellipsoid.sigma_zero, fit.ellipsoid.matrix);
+        values.serial = board.serial;
+        markMade(values, "magnetometers", request, done ? Grade::kGood : Grade::kUsable);
+        if (!done)
+            result.document.findings.push_back(
+                {Grade::kUsable, board.id,
+                 board.id + ": the field's strength differs by " + formatted("%.1f %%", fit.after_percent),
+                 "Turn it again through all directions, away from iron"});
+        job.progress(double(table.rows.size()) / double(turned.size()), "Magnetometer of " + board.id);
+    }
+    if (table.rows.empty())
+        return Error{ErrorKind::kUnusable, "no board has readings of its magnetometer",
+                     "Turn the suit through all directions first"};
     result.document.summary = "Hard and soft iron of " + std::to_string(table.rows.size()) + " magnetometers";
     result.document.tables.push_back(std::move(table));
     finishResult(result, "magnetometers");

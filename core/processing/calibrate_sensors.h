@@ -14,6 +14,15 @@ namespace noctule {
 /// Each take is also looked through for stretches in which the field is bent.
 Result<CalibrationResult> calibrateMagnetometers(const CalibrateRequest& request,
                                                  std::optional<double> strength_ut, const JobContext& job);
+/// What a board's magnetometer read while it was turned, in microtesla of the nominal scale.
+struct MagnetometerReadings {
+    std::string board;  ///< id
+    std::vector<Vector3d> readings_ut;
+};
+/// Without takes: of a suit that is turned now. Without readings a board keeps what it has.
+Result<CalibrationResult> calibrateMagnetometers(const Suit& suit, const CalibrateRequest& request,
+                                                 const std::vector<MagnetometerReadings>& turned,
+                                                 const JobContext& job);
 /// Gravity as the take states it.
 Result<CalibrationResult> calibrateInertial(const CalibrateRequest& request, const JobContext& job);
 

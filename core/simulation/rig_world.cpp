@@ -65,7 +65,17 @@ std::vector<Eigen::Vector2d> slots(int count, Random& random) {
 }  // namespace
 
 const char* nameOf(RigKind kind) {
-    return kind == RigKind::kJig ? "jig" : kind == RigKind::kLevelPlate ? "level" : "turntable";
+    switch (kind) {
+        case RigKind::kJig:
+            return "jig";
+        case RigKind::kLevelPlate:
+            return "level";
+        case RigKind::kTurntable:
+            return "turntable";
+        case RigKind::kBag:
+            break;
+    }
+    return "bag";
 }
 
 std::vector<RigSide> allRigSides() {
@@ -171,6 +181,20 @@ double RigWorld::place(int placement, double t_s) {
     moves_.push_back({begin_s, placement_, placement});
     placement_ = placement;
     return ready_s_ = begin_s + kMove_s;
+}
+
+/// Axes in the world: a golden spiral over the sphere, so that no two rolls are about the same one.
+double RigWorld::roll(double seconds, double t_s) {
+    const double end_s = std::max(t_s, ready_s_) + seconds;
+    for (double begin_s = std::max(t_s, ready_s_); begin_s < end_s; begin_s += kTurn_s) {
+        const double share = std::fmod(0.5 + 0.618034 * rolls_, 1.0), y = 2 * share - 1;
+        const double azimuth_rad = 2.399963 * rolls_++, across = std::sqrt(1 - y * y);
+        turns_.push_back({begin_s,
+                          radians(kRoll_deg),
+                          {across * std::sin(azimuth_rad), y, across * std::cos(azimuth_rad)}});
+        ready_s_ = begin_s + kTurn_s;
+    }
+    return ready_s_;
 }
 
 void RigWorld::beginAgain() {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The suit off the body, on one of the rigs of calibration: on the jig boards and sources stand apart at
 // known distances, on the level plate and the turntable the boards lie side by side, each turned in its own
-// seat, and the sources stand in a row before them. The world's truth; the numbers are the scenario's, and so
+// seat, and the sources stand in a row before them. In the bag they lie likewise and are rolled by
+// hand through all directions. The world's truth; the numbers are the scenario's, and so
 // are the rig's own errors, drawn once per take. Every movement takes its time and is felt.
 #pragma once
 
@@ -15,9 +16,9 @@
 
 namespace noctule::simulation {
 
-enum class RigKind { kJig, kLevelPlate, kTurntable };
+enum class RigKind { kJig, kLevelPlate, kTurntable, kBag };
 
-/// "jig", "level", "turntable", as the command line and takes write them.
+/// "jig", "level", "turntable", "bag", as the command line and takes write them.
 const char* nameOf(RigKind kind);
 
 /// An axis of the boards that points up: +x, -x, +y, -y, +z, -z.
@@ -37,6 +38,7 @@ class RigWorld : public SuitWorld {
 public:
     static constexpr double kTurn_s = 1.5;    ///< of the boards onto another side
     static constexpr double kMove_s = 2;      ///< from one placement to another
+    static constexpr double kRoll_deg = 100;  ///< of the bag, each in kTurn_s
     static constexpr double kSpeedUp_s = 2;   ///< of the turntable, and until it stands
     static constexpr double kHeight_m = 1.0;  ///< of the rig above the floor
 
@@ -53,6 +55,8 @@ public:
     /// the table first; 0 stops it.
     double spin(RigSide side, double rpm, double t_s);
     double place(int placement, double t_s);
+    /// The bag: rolled about ever other axes for about so long, one roll after another without a pause.
+    double roll(double seconds, double t_s);
 
     double duration_s() const override { return duration_s_; }
     int boardCount() const override { return static_cast<int>(boards_.size()); }
@@ -114,6 +118,7 @@ private:
     RigSide side_;
     Quaterniond first_seat_;
     std::vector<Turn> turns_;
+    int rolls_ = 0;
     double speed_rad_per_s_ = 0;
     std::vector<SpeedChange> speeds_;
     int first_placement_ = 0, placement_ = 0;

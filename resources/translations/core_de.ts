@@ -4121,6 +4121,10 @@
         <translation>%1: das Magnetfeld ist %2 der Zeit verzerrt</translation>
     </message>
     <message>
+        <source>%1: the field's strength differs by %2</source>
+        <translation>%1: Die Stärke des Magnetfelds unterscheidet sich um %2</translation>
+    </message>
+    <message>
         <source>%1: the table's point '%2' of suit %3 is no device of this take</source>
         <translation>%1: der Punkt „%2“ von Anzug %3 in der Tabelle ist kein Gerät dieser Aufnahme</translation>
     </message>
@@ -4409,6 +4413,10 @@
         <translation>Schall wird gemessen</translation>
     </message>
     <message>
+        <source>Move it away from magnets and turn it again</source>
+        <translation>Von Magneten entfernen und noch einmal drehen</translation>
+    </message>
+    <message>
         <source>Name the column %1, or give the times in seconds</source>
         <translation>Die Spalte %1 nennen oder die Zeiten in Sekunden angeben</translation>
     </message>
@@ -4673,6 +4681,14 @@
         <translation>Punkte werden verfolgt</translation>
     </message>
     <message>
+        <source>Turn it again through all directions, away from iron</source>
+        <translation>Noch einmal in alle Richtungen drehen, fern von Eisen</translation>
+    </message>
+    <message>
+        <source>Turn the suit through all directions first</source>
+        <translation>Den Anzug zuerst in alle Richtungen drehen</translation>
+    </message>
+    <message>
         <source>Two people near each other</source>
         <translation>Zwei Personen nahe beieinander</translation>
     </message>
@@ -4723,6 +4739,10 @@
     <message>
         <source>board %1 reads at %2 Hz</source>
         <translation>Platine %1 misst mit %2 Hz</translation>
+    </message>
+    <message>
+        <source>directions of 100</source>
+        <translation>Richtungen von 100</translation>
     </message>
     <message>
         <source>directions of 26</source>
@@ -4781,6 +4801,10 @@
         <translation>sie enthält Schall, aus dem Punkte noch nicht gemessen werden</translation>
     </message>
     <message>
+        <source>its field cannot be measured</source>
+        <translation>das Magnetfeld ist nicht messbar</translation>
+    </message>
+    <message>
         <source>its readings were dropped while it was processed</source>
         <translation>ihre Messwerte wurden während der Verarbeitung verworfen</translation>
     </message>
@@ -4819,6 +4843,10 @@
     <message>
         <source>no board has readings of gyroscope and accelerometer</source>
         <translation>keine Platine hat Messwerte von Gyroskop und Beschleunigungssensor</translation>
+    </message>
+    <message>
+        <source>no board has readings of its magnetometer</source>
+        <translation>keine Platine hat Messwerte ihres Magnetometers</translation>
     </message>
     <message>
         <source>no instant of the run has a reference</source>
@@ -4971,6 +4999,10 @@
     <message>
         <source>with --root given another system says where everybody is</source>
         <translation>mit --root given sagt ein anderes System, wo alle sind</translation>
+    </message>
+    <message>
+        <source>zero +- uT</source>
+        <translation>Nullpunkt +- uT</translation>
     </message>
 </context>
 <context>
@@ -7621,6 +7653,10 @@
         <translation>air instruments</translation>
     </message>
     <message>
+        <source>all directions</source>
+        <translation>alle Richtungen</translation>
+    </message>
+    <message>
         <source>and %1</source>
         <translation>und %1</translation>
     </message>
@@ -7661,6 +7697,10 @@
         <translation>external root</translation>
     </message>
     <message>
+        <source>field noise</source>
+        <translation>Rauschen des Magnetfelds</translation>
+    </message>
+    <message>
         <source>first guess of the clock</source>
         <translation>first guess of the clock</translation>
     </message>
@@ -7691,14 +7731,6 @@
     <message>
         <source>is not an object</source>
         <translation>ist kein Objekt</translation>
-    </message>
-    <message>
-        <source>jig</source>
-        <translation>Messgestell</translation>
-    </message>
-    <message>
-        <source>level</source>
-        <translation>waagrechte Platte</translation>
     </message>
     <message>
         <source>level plate</source>
@@ -7775,10 +7807,6 @@
     <message>
         <source>suit %1: source '%2' sits on another segment than board '%3', with which it shares a housing</source>
         <translation>Anzug %1: Quelle '%2' sitzt auf einem anderen Glied als Platine '%3', mit der sie ein Gehäuse teilt</translation>
-    </message>
-    <message>
-        <source>turntable</source>
-        <translation>Drehteller</translation>
     </message>
     <message>
         <source>turntable speed</source>

@@ -188,6 +188,16 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::FieldSensors</name>
+    <message numerus="yes">
+        <source>Use the %n that are done</source>
+        <translation>
+            <numerusform>Use the %n that is done</numerusform>
+            <numerusform>Use the %n that are done</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::FitWords</name>
     <message numerus="yes">
         <source>the offsets of %n source(s)</source>

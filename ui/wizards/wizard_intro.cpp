@@ -13,6 +13,7 @@
 #include "ui/widgets/label.h"
 #include "ui/widgets/problem_card.h"
 #include "ui/widgets/section_header.h"
+#include "ui/wizards/field_drawing.h"
 #include "ui/wizards/rig_drawing.h"
 #include "ui/wizards/wizard_run.h"
 
@@ -28,6 +29,7 @@ WizardIntro::WizardIntro(Studio& studio, QWidget* parent)
       kept_words_(new Label({}, TextRole::kBody, Ink::kHint)),
       words_(new QWidget),
       drawing_(new RigDrawing),
+      sphere_(new FieldDrawing),
       problem_(new ProblemCard(Tone::kError, {}, {})),
       begin_(makeButton(ButtonKind::kPrimary, tr("Begin"))),
       anew_(makeButton(ButtonKind::kText, tr("Begin anew"))),
@@ -36,6 +38,7 @@ WizardIntro::WizardIntro(Studio& studio, QWidget* parent)
     auto* column = makeColumn(this, {32, 20, 32, 20}, 12);
     column->addWidget(what_->wrapped());
     column->addWidget(drawing_, 1);
+    column->addWidget(sphere_, 1);
     makeWords();
     column->addWidget(problem_);
     problem_->hide();
@@ -86,6 +89,9 @@ void WizardIntro::setRun(WizardRun* run) {
         drawing_->setBody(BodyFigure::of(studio_.suit().actor(), studio_.body()), suit);
     drawing_->setPicture(picture);
     drawing_->setDescription(words.set_up);
+    const bool turns = run->task() == WizardTask::kMagnetometers;
+    drawing_->setVisible(!turns);
+    sphere_->setVisible(turns);
     distances_->setVisible(run->task() == WizardTask::kSources);
     connect(run, &WizardRun::changed, this, &WizardIntro::refresh);
     refresh();

@@ -10,6 +10,8 @@
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/progress_line.h"
+#include "ui/wizards/field_live.h"
+#include "ui/wizards/field_sensors.h"
 #include "ui/wizards/result_side.h"
 #include "ui/wizards/wizard_boards.h"
 #include "ui/wizards/wizard_intro.h"
@@ -24,6 +26,7 @@ WizardPage::WizardPage(Studio& studio, QWidget* parent)
       studio_(studio),
       intro_(new WizardIntro(studio)),
       live_(new WizardLive(studio)),
+      field_(new FieldLive),
       solving_(new QWidget),
       progress_(new ProgressLine),
       result_(new WizardResult),
@@ -31,16 +34,17 @@ WizardPage::WizardPage(Studio& studio, QWidget* parent)
       side_(new QStackedWidget),
       nothing_(new QWidget),
       boards_(new WizardBoards),
+      field_sensors_(new FieldSensors),
       result_side_(new ResultSide(studio)) {
     auto* column = makeColumn(solving_, {32, 32, 32, 32}, 16);
     column->addStretch();
     column->addWidget(progress_);
     column->addStretch();
-    for (QWidget* page : {static_cast<QWidget*>(intro_), static_cast<QWidget*>(live_), solving_,
-                          static_cast<QWidget*>(result_)})
+    for (QWidget* page : {static_cast<QWidget*>(intro_), static_cast<QWidget*>(live_),
+                          static_cast<QWidget*>(field_), solving_, static_cast<QWidget*>(result_)})
         addWidget(page);
-    for (QWidget* side :
-         {nothing_, intro_->words(), static_cast<QWidget*>(boards_), static_cast<QWidget*>(result_side_)})
+    for (QWidget* side : {nothing_, intro_->words(), static_cast<QWidget*>(boards_),
+                          static_cast<QWidget*>(field_sensors_), static_cast<QWidget*>(result_side_)})
         side_->addWidget(side);
     connect(rail_, &WizardRail::leaveRequested, this, &WizardPage::leaveRequested);
     connect(rail_, &WizardRail::stepChosen, boards_, &WizardBoards::setStep);
@@ -72,6 +76,9 @@ void WizardPage::open(WizardTask task) {
     live_->setRun(run_.get());
     rail_->setRun(run_.get());
     boards_->setRun(run_.get());
+    const bool turns = task == WizardTask::kMagnetometers;
+    field_->setRun(turns ? run_.get() : nullptr);
+    field_sensors_->setRun(turns ? run_.get() : nullptr);
     result_side_->setRun(run_.get());
     connect(run_.get(), &WizardRun::changed, this, &WizardPage::refresh);
     connect(run_.get(), &WizardRun::guided, this, &WizardPage::followGuide);
@@ -92,6 +99,8 @@ void WizardPage::close() {
     live_->setRun(nullptr);
     rail_->setRun(nullptr);
     boards_->setRun(nullptr);
+    field_->setRun(nullptr);
+    field_sensors_->setRun(nullptr);
     result_side_->setRun(nullptr);
 }
 
@@ -104,6 +113,11 @@ void WizardPage::refresh() {
             break;
         case Phase::kGuiding:
         case Phase::kTaking:
+            if (run_->task() == WizardTask::kMagnetometers) {
+                setCurrentWidget(field_);
+                side_->setCurrentWidget(field_sensors_);
+                break;
+            }
             setCurrentWidget(live_);
             side_->setCurrentWidget(boards_);
             break;
@@ -136,6 +150,13 @@ void WizardPage::followGuide() {
 }
 
 bool WizardPage::handleKey(int key) {
+    if (run_ && currentWidget() == field_) {
+        if (key == Qt::Key_S)
+            field_sensors_->skipSensor();
+        else if (key == Qt::Key_V)
+            run_->setTones(!run_->tones());
+        return key == Qt::Key_S || key == Qt::Key_V;
+    }
     if (!run_ || currentWidget() != live_)
         return false;
     switch (key) {

@@ -70,6 +70,9 @@ QString WizardRun::whyNotBegin() const {
         return tr("Choose the file with the distances first.");
     if (task_ == WizardTask::kCheck && !base())
         return tr("There is no calibration to check. Calibrate the rest pose first.");
+    if (task_ == WizardTask::kMagnetometers && !isWaitingForSuit() &&
+        std::ranges::none_of(studio_.suit().suit().boards, &Board::has_magnetometer))
+        return tr("No board of this suit has a magnetometer.");
     if (isWaitingForSuit())
         return tr("No suit is connected. Connect one first, or use takes that were recorded before.");
     return {};
@@ -168,6 +171,16 @@ void WizardRun::look() {
 
 void WizardRun::keep() {
     const Guidance& now = guide_->guidance();
+    if (guide_->keepsReadings()) {
+        const int taken = *now.step;
+        guide_->take();
+        guide_->restart();
+        emit changed();
+        emit stepKept(taken);
+        if (guide_->isFinished())
+            solveNow();
+        return;
+    }
     LiveSuit::EvidencePlan plan;
     plan.kind = takeKindOf(task_).toStdString();
     plan.base_name = QStringLiteral("%1_%2").arg(keyOf(task_)).arg(*now.step + 1);
@@ -271,6 +284,10 @@ void WizardRun::solveNow() {
     if (phase_ != Phase::kGuiding)
         return;
     std::vector<std::string> paths;
+    if (guide_->keepsReadings()) {
+        from_evidence_ = true;
+        return solve(paths);
+    }
     for (const WizardEvidence& part : unfinished_.evidence)
         paths.push_back(part.path.toStdString());
     from_evidence_ = true;
@@ -305,8 +322,9 @@ void WizardRun::solve(const std::vector<std::string>& paths) {
     });
     job_ = studio_.jobs().start<CalibrationResult>(
         tr("Calibration: %1").arg(wordsOf(task_).title),
-        [task = task_, request, known](const JobContext& job) {
-            return solveTask(task, request, known, job);
+        [task = task_, request, known, suit = suit_, field = fieldReadings()](const JobContext& job) {
+            return field.empty() ? solveTask(task, request, known, job)
+                                 : calibrateMagnetometers(suit, request, field, job);
         },
         [self = QPointer(this)](Result<CalibrationResult> result) -> QString {
             if (self)
@@ -315,6 +333,36 @@ void WizardRun::solve(const std::vector<std::string>& paths) {
         },
         Jobs::Loudness::kQuiet);
     setPhase(Phase::kSolving);
+}
+
+std::vector<MagnetometerReadings> WizardRun::fieldReadings() const {
+    std::vector<MagnetometerReadings> all;
+    const FieldGuide* guide = from_evidence_ ? fieldGuide() : nullptr;
+    for (int board = 0; guide && board < static_cast<int>(suit_.boards.size()); ++board)
+        if (!guide->isSkipped(board))
+            all.push_back({suit_.boards[static_cast<size_t>(board)].id, guide->turnOf(board).readings()});
+    return all;
+}
+
+const FieldGuide* WizardRun::fieldGuide() const {
+    return dynamic_cast<const FieldGuide*>(guide_.get());
+}
+
+void WizardRun::startAnew(int board) {
+    if (auto* guide = dynamic_cast<FieldGuide*>(guide_.get())) {
+        guide->startAnew(board);
+        emit changed();
+    }
+}
+
+void WizardRun::useThoseDone() {
+    const FieldGuide* guide = fieldGuide();
+    if (!guide || phase_ != Phase::kGuiding || guide->enoughBoards() == 0)
+        return;
+    for (int board = 0; board < static_cast<int>(suit_.boards.size()); ++board)
+        if (guide->turnOf(board).state() != FieldTurnState::kDone)
+            guide_->skip(board, true);
+    solveNow();
 }
 
 void WizardRun::solved(Result<CalibrationResult> result) {

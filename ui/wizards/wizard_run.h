@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/guide/field_guide.h"
 #include "ui/models/studio.h"
 #include "ui/wizards/task_work.h"
 #include "ui/wizards/unfinished_calibration.h"
@@ -64,6 +65,12 @@ public:
     int sideOf(int step) const;
     double heldShare() const;
     double secondsSoFar() const;
+    /// Of the magnetometers; null for other tasks.
+    const FieldGuide* fieldGuide() const;
+    /// What one magnetometer has read, from the beginning.
+    void startAnew(int board);
+    /// Magnetometers: with the sensors that have enough; the others are skipped.
+    void useThoseDone();
     void skip(int board, bool skipped);
     void repeat(int step);
     /// The step that was kept last, once more.
@@ -106,6 +113,7 @@ private:
     void kept(const QString& path, const QString& trouble);
     void dropEvidence(int step);
     void solve(const std::vector<std::string>& paths);
+    std::vector<MagnetometerReadings> fieldReadings() const;
     void keepValuesOfSkipped(CalibrationResult& result) const;
     void solved(Result<CalibrationResult> result);
     void store() const;
