@@ -23,6 +23,7 @@ enum class ControlKind {
     kSpin,
     kPlacement,
     kRoll,
+    kHeight,
     kDropBytes,
     kFlipBits,
     kStall,
@@ -35,8 +36,8 @@ enum class ControlKind {
 struct ControlCommand {
     ControlKind kind = ControlKind::kQuit;
     int board = -1, other_board = -1;  ///< indices in the suit
-    double number =
-        0;  ///< degrees, rate, seconds, percent, degrees Celsius, turns a minute, placement, seconds
+    /// Degrees, rate, seconds, percent, degrees Celsius, turns a minute, placement, metres.
+    double number = 0;
     simulation::RigSide side{};  ///< of the boards, upwards
     std::string pose{};          ///< one of kPoses
 };

@@ -42,6 +42,7 @@ Status rigAccepts(const ControlCommand& command, const RigWorld& rig) {
             return rig.kind() == RigKind::kTurntable ? Status(Done{})
                                                      : notHere("no turntable is here", "--rig turntable");
         case ControlKind::kRoll:
+        case ControlKind::kHeight:
             return rig.kind() == RigKind::kBag ? Status(Done{}) : notHere("no bag is here", "--rig bag");
         case ControlKind::kPlacement:
             if (rig.kind() != RigKind::kJig)
@@ -108,6 +109,8 @@ public:
             stage_.rig->place(static_cast<int>(command.number) - 1, soon_s);
         else if (command.kind == ControlKind::kRoll)
             stage_.rig->roll(command.number, soon_s);
+        else if (command.kind == ControlKind::kHeight)
+            stage_.rig->carryTo(command.number, soon_s);
     }
     void set(const link::Settings& settings) override {
         Scenario& scenario = stage_.scenario;

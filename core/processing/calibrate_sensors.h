@@ -10,19 +10,11 @@
 
 namespace noctule {
 
-/// `strength_ut` none: the mean length of the readings is kept. Boards without magnetometer are left alone.
-/// Each take is also looked through for stretches in which the field is bent.
+/// `strength_ut` none: the mean length of the readings is kept. Boards without magnetometer, and those
+/// without readings of it, keep what they have. Each take is also looked through for stretches in which the
+/// field is bent.
 Result<CalibrationResult> calibrateMagnetometers(const CalibrateRequest& request,
                                                  std::optional<double> strength_ut, const JobContext& job);
-/// What a board's magnetometer read while it was turned, in microtesla of the nominal scale.
-struct MagnetometerReadings {
-    std::string board;  ///< id
-    std::vector<Vector3d> readings_ut;
-};
-/// Without takes: of a suit that is turned now. Without readings a board keeps what it has.
-Result<CalibrationResult> calibrateMagnetometers(const Suit& suit, const CalibrateRequest& request,
-                                                 const std::vector<MagnetometerReadings>& turned,
-                                                 const JobContext& job);
 /// Gravity as the take states it.
 Result<CalibrationResult> calibrateInertial(const CalibrateRequest& request, const JobContext& job);
 

@@ -19,6 +19,19 @@ double middleOfField(std::vector<double> values) {
     return *middle;
 }
 
+bool isField(const std::optional<Vector3d>& field) {
+    return field && field->allFinite() && field->norm() > FieldTurnLimits::kLeastField_ut;
+}
+
+/// Median length of one sensor's readings; 0 without any.
+double usualLength(const std::vector<SpotMoment>& moments, size_t sensor) {
+    std::vector<double> lengths;
+    for (const SpotMoment& moment : moments)
+        if (isField(moment.field_ut[sensor]))
+            lengths.push_back(moment.field_ut[sensor]->norm());
+    return middleOfField(lengths);
+}
+
 double dipOf_deg(const Vector3d& field, const Vector3d& up) {
     return degrees(std::asin(std::clamp(-field.normalized().dot(up.normalized()), -1.0, 1.0)));
 }
@@ -49,12 +62,12 @@ std::optional<double> FieldTurn::zero_sigma_percent() const {
     return 100 * (fit_.ellipsoid.matrix * fit_.ellipsoid.sigma_zero).norm() / fit_.strength_ut;
 }
 
-void FieldTurn::judge() {
+void FieldTurn::judge(std::optional<double> strength_ut) {
     Eigen::AlignedBox3d box;
     for (const Vector3d& reading : readings_)
         box.extend(reading);
     middle_ = readings_.empty() ? Vector3d(Vector3d::Zero()) : Vector3d(box.center());
-    fit_ = fitMagnetometer(readings_, std::nullopt);
+    fit_ = fitMagnetometer(readings_, strength_ut);
     // A fit from a part of the sphere may lie far off; the middle of the box is safer until it is determined.
     constexpr double kMostZeroSigma = 0.03, kMostCondition = 1e4;
     is_fitted_ = fit_.strength_ut > FieldTurnLimits::kLeastField_ut && fit_.ellipsoid.converged &&
@@ -109,16 +122,12 @@ SpotField spotField(const std::vector<SpotMoment>& moments) {
     const size_t sensors = moments.empty() ? 0 : moments.front().field_ut.size();
     std::vector<double> usual(sensors), dips;
     for (size_t sensor = 0; sensor < sensors; ++sensor) {
-        std::vector<double> lengths;
+        usual[sensor] = usualLength(moments, sensor);
         for (const SpotMoment& moment : moments) {
-            const std::optional<Vector3d>& field = moment.field_ut[sensor];
-            if (!field || !field->allFinite() || !(field->norm() > FieldTurnLimits::kLeastField_ut))
-                continue;
-            lengths.push_back(field->norm());
-            if (moment.up[sensor] && moment.up[sensor]->allFinite() && !moment.up[sensor]->isZero())
-                dips.push_back(dipOf_deg(*field, *moment.up[sensor]));
+            const std::optional<Vector3d>&field = moment.field_ut[sensor], &up = moment.up[sensor];
+            if (isField(field) && up && up->allFinite() && !up->isZero())
+                dips.push_back(dipOf_deg(*field, *up));
         }
-        usual[sensor] = middleOfField(lengths);
     }
     std::vector<double> strengths;
     std::ranges::copy_if(usual, std::back_inserter(strengths), [](double length) { return length > 0; });
@@ -141,6 +150,18 @@ SpotField spotField(const std::vector<SpotMoment>& moments) {
     if (spot.moments > 0)
         spot.strength_sigma_ut = spot.strength_ut * std::sqrt(squares / spot.moments);
     return spot;
+}
+
+std::optional<double> strongerBy_percent(const std::vector<SpotMoment>& earlier,
+                                         const std::vector<SpotMoment>& later) {
+    std::vector<double> changes;
+    for (size_t sensor = 0; !earlier.empty() && !later.empty() && sensor < earlier.front().field_ut.size();
+         ++sensor) {
+        const double before = usualLength(earlier, sensor), after = usualLength(later, sensor);
+        if (before > 0 && after > 0)
+            changes.push_back(100 * (after / before - 1));
+    }
+    return changes.empty() ? std::nullopt : std::optional(middleOfField(changes));
 }
 
 }  // namespace noctule

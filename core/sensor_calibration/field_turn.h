@@ -3,6 +3,7 @@
 // even its field is, and whether it may be calibrated from that. Readings in microtesla of the nominal scale.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "core/sensor_calibration/field_sphere.h"
@@ -17,6 +18,18 @@ struct FieldTurnLimits {
     static constexpr double kMostClipped = 0.05;      ///< share of the readings
     static constexpr double kFullScale_ut = 100;      ///< of the boards' magnetometers
     static constexpr double kLeastField_ut = 5;       ///< the Earth's has 22 to 67
+};
+
+/// Of one magnetometer, as it was sent.
+struct FieldReading {
+    double sample = 0;  ///< on the suit's clock
+    Vector3d counts = Vector3d::Zero();
+
+    /// In microtesla of the nominal scale.
+    Vector3d field_ut() const {
+        constexpr double kMiddle = 2048;
+        return (counts.array() - kMiddle) * (FieldTurnLimits::kFullScale_ut / kMiddle);
+    }
 };
 
 enum class FieldTurnState {
@@ -34,8 +47,9 @@ public:
     void clear() { *this = {}; }
     const std::vector<Vector3d>& readings() const { return readings_; }
 
-    /// Fits what has come; costs about a millisecond. What follows is as of then.
-    void judge();
+    /// Fits what has come; costs about a millisecond. What follows is as of then. `strength_ut` of the field;
+    /// none: as the readings have it.
+    void judge(std::optional<double> strength_ut = std::nullopt);
     FieldTurnState state() const { return state_; }
     const FieldSphere& sphere() const { return sphere_; }
     const MagnetometerFit& fit() const { return fit_; }
@@ -70,9 +84,12 @@ struct SpotField {
     std::optional<double> dip_deg;  ///< below the horizon
     double uneven_percent = 0;      ///< largest change that the sensors share
     int moments = 0;
+    /// How much stronger it is near the floor; none: it was not looked at.
+    std::optional<double> floor_percent = {};
 
     static constexpr double kMostUneven_percent = 5;
     bool isEven() const { return moments > 0 && uneven_percent <= kMostUneven_percent; }
+    bool isBentAtFloor() const { return std::abs(floor_percent.value_or(0)) > kMostUneven_percent; }
 };
 
 /// One moment: a reading of every sensor in microtesla, and what its accelerometer says is up.
@@ -82,5 +99,9 @@ struct SpotMoment {
 
 /// The change at a moment is the median over the sensors, so that one sensor's own iron does not count.
 SpotField spotField(const std::vector<SpotMoment>& moments);
+/// How much stronger the field is in the later moments: median over sensors that were not turned meanwhile,
+/// in percent. None: nothing was read.
+std::optional<double> strongerBy_percent(const std::vector<SpotMoment>& earlier,
+                                         const std::vector<SpotMoment>& later);
 
 }  // namespace noctule

@@ -26,8 +26,6 @@ AxisCalibration drawAxes(Random& random, const Spread& spread) {
 
 }  // namespace
 
-const Vector3d MagnetometerTruth::kWorldField_ut{20, -43.6, 0};
-
 InertialTruth drawInertialTruth(const Board& board, const Scenario& scenario, uint64_t seed, uint64_t index) {
     InertialTruth truth;
     const double misalignment_rad = radians(scenario.axis_misalignment_deg);
@@ -83,8 +81,8 @@ void InertialSensor::feelField(const BoardMotion& motion) {
     if (!mag_)
         return;
     const Vector3d felt_ut =
-        mag_->soft * (motion.q_world_board.conjugate() * MagnetometerTruth::kWorldField_ut) + mag_->hard_ut +
-        mag_noise_.gaussianVector(mag_->noise_ut);
+        mag_->soft * (motion.q_world_board.conjugate() * world_.field_ut(motion.p_world_board_m)) +
+        mag_->hard_ut + mag_noise_.gaussianVector(mag_->noise_ut);
     for (int axis = 0; axis < 3; ++axis)
         field_[static_cast<size_t>(axis)] = static_cast<int>(std::lround(
             std::clamp(2048 + felt_ut[axis] * 2048 / kFieldFullScale_ut, kCountsMin, kCountsMax)));

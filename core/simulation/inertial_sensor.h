@@ -22,10 +22,9 @@ struct ChipTruth {
     double bias_walk_per_sqrt_s = 0;   ///< rad/s or m/s^2 per root of a second
 };
 
-/// The field of the world (48 uT, 65 degrees below the horizon) and what a board's own iron makes of it:
-/// counts of the nominal scale = 2048 + soft * field + hard.
+/// What a board's own iron makes of the world's field: counts of the nominal scale = 2048 + soft * field +
+/// hard.
 struct MagnetometerTruth {
-    static const Vector3d kWorldField_ut;
     Matrix3d soft = Matrix3d::Identity();
     Vector3d hard_ut = Vector3d::Zero();
     double noise_ut = 0;

@@ -227,10 +227,6 @@
         <translation>%1 µT</translation>
     </message>
     <message>
-        <source>Carry it about slowly</source>
-        <translation>Langsam umhertragen</translation>
-    </message>
-    <message>
         <source>Turn it more slowly</source>
         <translation>Langsamer drehen</translation>
     </message>
@@ -279,10 +275,6 @@
         <translation>Kein Magnetometer ist zu hören</translation>
     </message>
     <message>
-        <source>Step Connect shows which sensor is missing and why.</source>
-        <translation>Der Schritt Verbinden zeigt, welcher Sensor fehlt und warum.</translation>
-    </message>
-    <message>
         <source>Field even</source>
         <translation>Feld gleichmäßig</translation>
     </message>
@@ -309,6 +301,101 @@
     <message>
         <source>Lift it and carry it about a little</source>
         <translation>Anheben und ein wenig umhertragen</translation>
+    </message>
+    <message>
+        <source>The field is even down to the floor</source>
+        <translation>Das Feld ist bis zum Boden gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Hold it for a moment more.</source>
+        <translation>Noch einen Augenblick so halten.</translation>
+    </message>
+    <message>
+        <source>Near the floor the field is %1</source>
+        <translation>Am Boden ist das Feld %1</translation>
+    </message>
+    <message>
+        <source>The floor holds steel. Turn the suit up here, at the height of your chest.</source>
+        <translation>Im Boden liegt Stahl. Den Anzug oben drehen, in Brusthöhe.</translation>
+    </message>
+    <message>
+        <source>%1 (sensor %2)</source>
+        <translation>%1 (Sensor %2)</translation>
+    </message>
+    <message>
+        <source>%1 weaker</source>
+        <translation>%1 schwächer</translation>
+    </message>
+    <message>
+        <source>%1 stronger</source>
+        <translation>%1 stärker</translation>
+    </message>
+    <message>
+        <source>%1, even within %2</source>
+        <translation>%1, gleichmäßig auf %2</translation>
+    </message>
+    <message>
+        <source>not looked at</source>
+        <translation>nicht angesehen</translation>
+    </message>
+    <message>
+        <source>%1 of the directions</source>
+        <translation>%1 der Richtungen</translation>
+    </message>
+    <message>
+        <source>No sensor is heard</source>
+        <translation>Kein Sensor ist zu hören</translation>
+    </message>
+    <message>
+        <source>Step Connect shows which one is missing and why.</source>
+        <translation>Der Schritt Verbinden zeigt, welcher fehlt und warum.</translation>
+    </message>
+    <message>
+        <source>The sensors are heard, but send no field. Step Connect shows what they are.</source>
+        <translation>Die Sensoren sind zu hören, senden aber kein Feld. Der Schritt Verbinden zeigt, was für welche es sind.</translation>
+    </message>
+    <message>
+        <source>%1 is not heard</source>
+        <translation>%1 ist nicht zu hören</translation>
+    </message>
+    <message numerus="yes">
+        <source>Push its plug in until it clicks, or skip it. %n sensor(s) are missing.</source>
+        <translation>
+            <numerusform>Den Stecker bis zum Klicken eindrücken oder ihn überspringen. %n Sensor fehlt.</numerusform>
+            <numerusform>Die Stecker bis zum Klicken eindrücken oder sie überspringen. %n Sensoren fehlen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is tilted by %1</source>
+        <translation>Er ist um %1 geneigt</translation>
+    </message>
+    <message>
+        <source>Hold it as it was when this step began; it is turned later.</source>
+        <translation>So halten wie zu Beginn dieses Schrittes; gedreht wird später.</translation>
+    </message>
+    <message>
+        <source>Hold it a hand’s width above the floor</source>
+        <translation>Eine Handbreit über den Boden halten</translation>
+    </message>
+    <message>
+        <source>Without turning it, until the ring is full. Then lift it again.</source>
+        <translation>Ohne ihn zu drehen, bis der Ring voll ist. Dann wieder anheben.</translation>
+    </message>
+    <message>
+        <source>Every sensor has been turned</source>
+        <translation>Jeder Sensor wurde gedreht</translation>
+    </message>
+    <message>
+        <source>Start one anew, begin anew, or use those that are done.</source>
+        <translation>Einen neu beginnen, alles neu beginnen oder die fertigen verwenden.</translation>
+    </message>
+    <message>
+        <source>Sensors heard</source>
+        <translation>Gehörte Sensoren</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -1857,8 +1944,20 @@
         <translation>jeder für sich</translation>
     </message>
     <message>
-        <source>Turn it slowly through all directions</source>
-        <translation>Langsam in alle Richtungen drehen</translation>
+        <source>Field near the floor</source>
+        <translation>Feld am Boden</translation>
+    </message>
+    <message>
+        <source>where steel lies in most houses</source>
+        <translation>wo in den meisten Häusern Stahl liegt</translation>
+    </message>
+    <message>
+        <source>Lower it to the floor</source>
+        <translation>Zum Boden senken</translation>
+    </message>
+    <message>
+        <source>Turn it slowly</source>
+        <translation>Langsam drehen</translation>
     </message>
 </context>
 <context>
@@ -3699,6 +3798,49 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::FieldHeights</name>
+    <message>
+        <source>At the height of the chest: %1. Near the floor: %2.</source>
+        <translation>In Brusthöhe: %1. Am Boden: %2.</translation>
+    </message>
+    <message>
+        <source>not looked at yet</source>
+        <translation>noch nicht angesehen</translation>
+    </message>
+    <message>
+        <source>even within %1</source>
+        <translation>gleichmäßig auf %1</translation>
+    </message>
+    <message>
+        <source>bent by %1</source>
+        <translation>um %1 verbogen</translation>
+    </message>
+    <message>
+        <source>%1: bent</source>
+        <translation>%1: verbogen</translation>
+    </message>
+    <message>
+        <source>%1: even</source>
+        <translation>%1: gleichmäßig</translation>
+    </message>
+    <message>
+        <source>as usual here</source>
+        <translation>wie hier üblich</translation>
+    </message>
+    <message>
+        <source>Near the floor</source>
+        <translation>Am Boden</translation>
+    </message>
+    <message>
+        <source>At the height of the chest</source>
+        <translation>In Brusthöhe</translation>
+    </message>
+    <message>
+        <source>How strong the Earth’s field is, compared with what is usual where you stand. Steel bends it: beyond 5 % a heading is wrong by several degrees.</source>
+        <translation>Wie stark das Erdfeld ist, verglichen mit dem, was hier üblich ist. Stahl verbiegt es: über 5 % ist eine Richtung um mehrere Grad falsch.</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::FieldLive</name>
     <message>
         <source>The page goes on by itself when every sensor has 90 % of all directions. A sensor that stays behind can be done alone afterwards.</source>
@@ -3707,10 +3849,6 @@
     <message>
         <source>%1 of 100 directions, all sensors</source>
         <translation>%1 von 100 Richtungen, alle Sensoren</translation>
-    </message>
-    <message>
-        <source>Field of this spot</source>
-        <translation>Feld an dieser Stelle</translation>
     </message>
     <message>
         <source>%1 so far</source>
@@ -3750,14 +3888,6 @@
     <message>
         <source>Dip</source>
         <translation>Neigung</translation>
-    </message>
-    <message>
-        <source>To the field of this spot once more</source>
-        <translation>Noch einmal zum Feld an dieser Stelle</translation>
-    </message>
-    <message>
-        <source>%1 (sensor %2)</source>
-        <translation>%1 (Sensor %2)</translation>
     </message>
     <message>
         <source>%1 is beyond its range</source>
@@ -3813,6 +3943,46 @@
     <message>
         <source>Nothing has been turned yet.</source>
         <translation>Noch wurde nichts gedreht.</translation>
+    </message>
+    <message>
+        <source>Leave out the floor</source>
+        <translation>Den Boden auslassen</translation>
+    </message>
+    <message>
+        <source>Ask for the skipped ones again</source>
+        <translation>Übersprungene wieder aufnehmen</translation>
+    </message>
+    <message>
+        <source>Near the floor</source>
+        <translation>Am Boden</translation>
+    </message>
+    <message>
+        <source>To the field of this spot once more; what was turned stays</source>
+        <translation>Noch einmal zum Feld dieser Stelle; was gedreht wurde, bleibt</translation>
+    </message>
+    <message>
+        <source>Nothing is known of the floor then; turn the suit at the height of your chest</source>
+        <translation>Vom Boden ist dann nichts bekannt; den Anzug in Brusthöhe drehen</translation>
+    </message>
+    <message>
+        <source>Start sensor %1 anew</source>
+        <translation>Sensor %1 neu beginnen</translation>
+    </message>
+    <message>
+        <source>Skip sensor %1</source>
+        <translation>Sensor %1 überspringen</translation>
+    </message>
+    <message>
+        <source>%1 is not heard</source>
+        <translation>%1 ist nicht zu hören</translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks; if its light stays dark, change the cable.</source>
+        <translation>Den Stecker bis zum Klicken eindrücken; bleibt sein Licht dunkel, das Kabel tauschen.</translation>
+    </message>
+    <message>
+        <source>This is the first step.</source>
+        <translation>Das ist der erste Schritt.</translation>
     </message>
 </context>
 <context>
@@ -10650,6 +10820,14 @@ Drehen, beide Richtungen x3</translation>
         <source>Set-up</source>
         <translation>Aufbau</translation>
     </message>
+    <message>
+        <source>%1 of the directions are kept, too.</source>
+        <translation>Auch %1 der Richtungen sind aufgehoben.</translation>
+    </message>
+    <message>
+        <source>%1 of the directions were seen on %2 and are kept.</source>
+        <translation>%1 der Richtungen wurden am %2 gesehen und sind aufgehoben.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::WizardLive</name>
@@ -10783,6 +10961,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>No board of this suit has a magnetometer.</source>
         <translation>Keine Platine dieses Anzugs hat ein Magnetometer.</translation>
+    </message>
+    <message>
+        <source>Keeping %1</source>
+        <translation>Aufheben: %1</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>FieldText</name>
+    <message numerus="yes">
+        <source>Push its plug in until it clicks, or skip it. %n sensor(s) are missing.</source>
+        <translation>
+            <numerusform>Push its plug in until it clicks, or skip it. %n sensor is missing.</numerusform>
+            <numerusform>Push its plug in until it clicks, or skip it. %n sensors are missing.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>JobWords</name>
     <message numerus="yes">
         <source>%n s left</source>

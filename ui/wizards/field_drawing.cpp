@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLookUp_rad = radians(-14);  ///< from a little below, so that the lower pole is seen
 constexpr double kManyReadings = 8;
-constexpr int kHead = 34, kFieldFoot = 62, kEdgePoints = 8;
+constexpr int kHead = 34, kFieldFoot = 62, kEdgePoints = 8, kNarrow = 640;
 
 /// In the drawing's axes: x right, y up, z towards the eye.
 Vector3d asSeen(const Vector3d& direction, bool is_behind) {
@@ -61,6 +61,9 @@ FieldDrawing::FieldDrawing(QWidget* parent) : QWidget(parent) {
         updateGeometry();
         update();
     });
+    setToolTip(
+        tr("Each field is a direction the Earth’s field was seen from, by the sensor that has seen it "
+           "least."));
     show(FieldSphere{}, std::nullopt);
 }
 
@@ -73,11 +76,11 @@ void FieldDrawing::show(const FieldSphere& sphere, std::optional<FieldSide> empt
 }
 
 QSize FieldDrawing::sizeHint() const {
-    return QSize(Theme::get().px(720), Theme::get().px(410));
+    return QSize(Theme::get().px(720), Theme::get().px(230));
 }
 
 QSize FieldDrawing::minimumSizeHint() const {
-    return QSize(Theme::get().px(320), Theme::get().px(200));
+    return QSize(Theme::get().px(320), Theme::get().px(140));
 }
 
 void FieldDrawing::paintCell(QPainter& painter, const Globe& globe, int cell) const {
@@ -189,15 +192,16 @@ void FieldDrawing::paintEvent(QPaintEvent*) {
                          Qt::AlignLeft | Qt::AlignVCenter,
                          is_behind ? tr("Seen from behind") : tr("Seen from the front"));
     }
-    paintScale(painter, row);
+    const QRect last(margin, height() - theme.px(24), width() - 2 * margin, theme.px(18));
+    // Where both heads leave no room for it, the scale stands below.
+    const bool is_narrow = width() < theme.px(kNarrow);
+    paintScale(painter, is_narrow ? last : row);
+    if (is_narrow)
+        return;
     painter.setFont(theme.font(TextRole::kCaption));
     painter.setPen(theme.tokens().t3);
-    const QRect last(margin, height() - theme.px(24), width() - 2 * margin, theme.px(18));
     painter.drawText(last, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(
-                         tr("Each field is a direction the Earth’s field was seen from, by the sensor that "
-                            "has seen it least."),
-                         Qt::ElideRight, last.width()));
+                     painter.fontMetrics().elidedText(toolTip(), Qt::ElideRight, last.width()));
 }
 
 }  // namespace noctule::ui

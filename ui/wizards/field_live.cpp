@@ -11,32 +11,45 @@
 #include "ui/widgets/bar_meter.h"
 #include "ui/widgets/icon_label.h"
 #include "ui/widgets/label.h"
+#include "ui/widgets/scroll_area.h"
 #include "ui/wizards/field_drawing.h"
+#include "ui/wizards/field_heights.h"
 #include "ui/wizards/field_words.h"
+#include "ui/wizards/headline.h"
 #include "ui/wizards/hold_ring.h"
 #include "ui/wizards/tone_card.h"
 
 namespace noctule::ui {
+namespace {
+
+constexpr double kLargeText = 1.25;
+
+}  // namespace
 
 FieldLive::FieldLive(QWidget* parent)
     : QWidget(parent),
       head_(new Label({}, TextRole::kSection, Ink::kLabel)),
       so_far_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
-      instruction_(new Label({}, TextRole::kInstruction, Ink::kValue, true)),
+      instruction_(new Headline),
       drawing_(new FieldDrawing),
+      heights_(new FieldHeights),
       ring_(new HoldRing),
       sentence_(new Label({}, TextRole::kVerdict, Ink::kValue, true)),
       detail_(new Label({}, TextRole::kSection, Ink::kLabel)),
       foot_(new Label(tr("The page goes on by itself when every sensor has 90 % of all directions. A sensor "
                          "that stays behind can be done alone afterwards."),
                       TextRole::kSecondary, Ink::kLabel)) {
-    auto* column = makeColumn(this, {32, 20, 32, 20}, 12);
+    // With large text it is higher than a small window and scrolls.
+    auto* content = new QWidget;
+    makeColumn(this)->addWidget(new ScrollArea(content));
+    auto* column = makeColumn(content, {32, 16, 32, 16}, 12);
     auto* head = addRow(column);
-    head->addWidget(head_);
-    head->addStretch();
+    so_far_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    head->addWidget(head_->wrapped(), 1);
     head->addWidget(so_far_);
-    column->addWidget(instruction_->wrapped());
+    column->addWidget(instruction_);
     column->addWidget(drawing_, 1);
+    column->addWidget(heights_, 1);
     column->addWidget(makeSentence());
     column->addWidget(makeChecks());
     column->addWidget(foot_->wrapped());
@@ -53,7 +66,6 @@ QWidget* FieldLive::makeSentence() {
     column->addWidget(detail_->wrapped());
     column->addStretch();
     row->addWidget(words, 1);
-    keepMinimumHeight(*card_, 100);
     return card_;
 }
 
@@ -64,14 +76,22 @@ QWidget* FieldLive::makeChecks() {
         auto* one = new QWidget;
         auto* column = makeColumn(one, {}, 6);
         auto* head = addRow(column, 6);
+        auto* name = addRow(head, 6);
         check.icon = new IconLabel("check", [] { return colorOf(Ink::kOk); });
         check.name = new Label({}, TextRole::kSecondary, Ink::kOk, true);
         check.value = new Label({}, TextRole::kSecondary, Ink::kLabel);
         check.bar = new BarMeter;
-        head->addWidget(check.icon);
-        head->addWidget(check.name);
-        head->addStretch();
+        name->addWidget(check.icon);
+        name->addWidget(check.name);
+        name->addStretch();
         head->addWidget(check.value);
+        // Large text has no room for both side by side.
+        const auto arrange = [head] {
+            const bool is_large = Theme::get().scale() > kLargeText;
+            head->setDirection(is_large ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+        };
+        connect(&Theme::get(), &Theme::changed, one, arrange);
+        arrange();
         column->addWidget(check.bar);
         row->addWidget(one, 1);
     }
@@ -100,13 +120,20 @@ void FieldLive::refresh() {
     const FieldGuide* guide = run_ ? run_->fieldGuide() : nullptr;
     if (!guide)
         return;
-    const bool turns = guide->isDone(FieldGuide::kSpot);
+    const int step = run_->step();
+    const bool turns = step == FieldGuide::kTurn;
     const double share = guide->leastShare();
     head_->setText(turns ? tr("%1 of 100 directions, all sensors").arg(guide->sphere().seen())
-                         : tr("Field of this spot"));
+                         : run_->stepWords(step).name);
     so_far_->setText(tr("%1 so far").arg(timeText(run_->secondsSoFar(), 0)));
     instruction_->setText(fieldInstruction(*run_));
-    drawing_->show(guide->sphere(), turns ? guide->sphere().emptySide() : std::nullopt);
+    drawing_->setVisible(turns);
+    heights_->setVisible(!turns);
+    foot_->setVisible(turns);
+    if (turns)
+        drawing_->show(guide->sphere(), guide->sphere().emptySide());
+    else
+        heights_->show(guide->spot(), step == FieldGuide::kFloor, guide->strongerNow_percent());
     const LiveSentence now = fieldSentence(*run_);
     card_->setTone(now.tone);
     sentence_->setText(now.sentence);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The middle of the magnetometers' wizard: what to do in words that are read from three metres, the sphere of
-// directions that fills, one sentence beside the ring with the percentage, and three checks.
+// directions that fills (before that, where the room bends the field), one sentence beside the ring with the
+// percentage, and three checks.
 #pragma once
 
 #include <QWidget>
@@ -10,6 +11,8 @@ namespace noctule::ui {
 
 class BarMeter;
 class FieldDrawing;
+class FieldHeights;
+class Headline;
 class HoldRing;
 class IconLabel;
 class Label;
@@ -37,8 +40,10 @@ private:
     void showChecks();
 
     WizardRun* run_ = nullptr;
-    Label *head_, *so_far_, *instruction_;
+    Label *head_, *so_far_;
+    Headline* instruction_;
     FieldDrawing* drawing_;
+    FieldHeights* heights_;
     ToneCard* card_ = nullptr;
     HoldRing* ring_;
     Label *sentence_, *detail_, *foot_;

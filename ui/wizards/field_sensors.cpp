@@ -25,10 +25,13 @@ FieldSensors::FieldSensors(QWidget* parent)
       skip_(card_->addAction(tr("Skip it"))),
       strength_(new Label({}, TextRole::kSecondary)),
       dip_(new Label({}, TextRole::kSecondary)),
+      floor_(new Label({}, TextRole::kSecondary)),
       words_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       anew_(makeButton(ButtonKind::kOutlined, tr("Begin anew"), "loop")),
       enough_(makeButton(ButtonKind::kOutlined, {})),
-      back_(makeButton(ButtonKind::kText, tr("Back"))) {
+      back_(makeButton(ButtonKind::kText, tr("Back"))),
+      without_floor_(makeButton(ButtonKind::kOutlined, tr("Leave out the floor"))),
+      unskip_(makeButton(ButtonKind::kText, tr("Ask for the skipped ones again"))) {
     auto* column = makeColumn(this);
     auto* scrolled = new QWidget;
     auto* scrolled_column = makeColumn(scrolled, {0, 8, 0, 8}, 8);
@@ -54,10 +57,9 @@ FieldSensors::FieldSensors(QWidget* parent)
     connect(skip_, &QPushButton::clicked, this, &FieldSensors::skipSensor);
     connect(anew_, &QPushButton::clicked, this, [this] { run_->repeat(FieldGuide::kTurn); });
     connect(enough_, &QPushButton::clicked, this, [this] { run_->useThoseDone(); });
-    connect(back_, &QPushButton::clicked, this, [this] {
-        run_->repeat(FieldGuide::kTurn);
-        run_->repeat(FieldGuide::kSpot);
-    });
+    connect(back_, &QPushButton::clicked, this, [this] { run_->lookAtSpotAgain(); });
+    connect(without_floor_, &QPushButton::clicked, this, [this] { run_->leaveOutFloor(); });
+    connect(unskip_, &QPushButton::clicked, this, &FieldSensors::unskipAll);
 }
 
 QWidget* FieldSensors::makeSpot() {
@@ -72,6 +74,7 @@ QWidget* FieldSensors::makeSpot() {
     };
     add(tr("Strength"), strength_);
     add(tr("Dip"), dip_);
+    add(tr("Near the floor"), floor_);
     return spot;
 }
 
@@ -79,12 +82,16 @@ QWidget* FieldSensors::makeFoot() {
     auto* foot = new QWidget;
     auto* column = makeColumn(foot, {12, 4, 12, 12}, 8);
     column->addWidget(words_->wrapped());
+    column->addWidget(unskip_, 0, Qt::AlignLeft);
+    column->addWidget(without_floor_);
     column->addWidget(enough_);
     auto* row = addRow(column, 8);
     row->addWidget(anew_);
     row->addStretch();
     row->addWidget(back_);
-    back_->setToolTip(tr("To the field of this spot once more"));
+    back_->setToolTip(tr("To the field of this spot once more; what was turned stays"));
+    without_floor_->setToolTip(
+        tr("Nothing is known of the floor then; turn the suit at the height of your chest"));
     return foot;
 }
 
@@ -101,6 +108,8 @@ void FieldSensors::setRun(WizardRun* run) {
 /// The first that cannot be used as it is.
 int FieldSensors::troubledBoard() const {
     const FieldGuide* guide = run_ ? run_->fieldGuide() : nullptr;
+    if (guide && guide->guidance().hindrance == Hindrance::kAbsent)
+        return guide->guidance().board;
     for (int board = 0; guide && board < static_cast<int>(run_->suit().boards.size()); ++board) {
         const FieldTurnState state = guide->turnOf(board).state();
         const bool is_well = state == FieldTurnState::kGoing || state == FieldTurnState::kDone;
@@ -120,8 +129,15 @@ void FieldSensors::showTrouble(int board) {
     if (board < 0)
         return;
     const FieldTurn& turn = run_->fieldGuide()->turnOf(board);
-    const QString name =
-        tr("%1 (sensor %2)").arg(boardName(run_->suit().boards[static_cast<size_t>(board)])).arg(board + 1);
+    const QString name = sensorName(*run_, board);
+    const bool absent = run_->fieldGuide()->guidance().hindrance == Hindrance::kAbsent;
+    sensor_anew_->setVisible(!absent);
+    sensor_anew_->setText(tr("Start sensor %1 anew").arg(board + 1));
+    skip_->setText(tr("Skip sensor %1").arg(board + 1));
+    if (absent)
+        return card_->setTexts(tr("%1 is not heard").arg(name),
+                               tr("Push its plug in until it clicks; if its light stays dark, change the "
+                                  "cable."));
     switch (turn.state()) {
         case FieldTurnState::kClipped:
             return card_->setTexts(tr("%1 is beyond its range").arg(name),
@@ -155,18 +171,39 @@ void FieldSensors::refresh() {
     const int done = guide->enoughBoards();
     count_->setText(tr("%1 of %2 have enough").arg(done).arg(asked));
     showTrouble(troubledBoard());
-    const SpotField& spot = guide->spot();
-    strength_->setText(spot.moments > 0 ? microteslaText(spot.strength_ut, spot.strength_sigma_ut)
-                                        : QStringLiteral("–"));
-    dip_->setText(spot.dip_deg ? tr("%1 down").arg(degreesText(radians(*spot.dip_deg), 0))
-                               : QStringLiteral("–"));
-    enough_->setText(tr("Use the %n that are done", nullptr, done));
-    enough_->setDisabledBecause(done > 0 ? QString() : tr("No sensor has 90 % of the directions yet."));
-    const QString nothing = guide->isDone(FieldGuide::kSpot) ? QString() : tr("Nothing has been turned yet.");
-    anew_->setDisabledBecause(nothing);
-    back_->setDisabledBecause(nothing);
+    showSpot(guide->spot());
+    showWaysOn(*guide, done);
     words_->setVisible(!run_->trouble().isEmpty());
     words_->setText(run_->trouble());
+}
+
+void FieldSensors::showSpot(const SpotField& spot) {
+    const QString unknown = QStringLiteral("–");
+    strength_->setText(spot.moments > 0 ? microteslaText(spot.strength_ut, spot.strength_sigma_ut) : unknown);
+    dip_->setText(spot.dip_deg ? tr("%1 down").arg(degreesText(radians(*spot.dip_deg), 0)) : unknown);
+    floor_->setText(spot.floor_percent ? strongerText(*spot.floor_percent) : unknown);
+    floor_->setInk(spot.isBentAtFloor() ? Ink::kWarn : Ink::kValue);
+}
+
+void FieldSensors::showWaysOn(const FieldGuide& guide, int done) {
+    enough_->setText(tr("Use the %n that are done", nullptr, done));
+    enough_->setDisabledBecause(done > 0 ? QString() : tr("No sensor has 90 % of the directions yet."));
+    const bool turns = run_->step() == FieldGuide::kTurn;
+    anew_->setDisabledBecause(turns ? QString() : tr("Nothing has been turned yet."));
+    back_->setDisabledBecause(guide.isDone(FieldGuide::kSpot) ? QString() : tr("This is the first step."));
+    without_floor_->setVisible(run_->step() == FieldGuide::kFloor);
+    enough_->setVisible(turns);
+    bool any_skipped = false;
+    for (int board = 0; board < static_cast<int>(run_->suit().boards.size()); ++board)
+        any_skipped |= guide.hasField(board) && guide.isSkipped(board);
+    unskip_->setVisible(any_skipped);
+}
+
+void FieldSensors::unskipAll() {
+    const FieldGuide* guide = run_->fieldGuide();
+    for (int board = 0; guide && board < static_cast<int>(run_->suit().boards.size()); ++board)
+        if (guide->hasField(board))
+            run_->skip(board, false);
 }
 
 }  // namespace noctule::ui

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include "core/guide/field_guide.h"
+
 namespace noctule::ui {
 
 class Button;
@@ -24,6 +26,7 @@ public:
     Button* anewButton() { return anew_; }
     Button* sensorAnewButton() { return sensor_anew_; }
     Button* skipButton() { return skip_; }
+    Button* withoutFloorButton() { return without_floor_; }
     void skipSensor();
 
 private:
@@ -31,6 +34,9 @@ private:
     QWidget* makeFoot();
     void refresh();
     void showTrouble(int board);
+    void showSpot(const SpotField& spot);
+    void showWaysOn(const FieldGuide& guide, int done);
+    void unskipAll();
     int troubledBoard() const;
 
     WizardRun* run_ = nullptr;
@@ -38,8 +44,8 @@ private:
     FieldTable* table_;
     ProblemCard* card_;
     Button *sensor_anew_, *skip_;
-    Label *strength_, *dip_, *words_;
-    Button *anew_, *enough_, *back_;
+    Label *strength_, *dip_, *floor_, *words_;
+    Button *anew_, *enough_, *back_, *without_floor_, *unskip_;
 };
 
 }  // namespace noctule::ui

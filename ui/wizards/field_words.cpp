@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/models/part_names.h"
 #include "ui/style/words.h"
 
 namespace noctule::ui {
@@ -42,6 +43,23 @@ LiveSentence missingDirections(const FieldGuide& guide) {
             how};
 }
 
+/// While a step is right: it goes on by itself.
+LiveSentence rightField(const FieldGuide& guide) {
+    const Guidance& now = guide.guidance();
+    if (now.step == FieldGuide::kSpot)
+        return {Tone::kOk, FieldText::tr("The field is even here"),
+                FieldText::tr("Go on carrying it about for a moment.")};
+    if (now.step == FieldGuide::kTurn)
+        return {Tone::kOk, FieldText::tr("Every sensor has enough"),
+                FieldText::tr("The calibration begins by itself.")};
+    if (!guide.spot().isBentAtFloor())
+        return {Tone::kOk, FieldText::tr("The field is even down to the floor"),
+                FieldText::tr("Hold it for a moment more.")};
+    return {Tone::kWarn,
+            FieldText::tr("Near the floor the field is %1").arg(strongerText(*guide.spot().floor_percent)),
+            FieldText::tr("The floor holds steel. Turn the suit up here, at the height of your chest.")};
+}
+
 }  // namespace
 
 QString sideName(FieldSide side) {
@@ -68,10 +86,35 @@ QString microteslaText(double value_ut, std::optional<double> sigma_ut) {
                     : FieldText::tr("%1 µT").arg(value);
 }
 
+QString sensorName(const WizardRun& run, int board) {
+    return FieldText::tr("%1 (sensor %2)")
+        .arg(boardName(run.suit().boards[static_cast<size_t>(board)]))
+        .arg(board + 1);
+}
+
+QString strongerText(double percent) {
+    const QString share = percentText(std::abs(percent) / 100);
+    return percent < 0 ? FieldText::tr("%1 weaker").arg(share) : FieldText::tr("%1 stronger").arg(share);
+}
+
+QString fieldFound(const FieldGuide& guide, int step) {
+    if (!guide.isDone(step))
+        return {};
+    const SpotField& spot = guide.spot();
+    if (step == FieldGuide::kSpot)
+        return FieldText::tr("%1, even within %2")
+            .arg(microteslaText(spot.strength_ut), percentText(spot.uneven_percent / 100, 1));
+    if (step == FieldGuide::kFloor)
+        return spot.floor_percent ? strongerText(*spot.floor_percent) : FieldText::tr("not looked at");
+    return FieldText::tr("%1 of the directions").arg(percentText(guide.leastShare()));
+}
+
 QString fieldInstruction(const WizardRun& run) {
     const FieldGuide* guide = run.fieldGuide();
-    if (!guide || !guide->isDone(FieldGuide::kSpot))
-        return FieldText::tr("Carry it about slowly");
+    if (!guide)
+        return {};
+    if (!guide->isDone(FieldGuide::kTurn) && run.step() != FieldGuide::kTurn)
+        return run.stepWords(run.step()).instruction;
     if (guide->turning_deg_per_s() > FieldGuide::kFastest_deg_per_s)
         return FieldText::tr("Turn it more slowly");
     const auto angle_deg = angleToEmpty_deg(*guide);
@@ -88,6 +131,20 @@ LiveSentence fieldSentence(const WizardRun& run) {
         return sentenceOf(run);
     const Guidance& now = guide->guidance();
     switch (now.hindrance) {
+        case Hindrance::kNoReadings:
+            return {Tone::kError, FieldText::tr("No sensor is heard"),
+                    FieldText::tr("Step Connect shows which one is missing and why.")};
+        case Hindrance::kNoField:
+            return {Tone::kError, FieldText::tr("No magnetometer is heard"),
+                    FieldText::tr("The sensors are heard, but send no field. Step Connect shows what they "
+                                  "are.")};
+        case Hindrance::kAbsent:
+            return {Tone::kError, FieldText::tr("%1 is not heard").arg(sensorName(run, now.board)),
+                    FieldText::tr("Push its plug in until it clicks, or skip it. %n sensor(s) are missing.",
+                                  nullptr, now.hindering)};
+        case Hindrance::kTilted:
+            return {Tone::kNeutral, FieldText::tr("It is tilted by %1").arg(degreesText(now.value, 0)),
+                    FieldText::tr("Hold it as it was when this step began; it is turned later.")};
         case Hindrance::kBentField:
             return {
                 Tone::kWarn,
@@ -97,32 +154,44 @@ LiveSentence fieldSentence(const WizardRun& run) {
         case Hindrance::kCarry:
             return {Tone::kNeutral, FieldText::tr("Lift it and carry it about a little"),
                     FieldText::tr("Half a metre to each side and up and down, without turning it.")};
+        case Hindrance::kLower:
+            return {Tone::kNeutral, FieldText::tr("Hold it a hand’s width above the floor"),
+                    FieldText::tr("Without turning it, until the ring is full. Then lift it again.")};
         case Hindrance::kTurnOn:
             return missingDirections(*guide);
+        case Hindrance::kDone:
+            return {Tone::kOk, FieldText::tr("Every sensor has been turned"),
+                    FieldText::tr("Start one anew, begin anew, or use those that are done.")};
         case Hindrance::kNone:
-            return {Tone::kOk,
-                    now.step == FieldGuide::kSpot ? FieldText::tr("The field is even here")
-                                                  : FieldText::tr("Every sensor has enough"),
-                    now.step == FieldGuide::kSpot ? FieldText::tr("Go on carrying it about for a moment.")
-                                                  : FieldText::tr("The calibration begins by itself.")};
+            return rightField(*guide);
         default:
-            return {Tone::kError, FieldText::tr("No magnetometer is heard"),
-                    FieldText::tr("Step Connect shows which sensor is missing and why.")};
+            return sentenceOf(run);
     }
 }
 
+/// Directions are counted from when it is turned.
 std::vector<LiveMeasure> fieldMeasures(const FieldGuide& guide) {
     const double uneven = guide.spot().uneven_percent, fastest = FieldGuide::kFastest_deg_per_s;
     const double turning = guide.turning_deg_per_s(), share = guide.leastShare();
-    return {{FieldText::tr("Field even"),
-             FieldText::tr("%1, limit %2")
-                 .arg(percentText(uneven / 100, 1), numberText(SpotField::kMostUneven_percent, 0)),
-             std::min(1.0, uneven / SpotField::kMostUneven_percent), guide.spot().isEven()},
-            {FieldText::tr("Turning slowly"),
-             FieldText::tr("%1°/s, limit %2").arg(numberText(turning, 0), numberText(fastest, 0)),
-             std::min(1.0, turning / fastest), turning <= fastest},
-            {FieldText::tr("Directions"), FieldText::tr("%1, good: over 90").arg(percentText(share)), share,
-             share >= FieldTurnLimits::kEnoughShare}};
+    const Guidance& now = guide.guidance();
+    std::vector<LiveMeasure> measures = {
+        {FieldText::tr("Field even"),
+         FieldText::tr("%1, limit %2")
+             .arg(percentText(uneven / 100, 1), numberText(SpotField::kMostUneven_percent, 0)),
+         std::min(1.0, uneven / SpotField::kMostUneven_percent), guide.spot().isEven()},
+        {FieldText::tr("Turning slowly"),
+         FieldText::tr("%1°/s, limit %2").arg(numberText(turning, 0), numberText(fastest, 0)),
+         std::min(1.0, turning / fastest), turning <= fastest}};
+    if (guide.isDone(FieldGuide::kFloor))
+        measures.push_back({FieldText::tr("Directions"),
+                            FieldText::tr("%1, good: over 90").arg(percentText(share)), share,
+                            share >= FieldTurnLimits::kEnoughShare});
+    else
+        measures.push_back({FieldText::tr("Sensors heard"),
+                            FieldText::tr("%1 of %2").arg(now.right_boards).arg(now.asked_boards),
+                            static_cast<double>(now.right_boards) / std::max(1, now.asked_boards),
+                            now.right_boards == now.asked_boards});
+    return measures;
 }
 
 }  // namespace noctule::ui

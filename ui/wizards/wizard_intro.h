@@ -36,6 +36,7 @@ public:
 private:
     void makeWords();
     void refresh();
+    QString keptWords() const;
     void chooseDistances();
     void chooseTakes();
 

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/models/part_names.h"
 #include "ui/models/voice.h"
@@ -20,6 +21,11 @@
 #include "ui/wizards/wizard_result.h"
 
 namespace noctule::ui {
+namespace {
+
+constexpr int kMostShown = 20;  ///< readings of one direction; more look the same
+
+}  // namespace
 
 WizardPage::WizardPage(Studio& studio, QWidget* parent)
     : QStackedWidget(parent),
@@ -130,12 +136,24 @@ void WizardPage::refresh() {
             break;
         case Phase::kResult:
             if (currentWidget() != result_)
-                result_->setDocument(run_->result()->document,
-                                     partNames(run_->guide() ? run_->suit() : studio_.suit().suit()));
+                showResult();
             setCurrentWidget(result_);
             side_->setCurrentWidget(result_side_);
             break;
     }
+}
+
+void WizardPage::showResult() {
+    const CalibrationResult& result = *run_->result();
+    result_->setDocument(result.document, partNames(run_->guide() ? run_->suit() : studio_.suit().suit()));
+    const auto counts = result.json.find("sphere");
+    if (counts == result.json.end() || counts->size() != FieldSphere::kCells)
+        return;
+    FieldSphere sphere;
+    for (size_t cell = 0; cell < counts->size(); ++cell)
+        for (int count = std::min((*counts)[cell].get<int>(), kMostShown); count > 0; --count)
+            sphere.add(FieldSphere::cells()[cell].middle());
+    result_->addSphere(sphere);
 }
 
 /// Heard with one's back to the screen: all is right, keep still.
@@ -155,7 +173,9 @@ bool WizardPage::handleKey(int key) {
             field_sensors_->skipSensor();
         else if (key == Qt::Key_V)
             run_->setTones(!run_->tones());
-        return key == Qt::Key_S || key == Qt::Key_V;
+        else if (key == Qt::Key_Backspace)
+            run_->goBack();
+        return key == Qt::Key_S || key == Qt::Key_V || key == Qt::Key_Backspace;
     }
     if (!run_ || currentWidget() != live_)
         return false;

@@ -52,6 +52,7 @@ signals:
 
 private:
     void refresh();
+    void showResult();
     void followGuide();
 
     Studio& studio_;

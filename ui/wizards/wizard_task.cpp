@@ -98,6 +98,20 @@ WizardWords magnetometers() {
             TaskText::tr("Put all sensors in a bag")};
 }
 
+StepWords fieldStep(int step) {
+    switch (step) {
+        case FieldGuide::kSpot:
+            return {TaskText::tr("Field of this spot"), TaskText::tr("strength, dip, evenness"),
+                    TaskText::tr("Carry it about slowly")};
+        case FieldGuide::kFloor:
+            return {TaskText::tr("Field near the floor"), TaskText::tr("where steel lies in most houses"),
+                    TaskText::tr("Lower it to the floor")};
+        default:
+            return {TaskText::tr("Turn through all directions"), TaskText::tr("each by itself"),
+                    TaskText::tr("Turn it slowly")};
+    }
+}
+
 WizardWords restPose() {
     return {TaskText::tr("Rest pose"),
             "rest_pose",
@@ -191,7 +205,7 @@ QString takeKindOf(WizardTask task) {
 
 double holdOf(WizardTask task) {
     // A turn at 33 1/3 rpm takes 1.8 s: gravity's ripple wants some of them.
-    constexpr double kHolds_s[] = {6, 4, 8, 2, 5, MovementGuide::kMove_s, 3};
+    constexpr double kHolds_s[] = {6, 4, 8, 1.5, 5, MovementGuide::kMove_s, 3};
     return kHolds_s[static_cast<int>(task)];
 }
 
@@ -215,13 +229,7 @@ StepWords stepWordsOf(WizardTask task, int step, int up, const QString& label) {
             return {TaskText::tr("Turn %1").arg(step + 1), TaskText::tr(kSides[up].hint),
                     TaskText::tr(kSides[up].table)};
         case WizardTask::kMagnetometers:
-            return step == FieldGuide::kSpot
-                       ? StepWords{TaskText::tr("Field of this spot"),
-                                   TaskText::tr("strength, dip, evenness"),
-                                   TaskText::tr("Carry it about slowly")}
-                       : StepWords{TaskText::tr("Turn through all directions"),
-                                   TaskText::tr("each by itself"),
-                                   TaskText::tr("Turn it slowly through all directions")};
+            return fieldStep(step);
         case WizardTask::kMovement:
             return {TaskText::tr(kExercises[step].name), TaskText::tr("from the rest pose"),
                     TaskText::tr(kExercises[step].instruction)};

@@ -44,13 +44,25 @@ protected:
         }
         return guide_->look(now);
     }
-    void carry() {
+    void carryAtChest() {
         for (int i = 0; i < 40; ++i)
             look({20, -43.6, 0}, true);
         ASSERT_TRUE(guide_->guidance().isRight()) << static_cast<int>(guide_->guidance().hindrance);
         guide_->take();
         ASSERT_TRUE(guide_->isDone(FieldGuide::kSpot));
     }
+    void carry() {
+        carryAtChest();
+        guide_->leaveOutFloor();
+    }
+    /// Lowered within a second, then held above a floor where the field is `times` as strong.
+    void lower(double times) {
+        for (int i = 0; i < 7; ++i)
+            look((1 + (times - 1) * i / 7) * kEarth, true);
+        for (int i = 0; i < 20; ++i)
+            look(times * kEarth, false);
+    }
+    static inline const Vector3d kEarth{20, -43.6, 0};
     Vector3d anyDirection() {
         return 48 * Vector3d(normal_(random_), normal_(random_), normal_(random_)).normalized();
     }
@@ -80,6 +92,90 @@ TEST_F(FieldGuideTest, TheSpotThenAllDirections) {
     EXPECT_EQ(guide_->turnOf(0).readings().size(), 0u);
 }
 
+TEST_F(FieldGuideTest, TheFloorIsLookedAtOnceTheSuitIsDownThere) {
+    begin(suitWithField(4));
+    carryAtChest();
+    for (int i = 0; i < 30; ++i)
+        EXPECT_EQ(look(kEarth, false).hindrance, Hindrance::kLower) << "it was not moved yet";
+    EXPECT_FALSE(guide_->spot().floor_percent);
+    lower(1.2);
+    EXPECT_TRUE(guide_->guidance().isRight()) << static_cast<int>(guide_->guidance().hindrance);
+    guide_->take();
+    ASSERT_TRUE(guide_->spot().floor_percent);
+    EXPECT_NEAR(*guide_->spot().floor_percent, 20, 4) << "the boards' own magnets are in it";
+    EXPECT_TRUE(guide_->spot().isBentAtFloor());
+    EXPECT_EQ(look(anyDirection(), true).hindrance, Hindrance::kTurnOn) << "a bent floor holds nobody up";
+    guide_->repeat(FieldGuide::kFloor);
+    EXPECT_FALSE(guide_->spot().floor_percent);
+    lower(1);
+    EXPECT_TRUE(guide_->guidance().isRight());
+    EXPECT_FALSE(guide_->spot().isBentAtFloor());
+}
+
+TEST_F(FieldGuideTest, TiltedAtTheFloorItIsNotCompared) {
+    begin(suitWithField(4));
+    carryAtChest();
+    rig_->lay({0, +1});
+    lower(1);
+    EXPECT_EQ(guide_->guidance().hindrance, Hindrance::kTilted);
+    EXPECT_NEAR(degrees(guide_->guidance().value), 90, 1);
+}
+
+/// Each hindrance has a name of its own, so that the page can say it.
+TEST_F(FieldGuideTest, WhoIsNotHeardIsTold) {
+    begin(suitWithField(3));
+    look(kEarth, true);
+    for (BoardHealth& board : rig_->report().boards)
+        board.field.reset();
+    EXPECT_EQ(guide_->look(rig_->after(0.1)).hindrance, Hindrance::kNoField);
+    for (BoardHealth& board : rig_->report().boards)
+        board.silent = true;
+    EXPECT_EQ(guide_->look(rig_->after(0.1)).hindrance, Hindrance::kNoReadings);
+    for (BoardHealth& board : rig_->report().boards)
+        board.silent = false;
+    carry();
+    rig_->board(1).silent = true;
+    look(anyDirection(), true);
+    EXPECT_EQ(guide_->guidance().hindrance, Hindrance::kAbsent);
+    EXPECT_EQ(guide_->guidance().board, 1);
+    EXPECT_EQ(guide_->guidance().hindering, 1);
+    guide_->skip(1, true);
+    EXPECT_EQ(look(anyDirection(), true).hindrance, Hindrance::kTurnOn);
+}
+
+TEST_F(FieldGuideTest, AMagnetometerThatFallsSilentLeavesNoOldReadingBehind) {
+    begin(suitWithField(2));
+    carry();
+    look(anyDirection(), true);
+    const size_t before = guide_->readingsOf(1).size();
+    const auto last = rig_->board(1).field;
+    for (int i = 0; i < 20; ++i) {
+        rig_->after(0.1);
+        rig_->board(0).field = BoardHealth::Field{static_cast<double>(rig_->report().sample), last->counts};
+        guide_->look(rig_->report());
+    }
+    EXPECT_EQ(guide_->guidance().hindrance, Hindrance::kAbsent);
+    EXPECT_EQ(guide_->guidance().board, 1);
+    EXPECT_EQ(guide_->readingsOf(1).size(), before);
+}
+
+TEST_F(FieldGuideTest, WhatWasKeptIsGoneOnWith) {
+    begin(suitWithField(2));
+    carry();
+    for (int i = 0; i < 300; ++i)
+        look(anyDirection(), true);
+    const double share = guide_->turnOf(0).sphere().share();
+    ASSERT_GT(share, 0.3);
+    const std::vector<FieldReading> kept = guide_->readingsOf(0);
+    begin(suitWithField(2));
+    guide_->give(0, kept);
+    EXPECT_EQ(guide_->readingsOf(0).size(), kept.size());
+    EXPECT_NEAR(guide_->turnOf(0).sphere().share(), share, 0.15) << "judged anew, from all of them";
+    EXPECT_EQ(guide_->turnOf(1).readings().size(), 0u);
+    guide_->startAnew(0);
+    EXPECT_TRUE(guide_->readingsOf(0).empty());
+}
+
 /// The sensors' own iron would look like a bent field.
 TEST_F(FieldGuideTest, WhileItIsTurnedTheSpotIsNotJudged) {
     begin(suitWithField(4));
@@ -87,10 +183,17 @@ TEST_F(FieldGuideTest, WhileItIsTurnedTheSpotIsNotJudged) {
         rig_->lay(i % 20 < 10 ? BoardSide{2, +1} : BoardSide{0, +1});
         look((1 + 0.2 * (i % 10) / 10.0) * Vector3d(20, -43.6, 0), true);
     }
-    EXPECT_EQ(guide_->guidance().hindrance, Hindrance::kCarry);
+    EXPECT_EQ(guide_->guidance().hindrance, Hindrance::kTilted);
     for (int i = 0; i < 50; ++i)
         look({20, -43.6, 0}, true);
     EXPECT_TRUE(guide_->guidance().isRight()) << "it lies on one side again";
+}
+
+TEST_F(FieldGuideTest, ASuitThatLiesStillSaysNothingOfTheSpot) {
+    begin(suitWithField(2));
+    for (int i = 0; i < 100; ++i)
+        EXPECT_EQ(look(kEarth, false).hindrance, Hindrance::kCarry);
+    carryAtChest();
 }
 
 TEST_F(FieldGuideTest, ABentSpotIsSaid) {
@@ -124,7 +227,7 @@ TEST_F(FieldGuideTest, BoardsWithoutMagnetometerAreLeftOut) {
     carry();
     EXPECT_NE(guide_->leastBoard(), 1);
     begin(test::rigSuit(2));
-    EXPECT_EQ(look({20, -43.6, 0}, true).hindrance, Hindrance::kNoField);
+    EXPECT_EQ(look({20, -43.6, 0}, true).hindrance, Hindrance::kNoReadings);
     EXPECT_EQ(guide_->leastShare(), 0);
 }
 

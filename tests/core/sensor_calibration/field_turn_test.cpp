@@ -214,6 +214,12 @@ TEST(SpotField, StrengthDipAndEvenness) {
         carried([](int i) { return Vector3d(kEarthField_ut * (1 + 0.12 * std::sin(0.1 * i))); }, 5));
     EXPECT_FALSE(bent.isEven());
     EXPECT_NEAR(bent.uneven_percent, 12, 3);
+    const auto at = [](double strength) {
+        return carried([strength](int) { return Vector3d(strength * kEarthField_ut); }, 5);
+    };
+    EXPECT_NEAR(strongerBy_percent(at(1), at(1.12)).value_or(0), 12, 0.5);
+    EXPECT_NEAR(strongerBy_percent(at(1), at(0.9)).value_or(0), -10, 0.5);
+    EXPECT_FALSE(strongerBy_percent(at(1), {}));
     EXPECT_FALSE(spotField({}).isEven());
     EXPECT_FALSE(spotField(carried([](int) { return Vector3d(Vector3d::Zero()); }, 2)).isEven());
 }

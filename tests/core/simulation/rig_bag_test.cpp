@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <cmath>
 #include <set>
 
 #include "core/simulation/inertial_sensor.h"
@@ -39,7 +40,7 @@ TEST(RigBag, MagnetometersSeeTheFieldFromAllDirections) {
             const Vector3d felt_ut =
                 (Vector3d(*counts[0], *counts[1], *counts[2]) - Vector3d::Constant(2048)) * 100 / 2048;
             const Vector3d field_ut = truth.mag->soft.inverse() * (felt_ut - truth.mag->hard_ut);
-            EXPECT_NEAR(field_ut.norm(), MagnetometerTruth::kWorldField_ut.norm(), 1.5);
+            EXPECT_NEAR(field_ut.norm(), SuitWorld::kEarthField_ut.norm(), 1.5);
             const Vector3d unit = field_ut.normalized();
             std::array<int, 3> direction{};
             for (int axis = 0; axis < 3; ++axis)
@@ -52,6 +53,28 @@ TEST(RigBag, MagnetometersSeeTheFieldFromAllDirections) {
             EXPECT_GE(directions.size(), 24u) << "of 26 sides, edges and corners";
         }
     }
+}
+
+TEST(RigBag, NearTheFloorTheFieldIsBent) {
+    Suit suit;
+    suit.boards.resize(4);
+    RigWorld bag(RigKind::kBag, suit, {}, 3, 10);
+    const Quaterniond before = bag.boardMotion(0, 0).q_world_board;
+    const auto stronger = [&](double t_s) {
+        const Vector3d at_m = bag.boardMotion(0, t_s).p_world_board_m;
+        return bag.field_ut(at_m).norm() / SuitWorld::kEarthField_ut.norm() - 1;
+    };
+    EXPECT_LT(std::abs(stronger(0)), 0.01);
+    EXPECT_NEAR(bag.carryTo(0.15, 1), 1 + RigWorld::kMove_s, 1e-9);
+    EXPECT_NEAR(bag.boardMotion(0, 4).p_world_board_m.y(), 0.15, 1e-9);
+    EXPECT_NEAR(bag.boardMotion(0, 2).accel_m_per_s2.norm(), kStandardGravity_m_per_s2, 1);
+    EXPECT_GT(std::abs(bag.boardMotion(0, 1.5).accel_m_per_s2.norm() - kStandardGravity_m_per_s2), 0.4)
+        << "it is felt";
+    EXPECT_TRUE(before.isApprox(bag.boardMotion(0, 4).q_world_board));
+    EXPECT_GT(stronger(4), 0.1);
+    EXPECT_LT(stronger(4), 0.2);
+    bag.beginAgain();
+    EXPECT_NEAR(bag.boardMotion(0, 0).p_world_board_m.y(), 0.15, 1e-9) << "it stays where it was put";
 }
 
 }  // namespace
