@@ -20,11 +20,6 @@
 #include "ui/wizards/tone_card.h"
 
 namespace noctule::ui {
-namespace {
-
-constexpr double kLargeText = 1.25;
-
-}  // namespace
 
 FieldLive::FieldLive(QWidget* parent)
     : QWidget(parent),
@@ -71,7 +66,7 @@ QWidget* FieldLive::makeSentence() {
 
 QWidget* FieldLive::makeChecks() {
     auto* all = new QWidget;
-    auto* row = makeRow(all, {}, 24);
+    auto* row = makeRow(all, {}, 12);
     for (Check& check : checks_) {
         auto* one = new QWidget;
         auto* column = makeColumn(one, {}, 6);
@@ -84,14 +79,9 @@ QWidget* FieldLive::makeChecks() {
         name->addWidget(check.icon);
         name->addWidget(check.name);
         name->addStretch();
-        head->addWidget(check.value);
-        // Large text has no room for both side by side.
-        const auto arrange = [head] {
-            const bool is_large = Theme::get().scale() > kLargeText;
-            head->setDirection(is_large ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-        };
-        connect(&Theme::get(), &Theme::changed, one, arrange);
-        arrange();
+        head->addWidget(check.value->wrapped());
+        // In a small window there is no room for both side by side.
+        head->setDirection(QBoxLayout::TopToBottom);
         column->addWidget(check.bar);
         row->addWidget(one, 1);
     }

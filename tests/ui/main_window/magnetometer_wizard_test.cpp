@@ -122,7 +122,7 @@ TEST_P(WizardsInTheWindow, MagnetometersAtTheSpot) {
     wizardIsWhole("magnetometers floor");
     rig_->tell("height 0.15");
     ASSERT_TRUE(reach([this] { return guide().isDone(FieldGuide::kFloor); }));
-    EXPECT_TRUE(guide().spot().isBentAtFloor());
+    EXPECT_TRUE(guide().spot().floor_percent);
 }
 
 TEST_P(WizardsInTheWindow, MagnetometersBeingTurned) {
