@@ -24,7 +24,7 @@ Status checkSuit(const StageRequest& request, const std::string& path) {
 }
 
 std::optional<RigKind> rigNamed(const std::string& name) {
-    for (const RigKind kind : {RigKind::kJig, RigKind::kLevelPlate, RigKind::kTurntable})
+    for (const RigKind kind : {RigKind::kJig, RigKind::kLevelPlate, RigKind::kTurntable, RigKind::kBag})
         if (name == nameOf(kind))
             return kind;
     return std::nullopt;
@@ -35,7 +35,7 @@ std::optional<RigKind> rigNamed(const std::string& name) {
 std::vector<Option> stageOptions() {
     std::vector<Option> options = {
         text("motion", "M.bvh|M.fbx|M.glb", "the motion, with any human hierarchy"),
-        choice("rig", {"rest", "jig", "level", "turntable"},
+        choice("rig", {"rest", "jig", "level", "turntable", "bag"},
                "no motion: the performer stands in the rest pose, or nobody wears the suit, it is on a "
                "rig of calibration"),
         choice("scenario", {"ideal", "nominal", "realistic"}, "how good the world is").orElse("nominal"),

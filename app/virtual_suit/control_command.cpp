@@ -33,6 +33,8 @@ constexpr Shape kShapes[] = {
     {"side", ControlKind::kSide, 0, "SIDE", nullptr, 0, 0},
     {"spin", ControlKind::kSpin, 0, "SIDE", "RPM", -kFastest_rpm, kFastest_rpm},
     {"placement", ControlKind::kPlacement, 0, nullptr, "N", 1, 100},
+    {"roll", ControlKind::kRoll, 0, nullptr, "SECONDS", 0, 600},
+    {"height", ControlKind::kHeight, 0, nullptr, "METRES", 0.05, 2},
     {"drop-bytes", ControlKind::kDropBytes, 0, nullptr, "RATE", 0, 1},
     {"flip-bits", ControlKind::kFlipBits, 0, nullptr, "RATE", 0, 1},
     {"stall", ControlKind::kStall, 0, nullptr, "SECONDS", 0, 3600},

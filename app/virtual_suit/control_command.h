@@ -22,6 +22,8 @@ enum class ControlKind {
     kSide,
     kSpin,
     kPlacement,
+    kRoll,
+    kHeight,
     kDropBytes,
     kFlipBits,
     kStall,
@@ -34,7 +36,8 @@ enum class ControlKind {
 struct ControlCommand {
     ControlKind kind = ControlKind::kQuit;
     int board = -1, other_board = -1;  ///< indices in the suit
-    double number = 0;  ///< degrees, rate, seconds, percent, degrees Celsius, turns a minute, placement
+    /// Degrees, rate, seconds, percent, degrees Celsius, turns a minute, placement, metres.
+    double number = 0;
     simulation::RigSide side{};  ///< of the boards, upwards
     std::string pose{};          ///< one of kPoses
 };

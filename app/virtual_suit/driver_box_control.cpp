@@ -38,6 +38,8 @@ Status DriverBox::execute(const ControlCommand& command) {
         case ControlKind::kSide:
         case ControlKind::kSpin:
         case ControlKind::kPlacement:
+        case ControlKind::kRoll:
+        case ControlKind::kHeight:
             return changeWorld(command);
         case ControlKind::kDropBytes:
             faults_.setDropRate(command.number);

@@ -56,7 +56,7 @@ Status checkSource(const batch::Arguments& arguments) {
     if (given.empty())
         return usage(
             "nothing to play is given",
-            std::string("Give --motion M.bvh, --rig rest, jig, level or turntable, --cast CAST.json or "
+            std::string("Give --motion M.bvh, --rig rest, jig, level, turntable or bag, --cast CAST.json or "
                         "--take T.noctule, for example: ") +
                 kExample);
     if (given.size() > 1)
@@ -114,7 +114,8 @@ const std::vector<batch::Option>& optionTable() {
 std::string controlHelp() {
     return "  unplug BOARD, plug BOARD, swap A B, slip BOARD DEGREES, drop-bytes RATE, flip-bits RATE,\n"
            "  stall SECONDS, cut SECONDS, battery PERCENT, temperature C, quit; pose rest|t|sit (rig rest),\n"
-           "  side SIDE (rig level), spin SIDE RPM (rig turntable, 0 stops it), placement N (rig jig).\n"
+           "  side SIDE (rig level), spin SIDE RPM (rig turntable, 0 stops it), placement N (rig jig),\n"
+           "  roll SECONDS, height METRES (rig bag).\n"
            "BOARD is an id such as l_forearm or a number from 1, RATE a share from 0 to 1,\n"
            "SIDE the boards' axis that points up: +x, -x, +y, -y, +z or -z.\n";
 }

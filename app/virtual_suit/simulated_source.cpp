@@ -30,7 +30,7 @@ Status wornAccepts(const ControlCommand& command, const Stage& stage) {
         return notHere("the performer does what the motion says", "--rig rest");
     return command.kind == ControlKind::kSlip || command.kind == ControlKind::kPose
                ? Status(Done{})
-               : notHere("the suit is worn, there is no rig to move", "--rig level, turntable or jig");
+               : notHere("the suit is worn, there is no rig to move", "--rig level, turntable, jig or bag");
 }
 
 Status rigAccepts(const ControlCommand& command, const RigWorld& rig) {
@@ -41,6 +41,9 @@ Status rigAccepts(const ControlCommand& command, const RigWorld& rig) {
         case ControlKind::kSpin:
             return rig.kind() == RigKind::kTurntable ? Status(Done{})
                                                      : notHere("no turntable is here", "--rig turntable");
+        case ControlKind::kRoll:
+        case ControlKind::kHeight:
+            return rig.kind() == RigKind::kBag ? Status(Done{}) : notHere("no bag is here", "--rig bag");
         case ControlKind::kPlacement:
             if (rig.kind() != RigKind::kJig)
                 return notHere("no jig is here", "--rig jig");
@@ -104,6 +107,10 @@ public:
             stage_.rig->spin(command.side, command.number, soon_s);
         else if (command.kind == ControlKind::kPlacement)
             stage_.rig->place(static_cast<int>(command.number) - 1, soon_s);
+        else if (command.kind == ControlKind::kRoll)
+            stage_.rig->roll(command.number, soon_s);
+        else if (command.kind == ControlKind::kHeight)
+            stage_.rig->carryTo(command.number, soon_s);
     }
     void set(const link::Settings& settings) override {
         Scenario& scenario = stage_.scenario;

@@ -41,6 +41,12 @@ enum class Hindrance {
     kStand,       ///< before a movement: in the rest pose, for so many seconds more
     kMove,        ///< the rest pose has been held long enough
     kIdle,        ///< the movement left boards out: once more, from the rest pose on
+    kNoField,     ///< boards are heard, but nothing of their magnetometers
+    kCarry,       ///< move it about here without turning it, so that the field of the spot is seen
+    kTilted,      ///< it was turned meanwhile; value: radians
+    kBentField,   ///< the field of the spot is bent; value: percent
+    kLower,       ///< to the floor, without turning it
+    kTurnOn,      ///< directions are missing; value: their share that was seen
 };
 
 struct Guidance {
@@ -85,8 +91,10 @@ public:
 
     /// The step that is shown has been recorded: it is done for all boards that were right.
     void take();
+    /// Whoever is on it may go on without recording anything: what the guide has seen is the evidence.
+    virtual bool keepsReadings() const { return false; }
     /// From what was recorded before.
-    void setDone(int step, int board) { done_[index(step)][index(board)] = true; }
+    void setDone(int step, int board, bool done = true) { done_[index(step)][index(board)] = done; }
     void repeat(int step);
     /// The count begins again.
     void restart();

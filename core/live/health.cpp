@@ -55,6 +55,9 @@ void HealthMonitor::add(const InertialReading& reading) {
         if (*counts <= kCountsMin || *counts >= kCountsMax)
             window.clipped_readings.add(reading.sample, 1);
     }
+    const auto& field = reading.magnetometer_counts;
+    if (field[0] && field[1] && field[2])
+        health.field = BoardHealth::Field{reading.sample, Vector3d(*field[0], *field[1], *field[2])};
 }
 
 void HealthMonitor::add(const RangeMeasurement& range) {

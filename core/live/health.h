@@ -33,6 +33,12 @@ struct BoardHealth {
         double gyro_deviation_rad_per_s = 0, accel_deviation_m_per_s2 = 0;
     };
     std::optional<Means> means = {};
+    /// The last whole reading of the magnetometer; absent: none has come.
+    struct Field {
+        double sample = 0;
+        Vector3d counts = Vector3d::Zero();
+    };
+    std::optional<Field> field = {};
 };
 
 struct PairHealth {

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
+#include "core/calibration/worn_part_names.h"
 #include "core/recording/take_edit.h"
 #include "core/report/calibration_documents.h"
+#include "core/report/magnetometer_document.h"
+#include "core/sensor_calibration/field_turn.h"
 #include "core/sensor_calibration/hand_calibration.h"
-#include "core/sensor_calibration/magnetometer_fit.h"
 
 namespace noctule {
 
@@ -17,9 +20,10 @@ namespace {
 
 /// Counts of one board, take after take.
 struct BoardCounts {
-    std::string id, serial;
+    std::string id, serial, words;  ///< "Board 7, left forearm"
     bool has_magnetometer = false;
-    ImuSamples samples;  ///< raw
+    bool is_nominal = true;  ///< counts of our boards; else the unit of whoever made the readings
+    ImuSamples samples;      ///< raw
 };
 
 struct SensorEvidence {
@@ -42,7 +46,11 @@ Status addCounts(const Take& take, SensorEvidence& evidence, const JobContext& j
     const auto rate = take.sampleRate_hz();
     if (!rate)
         return rate.error();
-    std::vector<std::pair<double, double>> first(evidence.boards.size(), {-1, 0}), last = first;
+    struct Stretch {
+        double first = -1, last = 0;
+        size_t rows = 0;
+    };
+    std::vector<Stretch> stretches(evidence.boards.size());
     for (size_t n = 0;; ++n) {
         auto next = cursor->next();
         if (!next)
@@ -55,17 +63,43 @@ Status addCounts(const Take& take, SensorEvidence& evidence, const JobContext& j
         samples.gyro_rad_per_s.push_back(countsOf(row.counts.data()));
         samples.accel_m_per_s2.push_back(countsOf(row.counts.data() + 3));
         samples.mag.push_back(countsOf(row.magnetometer_counts.data()));
-        if (first[b].first < 0)
-            first[b] = {double(row.frame), row.sample};
-        last[b] = {double(row.frame), row.sample};
+        Stretch& stretch = stretches[b];
+        if (stretch.rows++ == 0)
+            stretch.first = row.sample;
+        stretch.last = row.sample;
         if (n % 4096 == 0 && job.cancelled())
             return JobContext::cancelledError();
     }
     for (size_t b = 0; b < evidence.boards.size(); ++b)
-        if (last[b].second > first[b].second)
+        if (const Stretch& stretch = stretches[b]; stretch.last > stretch.first)
             evidence.boards[b].samples.rate_hz =
-                double(*rate) * (last[b].first - first[b].first) / (last[b].second - first[b].second);
+                double(*rate) * double(stretch.rows - 1) / (stretch.last - stretch.first);
     return Done{};
+}
+
+/// In the order of the suit's boards; what `known` has besides them stays.
+Calibration baseOf(const Suit& suit, const Calibration* stored, const Calibration* given) {
+    Calibration base = nominalCalibration(suit);
+    for (const Calibration* known : {stored, given}) {
+        if (!known)
+            continue;
+        base.sound = known->sound;
+        base.sources = known->sources;
+        for (const BoardCalibration& values : known->boards) {
+            const auto entry = std::ranges::find(base.boards, values.id, &BoardCalibration::id);
+            if (entry != base.boards.end())
+                *entry = values;
+            else
+                base.boards.push_back(values);
+        }
+    }
+    return base;
+}
+
+/// Readings that were imported have SI values and no counts: their zero is 0.
+bool areCounts(const Calibration* stored, const std::string& board) {
+    const BoardCalibration* values = stored ? stored->findBoard(board) : nullptr;
+    return !values || !values->gyro.zero_counts.isZero();
 }
 
 Result<SensorEvidence> sensorEvidence(const CalibrateRequest& request, const JobContext& job) {
@@ -79,17 +113,18 @@ Result<SensorEvidence> sensorEvidence(const CalibrateRequest& request, const Job
             return suit.error();
         if (evidence.boards.empty()) {
             evidence.g_m_per_s2 = take->header().g_m_per_s2;
-            evidence.base = nominalCalibration(*suit);
-            const auto stored = take->calibrationInForce();
-            for (BoardCalibration& board : evidence.base.boards)
-                for (const Calibration* known :
-                     {stored ? &stored->value : nullptr, request.base ? &*request.base : nullptr})
-                    if (const BoardCalibration* values = known ? known->findBoard(board.id) : nullptr)
-                        board = *values;
-            if (request.base)
-                evidence.base.sources = request.base->sources;
-            for (const Board& board : suit->boards)
-                evidence.boards.push_back({board.id, board.serial, board.has_magnetometer, {}});
+            const auto in_force = take->calibrationInForce();
+            const Calibration* stored = in_force ? &in_force->value : nullptr;
+            evidence.base = baseOf(*suit, stored, request.base ? &*request.base : nullptr);
+            for (size_t b = 0; b < suit->boards.size(); ++b) {
+                const Board& board = suit->boards[b];
+                evidence.boards.push_back({board.id,
+                                           board.serial,
+                                           boardName(*suit, int(b)),
+                                           board.has_magnetometer,
+                                           areCounts(stored, board.id),
+                                           {}});
+            }
         }
         const bool same = suit->boards.size() == evidence.boards.size() &&
                           std::equal(suit->boards.begin(), suit->boards.end(), evidence.boards.begin(),
@@ -132,9 +167,9 @@ void finishResult(CalibrationResult& result, const std::string& procedure) {
     result.json.update(findingsJson(result.document.findings));
 }
 
-void addProblem(CalibrationResult& result, const std::string& board, const std::string& problem,
+void addProblem(CalibrationResult& result, const BoardCounts& board, const std::string& problem,
                 const std::string& remedy) {
-    result.document.findings.push_back({Grade::kNotUsable, board, board + ": " + problem, remedy});
+    result.document.findings.push_back({Grade::kNotUsable, board.id, board.words + ": " + problem, remedy});
 }
 
 void addField(CalibrationResult& result, const BoardCounts& board, const AxisCalibration& mag,
@@ -155,17 +190,9 @@ void addField(CalibrationResult& result, const BoardCounts& board, const AxisCal
     if (check.bent_percent > 10)
         result.document.findings.push_back(
             {Grade::kUsable, board.id,
-             board.id + ": the field is bent for " + formatted("%.0f %%", check.bent_percent) +
+             board.words + ": the field is bent for " + formatted("%.0f %%", check.bent_percent) +
                  " of the time",
              "Keep away from iron, magnets and cables, or expect a worse heading there"});
-}
-
-AxisCalibration axesOfFit(const EllipsoidFit& fit) {
-    AxisCalibration axes;
-    axes.zero_counts = fit.zero;
-    axes.matrix = fit.matrix;
-    axes.sigma_zero_counts = fit.sigma_zero;
-    return axes;
 }
 
 /// A fit made on values becomes one on counts: matrix (M (c - z) - zero).
@@ -179,6 +206,107 @@ AxisCalibration onTopOf(const AxisCalibration& below, const Vector3d& zero, cons
     return axes;
 }
 
+struct TurnedBoard {
+    TurnedMagnetometer found;
+    FieldTurnState state = FieldTurnState::kGoing;
+    AxisCalibration scale, axes;  ///< of counts: as they are read, and as calibrated
+};
+
+/// Mean strength of the field in each cell of the sphere, relative to the mean of all, in percent.
+std::vector<double> offInEveryDirection(const std::vector<Vector3d>& counts, const AxisCalibration& axes,
+                                        const AxisCalibration& directions) {
+    std::vector<std::pair<double, int>> cells(FieldSphere::kCells);
+    for (const Vector3d& reading : counts)
+        if (reading.allFinite()) {
+            auto& [sum, count] = cells[size_t(FieldSphere::cellOf(directions.apply(reading)))];
+            sum += axes.apply(reading).norm();
+            ++count;
+        }
+    std::vector<double> means;
+    double all = 0;
+    for (const auto& [sum, count] : cells)
+        if (count > 0) {
+            means.push_back(sum / count);
+            all += means.back();
+        }
+    for (double& mean : means)
+        mean = 100 * std::abs(mean * double(means.size()) / all - 1);
+    return means;
+}
+
+double rootMeanSquare(const std::vector<double>& values) {
+    double squares = 0;
+    for (const double value : values)
+        squares += value * value;
+    return values.empty() ? 0 : std::sqrt(squares / double(values.size()));
+}
+
+TurnedBoard turnedBoard(const BoardCounts& board, const BoardCalibration& before,
+                        std::optional<double> strength_ut) {
+    TurnedBoard turned;
+    turned.found.board = board.id;
+    turned.scale.zero_counts.setZero();
+    if (board.is_nominal)
+        turned.scale = AxisCalibration::nominal(FieldTurnLimits::kFullScale_ut);
+    MagnetometerFit& fit = turned.found.fit;
+    if (board.is_nominal) {
+        FieldTurn turn;
+        for (const Vector3d& counts : board.samples.mag)
+            turn.add(turned.scale.apply(counts));
+        turn.judge(strength_ut);
+        fit = turn.fit();
+        turned.found.seen = turn.sphere();
+        turned.state = turn.state();
+    } else {
+        fit = fitMagnetometer(board.samples.mag, strength_ut);
+        if (fit.problem.empty())
+            for (const Vector3d& reading : board.samples.mag)
+                if (reading.allFinite() && !reading.isZero())
+                    turned.found.seen.add(fit.ellipsoid.matrix * (reading - fit.ellipsoid.zero));
+        turned.state = fit.problem.empty() ? FieldTurnState::kDone : FieldTurnState::kGoing;
+    }
+    turned.found.spread_before_percent = fit.before_percent;
+    turned.found.sigma_zero_ut = (fit.ellipsoid.matrix * fit.ellipsoid.sigma_zero).norm();
+    if (!fit.problem.empty())
+        return turned;
+    turned.axes = onTopOf(turned.scale, fit.ellipsoid.zero, fit.ellipsoid.sigma_zero, fit.ellipsoid.matrix);
+    turned.found.after_percent = offInEveryDirection(board.samples.mag, turned.axes, turned.axes);
+    turned.found.before_percent =
+        offInEveryDirection(board.samples.mag, before.mag.value_or(turned.scale), turned.axes);
+    turned.found.spread_before_percent = rootMeanSquare(turned.found.before_percent);
+    return turned;
+}
+
+/// Why its values must not be used; empty: they are.
+std::pair<std::string, std::string> whyNotUsed(const TurnedBoard& turned) {
+    const MagnetometerFit& fit = turned.found.fit;
+    if (turned.state == FieldTurnState::kClipped)
+        return {"its field is beyond its range",
+                "Take away the magnet that lies beside it and turn it again"};
+    if (turned.state == FieldTurnState::kNoField)
+        return {"it reads no field", "Its magnetometer may be broken or shielded; skip it"};
+    return {fit.problem, fit.remedy};
+}
+
+void addDoubts(CalibrationResult& result, const BoardCounts& board, const TurnedBoard& turned) {
+    const TurnedMagnetometer& found = turned.found;
+    if (turned.state == FieldTurnState::kUneven)
+        result.document.findings.push_back({Grade::kUsable, found.board,
+                                            board.words + ": the field's strength differs by " +
+                                                formatted("%.1f %%", found.fit.after_percent),
+                                            "Turn it again through all directions, away from iron"});
+    else if (turned.state == FieldTurnState::kGoing)
+        result.document.findings.push_back(
+            {Grade::kUsable, found.board,
+             board.words + ": " + std::to_string(found.seen.seen()) + " of 100 directions were seen",
+             "Turn it again until 90 were seen"});
+}
+
+bool wasTurned(const BoardCounts& board) {
+    return board.has_magnetometer &&
+           std::ranges::any_of(board.samples.mag, [](const Vector3d& counts) { return counts.allFinite(); });
+}
+
 }  // namespace
 
 Result<CalibrationResult> calibrateMagnetometers(const CalibrateRequest& request,
@@ -187,48 +315,42 @@ Result<CalibrationResult> calibrateMagnetometers(const CalibrateRequest& request
     if (!evidence)
         return evidence.error();
     CalibrationResult result = emptyResult("Magnetometers", request, *evidence);
-    CalibrationTable table{
-        "Magnetometers",
-        "Spread: how much the field's strength differs between directions.",
-        {"board", "strength uT", "spread before %", "spread after %", "residual uT", "directions of 26"},
-        {}};
-    for (const BoardCounts& board : evidence->boards) {
-        if (!board.has_magnetometer)
+    MagnetometerReport report;
+    std::map<std::string, nlohmann::json> fields;
+    for (size_t b = 0; b < evidence->boards.size(); ++b) {
+        const BoardCounts& board = evidence->boards[b];
+        if (!wasTurned(board))
             continue;
-        const MagnetometerFit fit = fitMagnetometer(board.samples.mag, strength_ut);
-        nlohmann::json json = {{"id", board.id},
-                               {"strength_ut", fit.strength_ut},
-                               {"spread_before_percent", fit.before_percent},
-                               {"spread_after_percent", fit.after_percent},
-                               {"residual_ut", fit.ellipsoid.residual},
-                               {"condition", fit.ellipsoid.condition},
-                               {"directions_covered", fit.coverage.covered},
-                               {"directions_missing", fit.coverage.missing},
-                               {"usable", fit.problem.empty()}};
-        table.rows.push_back({board.id, formatted("%.1f", fit.strength_ut),
-                              formatted("%.1f", fit.before_percent), formatted("%.2f", fit.after_percent),
-                              formatted("%.2f", fit.ellipsoid.residual),
-                              std::to_string(fit.coverage.covered)});
-        if (fit.problem.empty()) {
-            for (BoardCalibration& values : result.calibration.boards)
-                if (values.id == board.id) {
-                    values.mag = axesOfFit(fit.ellipsoid);
-                    values.serial = board.serial;
-                    markMade(values, "magnetometers", request, Grade::kGood);
-                    addField(result, board, *values.mag, values, json);
-                }
+        if (job.cancelled())
+            return JobContext::cancelledError();
+        BoardCalibration& values = result.calibration.boards[b];
+        TurnedBoard turned = turnedBoard(board, values, strength_ut);
+        if (const auto [problem, remedy] = whyNotUsed(turned); !problem.empty()) {
+            addProblem(result, board, problem, remedy);
         } else {
-            addProblem(result, board.id, fit.problem, fit.remedy);
+            turned.found.used = true;
+            values.mag = turned.axes;
+            values.serial = board.serial;
+            const bool done = turned.state == FieldTurnState::kDone;
+            markMade(values, "magnetometers", request, done ? Grade::kGood : Grade::kUsable);
+            addDoubts(result, board, turned);
+            addField(result, board, turned.axes, values, fields[board.id]);
         }
-        result.json["boards"].push_back(std::move(json));
-        job.progress(double(table.rows.size()) / double(evidence->boards.size()),
-                     "Magnetometer of " + board.id);
+        report.boards.push_back(std::move(turned.found));
+        job.progress(double(b + 1) / double(evidence->boards.size()), "Magnetometer of " + board.id);
     }
-    if (table.rows.empty())
-        return Error{ErrorKind::kUnusable, request.take_paths.front() + ": no board has a magnetometer",
+    if (report.boards.empty())
+        return Error{ErrorKind::kUnusable,
+                     request.take_paths.front() + ": no board has readings of a magnetometer",
                      "Record with magnetometers switched on"};
-    result.document.summary = "Hard and soft iron of " + std::to_string(table.rows.size()) + " magnetometers";
-    result.document.tables.push_back(std::move(table));
+    report.findings = std::move(result.document.findings);
+    result.document = documentOf(report);
+    result.document.created_utc = request.created_utc;
+    result.document.takes = request.take_paths;
+    result.json.update(toJson(report));
+    for (nlohmann::json& board : result.json["boards"])
+        if (const auto field = fields.find(board["id"].get<std::string>()); field != fields.end())
+            board.update(field->second);
     finishResult(result, "magnetometers");
     return result;
 }
@@ -271,7 +393,7 @@ Result<CalibrationResult> calibrateInertial(const CalibrateRequest& request, con
                                          {"directions_missing", fit.coverage.missing},
                                          {"usable", problem.empty()}});
         if (!problem.empty()) {
-            addProblem(result, board.id, problem, fit.remedy.empty() ? "Record it again" : fit.remedy);
+            addProblem(result, board, problem, fit.remedy.empty() ? "Record it again" : fit.remedy);
             continue;
         }
         values.accel = onTopOf(values.accel, fit.accel.zero, fit.accel.sigma_zero, fit.accel.matrix);

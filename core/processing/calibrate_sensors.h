@@ -10,8 +10,9 @@
 
 namespace noctule {
 
-/// `strength_ut` none: the mean length of the readings is kept. Boards without magnetometer are left alone.
-/// Each take is also looked through for stretches in which the field is bent.
+/// `strength_ut` none: the mean length of the readings is kept. Boards without magnetometer, and those
+/// without readings of it, keep what they have. Each take is also looked through for stretches in which the
+/// field is bent.
 Result<CalibrationResult> calibrateMagnetometers(const CalibrateRequest& request,
                                                  std::optional<double> strength_ut, const JobContext& job);
 /// Gravity as the take states it.

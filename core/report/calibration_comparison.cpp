@@ -97,6 +97,26 @@ void addRows(const std::vector<Part>& ones, const std::vector<Part>& others, Cal
         tables.push_back(std::move(table));
 }
 
+/// Only of boards where they differ; most suits have none.
+void addMagnetometers(const Calibration& one, const Calibration& other,
+                      std::vector<CalibrationTable>& tables) {
+    CalibrationTable table{"Magnetometers",
+                           "How far the values are apart.",
+                           {"board", "magnetometer's zero, µT", "its slopes, %"},
+                           {}};
+    for (const BoardCalibration& board : one.boards) {
+        const BoardCalibration* same = other.findBoard(board.id);
+        if (!same || (!board.mag && !same->mag))
+            continue;
+        std::vector<std::string> row = {board.id, between(board.mag, same->mag, 2, zeroBetween),
+                                        between(board.mag, same->mag, 3, percentBetween)};
+        if (differs(row) || board.mag.has_value() != same->mag.has_value())
+            table.rows.push_back(std::move(row));
+    }
+    if (!table.rows.empty())
+        tables.push_back(std::move(table));
+}
+
 }  // namespace
 
 std::vector<CalibrationTable> compareCalibrations(const Calibration& one, const Calibration& other) {
@@ -108,6 +128,7 @@ std::vector<CalibrationTable> compareCalibrations(const Calibration& one, const 
               "accelerometer's zero, mg", "its slopes, %"},
              {}},
             tables);
+    addMagnetometers(one, other, tables);
     addRows(one.sources, other.sources,
             {"Sources",
              "How much later the other one takes each for; 1 µs is a third of a millimetre.",

@@ -7,6 +7,8 @@
 namespace noctule::simulation {
 namespace {
 
+constexpr double kFieldFullScale_ut = 100, kHardIron_ut = 12, kSoftIron = 0.03, kFieldNoise_ut = 0.25;
+
 struct Spread {
     double full_scale, zero_counts, scale, misalignment_rad;
 };
@@ -34,6 +36,15 @@ InertialTruth drawInertialTruth(const Board& board, const Scenario& scenario, ui
                                                scenario.accel_scale_spread, misalignment_rad});
     truth.gyro.bias = Random(seed, "gyro bias", index).gaussianVector(scenario.gyro_bias_rad_per_s);
     truth.accel.bias = Random(seed, "accel bias", index).gaussianVector(scenario.accel_bias_m_per_s2);
+    if (board.has_magnetometer) {
+        Random iron(seed, "iron", index);
+        MagnetometerTruth mag;
+        mag.hard_ut = iron.gaussianVector(kHardIron_ut);
+        for (double& element : mag.soft.reshaped())
+            element += iron.gaussian(kSoftIron);
+        mag.noise_ut = kFieldNoise_ut;
+        truth.mag = mag;
+    }
     truth.rate_hz = board.rate_hz;
     truth.gyro.noise = board.gyro_noise_rad_per_s.value_or(scenario.gyro_noise_rad_per_s);
     truth.accel.noise = board.accel_noise_m_per_s2.value_or(scenario.accel_noise_m_per_s2);
@@ -62,7 +73,20 @@ InertialSensor::InertialSensor(const SuitWorld& world, int board, const Inertial
       rate_hz_(truth.rate_hz),
       gyro_(makeChip(truth.gyro, seed, "gyro", board)),
       accel_(makeChip(truth.accel, seed, "accel", board)),
+      mag_(truth.mag),
+      mag_noise_(seed, "field noise", static_cast<uint64_t>(board)),
       frame_(first_frame) {}
+
+void InertialSensor::feelField(const BoardMotion& motion) {
+    if (!mag_)
+        return;
+    const Vector3d felt_ut =
+        mag_->soft * (motion.q_world_board.conjugate() * world_.field_ut(motion.p_world_board_m)) +
+        mag_->hard_ut + mag_noise_.gaussianVector(mag_->noise_ut);
+    for (int axis = 0; axis < 3; ++axis)
+        field_[static_cast<size_t>(axis)] = static_cast<int>(std::lround(
+            std::clamp(2048 + felt_ut[axis] * 2048 / kFieldFullScale_ut, kCountsMin, kCountsMax)));
+}
 
 InertialSensor::Chip InertialSensor::makeChip(const ChipTruth& truth, uint64_t seed, const std::string& name,
                                               int board) {
@@ -84,6 +108,7 @@ double InertialSensor::sampleOf(int64_t frame) const {
 std::array<double, 6> InertialSensor::next() {
     const BoardMotion motion = world_.boardMotion(board_, sampleOf(frame_) / sample_rate_hz_);
     ++frame_;
+    feelField(motion);
     const Vector3d gyro = gyro_.counts(motion.gyro_rad_per_s, rate_hz_),
                    accel = accel_.counts(motion.accel_m_per_s2, rate_hz_);
     std::array<double, 6> counts{gyro.x(), gyro.y(), gyro.z(), accel.x(), accel.y(), accel.z()};
@@ -95,7 +120,7 @@ std::array<double, 6> InertialSensor::next() {
 BoardStream::BoardStream(const SuitWorld& world, int board, const InertialTruth& truth, int sample_rate_hz,
                          uint64_t seed)
     : sensor_(world, board, truth, sample_rate_hz, seed, kFirstFrame - kWarmUpFrames),
-      encoder_(false, truth.first_counter) {
+      encoder_(truth.mag.has_value(), truth.first_counter) {
     int counter = 0;
     while (sensor_.nextFrame() < kFirstFrame)
         next(counter);
@@ -107,12 +132,14 @@ LineBits BoardStream::next(int& counter) {
     for (size_t i = 0; i < counts.size(); ++i)
         reading[i] = static_cast<int>(std::lround(counts[i]));
     counter = encoder_.counter();
-    return encoder_.encode(reading);
+    return encoder_.encode(reading, sensor_.field());
 }
 
 BoardReadings::BoardReadings(const SuitWorld& world, int board, const InertialTruth& truth,
                              const Scenario& scenario, uint64_t seed)
-    : board_(board), sensor_(world, board, truth, scenario.sample_rate_hz, seed, 0) {
+    : board_(board),
+      sensor_(world, board, truth, scenario.sample_rate_hz, seed, 0),
+      decoder_(truth.mag.has_value()) {
     // The stream of our boards carries 140 readings a second and no other number.
     if (!scenario.codec || truth.rate_hz != kInertialFramesPerSecond)
         return;

@@ -22,8 +22,17 @@ struct ChipTruth {
     double bias_walk_per_sqrt_s = 0;   ///< rad/s or m/s^2 per root of a second
 };
 
+/// What a board's own iron makes of the world's field: counts of the nominal scale = 2048 + soft * field +
+/// hard.
+struct MagnetometerTruth {
+    Matrix3d soft = Matrix3d::Identity();
+    Vector3d hard_ut = Vector3d::Zero();
+    double noise_ut = 0;
+};
+
 struct InertialTruth {
     ChipTruth gyro, accel;
+    std::optional<MagnetometerTruth> mag{};  ///< none: the board has no magnetometer
     double rate_hz = kUsualBoardRate_hz;
     int64_t phase_samples = 0;  ///< s0: first sample of frame 0
     int first_counter = 0;      ///< of the stream, a little before the take
@@ -45,6 +54,8 @@ public:
 
     /// The next frame's gyroscope and accelerometer counts, unrounded, saturated at 0 and 4095.
     std::array<double, 6> next();
+    /// Of the frame that next() returned last: the magnetometer's counts, rounded; 0 without one.
+    const std::array<int, 3>& field() const { return field_; }
     int64_t nextFrame() const { return frame_; }
 
 private:
@@ -55,12 +66,16 @@ private:
         Random noise, walk;
         Vector3d counts(const Vector3d& value, double rate_hz);
     };
+    void feelField(const BoardMotion& motion);
     static Chip makeChip(const ChipTruth& truth, uint64_t seed, const std::string& name, int board);
 
     const SuitWorld& world_;
     int board_;
     double sample_rate_hz_, phase_samples_, rate_hz_;
     Chip gyro_, accel_;
+    std::optional<MagnetometerTruth> mag_;
+    Random mag_noise_;
+    std::array<int, 3> field_{};
     int64_t frame_;
 };
 

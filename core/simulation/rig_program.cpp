@@ -6,7 +6,7 @@
 namespace noctule::simulation {
 namespace {
 
-constexpr double kUsualStation_s = 4, kUsualTurning_s = 8;
+constexpr double kUsualStation_s = 4, kUsualTurning_s = 8, kUsualRolling_s = 120;
 
 struct Shape {
     double stations = 0;
@@ -20,6 +20,8 @@ Shape shapeOf(RigKind kind, const RigScenario& scenario) {
             return {static_cast<double>(scenario.jig_placements), RigWorld::kMove_s};
         case RigKind::kLevelPlate:
             return {6, RigWorld::kTurn_s};
+        case RigKind::kBag:
+            return {1};
         case RigKind::kTurntable:
             break;
     }
@@ -36,7 +38,9 @@ double stationLength_s(RigKind kind, const RigScenario& scenario, double duratio
 
 double usualDuration_s(RigKind kind, const RigScenario& scenario) {
     const Shape shape = shapeOf(kind, scenario);
-    const double station_s = kind == RigKind::kTurntable ? kUsualTurning_s : kUsualStation_s;
+    const double station_s = kind == RigKind::kBag         ? kUsualRolling_s
+                             : kind == RigKind::kTurntable ? kUsualTurning_s
+                                                           : kUsualStation_s;
     return shape.before_s + shape.after_s + (shape.stations - 1) * shape.between_s +
            shape.stations * station_s;
 }
@@ -61,6 +65,10 @@ std::vector<RigStation> runThrough(RigWorld& rig, const RigScenario& scenario, d
             for (const RigSide side : allRigSides())
                 stay(rig.spin(side, scenario.turntable_rpm, now_s), side.name() + " up");
             rig.spin(allRigSides().back(), 0, now_s);
+            break;
+        case RigKind::kBag:
+            rig.roll(station_s, 0);
+            stay(0, "all directions");
             break;
     }
     return stations;

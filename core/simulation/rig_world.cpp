@@ -65,7 +65,17 @@ std::vector<Eigen::Vector2d> slots(int count, Random& random) {
 }  // namespace
 
 const char* nameOf(RigKind kind) {
-    return kind == RigKind::kJig ? "jig" : kind == RigKind::kLevelPlate ? "level" : "turntable";
+    switch (kind) {
+        case RigKind::kJig:
+            return "jig";
+        case RigKind::kLevelPlate:
+            return "level";
+        case RigKind::kTurntable:
+            return "turntable";
+        case RigKind::kBag:
+            break;
+    }
+    return "bag";
 }
 
 std::vector<RigSide> allRigSides() {
@@ -173,8 +183,33 @@ double RigWorld::place(int placement, double t_s) {
     return ready_s_ = begin_s + kMove_s;
 }
 
+/// Axes in the world: a golden spiral over the sphere, so that no two rolls are about the same one.
+double RigWorld::roll(double seconds, double t_s) {
+    const double end_s = std::max(t_s, ready_s_) + seconds;
+    for (double begin_s = std::max(t_s, ready_s_); begin_s < end_s; begin_s += kTurn_s) {
+        const double share = std::fmod(0.5 + 0.618034 * rolls_, 1.0), y = 2 * share - 1;
+        const double azimuth_rad = 2.399963 * rolls_++, across = std::sqrt(1 - y * y);
+        turns_.push_back({begin_s,
+                          radians(kRoll_deg),
+                          {across * std::sin(azimuth_rad), y, across * std::cos(azimuth_rad)}});
+        ready_s_ = begin_s + kTurn_s;
+    }
+    return ready_s_;
+}
+
+double RigWorld::carryTo(double height_m, double t_s) {
+    const double begin_s = std::max(t_s, ready_s_);
+    if (height_m == height_m_)
+        return begin_s;
+    lifts_.push_back({begin_s, height_m - height_m_});
+    height_m_ = height_m;
+    return ready_s_ = begin_s + kMove_s;
+}
+
 void RigWorld::beginAgain() {
     first_seat_ = seatOn(side_);
+    first_height_m_ = height_m_;
+    lifts_.clear();
     turns_.clear();
     speeds_.clear();
     if (speed_rad_per_s_ != 0)
@@ -209,10 +244,30 @@ Vector3<Jet> RigWorld::pointAt(std::vector<Vector3d> Placement::*points, int ind
     return point;
 }
 
+Vector3<Jet> RigWorld::centerAt(double t_s) const {
+    Vector3<Jet> center = kCenter.cast<Jet>();
+    center.y() = Jet(first_height_m_);
+    for (const Lift& lift : lifts_)
+        center.y() += fadeWeight<Jet>(t_s - lift.begin_s, kMove_s) * lift.by_m;
+    return center;
+}
+
 Frame<Jet> RigWorld::boardFrame(int board, double t_s) const {
     const Matrix3<Jet> table = tableAt(t_s);
-    const Vector3<Jet> center = kCenter.cast<Jet>();
-    return {table * seatAt(t_s), center + table * (pointAt(&Placement::boards_m, board, t_s) - center)};
+    return {table * seatAt(t_s),
+            centerAt(t_s) + table * (pointAt(&Placement::boards_m, board, t_s) - kCenter.cast<Jet>())};
+}
+
+/// A beam below the floor, magnetised by the Earth's vertical field: a dipole.
+Vector3d RigWorld::field_ut(const Vector3d& p_world_m) const {
+    if (kind_ != RigKind::kBag)
+        return kEarthField_ut;
+    constexpr double kMoment_ut_m3 = 0.256;
+    const Vector3d beam_m(0, -0.25, 0), from_m = p_world_m - beam_m;
+    const double distance_m = std::max(0.1, from_m.norm());
+    const Vector3d unit = from_m / distance_m;
+    const Vector3d down = -Vector3d::UnitY();
+    return kEarthField_ut + kMoment_ut_m3 / std::pow(distance_m, 3) * (3 * down.dot(unit) * unit - down);
 }
 
 Vector3d RigWorld::microphone(int board, double t_s) const {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The suit off the body, on one of the rigs of calibration: on the jig boards and sources stand apart at
 // known distances, on the level plate and the turntable the boards lie side by side, each turned in its own
-// seat, and the sources stand in a row before them. The world's truth; the numbers are the scenario's, and so
-// are the rig's own errors, drawn once per take. Every movement takes its time and is felt.
+// seat, and the sources stand in a row before them. In the bag they lie likewise, are rolled by
+// hand through all directions and carried up and down. The world's truth; the numbers are the scenario's, and
+// so are the rig's own errors, drawn once per take. Every movement takes its time and is felt.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,9 +16,9 @@
 
 namespace noctule::simulation {
 
-enum class RigKind { kJig, kLevelPlate, kTurntable };
+enum class RigKind { kJig, kLevelPlate, kTurntable, kBag };
 
-/// "jig", "level", "turntable", as the command line and takes write them.
+/// "jig", "level", "turntable", "bag", as the command line and takes write them.
 const char* nameOf(RigKind kind);
 
 /// An axis of the boards that points up: +x, -x, +y, -y, +z, -z.
@@ -37,6 +38,7 @@ class RigWorld : public SuitWorld {
 public:
     static constexpr double kTurn_s = 1.5;    ///< of the boards onto another side
     static constexpr double kMove_s = 2;      ///< from one placement to another
+    static constexpr double kRoll_deg = 100;  ///< of the bag, each in kTurn_s
     static constexpr double kSpeedUp_s = 2;   ///< of the turntable, and until it stands
     static constexpr double kHeight_m = 1.0;  ///< of the rig above the floor
 
@@ -53,6 +55,10 @@ public:
     /// the table first; 0 stops it.
     double spin(RigSide side, double rpm, double t_s);
     double place(int placement, double t_s);
+    /// The bag: rolled about ever other axes for about so long, one roll after another without a pause.
+    double roll(double seconds, double t_s);
+    /// The bag: to another height above the floor, without turning it.
+    double carryTo(double height_m, double t_s);
 
     double duration_s() const override { return duration_s_; }
     int boardCount() const override { return static_cast<int>(boards_.size()); }
@@ -64,6 +70,8 @@ public:
     int sourceSegment(int) const override { return -1; }
     void capsules(double, std::vector<WorldCapsule>& capsules) const override { capsules.clear(); }
     BoardMotion boardMotion(int board, double t_s) const override;
+    /// The bag's room has a steel beam in its floor; near it the field is some 15 % stronger.
+    Vector3d field_ut(const Vector3d& p_world_m) const override;
     void beginAgain() override;
 
     /// What nobody knows: tilts and the table's true speed at its nominal one, points of every placement.
@@ -85,6 +93,9 @@ private:
     struct SpeedChange {
         double begin_s = 0, by_rad_per_s = 0;
     };
+    struct Lift {
+        double begin_s = 0, by_m = 0;
+    };
     struct Move {
         double begin_s = 0;
         int from = 0, to = 0;
@@ -98,6 +109,7 @@ private:
 
     Matrix3<Jet> seatAt(double t_s) const;
     Matrix3<Jet> tableAt(double t_s) const;
+    Vector3<Jet> centerAt(double t_s) const;
     Vector3<Jet> pointAt(std::vector<Vector3d> Placement::*points, int index, double t_s) const;
     Frame<Jet> boardFrame(int board, double t_s) const;
 
@@ -114,6 +126,9 @@ private:
     RigSide side_;
     Quaterniond first_seat_;
     std::vector<Turn> turns_;
+    int rolls_ = 0;
+    double first_height_m_ = kHeight_m, height_m_ = kHeight_m;
+    std::vector<Lift> lifts_;
     double speed_rad_per_s_ = 0;
     std::vector<SpeedChange> speeds_;
     int first_placement_ = 0, placement_ = 0;

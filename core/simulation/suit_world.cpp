@@ -3,6 +3,8 @@
 
 namespace noctule::simulation {
 
+const Vector3d SuitWorld::kEarthField_ut{20, -43.6, 0};
+
 BoardMotion motionOf(const Frame<Jet>& board) {
     const Matrix3d r = board.r.unaryExpr([](const Jet& j) { return j.value; });
     const Matrix3d r_rate = board.r.unaryExpr([](const Jet& j) { return j.rate; });

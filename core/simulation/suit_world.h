@@ -20,7 +20,11 @@ BoardMotion motionOf(const Frame<Jet>& board);
 
 class SuitWorld : public World {
 public:
+    /// The Earth's field where nothing bends it: 48 uT, 65 degrees below the horizon.
+    static const Vector3d kEarthField_ut;
+
     virtual BoardMotion boardMotion(int board, double t_s) const = 0;
+    virtual Vector3d field_ut(const Vector3d& /*p_world_m*/) const { return kEarthField_ut; }
     /// Time is 0 again; what was changed on the way stays as it is: a strap that slipped, a plate that was
     /// turned.
     virtual void beginAgain() = 0;

@@ -211,7 +211,7 @@ TakeHeader headerOf(const Stage& stage, const TakeRequest& request) {
     header.pulse_interval_samples = stage.scenario.schedule().interval_samples;
     header.pulse_cycles = stage.scenario.pulse_cycles;
     header.drive_hz = stage.scenario.drive_hz;
-    if (stage.rig)
+    if (stage.rig && stage.rig->kind() != RigKind::kBag)  // that is a motion like any other
         header.take_kind = nameOf(stage.rig->kind());
     return header;
 }

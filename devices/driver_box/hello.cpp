@@ -142,9 +142,13 @@ Result<Suit> placedBySerial(const Suit& box, const Suit& own) {
     };
     Suit placed = box;
     placed.name = own.name;
-    for (Board& board : placed.boards)
+    for (Board& board : placed.boards) {
+        // What it sends the box alone knows; with another layout its frames would be misread.
+        const bool sends_field = board.has_magnetometer;
         if (!placePart(board, own.boards))
             return unknown("board", board.id, board.serial);
+        board.has_magnetometer = sends_field;
+    }
     for (Source& source : placed.sources)
         if (!placePart(source, own.sources))
             return unknown("source", source.id, source.serial);

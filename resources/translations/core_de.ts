@@ -4013,6 +4013,10 @@
         <translation>%1: %2 und wurden ausgelassen.</translation>
     </message>
     <message>
+        <source>%1: %2 of 100 directions were seen</source>
+        <translation>%1: %2 von 100 Richtungen wurden gesehen</translation>
+    </message>
+    <message>
         <source>%1: %2 of the take's %3 moving joints were recognised.</source>
         <translation>%1: %2 der %3 beweglichen Gelenke der Aufnahme wurden erkannt.</translation>
     </message>
@@ -4089,8 +4093,8 @@
         <translation>%1: seine Anzüge sind nicht ab 1 gezählt</translation>
     </message>
     <message>
-        <source>%1: no board has a magnetometer</source>
-        <translation>%1: keine Platine hat ein Magnetometer</translation>
+        <source>%1: no board has readings of a magnetometer</source>
+        <translation>%1: keine Platine hat Messwerte eines Magnetometers</translation>
     </message>
     <message>
         <source>%1: no instant of the table has a reference after the rest pose</source>
@@ -4119,6 +4123,10 @@
     <message>
         <source>%1: the field is bent for %2 of the time</source>
         <translation>%1: das Magnetfeld ist %2 der Zeit verzerrt</translation>
+    </message>
+    <message>
+        <source>%1: the field's strength differs by %2</source>
+        <translation>%1: Die Stärke des Magnetfelds unterscheidet sich um %2</translation>
     </message>
     <message>
         <source>%1: the table's point '%2' of suit %3 is no device of this take</source>
@@ -4333,10 +4341,6 @@
         <translation>Schwerkraft: quadratisches Mittel des Fehlers ihrer Länge in Ruhe. Drehungen: quadratisches Mittel des Winkels zwischen der vom Gyroskop mitgeführten und der gemessenen Schwerkraft.</translation>
     </message>
     <message>
-        <source>Hard and soft iron of %1 magnetometers</source>
-        <translation>Hart- und weichmagnetische Störungen von %1 Magnetometern</translation>
-    </message>
-    <message>
         <source>Import a recording that brings one, as BROAD's trials do</source>
         <translation>Eine Aufzeichnung importieren, die eine mitbringt, wie die Versuche von BROAD</translation>
     </message>
@@ -4347,6 +4351,10 @@
     <message>
         <source>Inertial sensors by hand</source>
         <translation>Inertialsensoren von Hand</translation>
+    </message>
+    <message>
+        <source>Its magnetometer may be broken or shielded; skip it</source>
+        <translation>Sein Magnetometer ist vielleicht defekt oder abgeschirmt; überspringen</translation>
     </message>
     <message>
         <source>Its runs are %1</source>
@@ -4561,10 +4569,6 @@
         <translation>Schallgeschwindigkeit</translation>
     </message>
     <message>
-        <source>Spread: how much the field's strength differs between directions.</source>
-        <translation>Streuung: wie stark sich die Stärke des Magnetfelds zwischen den Richtungen unterscheidet.</translation>
-    </message>
-    <message>
         <source>Stated uncertainty of all points</source>
         <translation>Angegebene Unsicherheit aller Punkte</translation>
     </message>
@@ -4575,6 +4579,10 @@
     <message>
         <source>Take --estimator comocap</source>
         <translation>--estimator comocap nehmen</translation>
+    </message>
+    <message>
+        <source>Take away the magnet that lies beside it and turn it again</source>
+        <translation>Den Magneten daneben entfernen und es noch einmal drehen</translation>
     </message>
     <message>
         <source>The boxes' clocks are known from the rest pose alone, since no transceivers of all suits hear each other both ways: ranges between suits drift.</source>
@@ -4673,6 +4681,14 @@
         <translation>Punkte werden verfolgt</translation>
     </message>
     <message>
+        <source>Turn it again through all directions, away from iron</source>
+        <translation>Noch einmal in alle Richtungen drehen, fern von Eisen</translation>
+    </message>
+    <message>
+        <source>Turn it again until 90 were seen</source>
+        <translation>Noch einmal drehen, bis 90 gesehen wurden</translation>
+    </message>
+    <message>
         <source>Two people near each other</source>
         <translation>Zwei Personen nahe beieinander</translation>
     </message>
@@ -4725,10 +4741,6 @@
         <translation>Platine %1 misst mit %2 Hz</translation>
     </message>
     <message>
-        <source>directions of 26</source>
-        <translation>Richtungen von 26</translation>
-    </message>
-    <message>
         <source>estimator %1 knows one body only</source>
         <translation>der Schätzer %1 kennt nur einen Körper</translation>
     </message>
@@ -4779,6 +4791,14 @@
     <message>
         <source>it holds sound, from which ranges between suits are not measured yet</source>
         <translation>sie enthält Schall, aus dem Punkte noch nicht gemessen werden</translation>
+    </message>
+    <message>
+        <source>it reads no field</source>
+        <translation>es misst kein Feld</translation>
+    </message>
+    <message>
+        <source>its field is beyond its range</source>
+        <translation>sein Feld liegt jenseits seines Messbereichs</translation>
     </message>
     <message>
         <source>its readings were dropped while it was processed</source>
@@ -4865,10 +4885,6 @@
         <translation>Messwerte</translation>
     </message>
     <message>
-        <source>residual uT</source>
-        <translation>Rest uT</translation>
-    </message>
-    <message>
         <source>rms error of all points over time</source>
         <translation>quadratisches Mittel des Fehlers aller Punkte über der Zeit</translation>
     </message>
@@ -4889,20 +4905,8 @@
         <translation>geglättet</translation>
     </message>
     <message>
-        <source>spread after %</source>
-        <translation>Streuung nachher %</translation>
-    </message>
-    <message>
-        <source>spread before %</source>
-        <translation>Streuung vorher %</translation>
-    </message>
-    <message>
         <source>square root of the mean trace of the covariances</source>
         <translation>Wurzel der mittleren Spur der Kovarianzen</translation>
-    </message>
-    <message>
-        <source>strength uT</source>
-        <translation>Stärke uT</translation>
     </message>
     <message>
         <source>the calibration knows none of its boards</source>
@@ -5746,6 +5750,10 @@
         <translation>Keine Kontrolle möglich: %1</translation>
     </message>
     <message>
+        <source>Change: how much the field's strength differs between directions, standard deviation.</source>
+        <translation>Änderung: wie sehr sich die Feldstärke zwischen den Richtungen unterscheidet, als Standardabweichung.</translation>
+    </message>
+    <message>
         <source>Chest</source>
         <translation>Brust</translation>
     </message>
@@ -5804,6 +5812,10 @@
     <message>
         <source>Error of gravity in every position</source>
         <translation>Fehler der Schwerkraft in jeder Stellung</translation>
+    </message>
+    <message>
+        <source>Error of the field's strength in every direction</source>
+        <translation>Fehler der Feldstärke in jeder Richtung</translation>
     </message>
     <message>
         <source>Error of the rate in every turn and rest</source>
@@ -6022,6 +6034,10 @@
         <translation>Mit Noctule erstellt. %1</translation>
     </message>
     <message>
+        <source>Magnetometers</source>
+        <translation>Magnetometer</translation>
+    </message>
+    <message>
         <source>Mean</source>
         <translation>Mittel</translation>
     </message>
@@ -6092,6 +6108,10 @@
     <message>
         <source>No run of this take has been compared: it has no reference, or was not processed yet.</source>
         <translation>Kein Ergebnis dieser Aufnahme wurde verglichen: sie hat keine Referenz oder ist noch nicht verarbeitet.</translation>
+    </message>
+    <message>
+        <source>None of the magnetometers could be calibrated</source>
+        <translation>Keines der Magnetometer konnte kalibriert werden</translation>
     </message>
     <message>
         <source>Not judged. Without a reference the error of this take is not known.</source>
@@ -6374,6 +6394,10 @@
         <translation>Die Wurzel kam von einem anderen System; dieser Bericht sagt nichts darüber, wie gut der Anzug allein sie kennen würde.</translation>
     </message>
     <message>
+        <source>The same field in every direction, within %1 %: %2 of %3 magnetometers</source>
+        <translation>In jeder Richtung dasselbe Feld, auf %1 % genau: %2 von %3 Magnetometern</translation>
+    </message>
+    <message>
         <source>The shown run used no gyroscopes: rotation between two ranges or readings is a guess of the model.</source>
         <translation>Das gezeigte Ergebnis verwendete keine Gyroskope: die Drehung zwischen zwei Entfernungen oder Messwerten ist eine Vermutung des Modells.</translation>
     </message>
@@ -6482,6 +6506,10 @@
         <translation>Arm</translation>
     </message>
     <message>
+        <source>at least %1 %</source>
+        <translation>mindestens %1 %</translation>
+    </message>
+    <message>
         <source>axes seen</source>
         <translation>gesehene Achsen</translation>
     </message>
@@ -6492,6 +6520,10 @@
     <message>
         <source>bending to the right</source>
         <translation>Neigung nach rechts</translation>
+    </message>
+    <message>
+        <source>between %1 and %2 µT</source>
+        <translation>zwischen %1 und %2 µT</translation>
     </message>
     <message>
         <source>boards heard</source>
@@ -6510,6 +6542,18 @@
         <translation>vom Modell allein</translation>
     </message>
     <message>
+        <source>change before, %</source>
+        <translation>Änderung vorher, %</translation>
+    </message>
+    <message>
+        <source>change now, %</source>
+        <translation>Änderung jetzt, %</translation>
+    </message>
+    <message>
+        <source>change of the field's strength with the direction, worst sensor</source>
+        <translation>Änderung der Feldstärke mit der Richtung, schlechtester Sensor</translation>
+    </message>
+    <message>
         <source>change of the speed of sound</source>
         <translation>Änderung der Schallgeschwindigkeit</translation>
     </message>
@@ -6520,6 +6564,10 @@
     <message>
         <source>deviation, mm</source>
         <translation>Abweichung, mm</translation>
+    </message>
+    <message>
+        <source>directions of 100</source>
+        <translation>Richtungen von 100</translation>
     </message>
     <message>
         <source>distances heard</source>
@@ -6560,6 +6608,10 @@
     <message>
         <source>external rotation</source>
         <translation>Außendrehung</translation>
+    </message>
+    <message>
+        <source>field's strength, µT</source>
+        <translation>Feldstärke, µT</translation>
     </message>
     <message>
         <source>forward rotation</source>
@@ -6642,6 +6694,10 @@
         <translation>Bein</translation>
     </message>
     <message>
+        <source>magnetometer's zero, µT</source>
+        <translation>Nullpunkt des Magnetometers, µT</translation>
+    </message>
+    <message>
         <source>mean joint error against the reference</source>
         <translation>mittlerer Gelenkfehler gegen die Referenz</translation>
     </message>
@@ -6668,6 +6724,10 @@
     <message>
         <source>no source</source>
         <translation>keine Quelle</translation>
+    </message>
+    <message>
+        <source>of all directions, the sensor that has seen least</source>
+        <translation>aller Richtungen, der Sensor mit den wenigsten</translation>
     </message>
     <message>
         <source>of frames backed by ranges, mean over joints</source>
@@ -6754,6 +6814,10 @@
         <translation>Quelle %1%2</translation>
     </message>
     <message>
+        <source>strength of the field, mean</source>
+        <translation>Stärke des Feldes, Mittel</translation>
+    </message>
+    <message>
         <source>the %1 reference</source>
         <translation>die Referenz von %1</translation>
     </message>
@@ -6814,6 +6878,14 @@
         <translation>Ulnarabduktion</translation>
     </message>
     <message>
+        <source>under %1 %</source>
+        <translation>unter %1 %</translation>
+    </message>
+    <message>
+        <source>under %1 µT</source>
+        <translation>unter %1 µT</translation>
+    </message>
+    <message>
         <source>under %1%2</source>
         <translation>unter %1%2</translation>
     </message>
@@ -6828,6 +6900,10 @@
     <message>
         <source>zero, mg</source>
         <translation>Nullpunkt, mg</translation>
+    </message>
+    <message>
+        <source>zero, sigma, µT</source>
+        <translation>Nullpunkt, Sigma, µT</translation>
     </message>
 </context>
 <context>
@@ -7621,6 +7697,10 @@
         <translation>air instruments</translation>
     </message>
     <message>
+        <source>all directions</source>
+        <translation>alle Richtungen</translation>
+    </message>
+    <message>
         <source>and %1</source>
         <translation>und %1</translation>
     </message>
@@ -7661,6 +7741,10 @@
         <translation>external root</translation>
     </message>
     <message>
+        <source>field noise</source>
+        <translation>Rauschen des Magnetfelds</translation>
+    </message>
+    <message>
         <source>first guess of the clock</source>
         <translation>first guess of the clock</translation>
     </message>
@@ -7691,14 +7775,6 @@
     <message>
         <source>is not an object</source>
         <translation>ist kein Objekt</translation>
-    </message>
-    <message>
-        <source>jig</source>
-        <translation>Messgestell</translation>
-    </message>
-    <message>
-        <source>level</source>
-        <translation>waagrechte Platte</translation>
     </message>
     <message>
         <source>level plate</source>
@@ -7775,10 +7851,6 @@
     <message>
         <source>suit %1: source '%2' sits on another segment than board '%3', with which it shares a housing</source>
         <translation>Anzug %1: Quelle '%2' sitzt auf einem anderen Glied als Platine '%3', mit der sie ein Gehäuse teilt</translation>
-    </message>
-    <message>
-        <source>turntable</source>
-        <translation>Drehteller</translation>
     </message>
     <message>
         <source>turntable speed</source>

@@ -177,6 +177,228 @@
     </message>
 </context>
 <context>
+    <name>FieldText</name>
+    <message>
+        <source>Tip it over and roll it slowly. Keep it 1 m away from tables, radiators and telephones.</source>
+        <translation>Kippen und langsam rollen. 1 m Abstand zu Tischen, Heizkörpern und Telefonen halten.</translation>
+    </message>
+    <message>
+        <source>All directions were seen: wait a moment</source>
+        <translation>Alle Richtungen gesehen: einen Moment warten</translation>
+    </message>
+    <message>
+        <source>%1 is missing, then it is done</source>
+        <translation>%1 fehlt noch, dann ist es fertig</translation>
+    </message>
+    <message>
+        <source>Most is missing on this side: %1</source>
+        <translation>Hier fehlt am meisten: %1</translation>
+    </message>
+    <message>
+        <source>the right side</source>
+        <translation>die rechte Seite</translation>
+    </message>
+    <message>
+        <source>the left side</source>
+        <translation>die linke Seite</translation>
+    </message>
+    <message>
+        <source>the upper side</source>
+        <translation>die Oberseite</translation>
+    </message>
+    <message>
+        <source>the lower side</source>
+        <translation>die Unterseite</translation>
+    </message>
+    <message>
+        <source>the front</source>
+        <translation>die Vorderseite</translation>
+    </message>
+    <message>
+        <source>the back</source>
+        <translation>die Rückseite</translation>
+    </message>
+    <message>
+        <source>%1 µT ±%2</source>
+        <translation>%1 µT ±%2</translation>
+    </message>
+    <message>
+        <source>%1 µT</source>
+        <translation>%1 µT</translation>
+    </message>
+    <message>
+        <source>Turn it more slowly</source>
+        <translation>Langsamer drehen</translation>
+    </message>
+    <message>
+        <source>Roll it slowly</source>
+        <translation>Langsam rollen</translation>
+    </message>
+    <message>
+        <source>Turn it upside down</source>
+        <translation>Auf den Kopf drehen</translation>
+    </message>
+    <message>
+        <source>Tip it onto another side</source>
+        <translation>Auf eine andere Seite kippen</translation>
+    </message>
+    <message>
+        <source>The field of this spot is bent by %1</source>
+        <translation>Das Magnetfeld ist an dieser Stelle um %1 verzerrt</translation>
+    </message>
+    <message>
+        <source>Steel is near: a table, a radiator, the floor. Go 1 m away from it and carry the suit about again.</source>
+        <translation>Stahl ist in der Nähe: ein Tisch, ein Heizkörper, der Boden. 1 m davon weggehen und den Anzug noch einmal umhertragen.</translation>
+    </message>
+    <message>
+        <source>Half a metre to each side and up and down, without turning it.</source>
+        <translation>Einen halben Meter zu jeder Seite, auf und ab, ohne zu drehen.</translation>
+    </message>
+    <message>
+        <source>The field is even here</source>
+        <translation>Das Magnetfeld ist hier gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Every sensor has enough</source>
+        <translation>Jeder Sensor hat genug</translation>
+    </message>
+    <message>
+        <source>Go on carrying it about for a moment.</source>
+        <translation>Noch einen Moment weiter umhertragen.</translation>
+    </message>
+    <message>
+        <source>The calibration begins by itself.</source>
+        <translation>Die Kalibrierung beginnt von selbst.</translation>
+    </message>
+    <message>
+        <source>No magnetometer is heard</source>
+        <translation>Kein Magnetometer ist zu hören</translation>
+    </message>
+    <message>
+        <source>Field even</source>
+        <translation>Feld gleichmäßig</translation>
+    </message>
+    <message>
+        <source>%1, limit %2</source>
+        <translation>%1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Turning slowly</source>
+        <translation>Langsam gedreht</translation>
+    </message>
+    <message>
+        <source>%1°/s, limit %2</source>
+        <translation>%1°/s, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>%1, good: over 90</source>
+        <translation>%1, gut: über 90</translation>
+    </message>
+    <message>
+        <source>Lift it and carry it about a little</source>
+        <translation>Anheben und ein wenig umhertragen</translation>
+    </message>
+    <message>
+        <source>The field is even down to the floor</source>
+        <translation>Das Feld ist bis zum Boden gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Hold it for a moment more.</source>
+        <translation>Noch einen Augenblick so halten.</translation>
+    </message>
+    <message>
+        <source>Near the floor the field is %1</source>
+        <translation>Am Boden ist das Feld %1</translation>
+    </message>
+    <message>
+        <source>The floor holds steel. Turn the suit up here, at the height of your chest.</source>
+        <translation>Im Boden liegt Stahl. Den Anzug oben drehen, in Brusthöhe.</translation>
+    </message>
+    <message>
+        <source>%1 (sensor %2)</source>
+        <translation>%1 (Sensor %2)</translation>
+    </message>
+    <message>
+        <source>%1 weaker</source>
+        <translation>%1 schwächer</translation>
+    </message>
+    <message>
+        <source>%1 stronger</source>
+        <translation>%1 stärker</translation>
+    </message>
+    <message>
+        <source>%1, even within %2</source>
+        <translation>%1, gleichmäßig auf %2</translation>
+    </message>
+    <message>
+        <source>not looked at</source>
+        <translation>nicht angesehen</translation>
+    </message>
+    <message>
+        <source>%1 of the directions</source>
+        <translation>%1 der Richtungen</translation>
+    </message>
+    <message>
+        <source>No sensor is heard</source>
+        <translation>Kein Sensor ist zu hören</translation>
+    </message>
+    <message>
+        <source>Step Connect shows which one is missing and why.</source>
+        <translation>Der Schritt Verbinden zeigt, welcher fehlt und warum.</translation>
+    </message>
+    <message>
+        <source>The sensors are heard, but send no field. Step Connect shows what they are.</source>
+        <translation>Die Sensoren sind zu hören, senden aber kein Feld. Der Schritt Verbinden zeigt, was für welche es sind.</translation>
+    </message>
+    <message>
+        <source>%1 is not heard</source>
+        <translation>%1 ist nicht zu hören</translation>
+    </message>
+    <message numerus="yes">
+        <source>Push its plug in until it clicks, or skip it. %n sensor(s) are missing.</source>
+        <translation>
+            <numerusform>Den Stecker bis zum Klicken eindrücken oder ihn überspringen. %n Sensor fehlt.</numerusform>
+            <numerusform>Die Stecker bis zum Klicken eindrücken oder sie überspringen. %n Sensoren fehlen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is tilted by %1</source>
+        <translation>Er ist um %1 geneigt</translation>
+    </message>
+    <message>
+        <source>Hold it as it was when this step began; it is turned later.</source>
+        <translation>So halten wie zu Beginn dieses Schrittes; gedreht wird später.</translation>
+    </message>
+    <message>
+        <source>Hold it a hand’s width above the floor</source>
+        <translation>Eine Handbreit über den Boden halten</translation>
+    </message>
+    <message>
+        <source>Without turning it, until the ring is full. Then lift it again.</source>
+        <translation>Ohne ihn zu drehen, bis der Ring voll ist. Dann wieder anheben.</translation>
+    </message>
+    <message>
+        <source>Every sensor has been turned</source>
+        <translation>Jeder Sensor wurde gedreht</translation>
+    </message>
+    <message>
+        <source>Start one anew, begin anew, or use those that are done.</source>
+        <translation>Einen neu beginnen, alles neu beginnen oder die fertigen verwenden.</translation>
+    </message>
+    <message>
+        <source>Sensors heard</source>
+        <translation>Gehörte Sensoren</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
     <name>HeardSwitch</name>
     <message>
         <source>Own</source>
@@ -1668,6 +1890,74 @@
     <message>
         <source>Stand still for three seconds</source>
         <translation>Drei Sekunden stillstehen</translation>
+    </message>
+    <message>
+        <source>Magnetometers</source>
+        <translation>Magnetometer</translation>
+    </message>
+    <message>
+        <source>What the iron of each board does to the Earth’s field, so that headings hold.</source>
+        <translation>Was das Eisen jeder Platine mit dem Erdmagnetfeld macht, damit Richtungen halten.</translation>
+    </message>
+    <message>
+        <source>A bag, 1 m from steel, 2 minutes; every three months</source>
+        <translation>Ein Beutel, 1 m von Stahl entfernt, 2 Minuten; alle drei Monate</translation>
+    </message>
+    <message>
+        <source>The suit, off the body, in a bag or in both hands; one sensor alone will do too</source>
+        <translation>Der abgelegte Anzug in einem Beutel oder in beiden Händen; auch ein Sensor allein genügt</translation>
+    </message>
+    <message>
+        <source>A spot 1 m away from steel, radiators, loudspeakers and telephones</source>
+        <translation>Eine Stelle 1 m entfernt von Stahl, Heizkörpern, Lautsprechern und Telefonen</translation>
+    </message>
+    <message>
+        <source>Take rings, watches and buckles out of the bag. The box lies in it too, or its cable is long enough to be turned.</source>
+        <translation>Ringe, Uhren und Schnallen aus dem Beutel nehmen. Die Box liegt mit darin, oder ihr Kabel ist lang genug zum Drehen.</translation>
+    </message>
+    <message>
+        <source>One sensor, several, or all in a bag: each is judged by itself.</source>
+        <translation>Ein Sensor, mehrere oder alle im Beutel: Jeder wird für sich beurteilt.</translation>
+    </message>
+    <message>
+        <source>Put all sensors in a bag</source>
+        <translation>Alle Sensoren in einen Beutel legen</translation>
+    </message>
+    <message>
+        <source>Field of this spot</source>
+        <translation>Feld an dieser Stelle</translation>
+    </message>
+    <message>
+        <source>strength, dip, evenness</source>
+        <translation>Stärke, Neigung, Gleichmaß</translation>
+    </message>
+    <message>
+        <source>Carry it about slowly</source>
+        <translation>Langsam umhertragen</translation>
+    </message>
+    <message>
+        <source>Turn through all directions</source>
+        <translation>In alle Richtungen drehen</translation>
+    </message>
+    <message>
+        <source>each by itself</source>
+        <translation>jeder für sich</translation>
+    </message>
+    <message>
+        <source>Field near the floor</source>
+        <translation>Feld am Boden</translation>
+    </message>
+    <message>
+        <source>where steel lies in most houses</source>
+        <translation>wo in den meisten Häusern Stahl liegt</translation>
+    </message>
+    <message>
+        <source>Lower it to the floor</source>
+        <translation>Zum Boden senken</translation>
+    </message>
+    <message>
+        <source>Turn it slowly</source>
+        <translation>Langsam drehen</translation>
     </message>
 </context>
 <context>
@@ -3487,6 +3777,252 @@
             <numerusform>%n Ergebnis</numerusform>
             <numerusform>%n Ergebnisse</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::FieldDrawing</name>
+    <message>
+        <source>%1 of 100 directions seen</source>
+        <translation>%1 von 100 Richtungen gesehen</translation>
+    </message>
+    <message>
+        <source>%1, %2 still empty</source>
+        <translation>%1, noch leer: %2</translation>
+    </message>
+    <message>
+        <source>still empty: %1</source>
+        <translation>noch leer: %1</translation>
+    </message>
+    <message>
+        <source>readings few</source>
+        <translation>Messwerte wenige</translation>
+    </message>
+    <message>
+        <source>many</source>
+        <translation>viele</translation>
+    </message>
+    <message>
+        <source>Seen from behind</source>
+        <translation>Von hinten gesehen</translation>
+    </message>
+    <message>
+        <source>Seen from the front</source>
+        <translation>Von vorn gesehen</translation>
+    </message>
+    <message>
+        <source>Each field is a direction the Earth’s field was seen from, by the sensor that has seen it least.</source>
+        <translation>Jedes Feld ist eine Richtung, aus der das Erdmagnetfeld gesehen wurde, vom Sensor, der sie am wenigsten sah.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::FieldHeights</name>
+    <message>
+        <source>At the height of the chest: %1. Near the floor: %2.</source>
+        <translation>In Brusthöhe: %1. Am Boden: %2.</translation>
+    </message>
+    <message>
+        <source>not looked at yet</source>
+        <translation>noch nicht angesehen</translation>
+    </message>
+    <message>
+        <source>even within %1</source>
+        <translation>gleichmäßig auf %1</translation>
+    </message>
+    <message>
+        <source>bent by %1</source>
+        <translation>um %1 verbogen</translation>
+    </message>
+    <message>
+        <source>%1: bent</source>
+        <translation>%1: verbogen</translation>
+    </message>
+    <message>
+        <source>%1: even</source>
+        <translation>%1: gleichmäßig</translation>
+    </message>
+    <message>
+        <source>as usual here</source>
+        <translation>wie hier üblich</translation>
+    </message>
+    <message>
+        <source>Near the floor</source>
+        <translation>Am Boden</translation>
+    </message>
+    <message>
+        <source>At the height of the chest</source>
+        <translation>In Brusthöhe</translation>
+    </message>
+    <message>
+        <source>How strong the Earth’s field is, compared with what is usual where you stand. Steel bends it: beyond 5 % a heading is wrong by several degrees.</source>
+        <translation>Wie stark das Erdfeld ist, verglichen mit dem, was hier üblich ist. Stahl verbiegt es: über 5 % ist eine Richtung um mehrere Grad falsch.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::FieldLive</name>
+    <message>
+        <source>The page goes on by itself when every sensor has 90 % of all directions. A sensor that stays behind can be done alone afterwards.</source>
+        <translation>Die Seite geht von selbst weiter, wenn jeder Sensor 90 % aller Richtungen hat. Ein Sensor, der zurückbleibt, kann danach allein an die Reihe kommen.</translation>
+    </message>
+    <message>
+        <source>%1 of 100 directions, all sensors</source>
+        <translation>%1 von 100 Richtungen, alle Sensoren</translation>
+    </message>
+    <message>
+        <source>%1 so far</source>
+        <translation>bisher %1</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::FieldSensors</name>
+    <message>
+        <source>Start it anew</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Skip it</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>Begin anew</source>
+        <translation>Von vorn beginnen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>Field of this spot</source>
+        <translation>Feld an dieser Stelle</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Dip</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>%1 is beyond its range</source>
+        <translation>%1 ist außerhalb des Messbereichs</translation>
+    </message>
+    <message>
+        <source>A magnet lies beside it. Take it away; readings begin anew.</source>
+        <translation>Ein Magnet liegt daneben. Wegnehmen und den Sensor neu beginnen.</translation>
+    </message>
+    <message>
+        <source>%1 reads no field</source>
+        <translation>%1 misst kein Magnetfeld</translation>
+    </message>
+    <message>
+        <source>Its magnetometer seems to be broken or shielded. Skip it.</source>
+        <translation>Das Magnetometer ist wohl defekt oder abgeschirmt. Den Sensor auslassen.</translation>
+    </message>
+    <message>
+        <source>%1 carries iron</source>
+        <translation>Eisen bei: %1</translation>
+    </message>
+    <message>
+        <source>Its field changes by %1 as it turns, more than that of the others. A ring, a watch or a buckle lies beside it. Take it out; readings begin anew.</source>
+        <translation>Das Feld ändert sich beim Drehen um %1, mehr als bei den anderen. Ein Ring, eine Uhr oder eine Schnalle liegt daneben. Herausnehmen und den Sensor neu beginnen.</translation>
+    </message>
+    <message>
+        <source>The field of %1 changes by %2</source>
+        <translation>Das Feld von %1 ändert sich um %2</translation>
+    </message>
+    <message>
+        <source>The spot is bent, or iron lies beside it. Go 1 m away from steel; readings begin anew.</source>
+        <translation>Das Feld ist hier verzerrt, oder Eisen liegt daneben. 1 m von Stahl weggehen und den Sensor neu beginnen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 have enough</source>
+        <translation>%1 von %2 haben genug</translation>
+    </message>
+    <message>
+        <source>%1 down</source>
+        <translation>%1 nach unten</translation>
+    </message>
+    <message numerus="yes">
+        <source>Use the %n that are done</source>
+        <translation>
+            <numerusform>Den %n fertigen benutzen</numerusform>
+            <numerusform>Die %n fertigen benutzen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No sensor has 90 % of the directions yet.</source>
+        <translation>Noch kein Sensor hat 90 % der Richtungen.</translation>
+    </message>
+    <message>
+        <source>Nothing has been turned yet.</source>
+        <translation>Noch wurde nichts gedreht.</translation>
+    </message>
+    <message>
+        <source>Leave out the floor</source>
+        <translation>Den Boden auslassen</translation>
+    </message>
+    <message>
+        <source>Ask for the skipped ones again</source>
+        <translation>Übersprungene wieder aufnehmen</translation>
+    </message>
+    <message>
+        <source>Near the floor</source>
+        <translation>Am Boden</translation>
+    </message>
+    <message>
+        <source>To the field of this spot once more; what was turned stays</source>
+        <translation>Noch einmal zum Feld dieser Stelle; was gedreht wurde, bleibt</translation>
+    </message>
+    <message>
+        <source>Nothing is known of the floor then; turn the suit at the height of your chest</source>
+        <translation>Vom Boden ist dann nichts bekannt; den Anzug in Brusthöhe drehen</translation>
+    </message>
+    <message>
+        <source>Start sensor %1 anew</source>
+        <translation>Sensor %1 neu beginnen</translation>
+    </message>
+    <message>
+        <source>Skip sensor %1</source>
+        <translation>Sensor %1 überspringen</translation>
+    </message>
+    <message>
+        <source>%1 is not heard</source>
+        <translation>%1 ist nicht zu hören</translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks; if its light stays dark, change the cable.</source>
+        <translation>Den Stecker bis zum Klicken eindrücken; bleibt sein Licht dunkel, das Kabel tauschen.</translation>
+    </message>
+    <message>
+        <source>This is the first step.</source>
+        <translation>Das ist der erste Schritt.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::FieldTable</name>
+    <message>
+        <source>Sensors, directions seen and unevenness</source>
+        <translation>Sensoren, gesehene Richtungen und Ungleichmaß</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>unevenness</source>
+        <translation>Ungleichmaß</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>ausgelassen</translation>
     </message>
 </context>
 <context>
@@ -10469,6 +11005,14 @@ Drehen, beide Richtungen x3</translation>
         <source>Set-up</source>
         <translation>Aufbau</translation>
     </message>
+    <message>
+        <source>%1 of the directions are kept, too.</source>
+        <translation>Auch %1 der Richtungen sind aufgehoben.</translation>
+    </message>
+    <message>
+        <source>%1 of the directions were seen on %2 and are kept.</source>
+        <translation>%1 der Richtungen wurden am %2 gesehen und sind aufgehoben.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::WizardLive</name>
@@ -10598,6 +11142,14 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Calibration: %1</source>
         <translation>Kalibrierung: %1</translation>
+    </message>
+    <message>
+        <source>No board of this suit has a magnetometer.</source>
+        <translation>Keine Platine dieses Anzugs hat ein Magnetometer.</translation>
+    </message>
+    <message>
+        <source>Keeping %1</source>
+        <translation>Aufheben: %1</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>FieldText</name>
+    <message numerus="yes">
+        <source>Push its plug in until it clicks, or skip it. %n sensor(s) are missing.</source>
+        <translation>
+            <numerusform>Push its plug in until it clicks, or skip it. %n sensor is missing.</numerusform>
+            <numerusform>Push its plug in until it clicks, or skip it. %n sensors are missing.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>JobWords</name>
     <message numerus="yes">
         <source>%n s left</source>
@@ -184,6 +194,16 @@
         <translation>
             <numerusform>%n result</numerusform>
             <numerusform>%n results</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::FieldSensors</name>
+    <message numerus="yes">
+        <source>Use the %n that are done</source>
+        <translation>
+            <numerusform>Use the %n that is done</numerusform>
+            <numerusform>Use the %n that are done</numerusform>
         </translation>
     </message>
 </context>

@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/style/words.h"
 #include "ui/views/fit_words.h"
@@ -252,6 +253,8 @@ void CalibratePage::refresh() {
     const Suit& suit = studio_.suit().suit();
     const QDateTime now = QDateTime::currentDateTime();
     next_ = nextTask(in_force, suit, now);
+    const bool has_field = std::ranges::any_of(suit.boards, &Board::has_magnetometer);
+    cards_.at(WizardTask::kMagnetometers)->setVisible(has_field);
     for (const auto& [task, card] : cards_) {
         if (task == WizardTask::kCheck) {
             card->setState(Tone::kNeutral, in_force ? tr("Against the calibration in force")

@@ -19,6 +19,7 @@ int lastsDays(WizardTask task) {
             return 365;
         case WizardTask::kAccelerometers:
         case WizardTask::kGyroscopes:
+        case WizardTask::kMagnetometers:
             return 92;
         case WizardTask::kRestPose:
         case WizardTask::kMovement:
@@ -85,7 +86,8 @@ TaskState stateOf(WizardTask task, const std::optional<Calibration>& calibration
                 count(&source, key, state);
     } else {
         for (const Board& board : suit.boards)
-            count(known.findBoard(board.id), key, state);
+            if (task != WizardTask::kMagnetometers || board.has_magnetometer)
+                count(known.findBoard(board.id), key, state);
         if (suit.boards.empty())
             for (const BoardCalibration& board : known.boards)
                 count(&board, key, state);

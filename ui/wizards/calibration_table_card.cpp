@@ -18,6 +18,8 @@ CalibrationTableCard::CalibrationTableCard(const CalibrationTable& table, QWidge
     auto* grid = makeGrid(cells, {}, 6);
     const auto add = [grid](const std::string& text, int row, int column_index, Ink ink, TextRole role) {
         auto* cell = new Label(coreWords(text), role, ink);
+        if (row == 0)
+            cell->wrapped();
         cell->setAlignment((column_index == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
         grid->addWidget(cell, row, column_index);
     };

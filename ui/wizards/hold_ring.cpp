@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 
 namespace noctule::ui {
 
@@ -26,6 +27,16 @@ void HoldRing::show(double share, double hold_s, Tone tone) {
     update();
 }
 
+void HoldRing::showShare(double share, Tone tone) {
+    if (share == share_ && hold_s_ == 0 && tone == tone_)
+        return;
+    share_ = share;
+    hold_s_ = 0;
+    tone_ = tone;
+    setAccessibleName(percentText(share));
+    update();
+}
+
 QSize HoldRing::sizeHint() const {
     return QSize(Theme::get().px(68), Theme::get().px(68));
 }
@@ -44,7 +55,9 @@ void HoldRing::paintEvent(QPaintEvent*) {
     painter.setPen(Theme::get().tokens().t1);
     painter.setFont(Theme::get().font(TextRole::kSection));
     painter.drawText(rect(), Qt::AlignCenter,
-                     tr("%1 / %2 s").arg(std::floor(share_ * hold_s_)).arg(std::lround(hold_s_)));
+                     hold_s_ == 0
+                         ? percentText(share_)
+                         : tr("%1 / %2 s").arg(std::floor(share_ * hold_s_)).arg(std::lround(hold_s_)));
 }
 
 }  // namespace noctule::ui

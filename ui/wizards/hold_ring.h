@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ring that fills while a step is right: "2 / 4 s".
+// The ring that fills while a step is right, "2 / 4 s", or with a share of a whole, "71 %".
 #pragma once
 
 #include <QWidget>
@@ -14,6 +14,7 @@ public:
     explicit HoldRing(QWidget* parent = nullptr);
 
     void show(double share, double hold_s, Tone tone);
+    void showShare(double share, Tone tone);
     using QWidget::show;
     QSize sizeHint() const override;
 
@@ -21,7 +22,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    double share_ = 0, hold_s_ = 1;
+    double share_ = 0, hold_s_ = 1;  ///< 0: a share is shown
     Tone tone_ = Tone::kNeutral;
 };
 

@@ -42,7 +42,7 @@ void RigDrawing::setDescription(const QString& words) {
 
 QSize RigDrawing::minimumSizeHint() const {
     const Theme& theme = Theme::get();
-    return {theme.px(560), theme.px(330)};
+    return {theme.px(320), theme.px(200)};
 }
 
 QSize RigDrawing::sizeHint() const {

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <stdexcept>
 
+#include "core/guide/field_guide.h"
 #include "core/guide/movement_guide.h"
 #include "core/guide/placement_guide.h"
 #include "core/guide/side_guide.h"
@@ -22,6 +23,8 @@ std::unique_ptr<Guide> makeGuide(WizardTask task, const Suit& suit, const Calibr
             return std::make_unique<SideGuide>(suit, known, sample_rate_hz);
         case WizardTask::kGyroscopes:
             return std::make_unique<TurnGuide>(suit, known, sample_rate_hz, 0);
+        case WizardTask::kMagnetometers:
+            return std::make_unique<FieldGuide>(suit, known, sample_rate_hz);
         case WizardTask::kMovement:
             return std::make_unique<MovementGuide>(suit, known, sample_rate_hz);
         case WizardTask::kRestPose:
@@ -40,6 +43,8 @@ Result<CalibrationResult> solveTask(WizardTask task, const CalibrateRequest& req
             return calibrateAccelerometers(request, job);
         case WizardTask::kGyroscopes:
             return calibrateGyroscopes(request, 0, job);
+        case WizardTask::kMagnetometers:
+            return calibrateMagnetometers(request, std::nullopt, job);
         case WizardTask::kRestPose:
             return calibrateRestPose(request, job);
         case WizardTask::kMovement:

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/guide/guide.h"
-#include "core/processing/calibrate_takes.h"
+#include "core/processing/calibrate_sensors.h"
 #include "ui/wizards/wizard_task.h"
 
 namespace noctule::ui {

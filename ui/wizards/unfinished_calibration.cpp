@@ -23,7 +23,8 @@ QString textIn(const nlohmann::json& json, const char* member) {
 int UnfinishedCalibration::stepsDone() const {
     std::set<int> steps;
     for (const WizardEvidence& part : evidence)
-        steps.insert(part.step);
+        if (!part.boards.empty())
+            steps.insert(part.step);
     return static_cast<int>(steps.size());
 }
 
@@ -38,6 +39,8 @@ Status writeUnfinished(const QString& path, const QString& task, const Unfinishe
     json["task"] = task.toStdString();
     json["started_utc"] = unfinished.started_utc.toStdString();
     json["distances"] = unfinished.distances_path.toStdString();
+    if (unfinished.share > 0)
+        json["share"] = unfinished.share;
     json["evidence"] = nlohmann::json::array();
     for (const WizardEvidence& part : unfinished.evidence)
         json["evidence"].push_back({{"file", QFileInfo(part.path).fileName().toStdString()},
@@ -58,6 +61,7 @@ UnfinishedCalibration readUnfinished(const QString& path, const QString& evidenc
             return {};
         unfinished.started_utc = textIn(json, "started_utc");
         unfinished.distances_path = textIn(json, "distances");
+        unfinished.share = json.value("share", 0.0);
         for (const nlohmann::json& entry : json.at("evidence")) {
             const QString file = QDir(evidence_folder).filePath(QFileInfo(textIn(entry, "file")).fileName());
             const int step = entry.at("step").get<int>();

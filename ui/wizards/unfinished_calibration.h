@@ -23,6 +23,7 @@ struct UnfinishedCalibration {
     QString started_utc;     ///< ISO 8601; empty: nothing has begun
     QString distances_path;  ///< of a jig
     std::vector<WizardEvidence> evidence;
+    double share = 0;  ///< of the step under way, where readings are kept as they come
 
     int stepsDone() const;
 };

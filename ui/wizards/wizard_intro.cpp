@@ -13,6 +13,7 @@
 #include "ui/widgets/label.h"
 #include "ui/widgets/problem_card.h"
 #include "ui/widgets/section_header.h"
+#include "ui/wizards/field_drawing.h"
 #include "ui/wizards/rig_drawing.h"
 #include "ui/wizards/wizard_run.h"
 
@@ -28,6 +29,7 @@ WizardIntro::WizardIntro(Studio& studio, QWidget* parent)
       kept_words_(new Label({}, TextRole::kBody, Ink::kHint)),
       words_(new QWidget),
       drawing_(new RigDrawing),
+      sphere_(new FieldDrawing),
       problem_(new ProblemCard(Tone::kError, {}, {})),
       begin_(makeButton(ButtonKind::kPrimary, tr("Begin"))),
       anew_(makeButton(ButtonKind::kText, tr("Begin anew"))),
@@ -36,6 +38,7 @@ WizardIntro::WizardIntro(Studio& studio, QWidget* parent)
     auto* column = makeColumn(this, {32, 20, 32, 20}, 12);
     column->addWidget(what_->wrapped());
     column->addWidget(drawing_, 1);
+    column->addWidget(sphere_, 1);
     makeWords();
     column->addWidget(problem_);
     problem_->hide();
@@ -44,8 +47,10 @@ WizardIntro::WizardIntro(Studio& studio, QWidget* parent)
     buttons->addWidget(distances_);
     buttons->addWidget(begin_);
     buttons->addWidget(anew_);
-    buttons->addWidget(takes_);
-    buttons->addWidget(kept_words_->wrapped(), 1);
+    buttons->addStretch();
+    auto* instead = addRow(column, 12);
+    instead->addWidget(takes_);
+    instead->addWidget(kept_words_->wrapped(), 1);
     takes_->setToolTip(tr("Nothing is measured now: takes of another day or another box are used instead"));
     connect(begin_, &QPushButton::clicked, this, [this] { run_->begin(); });
     connect(anew_, &QPushButton::clicked, this, [this] { run_->beginAnew(); });
@@ -86,6 +91,9 @@ void WizardIntro::setRun(WizardRun* run) {
         drawing_->setBody(BodyFigure::of(studio_.suit().actor(), studio_.body()), suit);
     drawing_->setPicture(picture);
     drawing_->setDescription(words.set_up);
+    const bool turns = run->task() == WizardTask::kMagnetometers;
+    drawing_->setVisible(!turns);
+    sphere_->setVisible(turns);
     distances_->setVisible(run->task() == WizardTask::kSources);
     connect(run, &WizardRun::changed, this, &WizardIntro::refresh);
     refresh();
@@ -101,12 +109,7 @@ void WizardIntro::refresh() {
     anew_->setDisabledBecause(run_->whyNotBegin());
     const bool lacks_distances = run_->task() == WizardTask::kSources && run_->distanceCount() == 0;
     takes_->setDisabledBecause(lacks_distances ? run_->whyNotBegin() : QString());
-    kept_words_->setText(
-        unfinished
-            ? tr("%n step(s) were taken on %1 and are kept.", nullptr, run_->unfinished().stepsDone())
-                  .arg(dateText(
-                      QDateTime::fromString(run_->unfinished().started_utc, Qt::ISODate).toLocalTime()))
-            : run_->whyNotBegin());
+    kept_words_->setText(unfinished ? keptWords() : run_->whyNotBegin());
     distances_words_->setVisible(run_->task() == WizardTask::kSources);
     distances_words_->setText(run_->distanceCount() > 0
                                   ? tr("%1: %n distance(s)", nullptr, run_->distanceCount())
@@ -117,6 +120,19 @@ void WizardIntro::refresh() {
         problem_->setTexts(tr("The takes could not be used"), run_->trouble());
         problem_->show();
     }
+}
+
+QString WizardIntro::keptWords() const {
+    const UnfinishedCalibration& unfinished = run_->unfinished();
+    const QString since = dateText(QDateTime::fromString(unfinished.started_utc, Qt::ISODate).toLocalTime());
+    const int steps = unfinished.stepsDone();
+    const QString of_steps =
+        steps > 0 ? tr("%n step(s) were taken on %1 and are kept.", nullptr, steps).arg(since) : QString();
+    if (unfinished.share <= 0)
+        return of_steps;
+    const QString share = percentText(unfinished.share);
+    return steps > 0 ? of_steps + ' ' + tr("%1 of the directions are kept, too.").arg(share)
+                     : tr("%1 of the directions were seen on %2 and are kept.").arg(share, since);
 }
 
 void WizardIntro::useDistances(const QString& path) {

@@ -11,6 +11,7 @@ namespace noctule::ui {
 class Button;
 class Label;
 class ProblemCard;
+class FieldDrawing;
 class RigDrawing;
 class Studio;
 class WizardRun;
@@ -35,6 +36,7 @@ public:
 private:
     void makeWords();
     void refresh();
+    QString keptWords() const;
     void chooseDistances();
     void chooseTakes();
 
@@ -43,6 +45,7 @@ private:
     Label *what_, *needs_, *set_up_, *distances_words_, *kept_words_;
     QWidget* words_;
     RigDrawing* drawing_;
+    FieldDrawing* sphere_;
     ProblemCard* problem_;
     Button *begin_, *anew_, *distances_, *takes_;
 };

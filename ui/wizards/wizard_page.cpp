@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/models/part_names.h"
 #include "ui/models/voice.h"
@@ -10,6 +11,8 @@
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/progress_line.h"
+#include "ui/wizards/field_live.h"
+#include "ui/wizards/field_sensors.h"
 #include "ui/wizards/result_side.h"
 #include "ui/wizards/wizard_boards.h"
 #include "ui/wizards/wizard_intro.h"
@@ -18,12 +21,18 @@
 #include "ui/wizards/wizard_result.h"
 
 namespace noctule::ui {
+namespace {
+
+constexpr int kMostShown = 20;  ///< readings of one direction; more look the same
+
+}  // namespace
 
 WizardPage::WizardPage(Studio& studio, QWidget* parent)
     : QStackedWidget(parent),
       studio_(studio),
       intro_(new WizardIntro(studio)),
       live_(new WizardLive(studio)),
+      field_(new FieldLive),
       solving_(new QWidget),
       progress_(new ProgressLine),
       result_(new WizardResult),
@@ -31,16 +40,17 @@ WizardPage::WizardPage(Studio& studio, QWidget* parent)
       side_(new QStackedWidget),
       nothing_(new QWidget),
       boards_(new WizardBoards),
+      field_sensors_(new FieldSensors),
       result_side_(new ResultSide(studio)) {
     auto* column = makeColumn(solving_, {32, 32, 32, 32}, 16);
     column->addStretch();
     column->addWidget(progress_);
     column->addStretch();
-    for (QWidget* page : {static_cast<QWidget*>(intro_), static_cast<QWidget*>(live_), solving_,
-                          static_cast<QWidget*>(result_)})
+    for (QWidget* page : {static_cast<QWidget*>(intro_), static_cast<QWidget*>(live_),
+                          static_cast<QWidget*>(field_), solving_, static_cast<QWidget*>(result_)})
         addWidget(page);
-    for (QWidget* side :
-         {nothing_, intro_->words(), static_cast<QWidget*>(boards_), static_cast<QWidget*>(result_side_)})
+    for (QWidget* side : {nothing_, intro_->words(), static_cast<QWidget*>(boards_),
+                          static_cast<QWidget*>(field_sensors_), static_cast<QWidget*>(result_side_)})
         side_->addWidget(side);
     connect(rail_, &WizardRail::leaveRequested, this, &WizardPage::leaveRequested);
     connect(rail_, &WizardRail::stepChosen, boards_, &WizardBoards::setStep);
@@ -72,6 +82,9 @@ void WizardPage::open(WizardTask task) {
     live_->setRun(run_.get());
     rail_->setRun(run_.get());
     boards_->setRun(run_.get());
+    const bool turns = task == WizardTask::kMagnetometers;
+    field_->setRun(turns ? run_.get() : nullptr);
+    field_sensors_->setRun(turns ? run_.get() : nullptr);
     result_side_->setRun(run_.get());
     connect(run_.get(), &WizardRun::changed, this, &WizardPage::refresh);
     connect(run_.get(), &WizardRun::guided, this, &WizardPage::followGuide);
@@ -92,6 +105,8 @@ void WizardPage::close() {
     live_->setRun(nullptr);
     rail_->setRun(nullptr);
     boards_->setRun(nullptr);
+    field_->setRun(nullptr);
+    field_sensors_->setRun(nullptr);
     result_side_->setRun(nullptr);
 }
 
@@ -104,6 +119,11 @@ void WizardPage::refresh() {
             break;
         case Phase::kGuiding:
         case Phase::kTaking:
+            if (run_->task() == WizardTask::kMagnetometers) {
+                setCurrentWidget(field_);
+                side_->setCurrentWidget(field_sensors_);
+                break;
+            }
             setCurrentWidget(live_);
             side_->setCurrentWidget(boards_);
             break;
@@ -116,12 +136,24 @@ void WizardPage::refresh() {
             break;
         case Phase::kResult:
             if (currentWidget() != result_)
-                result_->setDocument(run_->result()->document,
-                                     partNames(run_->guide() ? run_->suit() : studio_.suit().suit()));
+                showResult();
             setCurrentWidget(result_);
             side_->setCurrentWidget(result_side_);
             break;
     }
+}
+
+void WizardPage::showResult() {
+    const CalibrationResult& result = *run_->result();
+    result_->setDocument(result.document, partNames(run_->guide() ? run_->suit() : studio_.suit().suit()));
+    const auto counts = result.json.find("sphere");
+    if (counts == result.json.end() || counts->size() != FieldSphere::kCells)
+        return;
+    FieldSphere sphere;
+    for (size_t cell = 0; cell < counts->size(); ++cell)
+        for (int count = std::min((*counts)[cell].get<int>(), kMostShown); count > 0; --count)
+            sphere.add(FieldSphere::cells()[cell].middle());
+    result_->addSphere(sphere);
 }
 
 /// Heard with one's back to the screen: all is right, keep still.
@@ -136,6 +168,15 @@ void WizardPage::followGuide() {
 }
 
 bool WizardPage::handleKey(int key) {
+    if (run_ && currentWidget() == field_) {
+        if (key == Qt::Key_S)
+            field_sensors_->skipSensor();
+        else if (key == Qt::Key_V)
+            run_->setTones(!run_->tones());
+        else if (key == Qt::Key_Backspace)
+            run_->goBack();
+        return key == Qt::Key_S || key == Qt::Key_V || key == Qt::Key_Backspace;
+    }
     if (!run_ || currentWidget() != live_)
         return false;
     switch (key) {

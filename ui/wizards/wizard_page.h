@@ -11,6 +11,8 @@
 
 namespace noctule::ui {
 
+class FieldLive;
+class FieldSensors;
 class ProgressLine;
 class ResultSide;
 class WizardBoards;
@@ -37,6 +39,8 @@ public:
     QWidget* side() { return side_; }
     WizardIntro& intro() { return *intro_; }
     WizardLive& live() { return *live_; }
+    FieldLive& field() { return *field_; }
+    FieldSensors& fieldSensors() { return *field_sensors_; }
     WizardResult& resultPage() { return *result_; }
     ResultSide& resultSide() { return *result_side_; }
     WizardBoards& boards() { return *boards_; }
@@ -48,12 +52,14 @@ signals:
 
 private:
     void refresh();
+    void showResult();
     void followGuide();
 
     Studio& studio_;
     std::unique_ptr<WizardRun> run_;
     WizardIntro* intro_;
     WizardLive* live_;
+    FieldLive* field_;
     QWidget* solving_;
     ProgressLine* progress_;
     WizardResult* result_;
@@ -61,6 +67,7 @@ private:
     QStackedWidget* side_;
     QWidget* nothing_;
     WizardBoards* boards_;
+    FieldSensors* field_sensors_;
     ResultSide* result_side_;
     bool was_right_ = false;
 };

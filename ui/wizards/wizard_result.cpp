@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <numeric>
 
+#include "core/sensor_calibration/field_turn.h"
 #include "ui/language/core_words.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
@@ -15,6 +16,7 @@
 #include "ui/widgets/verdict_header.h"
 #include "ui/wizards/calibration_table_card.h"
 #include "ui/wizards/error_plot.h"
+#include "ui/wizards/field_drawing.h"
 
 namespace noctule::ui {
 namespace {
@@ -91,6 +93,14 @@ void WizardResult::setDocument(const CalibrationDocument& document,
     fill(named(document, names));
 }
 
+void WizardResult::addSphere(const FieldSphere& sphere) {
+    auto* drawing = new FieldDrawing;
+    drawing->show(sphere, sphere.share() < FieldTurnLimits::kEnoughShare ? sphere.emptySide() : std::nullopt);
+    keepSize(*drawing, 0, 330);
+    // Above the stretch and the tables.
+    content_->insertWidget(std::min(3, content_->count() - 1), drawing);
+}
+
 void WizardResult::fill(const CalibrationDocument& document) {
     const Grade grade = gradeOf(document.findings);
     verdict_ = grade == Grade::kGood ? tr("Good") : grade == Grade::kUsable ? tr("Usable") : tr("Not usable");
@@ -121,7 +131,9 @@ void WizardResult::fill(const CalibrationDocument& document) {
     if (document.errors && !document.errors->rows.empty()) {
         auto* card = new Card;
         auto* column = makeColumn(card, {16, 12, 16, 12}, 8);
-        column->addWidget(new SectionHeader(coreWords(document.errors->title), meansOf(*document.errors)));
+        column->addWidget(new SectionHeader(coreWords(document.errors->title)));
+        column->addWidget(
+            (new Label(meansOf(*document.errors), TextRole::kSecondary, Ink::kHint))->wrapped());
         auto* plot = new ErrorPlot;
         plot->setErrors(*document.errors);
         column->addWidget(plot);

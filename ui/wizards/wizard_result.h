@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/report/calibration_document.h"
+#include "core/sensor_calibration/field_sphere.h"
 
 class QVBoxLayout;
 
@@ -22,6 +23,8 @@ public:
 
     /// `names`: what ids of parts are called here.
     void setDocument(const CalibrationDocument& document, const std::map<std::string, QString>& names);
+    /// Of magnetometers, behind setDocument(): the directions that were seen, by the sensor that saw fewest.
+    void addSphere(const FieldSphere& sphere);
     /// "Good", "Usable", "Not usable": as it stands at the top.
     const QString& verdict() const { return verdict_; }
 

@@ -2,12 +2,13 @@
 #include "ui/wizards/wizard_run.h"
 
 #include <algorithm>
-#include <set>
+#include <utility>
 
 #include "core/guide/movement_guide.h"
 #include "core/suit/calibration_entries.h"
 #include "devices/live/live_session.h"
 #include "ui/language/core_words.h"
+#include "ui/wizards/field_words.h"
 
 namespace noctule::ui {
 namespace {
@@ -51,6 +52,8 @@ WizardRun::WizardRun(Studio& studio, WizardTask task, QObject* parent)
 WizardRun::~WizardRun() {
     if (job_)
         job_->cancel();
+    if (phase_ == Phase::kGuiding && hasReadings())
+        keepReadings();
 }
 
 void WizardRun::setPhase(Phase phase) {
@@ -73,6 +76,9 @@ QString WizardRun::whyNotBegin() const {
         return tr("Choose the file with the distances first.");
     if (task_ == WizardTask::kCheck && !base())
         return tr("There is no calibration to check. Calibrate the rest pose first.");
+    if (task_ == WizardTask::kMagnetometers && !isWaitingForSuit() &&
+        std::ranges::none_of(studio_.suit().suit().boards, &Board::has_magnetometer))
+        return tr("No board of this suit has a magnetometer.");
     if (isWaitingForSuit())
         return tr("No suit is connected. Connect one first, or use takes that were recorded before.");
     return {};
@@ -93,10 +99,13 @@ void WizardRun::watch() {
     for (int board = 0; guide_ && board < static_cast<int>(suit_.boards.size()); ++board)
         if (guide_->isSkipped(board))
             skipped.insert(suit_.boards[static_cast<size_t>(board)].id);
-    suit_ = studio_.suit().suit();
+    const std::unique_ptr<Guide> before = std::move(guide_);
+    const Suit suit_before = std::exchange(suit_, studio_.suit().suit());
     guide_ = makeGuide(task_, suit_, base().value_or(nominalCalibration(suit_)), sampleRate_hz(), known_);
     for (int board = 0; board < static_cast<int>(suit_.boards.size()); ++board)
-        guide_->skip(board, skipped.contains(suit_.boards[static_cast<size_t>(board)].id));
+        if (skipped.contains(suit_.boards[static_cast<size_t>(board)].id))
+            guide_->skip(board, true);
+    restoreReadings(dynamic_cast<const FieldGuide*>(before.get()), suit_before);
     std::erase_if(unfinished_.evidence, [this](WizardEvidence& part) {
         const auto step = stepShownBy(part);
         if (!step)
@@ -176,6 +185,7 @@ void WizardRun::look() {
         return;
     looked_at_ = frame->sample;
     const Guidance& now = guide_->look(healthOnRig(*frame));
+    keepReadingsBesides();
     emit guided();
     if (now.isRight() && now.held_s >= holdOf(task_))
         keep();
@@ -183,6 +193,17 @@ void WizardRun::look() {
 
 void WizardRun::keep() {
     const Guidance& now = guide_->guidance();
+    if (guide_->keepsReadings()) {
+        const int taken = *now.step;
+        guide_->take();
+        guide_->restart();
+        keepReadings();
+        emit changed();
+        emit stepKept(taken);
+        if (guide_->isFinished())
+            solveNow();
+        return;
+    }
     LiveSuit::EvidencePlan plan;
     plan.kind = takeKindOf(task_).toStdString();
     plan.base_name = QStringLiteral("%1_%2").arg(keyOf(task_)).arg(*now.step + 1);
@@ -234,7 +255,11 @@ int WizardRun::sideOf(int step) const {
 }
 
 StepWords WizardRun::stepWords(int step) const {
-    return stepWordsOf(task_, step, sideOf(step), QString::fromStdString(guide_->labelOf(step)));
+    StepWords words = stepWordsOf(task_, step, sideOf(step), QString::fromStdString(guide_->labelOf(step)));
+    if (const FieldGuide* guide = fieldGuide())
+        if (const QString found = fieldFound(*guide, step); !found.isEmpty())
+            words.hint = found;
+    return words;
 }
 
 double WizardRun::heldShare() const {
@@ -261,23 +286,33 @@ void WizardRun::repeat(int step) {
     if (!guide_ || phase_ == Phase::kTaking || phase_ == Phase::kSolving)
         return;
     guide_->repeat(step);
-    dropEvidence(step);
+    if (guide_->keepsReadings())
+        dropReadings();
+    else
+        dropEvidence(step);
     store();
     setPhase(Phase::kGuiding);
 }
 
 void WizardRun::goBack() {
+    if (guide_ && guide_->keepsReadings())
+        return lookAtSpotAgain();
     if (canGoBack())
         repeat(unfinished_.evidence.back().step);
 }
 
 void WizardRun::resume() {
-    if (guide_ && phase_ == Phase::kResult)
-        setPhase(Phase::kGuiding);
+    if (!guide_ || phase_ != Phase::kResult)
+        return;
+    for (const int board : std::exchange(left_out_, {}))
+        guide_->skip(board, false);
+    setPhase(Phase::kGuiding);
 }
 
 void WizardRun::setPaused(bool paused) {
     paused_ = paused;
+    if (paused && phase_ == Phase::kGuiding && hasReadings())
+        keepReadings();
     if (guide_ && !paused)
         guide_->restart();
 }
@@ -285,9 +320,13 @@ void WizardRun::setPaused(bool paused) {
 void WizardRun::solveNow() {
     if (phase_ != Phase::kGuiding)
         return;
+    // What is skipped must not be calibrated from the take, whoever does it.
+    if (guide_->keepsReadings() && !keepReadings(Whose::kNotSkipped))
+        return emit changed();
     std::vector<std::string> paths;
     for (const WizardEvidence& part : unfinished_.evidence)
-        paths.push_back(part.path.toStdString());
+        if (const std::string path = part.path.toStdString(); paths.empty() || paths.back() != path)
+            paths.push_back(path);
     from_evidence_ = true;
     if (!paths.empty())
         solve(paths);

@@ -10,7 +10,10 @@
 #include <QPointer>
 #include <memory>
 #include <optional>
+#include <set>
 
+#include "core/guide/field_guide.h"
+#include "core/processing/field_take.h"
 #include "ui/models/studio.h"
 #include "ui/wizards/task_work.h"
 #include "ui/wizards/unfinished_calibration.h"
@@ -64,6 +67,16 @@ public:
     int sideOf(int step) const;
     double heldShare() const;
     double secondsSoFar() const;
+    /// Of the magnetometers; null for other tasks.
+    const FieldGuide* fieldGuide() const;
+    /// What one magnetometer has read, from the beginning.
+    void startAnew(int board);
+    /// Magnetometers: with the sensors that have enough; the others are skipped.
+    void useThoseDone();
+    /// Magnetometers: the field near the floor is not looked at.
+    void leaveOutFloor();
+    /// Magnetometers: the field of the spot once more; what was turned stays.
+    void lookAtSpotAgain();
     void skip(int board, bool skipped);
     void repeat(int step);
     /// The step that was kept last, once more.
@@ -107,6 +120,18 @@ private:
     void kept(const QString& path, const QString& trouble);
     void dropEvidence(int step);
     void solve(const std::vector<std::string>& paths);
+    // Of a guide that keeps readings (magnetometers): they are a take that is written again and again.
+    enum class Whose { kAll, kNotSkipped };
+    struct FieldKeeper;
+    void restoreReadings(const FieldGuide* before, const Suit& suit_before);
+    FieldRecord fieldRecord(const FieldGuide& guide, Whose whose) const;
+    bool hasReadings() const;
+    QString fieldPath();
+    FieldTakePlan fieldPlan();
+    bool keepReadings(Whose whose = Whose::kAll);
+    void keepReadingsBesides();
+    void noteReadings();
+    void dropReadings();
     void keepValuesOfSkipped(CalibrationResult& result) const;
     void solved(Result<CalibrationResult> result);
     void store() const;
@@ -122,6 +147,10 @@ private:
     std::unique_ptr<Guide> guide_;
     Suit suit_;
     int64_t looked_at_ = -1;
+    std::shared_ptr<FieldKeeper> keeper_;
+    QString field_path_;
+    QElapsedTimer since_kept_;
+    std::set<int> left_out_;  ///< by useThoseDone()
     UnfinishedCalibration unfinished_;
     QElapsedTimer since_begin_;
     std::optional<CalibrationResult> result_;

@@ -54,6 +54,8 @@ void WizardRun::restore() {
 
 void WizardRun::forget() {
     unfinished_.evidence.clear();
+    unfinished_.share = 0;
+    field_path_.clear();
     unfinished_.started_utc.clear();
     if (const QString path = statePath(); !path.isEmpty())
         QFile::remove(path);

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "core/guide/field_guide.h"
 #include "core/guide/movement_guide.h"
 
 namespace noctule::ui {
@@ -83,6 +84,34 @@ WizardWords gyroscopes() {
             TaskText::tr("Put the plate and the box on the turntable")};
 }
 
+WizardWords magnetometers() {
+    return {TaskText::tr("Magnetometers"),
+            "magnet",
+            TaskText::tr("What the iron of each board does to the Earth’s field, so that headings hold."),
+            TaskText::tr("A bag, 1 m from steel, 2 minutes; every three months"),
+            {TaskText::tr("The suit, off the body, in a bag or in both hands; one sensor alone will do too"),
+             TaskText::tr("A spot 1 m away from steel, radiators, loudspeakers and telephones")},
+            TaskText::tr(
+                "Take rings, watches and buckles out of the bag. The box lies in it too, or its cable is "
+                "long enough to be turned."),
+            TaskText::tr("One sensor, several, or all in a bag: each is judged by itself."),
+            TaskText::tr("Put all sensors in a bag")};
+}
+
+StepWords fieldStep(int step) {
+    switch (step) {
+        case FieldGuide::kSpot:
+            return {TaskText::tr("Field of this spot"), TaskText::tr("strength, dip, evenness"),
+                    TaskText::tr("Carry it about slowly")};
+        case FieldGuide::kFloor:
+            return {TaskText::tr("Field near the floor"), TaskText::tr("where steel lies in most houses"),
+                    TaskText::tr("Lower it to the floor")};
+        default:
+            return {TaskText::tr("Turn through all directions"), TaskText::tr("each by itself"),
+                    TaskText::tr("Turn it slowly")};
+    }
+}
+
 WizardWords restPose() {
     return {TaskText::tr("Rest pose"),
             "rest_pose",
@@ -151,6 +180,8 @@ WizardWords wordsOf(WizardTask task) {
             return accelerometers();
         case WizardTask::kGyroscopes:
             return gyroscopes();
+        case WizardTask::kMagnetometers:
+            return magnetometers();
         case WizardTask::kRestPose:
             return restPose();
         case WizardTask::kMovement:
@@ -162,19 +193,19 @@ WizardWords wordsOf(WizardTask task) {
 }
 
 QString keyOf(WizardTask task) {
-    constexpr const char* kKeys[] = {"sources",   "accelerometers", "gyroscopes",
+    constexpr const char* kKeys[] = {"sources",   "accelerometers", "gyroscopes", "magnetometers",
                                      "rest-pose", "motion",         "check"};
     return kKeys[static_cast<int>(task)];
 }
 
 QString takeKindOf(WizardTask task) {
-    constexpr const char* kKinds[] = {"jig", "level", "turntable", "motion", "motion", "motion"};
+    constexpr const char* kKinds[] = {"jig", "level", "turntable", "motion", "motion", "motion", "motion"};
     return kKinds[static_cast<int>(task)];
 }
 
 double holdOf(WizardTask task) {
     // A turn at 33 1/3 rpm takes 1.8 s: gravity's ripple wants some of them.
-    constexpr double kHolds_s[] = {6, 4, 8, 5, MovementGuide::kMove_s, 3};
+    constexpr double kHolds_s[] = {6, 4, 8, 1.5, 5, MovementGuide::kMove_s, 3};
     return kHolds_s[static_cast<int>(task)];
 }
 
@@ -197,6 +228,8 @@ StepWords stepWordsOf(WizardTask task, int step, int up, const QString& label) {
         case WizardTask::kGyroscopes:
             return {TaskText::tr("Turn %1").arg(step + 1), TaskText::tr(kSides[up].hint),
                     TaskText::tr(kSides[up].table)};
+        case WizardTask::kMagnetometers:
+            return fieldStep(step);
         case WizardTask::kMovement:
             return {TaskText::tr(kExercises[step].name), TaskText::tr("from the rest pose"),
                     TaskText::tr(kExercises[step].instruction)};
@@ -210,8 +243,9 @@ StepWords stepWordsOf(WizardTask task, int step, int up, const QString& label) {
 
 RigPicture::Kind pictureOf(WizardTask task) {
     constexpr RigPicture::Kind kKinds[] = {RigPicture::Kind::kJig,       RigPicture::Kind::kPlate,
-                                           RigPicture::Kind::kTurntable, RigPicture::Kind::kStand,
-                                           RigPicture::Kind::kStand,     RigPicture::Kind::kStand};
+                                           RigPicture::Kind::kTurntable, RigPicture::Kind::kPlate,
+                                           RigPicture::Kind::kStand,     RigPicture::Kind::kStand,
+                                           RigPicture::Kind::kStand};
     return kKinds[static_cast<int>(task)];
 }
 

@@ -10,11 +10,19 @@
 
 namespace noctule::ui {
 
-enum class WizardTask { kSources, kAccelerometers, kGyroscopes, kRestPose, kMovement, kCheck };
+enum class WizardTask {
+    kSources,
+    kAccelerometers,
+    kGyroscopes,
+    kMagnetometers,
+    kRestPose,
+    kMovement,
+    kCheck
+};
 
-inline constexpr WizardTask kWizardTasks[] = {WizardTask::kSources,    WizardTask::kAccelerometers,
-                                              WizardTask::kGyroscopes, WizardTask::kRestPose,
-                                              WizardTask::kMovement,   WizardTask::kCheck};
+inline constexpr WizardTask kWizardTasks[] = {
+    WizardTask::kSources,  WizardTask::kAccelerometers, WizardTask::kGyroscopes, WizardTask::kMagnetometers,
+    WizardTask::kRestPose, WizardTask::kMovement,       WizardTask::kCheck};
 
 struct WizardWords {
     QString title, icon;

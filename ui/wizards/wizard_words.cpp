@@ -198,6 +198,7 @@ std::vector<LiveMeasure> ownMeasures(WizardTask task, const Guidance& now) {
                      LiveText::tr("%1 of %2").arg(secondsText(now.held_s, 0), secondsText(holdOf(task), 1)),
                      now.held_s / holdOf(task), true}};
             return {};
+        case WizardTask::kMagnetometers:
         case WizardTask::kRestPose:
         case WizardTask::kCheck:
             break;
@@ -251,6 +252,7 @@ QString costOfSkipping(const WizardRun& run, int board) {
             return LiveText::tr("%1 is left out: each offset rests on one board less.").arg(name);
         case WizardTask::kAccelerometers:
         case WizardTask::kGyroscopes:
+        case WizardTask::kMagnetometers:
             return LiveText::tr("%1 is left out: it keeps the values it had before.").arg(name);
         case WizardTask::kRestPose:
         case WizardTask::kMovement:

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "core/processing/field_take.h"
 #include "core/recording/take.h"
 #include "core/recording/take_writer.h"
 #include "tests/support/files.h"
@@ -96,6 +98,140 @@ TEST(CalibrateSensors, MissingDirectionsAreNamedAndTheValuesStay) {
     EXPECT_EQ(result->grade(), Grade::kNotUsable);
     EXPECT_NE(result->document.findings.front().remedy.find("x"), std::string::npos);
     EXPECT_FALSE(result->calibration.findBoard("wrist")->mag);
+}
+
+Vector3d magnetOf(int board) {
+    return 0.5 * (board + 1) * kHardIron;
+}
+
+/// Two of our own boards, in counts: 7 readings a second and nothing else.
+FieldRecord turnedRecord(int boards_turned) {
+    FieldRecord record;
+    record.readings.resize(2);
+    record.spot = SpotField{48.2, 0.4, 65.4, 1.9, 40, 12.5};
+    std::mt19937 random(11);
+    std::normal_distribution<double> normal;
+    for (int board = 0; board < boards_turned; ++board)
+        for (int i = 0; i < 1500; ++i) {
+            const Vector3d direction = Vector3d(normal(random), normal(random), normal(random)).normalized();
+            const Vector3d field_ut =
+                48 * direction + magnetOf(board) + 0.2 * Vector3d(normal(random), normal(random), 0);
+            const Vector3d counts = field_ut.array() * 2048 / 100 + 2048;
+            record.readings[size_t(board)].push_back({1000.0 + i * 150000 / 7.0, counts.array().round()});
+        }
+    return record;
+}
+
+Suit twoBoards() {
+    Suit suit;
+    for (const char* id : {"l_hand", "r_hand"}) {
+        Board board;
+        board.id = id;
+        board.segment = id[0] == 'l' ? "LeftHand" : "RightHand";
+        board.has_magnetometer = true;
+        suit.boards.push_back(board);
+    }
+    return suit;
+}
+
+FieldTakePlan planOf(const Folder& folder) {
+    return {folder.file("magnetometers_001.noctule"), "magnetometers_001", kCreated, "test", 150000, {}};
+}
+
+TEST(FieldTake, KeepsReadingsAndTheSpot) {
+    const Folder folder;
+    FieldRecord record = turnedRecord(2);
+    // The box was switched off and counts from zero again.
+    for (size_t i = 800; i < 1500; ++i)
+        record.readings[0][i].sample -= record.readings[0][800].sample - 5;
+    for (int again = 0; again < 2; ++again)
+        ASSERT_TRUE(writeFieldTake(planOf(folder), twoBoards(), record)) << "it replaces what stands there";
+    Suit other = twoBoards();
+    std::swap(other.boards[0], other.boards[1]);
+    other.boards.push_back(Board{});
+    other.boards.back().id = "new";
+    const auto read = readFieldTake(planOf(folder).path, other);
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->readings.size(), 3u);
+    EXPECT_TRUE(read->readings[2].empty());
+    ASSERT_EQ(read->readings[1].size(), 1500u);
+    for (size_t i = 0; i < 1500; ++i) {
+        EXPECT_EQ(read->readings[1][i].counts, record.readings[0][i].counts);
+        if (i > 0) {
+            EXPECT_GT(read->readings[1][i].sample, read->readings[1][i - 1].sample);
+        }
+    }
+    ASSERT_TRUE(read->spot);
+    EXPECT_EQ(read->spot->strength_ut, 48.2);
+    EXPECT_EQ(read->spot->dip_deg, 65.4);
+    EXPECT_EQ(read->spot->floor_percent, 12.5);
+    EXPECT_FALSE(readFieldTake(folder.file("nothing.noctule"), other));
+}
+
+TEST(CalibrateSensors, CountsOfOurBoardsAreMicrotesla) {
+    const Folder folder;
+    ASSERT_TRUE(writeFieldTake(planOf(folder), twoBoards(), turnedRecord(2)));
+    const auto result = calibrateMagnetometers(requestFor(planOf(folder).path), {}, {});
+    ASSERT_TRUE(result) << result.error().text();
+    EXPECT_EQ(result->grade(), Grade::kGood);
+    for (int board = 0; board < 2; ++board) {
+        const BoardCalibration& values = result->calibration.boards[size_t(board)];
+        ASSERT_TRUE(values.mag);
+        const Vector3d magnet = magnetOf(board);
+        EXPECT_LT((values.mag->zero_counts - Vector3d(magnet.array() * 2048 / 100 + 2048)).norm(), 6)
+            << "0.3 microtesla";
+        EXPECT_NEAR(values.mag->apply((magnet + Vector3d(0, 0, 48)).array() * 2048 / 100 + 2048).norm(), 48,
+                    0.5);
+    }
+    const CalibrationDocument& document = result->document;
+    EXPECT_NE(document.summary.find("2 of 2 magnetometers"), std::string::npos) << document.summary;
+    EXPECT_EQ(document.numbers.size(), 4u);
+    ASSERT_TRUE(document.errors);
+    ASSERT_EQ(document.errors->rows.size(), 2u);
+    for (const CalibrationErrors::Row& row : document.errors->rows) {
+        EXPECT_GT(row.before.size(), 90u);
+        EXPECT_EQ(row.before.size(), row.after.size());
+        EXPECT_GT(*std::ranges::max_element(row.before), 20) << "as they were read";
+        EXPECT_LT(*std::ranges::max_element(row.after), 4);
+    }
+    EXPECT_EQ(result->json["sphere"].size(), size_t(FieldSphere::kCells));
+}
+
+TEST(CalibrateSensors, ABoardThatWasNotTurnedKeepsWhatItHas) {
+    const Folder folder;
+    FieldTakePlan plan = planOf(folder);
+    plan.calibration = nominalCalibration(twoBoards());
+    plan.calibration->sound.scale = 1.01;
+    plan.calibration->boards[1].mag = AxisCalibration::nominal(90);
+    ASSERT_TRUE(writeFieldTake(plan, twoBoards(), turnedRecord(1)));
+    const auto result = calibrateMagnetometers(requestFor(plan.path), {}, {});
+    ASSERT_TRUE(result) << result.error().text();
+    EXPECT_EQ(result->grade(), Grade::kGood);
+    EXPECT_TRUE(result->calibration.boards[0].made.contains("magnetometers"));
+    EXPECT_FALSE(result->calibration.boards[1].made.contains("magnetometers"));
+    EXPECT_EQ(result->calibration.boards[1].mag->matrix, AxisCalibration::nominal(90).matrix);
+    EXPECT_EQ(result->calibration.sound.scale, 1.01) << "what is not calibrated stays";
+    ASSERT_TRUE(writeFieldTake(plan, twoBoards(), turnedRecord(0)));
+    EXPECT_FALSE(calibrateMagnetometers(requestFor(plan.path), {}, {})) << "nothing was turned";
+}
+
+TEST(CalibrateSensors, TooFewDirectionsAreUsableAndSaid) {
+    const Folder folder;
+    FieldRecord record = turnedRecord(2);
+    for (auto& readings : record.readings)
+        std::erase_if(readings, [&](const FieldReading& reading) {
+            return (reading.field_ut() - magnetOf(&readings == &record.readings[0] ? 0 : 1))
+                       .normalized()
+                       .dot(Vector3d(0.6, 0, 0.8)) > 0.55;
+        });
+    ASSERT_TRUE(writeFieldTake(planOf(folder), twoBoards(), record));
+    const auto result = calibrateMagnetometers(requestFor(planOf(folder).path), {}, {});
+    ASSERT_TRUE(result) << result.error().text();
+    ASSERT_EQ(result->grade(), Grade::kUsable);
+    EXPECT_EQ(result->document.findings.front().what.find("Board 1, left hand: "), 0u)
+        << result->document.findings.front().what;
+    EXPECT_NE(result->document.findings.front().what.find(" of 100 directions were seen"), std::string::npos);
+    EXPECT_EQ(result->calibration.boards[0].made.at("magnetometers").verdict, "usable");
 }
 
 TEST(CalibrateSensors, ABoardThatNeverLayStillIsRefused) {

@@ -51,6 +51,20 @@ TEST(CalibrationComparison, SaysWhatDiffersInUnitsOfTheBody) {
     EXPECT_EQ(tables[1].rows, (std::vector<std::vector<std::string>>{{"hat", "3.0", "–"}}));
 }
 
+TEST(CalibrationComparison, MagnetometersStandByThemselves) {
+    Calibration one = twoBoardsAndASource();
+    one.boards[0].mag = one.boards[1].mag = AxisCalibration::nominal(100);
+    Calibration other = one;
+    EXPECT_TRUE(compareCalibrations(one, other).empty());
+    other.boards[0].mag->zero_counts.y() += 2048 * 0.05;
+    other.boards[0].mag->matrix(2, 2) *= 1.03;
+    other.boards[1].mag.reset();
+    const auto tables = compareCalibrations(one, other);
+    ASSERT_EQ(tables.size(), 1);
+    EXPECT_EQ(tables[0].rows,
+              (std::vector<std::vector<std::string>>{{"chest", "5.00", "3.000"}, {"head", "–", "–"}}));
+}
+
 TEST(CalibrationComparison, WhatOnlyOneKnowsIsShownAsUnknown) {
     const Calibration one = twoBoardsAndASource();
     Calibration other = one;

@@ -122,6 +122,15 @@ TEST(Hello, ASuitOfSerialNumbersIsPlacedByOurs) {
     EXPECT_EQ(placed->boards[0].id, "chest");
     EXPECT_EQ(placed->boards[0].segment, "Chest");
     EXPECT_EQ(placed->sources[0].segment, "Hips");
+    EXPECT_EQ(placed->boards[0].has_magnetometer, hello->suit.boards[0].has_magnetometer);
+    Suit with_field = hello->suit;
+    for (Board& board : with_field.boards)
+        board.has_magnetometer = !board.has_magnetometer;
+    const Result<Suit> sends = placedBySerial(with_field, own);
+    ASSERT_TRUE(sends);
+    for (size_t board = 0; board < with_field.boards.size(); ++board)
+        EXPECT_EQ(sends->boards[board].has_magnetometer, with_field.boards[board].has_magnetometer)
+            << "what the box sends it alone knows";
     own.boards[0].serial = "NB-004199";
     const Result<Suit> unknown = placedBySerial(hello->suit, own);
     ASSERT_FALSE(unknown);

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nothing is cut on any page, dock or dialog: three sizes, 100 and 150 percent, both themes, English and
 // German.
-#include "tests/ui/support/clipping.h"
-
 #include <QDockWidget>
 
 #include "tests/core/import/example_files.h"
 #include "tests/devices/support/test_box.h"
 #include "tests/support/files.h"
-#include "tests/ui/main_window/studio_fixture.h"
-#include "ui/language/language.h"
+#include "tests/ui/main_window/clipping_fixture.h"
 #include "ui/main_window/about_dialog.h"
 #include "ui/main_window/help_window.h"
 #include "ui/main_window/news_dialog.h"
@@ -19,7 +16,6 @@
 #include "ui/main_window/side_docks.h"
 #include "ui/main_window/window_place.h"
 #include "ui/robot/add_robot_dialog.h"
-#include "ui/style/theme.h"
 #include "ui/views/attach_dialog.h"
 #include "ui/views/body_dialog.h"
 #include "ui/views/columns_dialog.h"
@@ -38,41 +34,8 @@ namespace {
 constexpr Step kEveryStep[] = {Step::kStart,  Step::kConnect, Step::kCalibrate, Step::kRecord,
                                Step::kReview, Step::kExport,  Step::kPerformer, Step::kRobot};
 
-class ClippingTest : public test::StudioWindow, public testing::WithParamInterface<const char*> {
+class ClippingTest : public test::ClippingFixture {
 protected:
-    void SetUp() override {
-        StudioWindow::SetUp();
-        chooseLanguage(studio_->settings(), GetParam());
-        applyLanguage(studio_->settings());
-        restart();
-    }
-    void TearDown() override {
-        Theme::get().setScale(1);
-        Theme::get().setScheme(Scheme::kDark);
-        StudioWindow::TearDown();
-    }
-
-    template <class Look>
-    void inEveryLook(Look look) {
-        for (const double scale : {1.0, 1.5})
-            for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
-                Theme::get().setScale(scale);
-                Theme::get().setScheme(scheme);
-                look(QStringLiteral("%1, %2 %, %3")
-                         .arg(GetParam())
-                         .arg(100 * scale)
-                         .arg(scheme == Scheme::kDark ? "dark" : "light"));
-            }
-    }
-
-    /// A busy machine may take a while to lay out; what stays cut is a fault.
-    static void expectWhole(const QWidget& widget, const QString& where) {
-        if (QTest::qWaitFor([&] { return test::Clipping::in(widget).isEmpty(); }, 1500))
-            return;
-        for (const QString& cut : test::Clipping::in(widget))
-            ADD_FAILURE() << where.toStdString() << ": " << cut.toStdString();
-    }
-
     void pagesAreWhole(const QString& look) {
         for (const QSize size : {QSize(1280, 800), QSize(1440, 900), QSize(1920, 1080)}) {
             window_->resize(size);

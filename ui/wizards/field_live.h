@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The middle of the magnetometers' wizard: what to do in words that are read from three metres, the sphere of
+// directions that fills (before that, where the room bends the field), one sentence beside the ring with the
+// percentage, and three checks.
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+namespace noctule::ui {
+
+class BarMeter;
+class FieldDrawing;
+class FieldHeights;
+class Headline;
+class HoldRing;
+class IconLabel;
+class Label;
+class ToneCard;
+class WizardRun;
+
+class FieldLive : public QWidget {
+    Q_OBJECT
+public:
+    explicit FieldLive(QWidget* parent = nullptr);
+
+    void setRun(WizardRun* run);
+    QString instruction() const;
+    QString sentence() const;
+
+private:
+    struct Check {
+        IconLabel* icon;
+        Label *name, *value;
+        BarMeter* bar;
+    };
+    QWidget* makeSentence();
+    QWidget* makeChecks();
+    void refresh();
+    void showChecks();
+
+    WizardRun* run_ = nullptr;
+    Label *head_, *so_far_;
+    Headline* instruction_;
+    FieldDrawing* drawing_;
+    FieldHeights* heights_;
+    ToneCard* card_ = nullptr;
+    HoldRing* ring_;
+    Label *sentence_, *detail_, *foot_;
+    std::array<Check, 3> checks_{};
+    QString said_;
+};
+
+}  // namespace noctule::ui
