@@ -28,8 +28,8 @@ Result<RiggedMesh> importMeshApart(const std::string& path, const MeshImportSett
                                    const std::string& program = meshReaderProgram(),
                                    const ReadingLimits& limits = {});
 
-/// The reader itself: PATH UNIT_M SECONDS MEMORY_MB surface|motion|part (UNIT_M 0: what the file says; motion: no
-/// surface is needed), bytes to standard output. Returns the exit code.
+/// The reader itself: PATH UNIT_M SECONDS MEMORY_MB surface|motion|part (UNIT_M 0: what the file says;
+/// motion: no surface is needed), bytes to standard output. Returns the exit code.
 int runMeshReader(const std::vector<std::string>& arguments, TextureDecoder decode);
 
 }  // namespace noctule

@@ -7080,6 +7080,14 @@
         <translation>Gelenk %1 ist %2 vom Darsteller entfernt; den Arm näher an die Haltung des Roboters bringen.</translation>
     </message>
     <message>
+        <source>Leave --legs out, or describe them in the profile</source>
+        <translation>Lassen Sie --legs weg, oder beschreiben Sie sie im Profil</translation>
+    </message>
+    <message>
+        <source>Leave --legs out, or take a motion of a whole body</source>
+        <translation>Lassen Sie --legs weg, oder nehmen Sie eine Bewegung eines ganzen Körpers</translation>
+    </message>
+    <message>
         <source>Leave --trunk out, or name them in the profile</source>
         <translation>--trunk weglassen oder sie im Profil nennen</translation>
     </message>
@@ -7224,6 +7232,10 @@
         <translation>ist keine URDF-Datei</translation>
     </message>
     <message>
+        <source>its legs have two bases</source>
+        <translation>seine Beine haben zwei Basen</translation>
+    </message>
+    <message>
         <source>joint "%1" in the chain follows another joint</source>
         <translation>Gelenk "%1" in der Kette folgt einem anderen Gelenk</translation>
     </message>
@@ -7266,6 +7278,10 @@
     <message>
         <source>robot %1 has no joints in its trunk</source>
         <translation>Roboter %1 hat keine Gelenke im Rumpf</translation>
+    </message>
+    <message>
+        <source>robot %1 has no two legs</source>
+        <translation>der Roboter %1 hat keine zwei Beine</translation>
     </message>
     <message>
         <source>robot %1: joint "%2" belongs to two arms</source>
@@ -7316,6 +7332,10 @@
         <translation>der Ursprung von %1 ist kein Ort</translation>
     </message>
     <message>
+        <source>the performer has no two whole legs</source>
+        <translation>die Person hat keine zwei ganzen Beine</translation>
+    </message>
+    <message>
         <source>the profile does not fit the robot: %1</source>
         <translation>das Profil passt nicht zum Roboter: %1</translation>
     </message>
@@ -7342,6 +7362,17 @@
     <message>
         <source>upper arm or forearm of arm %1 is shorter than 1 cm</source>
         <translation>Ober- oder Unterarm von Arm %1 ist kürzer als 1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>core/robot_film</name>
+    <message>
+        <source>%1 of %2 meshes are not there; capsules stand for their links</source>
+        <translation>%1 von %2 Netzen fehlen; Kapseln stehen für ihre Glieder</translation>
+    </message>
+    <message>
+        <source>Reading meshes of the robot</source>
+        <translation>Netze des Roboters werden gelesen</translation>
     </message>
 </context>
 <context>
