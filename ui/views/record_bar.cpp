@@ -243,7 +243,7 @@ QString RecordBar::verb() const {
 void RecordBar::showChoices() {
     const RecordRun::State state = run_.state();
     const bool runs = state == RecordRun::State::kRecording || state == RecordRun::State::kSaving;
-    const bool narrow = width() < Theme::get().px(kRoomForWords);
+    const bool narrow = is_laid_out_ && width() < Theme::get().px(kRoomForWords);
     next_->setText(runs ? tr("next: %1").arg(run_.nextName()) : QString());
     next_->setVisible(!narrow);
     const QString countdown = countdownText(run_.countdownSeconds(), run_.preRollSeconds());
@@ -258,6 +258,7 @@ void RecordBar::showChoices() {
 
 void RecordBar::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
+    is_laid_out_ = true;
     showChoices();
 }
 

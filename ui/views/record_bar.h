@@ -54,6 +54,7 @@ private:
     void closeNote();
 
     RecordRun& run_;
+    bool is_laid_out_ = false;  ///< before that its width says nothing
     QLineEdit* name_ = nullptr;
     Label* next_ = nullptr;
     Button* countdown_ = nullptr;
