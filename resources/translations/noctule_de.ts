@@ -7987,6 +7987,14 @@ Median; gut: unter %1</translation>
         <source>Independent sensors find the root by the feet.</source>
         <translation>Unabhängige Sensoren finden die Wurzel über die Füße.</translation>
     </message>
+    <message>
+        <source>All performers together: where they stand to each other is found.</source>
+        <translation>Alle Personen zusammen: Wo sie zueinander stehen, wird gefunden.</translation>
+    </message>
+    <message>
+        <source>Each pose knows all that came before and after. Each performer for itself: where they stand to each other is not found.</source>
+        <translation>Jede Haltung kennt alles davor und danach. Jede Person für sich: Wo sie zueinander stehen, wird nicht gefunden.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ResultSide</name>

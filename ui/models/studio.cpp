@@ -9,6 +9,7 @@
 #include <chrono>
 
 #include "core/mesh/glb_reader.h"
+#include "core/recording/take.h"
 #include "ui/language/core_words.h"
 #include "ui/models/virtual_session.h"
 
@@ -301,6 +302,12 @@ Job* Studio::importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion
 ProcessRequest Studio::accurateRequest(const std::string& take_path) {
     ProcessRequest request;
     request.take_path = take_path;
+    // Smoothers go over one body only; several people are estimated together, and their pulses told apart by
+    // carrier.
+    const auto take = Take::open(take_path);
+    if (const auto subjects = take ? take->subjects() : Result<std::vector<TakeSubject>>(take.error());
+        subjects && subjects->size() > 1)
+        return request;
     request.tracker.smoother = Smoother::kFull;
     request.detector = Detector::kMatched;
     return request;

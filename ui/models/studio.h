@@ -113,8 +113,8 @@ public:
     /// The last check of the suit that is looked at; empty: none was made.
     const std::optional<CheckedSuit>& checked() const { return suits_.current().checked; }
     void setChecked(const std::optional<CheckedSuit>& checked);
-    /// The most accurate settings for a take that is recorded: the whole take smoothed, and pulses found by
-    /// their whole shape.
+    /// The most accurate settings for a take that is recorded: the whole take smoothed, or of several people
+    /// all together, and pulses found by their whole shape.
     static ProcessRequest accurateRequest(const std::string& take_path);
     /// Processes a take of the session as a job; shows the new run when the take is open.
     Job* process(ProcessRequest request);

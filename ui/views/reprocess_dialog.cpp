@@ -149,19 +149,25 @@ void ReprocessDialog::addFilter(QBoxLayout& into) {
 
 void ReprocessDialog::addSmoothing(QBoxLayout& into) {
     using enum ChoiceRow::Kind;
-    not_smoothed = new ChoiceRow(kRadio, tr("None"), tr("As in a live recording."));
+    not_smoothed =
+        new ChoiceRow(kRadio, tr("None"),
+                      areTogether() ? tr("All performers together: where they stand to each other is found.")
+                                    : tr("As in a live recording."));
     smoothed_half_second =
         new ChoiceRow(kRadio, tr("Half a second"), tr("Each pose knows the 0.3 to 0.5 s that follow."));
     smoothed_whole = new ChoiceRow(
         kRadio, tr("Whole take"),
-        tr("Each pose knows all that came before and after: the usual choice for a recorded take."));
+        areTogether()
+            ? tr("Each pose knows all that came before and after. Each performer for itself: where they "
+                 "stand to each other is not found.")
+            : tr("Each pose knows all that came before and after: the usual choice for a recorded take."));
     most_probable = new ChoiceRow(
         kRadio, tr("Most probable motion"),
         tr("All readings weighed again together until nothing changes: the reference. Takes longer."));
     const std::vector<ChoiceRow*> rows{not_smoothed, smoothed_half_second, smoothed_whole, most_probable};
     addGroup(into, tr("Smoothing"), {rows.begin(), rows.end()});
     keepOneChosen(this, rows);
-    smoothed_whole->setChecked(true);
+    (areTogether() ? not_smoothed : smoothed_whole)->setChecked(true);
 }
 
 void ReprocessDialog::addDetector(QBoxLayout& into) {
@@ -172,12 +178,13 @@ void ReprocessDialog::addDetector(QBoxLayout& into) {
                             tr("Fits each source’s own pulse: finer where nothing stands in between."));
     addGroup(into, tr("Distances are measured"), {inflection, matched});
     keepOneChosen(this, {inflection, matched});
+    // Suits that hear each other are told apart by carrier, which only the first of both does well.
     if (overview_.level == TakeLevel::kSignal)
-        matched->setChecked(true);
+        (areTogether() ? inflection : matched)->setChecked(true);
     else
         matched->setDisabledBecause(tr("Needs the recorded sound, which this take does not hold."));
     connect(paper->button(), &QAbstractButton::toggled, this, [this](bool chosen) {
-        const bool by_rise = chosen || overview_.level != TakeLevel::kSignal;
+        const bool by_rise = chosen || areTogether() || overview_.level != TakeLevel::kSignal;
         (by_rise ? inflection : matched)->setChecked(true);
     });
 }
@@ -226,6 +233,10 @@ void ReprocessDialog::setCalibrationFile(const QString& path) {
     calibration_from_file->setChecked(true);
     refresh();
     calibration_from_file->button()->setText(QFileInfo(path).fileName());
+}
+
+bool ReprocessDialog::areTogether() const {
+    return overview_.subjects.size() > 1 && !overview_.suit.sources.empty();
 }
 
 void ReprocessDialog::startFrom(const RunSettings& settings) {

@@ -49,6 +49,8 @@ private:
     void refresh();
     void showLack();
     CalibrationLack lackOfChosen() const;
+    /// Several people whose suits may hear each other; smoothers go over one body only.
+    bool areTogether() const;
 
     Studio& studio_;
     const TakeOverview overview_;

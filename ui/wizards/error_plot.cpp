@@ -24,6 +24,15 @@ double roundUp(double value) {
     return value;
 }
 
+/// As many as it takes to write the step of the ticks: 2.5 has one.
+int decimalsOf(double step) {
+    int decimals = 0;
+    for (double scaled = step; decimals < 6 && std::abs(scaled - std::round(scaled)) > 1e-6 * scaled;
+         scaled *= 10)
+        ++decimals;
+    return decimals;
+}
+
 }  // namespace
 
 ErrorPlot::ErrorPlot(QWidget* parent) : QWidget(parent) {
@@ -70,7 +79,7 @@ void ErrorPlot::paintAxis(QPainter& painter, const Axis& axis) const {
     const Tokens& tokens = theme.tokens();
     painter.fillRect(QRectF(axis.left, 0, axis.at(errors_.good) - axis.left, axis.bottom), tokens.okbg);
     painter.setFont(theme.font(TextRole::kCaption));
-    const int decimals = std::clamp(static_cast<int>(1 - std::floor(std::log10(axis.end))), 0, 4);
+    const int decimals = decimalsOf(axis.end / kTicks);
     for (int tick = 0; tick <= kTicks; ++tick) {
         const double value = axis.end * tick / kTicks, x = axis.at(value);
         const bool last = tick == kTicks;
