@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/rotation.h"
 #include "core/mesh/mannequin.h"
 #include "core/render/body_scene.h"
 #include "core/robot_film/robot_mesh.h"
@@ -26,6 +27,21 @@ JointValues valuesOf(const RobotModel& model, const RobotTrajectory& commands, s
     for (size_t i = 0; i < commands.joints.size(); ++i)
         values[model.findJoint(commands.joints[i])] = commands.frames[frame][i];
     return values;
+}
+
+/// Both turned so that the performer faces the camera at first, as a robot that only stands there does.
+void faceCamera(MotionClip& clip, RobotTrajectory& commands) {
+    const auto performer = PerformerArms::make(clip.skeleton, clip.name);
+    if (!performer || clip.frames.empty())
+        return;
+    const double heading_rad = performer->at(globalPose(clip, 0)).heading_rad;
+    const Quaterniond back = axisAngle(Vector3d::UnitY(), -heading_rad);
+    for (Pose& pose : clip.frames) {
+        pose.p_world_root = back * pose.p_world_root;
+        pose.q_parent_joint.front() = back * pose.q_parent_joint.front();
+    }
+    for (Eigen::Isometry3d& root : commands.root)
+        root = back * root;
 }
 
 }  // namespace
@@ -56,9 +72,10 @@ FilmCompanion companionOf(const MotionClip& clip, const RobotModel& model, const
     return robot;
 }
 
-Status writeRobotFilm(const std::string& path, const MotionClip& clip, const RobotModel& model,
+Status writeRobotFilm(const std::string& path, MotionClip clip, const RobotModel& model,
                       const RobotProfile& profile, std::shared_ptr<const SkinnedMesh> mesh,
-                      const RobotTrajectory& commands, bool overwrite, const JobContext& job) {
+                      RobotTrajectory commands, bool overwrite, const JobContext& job) {
+    faceCamera(clip, commands);
     const MovingBody performer =
         MovingBody::ofOurs(makeMannequin(defaultActor()), clip.skeleton, feetAtRest(clip.skeleton));
     const FilmSubject subject{

@@ -12,9 +12,10 @@ namespace noctule::robot {
 FilmCompanion companionOf(const MotionClip& clip, const RobotModel& model, const RobotProfile& profile,
                           std::shared_ptr<const SkinnedMesh> mesh, const RobotTrajectory& commands);
 
-/// The default body and the robot; a frame of the film per frame of the clip. Errors as writeFilm().
-Status writeRobotFilm(const std::string& path, const MotionClip& clip, const RobotModel& model,
+/// The default body and the robot, turned to the camera; a frame of the film per frame of the clip. Errors as
+/// writeFilm().
+Status writeRobotFilm(const std::string& path, MotionClip clip, const RobotModel& model,
                       const RobotProfile& profile, std::shared_ptr<const SkinnedMesh> mesh,
-                      const RobotTrajectory& commands, bool overwrite, const JobContext& job);
+                      RobotTrajectory commands, bool overwrite, const JobContext& job);
 
 }  // namespace noctule::robot
