@@ -56,7 +56,7 @@ FilmCompanion companionOf(const MotionClip& clip, const RobotModel& model, const
     for (size_t f = 0; f < clip.frames.size(); ++f) {
         const size_t command = commandAt(commands, static_cast<double>(f) * clip.frame_time_s);
         values.push_back(valuesOf(model, commands, command));
-        roots.push_back(commands.root.empty() ? standingRoot(0)
+        roots.push_back(commands.root.empty() ? standingRoot(model, profile, 0)
                                               : commands.root[std::min(command, commands.root.size() - 1)]);
         if (f % step != 0)
             continue;

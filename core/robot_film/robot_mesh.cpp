@@ -156,12 +156,6 @@ private:
 
 }  // namespace
 
-Matrix3d worldOfRobot() {
-    Matrix3d R;
-    R << 0, 1, 0, 0, 0, 1, 1, 0, 0;
-    return R;
-}
-
 std::shared_ptr<const SkinnedMesh> meshOf(const RobotModel& model, const RobotProfile& profile) {
     auto mesh = std::make_shared<SkinnedMesh>();
     for (size_t link = 0; link < model.links.size(); ++link)
@@ -182,9 +176,20 @@ RobotLook lookOf(const RobotModel& model, const RobotProfile& profile, const std
     return {std::move(mesh), files.notices()};
 }
 
-Eigen::Isometry3d standingRoot(double lift_m) {
+Eigen::Isometry3d standingRoot(const RobotModel& model, const RobotProfile& profile, double lift_m) {
+    Vector3d forward = Vector3d::UnitX();  // of the root; REP 103
+    if (!profile.arms.empty()) {
+        const ArmProfile& arm = profile.arms.front();
+        forward = placeAtZero(model, 0, model.findLink(arm.base)).linear() * arm.R_base_body.col(2);
+        forward.z() = 0;
+    }
+    if (forward.norm() < 0.1)
+        forward = Vector3d::UnitX();
+    forward.normalize();
     Eigen::Isometry3d root = Eigen::Isometry3d::Identity();
-    root.linear() = worldOfRobot();
+    root.linear().row(0) = Vector3d::UnitZ().cross(forward).transpose();
+    root.linear().row(1) = Vector3d::UnitZ().transpose();
+    root.linear().row(2) = forward.transpose();
     root.translation().y() = lift_m;
     return root;
 }

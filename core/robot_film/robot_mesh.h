@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot's links as one mesh, a bone per link, and where the bones are for joint values: capsules, or the
-// meshes that its URDF names. The
-// robot's root stands in the studio's world: its x ahead is Z, its y to the left is X, its z up is Y.
+// meshes that its URDF names. In the studio's world its z is up, and its chest looks along Z as a performer's
+// does.
 #pragma once
 
 #include "core/job/job.h"
@@ -10,8 +10,6 @@
 #include "core/robot/profile.h"
 
 namespace noctule::robot {
-
-Matrix3d worldOfRobot();
 
 /// Links without a shape have no bone: the lines between their joints are drawn in the profile's radius.
 std::shared_ptr<const SkinnedMesh> meshOf(const RobotModel& model, const RobotProfile& profile);
@@ -26,7 +24,7 @@ RobotLook lookOf(const RobotModel& model, const RobotProfile& profile, const std
                  const JobContext& job = {});
 
 /// Its root `lift_m` above the middle of the world, facing as a performer who stands there.
-Eigen::Isometry3d standingRoot(double lift_m);
+Eigen::Isometry3d standingRoot(const RobotModel& model, const RobotProfile& profile, double lift_m);
 
 /// Per bone of meshOf().
 std::vector<Eigen::Matrix4f> skinOf(const RobotModel& model, const SkinnedMesh& mesh,

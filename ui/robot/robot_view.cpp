@@ -68,7 +68,8 @@ void RobotView::takeRobot() {
         for (const robot::RobotArm& arm : parts_->arms)
             for (int i = 0; i < arm.chain.size(); ++i)
                 reference.push_back(arm.reference[i]);
-        box_ = robot::boxOf(parts_->model, parts_->profile, valuesOf(reference), robot::standingRoot(0));
+        box_ = robot::boxOf(parts_->model, parts_->profile, valuesOf(reference),
+                            robot::standingRoot(parts_->model, parts_->profile, 0));
         lift_m_ = box_.isEmpty() ? 0 : -box_.min().y();
         box_.translate(Vector3d(0, lift_m_, 0));
         frame();
@@ -99,11 +100,11 @@ robot::JointValues RobotView::valuesOf(const std::vector<double>& q) const {
 void RobotView::addHand(const robot::RobotArm& arm) {
     const auto paths = drive_.handPaths(arm_);
     const int base = parts_->model.findLink(arm.profile.base);
-    const Eigen::Isometry3d T_root_base = robot::linkPlaces(parts_->model, {})[static_cast<size_t>(base)];
+    const Eigen::Isometry3d T_world_base = robot::standingRoot(parts_->model, parts_->profile, lift_m_) *
+                                           robot::linkPlaces(parts_->model, {})[static_cast<size_t>(base)];
     const Tokens& tokens = Theme::get().tokens();
     const auto inWorld = [&](const Vector3d& p_body) -> Eigen::Vector3f {
-        const Vector3d p = robot::worldOfRobot() * (T_root_base * (arm.profile.R_base_body * p_body));
-        return (p + Vector3d(0, lift_m_, 0)).cast<float>();
+        return (T_world_base * (arm.profile.R_base_body * p_body)).cast<float>();
     };
     SceneTrail trail;
     trail.color = rgba(tokens.acc);
@@ -135,14 +136,15 @@ const Scene& RobotView::compose() {
     body.color = colors.body;
     body.skin = robot::skinOf(parts_->model, *mesh_,
                               newest && !newest->actual.empty() ? valuesOf(newest->actual) : valuesOf({}),
-                              robot::standingRoot(lift_m_));
+                              robot::standingRoot(parts_->model, parts_->profile, lift_m_));
     scene_.bodies.push_back(body);
     if (!newest)
         return scene_;
     const bool follows = drive_.word() == RobotWord::kFollowing;
     const std::vector<double>& wanted =
         follows || newest->output.ghost.empty() ? newest->output.q : newest->output.ghost;
-    body.skin = robot::skinOf(parts_->model, *mesh_, valuesOf(wanted), robot::standingRoot(lift_m_));
+    body.skin = robot::skinOf(parts_->model, *mesh_, valuesOf(wanted),
+                              robot::standingRoot(parts_->model, parts_->profile, lift_m_));
     body.color = colors.ghost;
     body.style = BodyStyle::kOutline;
     scene_.bodies.push_back(std::move(body));

@@ -39,7 +39,7 @@ TEST(RobotMesh, CapsulesFaceOutwardsAndStandWhereTheLinksAre) {
     const double base = std::hypot(0.2, 1.4);
     const double expected = pi * r * r * (base + 0.3 + 0.1 + 0.2) + 4 * 4.0 / 3 * pi * r * r * r;
     EXPECT_NEAR(volume, expected, 0.05 * expected);
-    const Eigen::AlignedBox3d box = boxOf(*model, profile, {}, standingRoot(0));
+    const Eigen::AlignedBox3d box = boxOf(*model, profile, {}, standingRoot(*model, profile, 0));
     EXPECT_NEAR(box.max().y(), 1.4 + r, 1e-9) << "z of the robot is up";
     EXPECT_NEAR(box.min().x(), -0.2 - r, 1e-9) << "its right is the performer's right";
 }
