@@ -263,7 +263,7 @@ Hindrance FieldGuide::see(const HealthReport& health, Guidance& guidance) {
     const bool any = collect(health, step);
     bool any_board = false;
     for (int board = 0; board < boardCount(); ++board) {
-        any_board |= asks(board) && !health.boards[index(board)].silent;
+        any_board |= asks(board) && isHeard(health, board);  // an unplugged wire carries noise
         if (isHeardNow(health, board))
             guidance.boards[index(board)] = GuidedBoard::kRight;
     }

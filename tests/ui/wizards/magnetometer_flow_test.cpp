@@ -193,7 +193,8 @@ TEST_F(MagnetometerFlow, EachHindranceHasItsOwnSentence) {
     ASSERT_TRUE(waitLong([this] { return guide().guidance().hindrance == Hindrance::kTurnOn; })) << said();
     operate("unplug 1");
     operate("unplug 2");
-    ASSERT_TRUE(waitLong([this] { return guide().guidance().hindrance == Hindrance::kNoReadings; }));
+    ASSERT_TRUE(waitLong([this] { return guide().guidance().hindrance == Hindrance::kNoReadings; }))
+        << said();
     EXPECT_EQ(said(), "No sensor is heard");
 }
 
