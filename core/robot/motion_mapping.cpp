@@ -188,44 +188,70 @@ private:
         return command;
     }
 
+    /// What a limb did in this frame, and where it was before.
+    struct LimbStep {
+        std::vector<JointMotion> before;
+        ArmCommand command;
+    };
+
     void step(const PerformerFrame& frame) {
         const bool is_first = trajectory_.frames.empty();
-        std::vector<std::vector<JointMotion>> before;
-        std::vector<ArmCommand> commands;
+        std::vector<LimbStep> arm_steps, leg_steps;
         for (DrivenArm& arm : arms_) {
-            before.push_back(arm.follower.motion());
-            commands.push_back(arm.miller ? followMiller(arm, frame, is_first)
-                                          : arm.follower.follow(poseFor(arm, frame)));
+            std::vector<JointMotion> before = arm.follower.motion();
+            arm_steps.push_back({std::move(before), arm.miller ? followMiller(arm, frame, is_first)
+                                                               : arm.follower.follow(poseFor(arm, frame))});
         }
         if (trunk_)
             trunk_->follow(frame.R_hips_chest);
-        for (DrivenArm& leg : legs_)
-            count(leg.follower.follow(legFor(leg, frame)), leg.figures);
+        for (DrivenArm& leg : legs_) {
+            std::vector<JointMotion> before = leg.follower.motion();
+            leg_steps.push_back({std::move(before), leg.follower.follow(legFor(leg, frame))});
+        }
         if (!legs_.empty())
             trajectory_.root.push_back(rootFor(*frame.legs));
-        keepApart(frame, before, commands, is_first);
+        keepApart(frame, arm_steps, leg_steps, is_first);
         for (size_t i = 0; i < arms_.size(); ++i)
-            count(commands[i], arms_[i].figures);
+            count(arm_steps[i].command, arms_[i].figures);
+        for (size_t i = 0; i < legs_.size(); ++i)
+            count(leg_steps[i].command, legs_[i].figures);
     }
 
-    /// Arms brake while the robot's own parts would come nearer than the clearance.
-    void keepApart(const PerformerFrame& frame, const std::vector<std::vector<JointMotion>>& before,
-                   std::vector<ArmCommand>& commands, bool is_first) {
+    /// Limbs brake while the robot's own parts would come nearer than the clearance: the arms, or the legs
+    /// where no arm is in it.
+    void keepApart(const PerformerFrame& frame, std::vector<LimbStep>& arm_steps,
+                   std::vector<LimbStep>& leg_steps, bool is_first) {
         if (profile_.clearance_m <= 0)
             return;
         auto near = collision_->nearest(valuesNow());
         if (!is_first && near.distance_m < profile_.clearance_m && near.distance_m < last_near_m_) {
             ++trajectory_.held_frames;
-            for (size_t i = 0; i < arms_.size(); ++i) {
-                arms_[i].follower.setMotion(before[i]);
-                commands[i] = arms_[i].follower.hold(poseFor(arms_[i], frame));
-                commands[i].is_limited = true;
-            }
+            if (legs_.empty() || isOfArm(near.link_a) || isOfArm(near.link_b))
+                for (size_t i = 0; i < arms_.size(); ++i)
+                    brake(arms_[i], arm_steps[i], poseFor(arms_[i], frame));
+            else
+                for (size_t i = 0; i < legs_.size(); ++i)
+                    brake(legs_[i], leg_steps[i], legFor(legs_[i], frame));
             near = collision_->nearest(valuesNow());
         }
         last_near_m_ = near.distance_m;
         if (nearest_.link_a < 0 || near.distance_m < nearest_.distance_m)
             nearest_ = near;
+    }
+
+    static void brake(DrivenArm& limb, LimbStep& step, const ArmPose& pose) {
+        limb.follower.setMotion(step.before);
+        step.command = limb.follower.hold(pose);
+        step.command.is_limited = true;
+    }
+
+    bool isOfArm(int link) const {
+        const std::vector<int> above = model_.jointsAbove(link);
+        return std::ranges::any_of(arms_, [&](const DrivenArm& arm) {
+            return std::ranges::any_of(arm.follower.arm().chain.joints(), [&](const ChainJoint& joint) {
+                return std::ranges::find(above, joint.model_joint) != above.end();
+            });
+        });
     }
 
     static void count(const ArmCommand& command, ArmFigures& figures) {

@@ -16,7 +16,7 @@ QString textIn(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-bool hasSuit(const WornSuit& worn) {
+bool hasSuit(const SuitInUse& worn) {
     return worn.suit.phase() != LiveSuit::Phase::kNone;
 }
 
@@ -36,10 +36,10 @@ LiveSuits::LiveSuits(Jobs& jobs, SessionModel& session, LiveSuit::Surroundings s
     connect(&session_, &SessionModel::changed, this, &LiveSuits::assignPerformers);
 }
 
-WornSuit& LiveSuits::make() {
+SuitInUse& LiveSuits::make() {
     all_.push_back(
-        std::make_unique<WornSuit>(jobs_, session_, surroundings_, folders_.takes, folders_.suits));
-    WornSuit& worn = *all_.back();
+        std::make_unique<SuitInUse>(jobs_, session_, surroundings_, folders_.takes, folders_.suits));
+    SuitInUse& worn = *all_.back();
     connect(&worn.suit, &LiveSuit::failed, this, &LiveSuits::failed);
     connect(&worn.suit, &LiveSuit::warned, this, &LiveSuits::warned);
     connect(&worn.suit, &LiveSuit::phaseChanged, this, [this, &worn] { followPhase(worn); });
@@ -55,14 +55,14 @@ WornSuit& LiveSuits::make() {
     return worn;
 }
 
-void LiveSuits::forEach(QObject* owner, std::function<void(WornSuit&)> act) {
+void LiveSuits::forEach(QObject* owner, std::function<void(SuitInUse&)> act) {
     std::erase_if(followers_, [](const Follower& follower) { return !follower.owner; });
     for (const auto& worn : all_)
         act(*worn);
     followers_.push_back({owner, std::move(act)});
 }
 
-void LiveSuits::setCurrent(WornSuit& worn) {
+void LiveSuits::setCurrent(SuitInUse& worn) {
     if (&worn == current_)
         return;
     current_ = &worn;
@@ -70,23 +70,23 @@ void LiveSuits::setCurrent(WornSuit& worn) {
     emit changed();
 }
 
-std::vector<WornSuit*> LiveSuits::connected() const {
-    std::vector<WornSuit*> connected;
+std::vector<SuitInUse*> LiveSuits::connected() const {
+    std::vector<SuitInUse*> connected;
     for (const auto& worn : all_)
         if (hasSuit(*worn))
             connected.push_back(worn.get());
     return connected;
 }
 
-WornSuit* LiveSuits::at(const QString& address) const {
-    for (WornSuit* worn : connected())
+SuitInUse* LiveSuits::at(const QString& address) const {
+    for (SuitInUse* worn : connected())
         if (worn->suit.address() == address)
             return worn;
     return nullptr;
 }
 
 void LiveSuits::add(const QString& address, const KnownWearing& known) {
-    if (WornSuit* there = at(address))
+    if (SuitInUse* there = at(address))
         return setCurrent(*there);
     if (isTakeOpen()) {
         emit failed(tr("A take is being recorded"), tr("Add the suit when it has ended"));
@@ -98,14 +98,14 @@ void LiveSuits::add(const QString& address, const KnownWearing& known) {
         return;
     }
     const auto free = std::ranges::find_if(all_, [](const auto& worn) { return !hasSuit(*worn); });
-    WornSuit& worn = free != all_.end() ? **free : make();
+    SuitInUse& worn = free != all_.end() ? **free : make();
     worn.suit.connectTo(address, known);
     if (hasSuit(worn))
         setCurrent(worn);
 }
 
 /// When the one that was looked at leaves, another one is.
-void LiveSuits::followPhase(WornSuit& worn) {
+void LiveSuits::followPhase(SuitInUse& worn) {
     const auto others = connected();
     if (worn.suit.phase() == Phase::kConnecting) {
         worn.is_beside = others.size() > 1;
@@ -119,21 +119,21 @@ void LiveSuits::followPhase(WornSuit& worn) {
     emit changed();
 }
 
-bool LiveSuits::isWornByAnother(const WornSuit& worn, const std::string& performer) const {
-    return std::ranges::any_of(connected(), [&](const WornSuit* other) {
+bool LiveSuits::isWornByAnother(const SuitInUse& worn, const std::string& performer) const {
+    return std::ranges::any_of(connected(), [&](const SuitInUse* other) {
         return other != &worn && other->suit.wearing().performer == performer;
     });
 }
 
 void LiveSuits::assignPerformers() {
-    for (WornSuit* worn : connected())
+    for (SuitInUse* worn : connected())
         if (worn->is_beside)
             assignPerformer(*worn);
     emit changed();
 }
 
 /// One of the session that nobody wears a suit of, else a new one. One that is renamed keeps the suit.
-void LiveSuits::assignPerformer(WornSuit& worn) {
+void LiveSuits::assignPerformer(SuitInUse& worn) {
     if (!session_.isOpen() || !worn.suit.status()->hello || isFixed(worn.suit.suit())) {
         worn.performer = -1;
         return;
@@ -159,7 +159,7 @@ void LiveSuits::assignPerformer(WornSuit& worn) {
     worn.suit.setPerformer(textIn(performers[static_cast<size_t>(worn.performer)].name));
 }
 
-void LiveSuits::setPerformer(WornSuit& worn, const QString& name) {
+void LiveSuits::setPerformer(SuitInUse& worn, const QString& name) {
     if (!session_.isOpen() || textIn(worn.suit.wearing().performer) == name)
         return;
     const auto& performers = session_.session().performers;
@@ -167,7 +167,7 @@ void LiveSuits::setPerformer(WornSuit& worn, const QString& name) {
         return static_cast<int>(std::ranges::find(performers, wanted, &Performer::name) - performers.begin());
     };
     const std::string before = worn.suit.wearing().performer;
-    for (WornSuit* other : connected())
+    for (SuitInUse* other : connected())
         if (other != &worn && other->suit.wearing().performer == name.toStdString() && other->is_beside) {
             other->performer = indexOf(before);
             other->suit.setPerformer(textIn(before));
@@ -180,33 +180,33 @@ void LiveSuits::setPerformer(WornSuit& worn, const QString& name) {
     worn.suit.setPerformer(name);
 }
 
-int LiveSuits::letterOf(const WornSuit& worn) const {
+int LiveSuits::letterOf(const SuitInUse& worn) const {
     const auto all = connected();
     return static_cast<int>(std::ranges::find(all, &worn) - all.begin());
 }
 
-QString LiveSuits::nameOf(const WornSuit& worn) const {
+QString LiveSuits::nameOf(const SuitInUse& worn) const {
     if (isFixed(worn.suit.suit()))
         return tr("Room", "anchors that nobody wears");
     const std::string& performer = worn.suit.wearing().performer;
     return performer.empty() ? tr("Performer %1").arg(letterOf(worn) + 1) : textIn(performer);
 }
 
-std::string LiveSuits::nameInTake(const WornSuit& worn) const {
+std::string LiveSuits::nameInTake(const SuitInUse& worn) const {
     const auto hello = worn.suit.status()->hello;
     return nameOf(worn).toStdString() + (hello ? " (" + hello->serial + ")" : "");
 }
 
 std::optional<Error> LiveSuits::whyNotTogether() const {
     std::vector<SuitVoice> voices;
-    for (const WornSuit* worn : connected())
+    for (const SuitInUse* worn : connected())
         if (const auto hello = worn->suit.status()->hello)
             voices.push_back({nameInTake(*worn), *hello});
     const Status told_apart = checkVoices(voices);
     return told_apart ? std::nullopt : std::optional(told_apart.error());
 }
 
-void LiveSuits::setChecked(WornSuit& worn, const std::optional<CheckedSuit>& checked) {
+void LiveSuits::setChecked(SuitInUse& worn, const std::optional<CheckedSuit>& checked) {
     worn.checked = checked;
     worn.check.setChecked(checked ? std::optional(checked->is_good) : std::nullopt);
     emit checkedChanged();

@@ -25,9 +25,9 @@ struct CheckedSuit {
 };
 
 /// A suit with what is judged and kept of it. Not connected it is free for the next one.
-struct WornSuit {
-    WornSuit(Jobs& jobs, SessionModel& session, const LiveSuit::Surroundings& surroundings,
-             const std::function<QString()>& takes_folder, const QString& suits_folder)
+struct SuitInUse {
+    SuitInUse(Jobs& jobs, SessionModel& session, const LiveSuit::Surroundings& surroundings,
+              const std::function<QString()>& takes_folder, const QString& suits_folder)
         : suit(jobs, session, surroundings),
           check(jobs, suit, takes_folder),
           calibrations(session, suit, suits_folder) {}
@@ -55,26 +55,26 @@ public:
               QObject* parent = nullptr);
 
     /// Always there; not connected: none is.
-    WornSuit& current() { return *current_; }
-    const WornSuit& current() const { return *current_; }
-    void setCurrent(WornSuit& worn);
+    SuitInUse& current() { return *current_; }
+    const SuitInUse& current() const { return *current_; }
+    void setCurrent(SuitInUse& worn);
     /// In the order in which they stand in a take.
-    std::vector<WornSuit*> connected() const;
+    std::vector<SuitInUse*> connected() const;
     bool areSeveral() const { return connected().size() > 1; }
     bool isFull() const { return connected().size() >= kMost; }
     /// Null: no suit is connected there.
-    WornSuit* at(const QString& address) const;
+    SuitInUse* at(const QString& address) const;
     /// One more beside those that are connected; it is looked at then.
     void add(const QString& address, const KnownWearing& known = {});
     /// Who wears it: "Ada"; without a session "Performer 2"; "Room" of anchors that nobody wears.
-    QString nameOf(const WornSuit& worn) const;
+    QString nameOf(const SuitInUse& worn) const;
     /// 0 for A.
-    int letterOf(const WornSuit& worn) const;
+    int letterOf(const SuitInUse& worn) const;
     /// Who wore it before gets the other's suit.
-    void setPerformer(WornSuit& worn, const QString& name);
+    void setPerformer(SuitInUse& worn, const QString& name);
     /// Why those that are connected cannot be recorded together: two on one carrier, one box twice.
     std::optional<Error> whyNotTogether() const;
-    void setChecked(WornSuit& worn, const std::optional<CheckedSuit>& checked);
+    void setChecked(SuitInUse& worn, const std::optional<CheckedSuit>& checked);
 
     // A take of all that are connected.
 
@@ -105,7 +105,7 @@ public:
             else
                 slot();
         };
-        forEach(receiver, [this, signal, receiver, call](WornSuit& worn) {
+        forEach(receiver, [this, signal, receiver, call](SuitInUse& worn) {
             connect(&partOf<Source>(worn), signal, receiver, [this, &worn, call] {
                 if (&worn == current_)
                     call();
@@ -114,7 +114,7 @@ public:
         connect(this, &LiveSuits::currentChanged, receiver, call);
     }
     /// For each suit that there is and that comes, as long as `owner` lives.
-    void forEach(QObject* owner, std::function<void(WornSuit&)> act);
+    void forEach(QObject* owner, std::function<void(SuitInUse&)> act);
 
 signals:
     void currentChanged();
@@ -132,7 +132,7 @@ signals:
 
 private:
     template <class Part>
-    static Part& partOf(WornSuit& worn) {
+    static Part& partOf(SuitInUse& worn) {
         if constexpr (std::is_same_v<Part, LiveSuit>)
             return worn.suit;
         else if constexpr (std::is_same_v<Part, SuitCheck>)
@@ -140,12 +140,12 @@ private:
         else
             return worn.calibrations;
     }
-    WornSuit& make();
-    void followPhase(WornSuit& worn);
+    SuitInUse& make();
+    void followPhase(SuitInUse& worn);
     void assignPerformers();
-    void assignPerformer(WornSuit& worn);
-    bool isWornByAnother(const WornSuit& worn, const std::string& performer) const;
-    std::string nameInTake(const WornSuit& worn) const;
+    void assignPerformer(SuitInUse& worn);
+    bool isWornByAnother(const SuitInUse& worn, const std::string& performer) const;
+    std::string nameInTake(const SuitInUse& worn) const;
     // live_suits_take.cpp
     QString whyNotRecord() const;
     void lookAtTake();
@@ -160,16 +160,16 @@ private:
     SessionModel& session_;
     const LiveSuit::Surroundings surroundings_;
     const Folders folders_;
-    std::vector<std::unique_ptr<WornSuit>> all_;
-    WornSuit* current_ = nullptr;
+    std::vector<std::unique_ptr<SuitInUse>> all_;
+    SuitInUse* current_ = nullptr;
     struct Follower {
         QPointer<QObject> owner;
-        std::function<void(WornSuit&)> act;
+        std::function<void(SuitInUse&)> act;
     };
     std::vector<Follower> followers_;
 
-    Phase take_phase_ = Phase::kNone;  ///< of a take of several; kNone: there is none
-    std::vector<WornSuit*> recorded_;  ///< by it
+    Phase take_phase_ = Phase::kNone;   ///< of a take of several; kNone: there is none
+    std::vector<SuitInUse*> recorded_;  ///< by it
     LiveSuit::TakePlan plan_;
     std::shared_ptr<LiveGroup> group_;  ///< null: it waits until all suits are at rest
     bool stop_wanted_ = false;

@@ -32,7 +32,7 @@ bool LiveSuits::isTakeOpen() const {
 }
 
 QString LiveSuits::whyNotRecord() const {
-    for (const WornSuit* worn : connected())
+    for (const SuitInUse* worn : connected())
         if (const QString why = worn->suit.whyNotRecord(); !why.isEmpty())
             return tr("%1: %2", "who wears a suit, what hinders it").arg(nameOf(*worn), why);
     const auto apart = whyNotTogether();
@@ -52,7 +52,7 @@ QString LiveSuits::record(const LiveSuit::TakePlan& plan) {
     stop_wanted_ = false;
     recorded_ = connected();
     take_phase_ = Phase::kStarting;
-    for (WornSuit* worn : recorded_)
+    for (SuitInUse* worn : recorded_)
         worn->suit.lend();
     timer_.start();
     emit changed();
@@ -61,7 +61,7 @@ QString LiveSuits::record(const LiveSuit::TakePlan& plan) {
 
 void LiveSuits::lookAtTake() {
     if (take_phase_ == Phase::kStarting && !group_ &&
-        std::ranges::all_of(recorded_, [](const WornSuit* worn) { return worn->suit.isAtRest(); }))
+        std::ranges::all_of(recorded_, [](const SuitInUse* worn) { return worn->suit.isAtRest(); }))
         beginTake();
     else if (take_phase_ == Phase::kRecording && !group_->isRecording())
         endTake();
@@ -79,7 +79,7 @@ GroupRequest LiveSuits::requestOf(const LiveSuit::TakePlan& plan) const {
     if (!plan.shot.isEmpty())
         take.meta[kShotKey] = plan.shot.toStdString();
     request.all.take = std::move(take);
-    for (const WornSuit* worn : recorded_) {
+    for (const SuitInUse* worn : recorded_) {
         request.suits.push_back(worn->suit.groupSuit());
         if (!isFixed(worn->suit.suit()))
             request.suits.back().subject = nameOf(*worn).toStdString();
@@ -89,7 +89,7 @@ GroupRequest LiveSuits::requestOf(const LiveSuit::TakePlan& plan) const {
 
 void LiveSuits::beginTake() {
     std::vector<LiveGroup::Connected> members;
-    for (const WornSuit* worn : recorded_)
+    for (const SuitInUse* worn : recorded_)
         members.push_back({nameInTake(*worn), worn->suit.session()});
     group_ = std::make_shared<LiveGroup>(std::move(members));
     using Warnings = std::vector<std::string>;
@@ -117,7 +117,7 @@ void LiveSuits::takeBegun(const Result<std::vector<std::string>>& begun) {
     }
     take_name_ = QFileInfo(QString::fromStdString(group_->session(0).recording()->path)).completeBaseName();
     take_phase_ = Phase::kRecording;
-    for (WornSuit* worn : recorded_)
+    for (SuitInUse* worn : recorded_)
         worn->suit.followTake(Phase::kRecording, take_name_);
     for (const std::string& warning : *begun)
         emit warned(QStringLiteral("%1: %2").arg(take_name_, coreWords(warning)));
@@ -139,7 +139,7 @@ void LiveSuits::stopRecording() {
 void LiveSuits::endTake() {
     const bool unasked = !group_->isRecording();
     take_phase_ = Phase::kSaving;
-    for (WornSuit* worn : recorded_)
+    for (SuitInUse* worn : recorded_)
         worn->suit.followTake(Phase::kSaving, take_name_);
     emit changed();
     jobs_.start<GroupReport>(
@@ -160,7 +160,7 @@ void LiveSuits::giveBack() {
     timer_.stop();
     group_.reset();
     take_phase_ = Phase::kNone;
-    for (WornSuit* worn : std::exchange(recorded_, {}))
+    for (SuitInUse* worn : std::exchange(recorded_, {}))
         worn->suit.takeBack({});
     emit changed();
 }
@@ -194,7 +194,7 @@ double LiveSuits::recordedSeconds() const {
     if (take_phase_ == Phase::kNone)
         return current_->suit.recordedSeconds();
     double most_s = 0;
-    for (const WornSuit* worn : recorded_)
+    for (const SuitInUse* worn : recorded_)
         most_s = std::max(most_s, worn->suit.recordedSeconds());
     return most_s;
 }
@@ -203,7 +203,7 @@ LiveSuits::OnDisk LiveSuits::onDisk() const {
     const LiveSuit* least = &current_->suit;
     if (take_phase_ == Phase::kRecording) {
         least = nullptr;
-        for (const WornSuit* worn : recorded_)
+        for (const SuitInUse* worn : recorded_)
             if (flows(worn->suit) && (!least || committed_s(worn->suit) < committed_s(*least)))
                 least = &worn->suit;
         if (!least)

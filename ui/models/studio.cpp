@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 #include <QTemporaryFile>
+#include <algorithm>
 #include <chrono>
 
 #include "core/mesh/glb_reader.h"
@@ -32,6 +33,15 @@ Result<SkinnedMesh> readBody() {
         return Error{ErrorKind::kDisk, Studio::tr("The body could not be unpacked").toStdString(),
                      Studio::tr("Free some space on the disk; until then a skeleton is shown").toStdString()};
     return readSkinnedMesh(file.fileName().toStdString());
+}
+
+/// Several people whose suits have sources.
+bool mayHearEachOther(const Take& take) {
+    const auto subjects = take.subjects();
+    return subjects && std::ranges::count_if(*subjects, [&](const TakeSubject& subject) {
+                           const auto sources = take.sourceCount(subject.suit());
+                           return !subject.room && sources && *sources > 0;
+                       }) > 1;
 }
 
 VirtualSuit::Parts virtualSuitParts(const StudioParts& parts) {
@@ -91,7 +101,7 @@ void Studio::connectSuits() {
     connect(&suits_, &LiveSuits::checkedChanged, this, &Studio::checkedChanged);
     connect(&suits_, &LiveSuits::takeOfSeveral, this,
             [this](const QString& path) { process(accurateRequest(path.toStdString())); });
-    suits_.forEach(this, [this](WornSuit& worn) {
+    suits_.forEach(this, [this](SuitInUse& worn) {
         connect(&worn.suit, &LiveSuit::phaseChanged, this, [this, &worn] { followSuit(worn); });
         CalibrationShelf& shelf = worn.calibrations;
         connect(&shelf, &CalibrationShelf::warned, this, &Studio::warned);
@@ -200,14 +210,14 @@ void Studio::stopVirtualSuit() {
     if (second_virtual_suit_.state() != VirtualSuit::State::kOff)
         stopSecondVirtualSuit();
     virtual_suit_ends_ = true;
-    if (WornSuit* worn = suits_.at(virtual_suit_.address()))
+    if (SuitInUse* worn = suits_.at(virtual_suit_.address()))
         worn->suit.disconnectSuit();
     followVirtualSuits();
 }
 
 void Studio::stopSecondVirtualSuit() {
     second_virtual_suit_ends_ = true;
-    if (WornSuit* worn = suits_.at(second_virtual_suit_.address()))
+    if (SuitInUse* worn = suits_.at(second_virtual_suit_.address()))
         worn->suit.disconnectSuit();
     followVirtualSuits();
 }
@@ -216,7 +226,7 @@ void Studio::setChecked(const std::optional<CheckedSuit>& checked) {
     suits_.setChecked(suits_.current(), checked);
 }
 
-void Studio::followSuit(WornSuit& worn) {
+void Studio::followSuit(SuitInUse& worn) {
     if (worn.suit.phase() == LiveSuit::Phase::kNone)
         suits_.setChecked(worn, {});
     followVirtualSuits();
@@ -228,7 +238,7 @@ void Studio::followSuit(WornSuit& worn) {
 
 void Studio::followVirtualSuits() {
     const auto follow = [this](VirtualSuit& program, bool& ends) {
-        WornSuit* worn = program.address().isEmpty() ? nullptr : suits_.at(program.address());
+        SuitInUse* worn = program.address().isEmpty() ? nullptr : suits_.at(program.address());
         if (program.state() == VirtualSuit::State::kOff && worn) {
             // Nobody is there to connect to again; what the others record goes on.
             if (!worn->suit.isLent())
@@ -302,12 +312,8 @@ Job* Studio::importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion
 ProcessRequest Studio::accurateRequest(const std::string& take_path) {
     ProcessRequest request;
     request.take_path = take_path;
-    // Smoothers go over one body only; several people are estimated together, and their pulses told apart by
-    // carrier.
-    const auto take = Take::open(take_path);
-    if (const auto subjects = take ? take->subjects() : Result<std::vector<TakeSubject>>(take.error());
-        subjects && subjects->size() > 1)
-        return request;
+    if (const auto take = Take::open(take_path); take && mayHearEachOther(*take))
+        return request;  // smoothers go over one body only; pulses are told apart by carrier
     request.tracker.smoother = Smoother::kFull;
     request.detector = Detector::kMatched;
     return request;

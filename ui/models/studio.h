@@ -159,7 +159,7 @@ private:
     void loadBody();
     void connectSuits();
     void connectVirtualSuits();
-    void followSuit(WornSuit& worn);
+    void followSuit(SuitInUse& worn);
     void followVirtualSuits();
 
     std::shared_ptr<const SkinnedMesh> body_;

@@ -62,7 +62,7 @@ StudioLog::StudioLog(Studio& studio, LogFile& log, QObject* parent)
     connect(&studio.take(), &TakeDocument::opened, this,
             [this] { log_.write("info", studio_.take().isOpen() ? "take opened" : "take closed"); });
     connect(&studio.jobs(), &Jobs::started, this, [this](Job* job) { follow(*job); });
-    studio.suits().forEach(this, [this](WornSuit& worn) {
+    studio.suits().forEach(this, [this](SuitInUse& worn) {
         connect(&worn.suit, &LiveSuit::phaseChanged, this, [this, &worn] { tellPhase(worn.suit); });
     });
 }

@@ -100,12 +100,12 @@ QString DevicesPanel::addressProblem() const {
     return problem_->isHidden() ? QString() : problem_->text();
 }
 
-WornSuit* DevicesPanel::wornOf(const KnownSuit& suit) const {
+SuitInUse* DevicesPanel::wornOf(const KnownSuit& suit) const {
     return suit.present ? studio_.suits().at(qt(suit.device.address)) : nullptr;
 }
 
 /// Of several suits: whose it is.
-void DevicesPanel::nameWearer(const WornSuit& worn, DeviceWords& words) const {
+void DevicesPanel::nameWearer(const SuitInUse& worn, DeviceWords& words) const {
     if (studio_.suits().areSeveral())
         words.detail = tr("%1, worn by %2 %3", "a device, letter and name of a performer")
                            .arg(words.detail, performerLetter(studio_.suits().letterOf(worn)),
@@ -151,7 +151,7 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
     if (!suit.present) {
         words.state = tr("not here");
         words.action = tr("Forget");
-    } else if (const WornSuit* worn = wornOf(suit)) {
+    } else if (const SuitInUse* worn = wornOf(suit)) {
         const LiveSuit::Phase phase = worn->suit.phase();
         words.chosen = worn == &studio_.suits().current();
         nameWearer(*worn, words);
@@ -189,7 +189,7 @@ void DevicesPanel::act(const KnownSuit& suit) {
     const QString address = qt(suit.device.address);
     if (!suit.present)
         studio_.finder().forget(qt(suit.device.serial));
-    else if (WornSuit* worn = wornOf(suit); worn && worn->suit.phase() == LiveSuit::Phase::kRefused)
+    else if (SuitInUse* worn = wornOf(suit); worn && worn->suit.phase() == LiveSuit::Phase::kRefused)
         worn->suit.connectTo(address);
     else if (worn)
         worn->suit.disconnectSuit();
@@ -216,7 +216,7 @@ void DevicesPanel::showVirtualSuit() {
 }
 
 DeviceWords DevicesPanel::wordsForVirtual(VirtualSuit& suit) const {
-    const WornSuit* worn =
+    const SuitInUse* worn =
         suit.state() == VirtualSuit::State::kOn ? studio_.suits().at(suit.address()) : nullptr;
     DeviceWords words;
     words.icon = "play";

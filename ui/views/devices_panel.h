@@ -39,8 +39,8 @@ private:
     void askAddress();
     DeviceWords wordsFor(const KnownSuit& suit) const;
     /// Null: it is not connected.
-    WornSuit* wornOf(const KnownSuit& suit) const;
-    void nameWearer(const WornSuit& worn, DeviceWords& words) const;
+    SuitInUse* wornOf(const KnownSuit& suit) const;
+    void nameWearer(const SuitInUse& worn, DeviceWords& words) const;
 
     Studio& studio_;
     QWidget* list_;

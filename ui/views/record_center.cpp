@@ -73,7 +73,7 @@ void RecordCenter::showFrame() {
     LiveSuits& suits = studio_.suits();
     std::vector<LiveCompanion> others;
     if (suits.areSeveral())
-        for (const WornSuit* worn : suits.connected())
+        for (const SuitInUse* worn : suits.connected())
             if (worn != &suits.current())
                 others.push_back({wearerOf(worn->suit), worn->suit.frame(), suits.letterOf(*worn)});
     scene_->setCompany(suits.letterOf(suits.current()), std::move(others));

@@ -41,7 +41,7 @@ RecordRun::RecordRun(Studio& studio, QObject* parent)
         emit ticked();
     });
     LiveSuits& suits = studio.suits();
-    suits.forEach(this, [this](WornSuit& worn) {
+    suits.forEach(this, [this](SuitInUse& worn) {
         connect(&worn.suit, &LiveSuit::phaseChanged, this, &RecordRun::follow);
         connect(&worn.suit, &LiveSuit::statusChanged, this, &RecordRun::follow);
         connect(&worn.check, &SuitCheck::changed, this, &RecordRun::follow);
@@ -66,7 +66,7 @@ RecordObstacle RecordRun::obstacleNow() const {
     if (!suits.areSeveral())
         return obstacleOf(suits.current());
     RecordObstacle mild;
-    for (const WornSuit* worn : suits.connected()) {
+    for (const SuitInUse* worn : suits.connected()) {
         RecordObstacle obstacle = obstacleOf(*worn);
         if (!obstacle)
             continue;
@@ -82,7 +82,7 @@ RecordObstacle RecordRun::obstacleNow() const {
     return mild;
 }
 
-RecordObstacle RecordRun::obstacleOf(const WornSuit& worn) {
+RecordObstacle RecordRun::obstacleOf(const SuitInUse& worn) {
     const LiveSuit& suit = worn.suit;
     const auto status = suit.status();
     if (suit.isLent())

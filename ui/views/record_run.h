@@ -90,7 +90,7 @@ private:
     void follow();
     State stateNow() const;
     RecordObstacle obstacleNow() const;
-    static RecordObstacle obstacleOf(const WornSuit& worn);
+    static RecordObstacle obstacleOf(const SuitInUse& worn);
     void beginOrCount();
     void beginOwn();
     /// Why it cannot begin; empty: it does.

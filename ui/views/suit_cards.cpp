@@ -13,7 +13,7 @@
 namespace noctule::ui {
 namespace {
 
-QString boxWords(const WornSuit& worn) {
+QString boxWords(const SuitInUse& worn) {
     const auto hello = worn.suit.status()->hello;
     return hello ? SuitCards::tr("%1, %2 kHz", "serial number and carrier of a driver box")
                        .arg(QString::fromStdString(hello->serial), numberText(hello->drive_hz / 1e3, 0))
@@ -21,7 +21,7 @@ QString boxWords(const WornSuit& worn) {
 }
 
 /// The worst that has not been accepted, and how many more there are.
-QString problemWords(const WornSuit& worn) {
+QString problemWords(const SuitInUse& worn) {
     QStringList titles;
     for (const ReadinessProblem& problem : worn.check.readiness().problems)
         if (!problem.accepted)
@@ -33,7 +33,7 @@ QString problemWords(const WornSuit& worn) {
 
 }  // namespace
 
-SuitStateWords suitStateWords(LiveSuits& suits, const WornSuit& worn) {
+SuitStateWords suitStateWords(LiveSuits& suits, const SuitInUse& worn) {
     SuitStateWords words;
     words.letter = suits.letterOf(worn);
     words.name = suits.nameOf(worn);
@@ -70,7 +70,7 @@ SuitStateWords suitStateWords(LiveSuits& suits, const WornSuit& worn) {
 SuitCards::SuitCards(Studio& studio, QWidget* parent)
     : QWidget(parent), studio_(studio), column_(makeColumn(this, {}, 8)) {
     connect(&studio.suits(), &LiveSuits::changed, this, &SuitCards::refresh);
-    studio.suits().forEach(this, [this](WornSuit& worn) {
+    studio.suits().forEach(this, [this](SuitInUse& worn) {
         connect(&worn.check, &SuitCheck::changed, this, &SuitCards::refresh);
     });
     refresh();
@@ -82,9 +82,9 @@ void SuitCards::showEvent(QShowEvent*) {
 
 void SuitCards::refresh() {
     LiveSuits& suits = studio_.suits();
-    const auto connected = suits.areSeveral() ? suits.connected() : std::vector<WornSuit*>();
+    const auto connected = suits.areSeveral() ? suits.connected() : std::vector<SuitInUse*>();
     words_.clear();
-    for (const WornSuit* worn : connected)
+    for (const SuitInUse* worn : connected)
         words_.push_back(suitStateWords(suits, *worn));
     while (cards_.size() > connected.size()) {
         cards_.back()->hide();

@@ -27,7 +27,7 @@ struct SuitStateWords {
     bool is_shown = false;
     bool operator==(const SuitStateWords&) const = default;
 };
-SuitStateWords suitStateWords(LiveSuits& suits, const WornSuit& worn);
+SuitStateWords suitStateWords(LiveSuits& suits, const SuitInUse& worn);
 
 class SuitCards : public QWidget {
     Q_OBJECT

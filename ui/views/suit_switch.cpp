@@ -17,7 +17,7 @@ SuitSwitch::SuitSwitch(Studio& studio, QWidget* parent)
 void SuitSwitch::refresh() {
     LiveSuits& suits = studio_.suits();
     QStringList names;
-    for (const WornSuit* worn : suits.connected())
+    for (const SuitInUse* worn : suits.connected())
         names << suits.nameOf(*worn);
     setPerformers(names, suits.letterOf(suits.current()));
 }

@@ -8,8 +8,6 @@
 #include "ui/models/voice.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
-#include "ui/widgets/bar_meter.h"
-#include "ui/widgets/icon_label.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/wizards/field_drawing.h"
@@ -17,6 +15,7 @@
 #include "ui/wizards/field_words.h"
 #include "ui/wizards/headline.h"
 #include "ui/wizards/hold_ring.h"
+#include "ui/wizards/measure_meter.h"
 #include "ui/wizards/tone_card.h"
 
 namespace noctule::ui {
@@ -67,23 +66,9 @@ QWidget* FieldLive::makeSentence() {
 QWidget* FieldLive::makeChecks() {
     auto* all = new QWidget;
     auto* row = makeRow(all, {}, 12);
-    for (Check& check : checks_) {
-        auto* one = new QWidget;
-        auto* column = makeColumn(one, {}, 6);
-        auto* head = addRow(column, 6);
-        auto* name = addRow(head, 6);
-        check.icon = new IconLabel("check", [] { return colorOf(Ink::kOk); });
-        check.name = new Label({}, TextRole::kSecondary, Ink::kOk, true);
-        check.value = new Label({}, TextRole::kSecondary, Ink::kLabel);
-        check.bar = new BarMeter;
-        name->addWidget(check.icon);
-        name->addWidget(check.name);
-        name->addStretch();
-        head->addWidget(check.value->wrapped());
-        // In a small window there is no room for both side by side.
-        head->setDirection(QBoxLayout::TopToBottom);
-        column->addWidget(check.bar);
-        row->addWidget(one, 1);
+    for (MeasureMeter*& check : checks_) {
+        check = new MeasureMeter(MeasureMeter::Value::kBelow);
+        row->addWidget(check, 1);
     }
     return all;
 }
@@ -141,16 +126,8 @@ void FieldLive::refresh() {
 
 void FieldLive::showChecks() {
     const std::vector<LiveMeasure> now = fieldMeasures(*run_->fieldGuide());
-    for (size_t i = 0; i < checks_.size(); ++i) {
-        const bool right = now[i].is_right;
-        checks_[i].icon->setIcon(right ? "check" : "warn",
-                                 [right] { return colorOf(right ? Ink::kOk : Ink::kWarn); });
-        checks_[i].name->setInk(right ? Ink::kOk : Ink::kWarn);
-        checks_[i].name->setText(now[i].name);
-        checks_[i].value->setText(now[i].value);
-        checks_[i].bar->setValue(now[i].share, right ? Tone::kOk : Tone::kWarn,
-                                 QStringLiteral("%1 %2").arg(now[i].name, now[i].value));
-    }
+    for (size_t i = 0; i < checks_.size(); ++i)
+        checks_[i]->setMeasure(now[i]);
 }
 
 }  // namespace noctule::ui

@@ -9,13 +9,12 @@
 
 namespace noctule::ui {
 
-class BarMeter;
 class FieldDrawing;
 class FieldHeights;
 class Headline;
 class HoldRing;
-class IconLabel;
 class Label;
+class MeasureMeter;
 class ToneCard;
 class WizardRun;
 
@@ -29,11 +28,6 @@ public:
     QString sentence() const;
 
 private:
-    struct Check {
-        IconLabel* icon;
-        Label *name, *value;
-        BarMeter* bar;
-    };
     QWidget* makeSentence();
     QWidget* makeChecks();
     void refresh();
@@ -47,7 +41,7 @@ private:
     ToneCard* card_ = nullptr;
     HoldRing* ring_;
     Label *sentence_, *detail_, *foot_;
-    std::array<Check, 3> checks_{};
+    std::array<MeasureMeter*, 3> checks_{};
     QString said_;
 };
 

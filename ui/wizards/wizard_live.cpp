@@ -9,10 +9,9 @@
 #include "ui/style/words.h"
 #include "ui/views/body_figure.h"
 #include "ui/views/scaled_layout.h"
-#include "ui/widgets/bar_meter.h"
-#include "ui/widgets/icon_label.h"
 #include "ui/widgets/label.h"
 #include "ui/wizards/hold_ring.h"
+#include "ui/wizards/measure_meter.h"
 #include "ui/wizards/rig_drawing.h"
 #include "ui/wizards/tone_card.h"
 #include "ui/wizards/wizard_words.h"
@@ -84,20 +83,9 @@ QWidget* WizardLive::makeCard() {
 QWidget* WizardLive::makeMeasures() {
     auto* all = new QWidget;
     auto* row = makeRow(all, {}, 24);
-    for (Measure& measure : measures_) {
-        measure.widget = new QWidget;
-        auto* column = makeColumn(measure.widget, {}, 6);
-        auto* head = addRow(column, 6);
-        measure.icon = new IconLabel("check", [] { return colorOf(Ink::kOk); });
-        measure.name = new Label({}, TextRole::kSecondary, Ink::kOk, true);
-        measure.value = new Label({}, TextRole::kSecondary, Ink::kLabel);
-        measure.bar = new BarMeter;
-        head->addWidget(measure.icon);
-        head->addWidget(measure.name);
-        head->addStretch();
-        head->addWidget(measure.value);
-        column->addWidget(measure.bar);
-        row->addWidget(measure.widget, 1);
+    for (MeasureMeter*& measure : measures_) {
+        measure = new MeasureMeter(MeasureMeter::Value::kBeside);
+        row->addWidget(measure, 1);
     }
     return all;
 }
@@ -192,18 +180,9 @@ void WizardLive::showPicture() {
 void WizardLive::showMeasures() {
     const std::vector<LiveMeasure> now = measuresOf(*run_);
     for (size_t i = 0; i < measures_.size(); ++i) {
-        const bool there = i < now.size();
-        measures_[i].widget->setVisible(there);
-        if (!there)
-            continue;
-        const bool right = now[i].is_right;
-        measures_[i].icon->setIcon(right ? "check" : "warn",
-                                   [right] { return colorOf(right ? Ink::kOk : Ink::kWarn); });
-        measures_[i].name->setInk(right ? Ink::kOk : Ink::kWarn);
-        measures_[i].name->setText(now[i].name);
-        measures_[i].value->setText(now[i].value);
-        measures_[i].bar->setValue(now[i].share, right ? Tone::kOk : Tone::kWarn,
-                                   QStringLiteral("%1 %2").arg(now[i].name, now[i].value));
+        measures_[i]->setVisible(i < now.size());
+        if (i < now.size())
+            measures_[i]->setMeasure(now[i]);
     }
 }
 

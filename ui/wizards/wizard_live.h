@@ -11,10 +11,9 @@
 
 namespace noctule::ui {
 
-class BarMeter;
 class HoldRing;
-class IconLabel;
 class Label;
+class MeasureMeter;
 class RigDrawing;
 class Studio;
 class ToneCard;
@@ -30,12 +29,6 @@ public:
     QString sentence() const;
 
 private:
-    struct Measure {
-        QWidget* widget;
-        IconLabel* icon;
-        Label *name, *value;
-        BarMeter* bar;
-    };
     QWidget* makeCard();
     QWidget* makeMeasures();
     void refresh();
@@ -54,7 +47,7 @@ private:
     ToneCard* card_ = nullptr;
     HoldRing* ring_;
     Label *sentence_, *detail_;
-    std::array<Measure, 3> measures_{};
+    std::array<MeasureMeter*, 3> measures_{};
 };
 
 }  // namespace noctule::ui

@@ -34,7 +34,7 @@ HealthReport healthOnRig(const LiveFrame& frame) {
 WizardRun::WizardRun(Studio& studio, WizardTask task, QObject* parent)
     : QObject(parent), studio_(studio), task_(task) {
     studio.suits().follow(&LiveSuit::frameChanged, this, &WizardRun::look);
-    studio.suits().forEach(this, [this](WornSuit& worn) {
+    studio.suits().forEach(this, [this](SuitInUse& worn) {
         connect(&worn.suit, &LiveSuit::evidenceRecorded, this, &WizardRun::kept);
     });
     connect(&studio.suits(), &LiveSuits::currentChanged, this, &WizardRun::leaveSuit);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/body/actor.h"
 #include "core/body/bone_names.h"
 #include "core/formats/bvh.h"
 #include "core/math/rotation.h"
@@ -271,6 +272,29 @@ TEST_P(RobotLegs, AreSavedWithTheProfile) {
 INSTANTIATE_TEST_SUITE_P(Humanoids, RobotLegs,
                          ::testing::Values(Humanoid{"unitree_g1/g1_29dof_rev_1_0.urdf", 1, 8},
                                            Humanoid{"unitree_h1/h1.urdf", 1, 10}));
+
+/// The performer stands and swings both legs inwards until they would cross.
+TEST_F(RobotMapping, LegsThatWouldTouchBrake) {
+    const RobotModel model = read("unitree_g1/g1_29dof_rev_1_0.urdf");
+    const RobotProfile profile = profileFor(model, 0);
+    const Actor actor = defaultActor();
+    MotionClip clip{"crossing", actor.skeleton, 0.01, {}, {}};
+    for (int frame = 0; frame < 200; ++frame) {
+        const double inwards_rad = radians(20) * std::min(1.0, frame / 100.0);
+        clip.frames.push_back(actor.restPose());
+        for (const auto& [name, sign] : {std::pair{"LeftUpLeg", -1.0}, std::pair{"RightUpLeg", 1.0}}) {
+            Quaterniond& q =
+                clip.frames.back().q_parent_joint[static_cast<size_t>(actor.skeleton.find(name))];
+            q = axisAngle(Vector3d::UnitZ(), sign * inwards_rad) * q;
+        }
+    }
+    MappingChoice choice;
+    choice.legs = true;
+    const auto mapped = mapMotion(clip, model, profile, choice);
+    ASSERT_TRUE(mapped) << mapped.error().text();
+    EXPECT_GT(mapped->held_frames, 0) << "the test brings them together";
+    EXPECT_GT(mapped->nearest_m, 0) << mapped->nearest_parts;
+}
 
 TEST_F(RobotMapping, ARobotWithoutLegsIsNamed) {
     const RobotModel model = read("robonaut2/r2.urdf");

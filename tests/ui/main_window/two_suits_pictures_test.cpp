@@ -16,7 +16,7 @@ TEST_F(TwoSuitsPictures, FromConnectToReview) {
     LiveSuits& suits = studio_->suits();
     const auto bothMove = [&] {
         const auto all = suits.connected();
-        return all.size() == 2 && std::ranges::all_of(all, [](const WornSuit* worn) {
+        return all.size() == 2 && std::ranges::all_of(all, [](const SuitInUse* worn) {
                    return worn->suit.frame() && worn->suit.frame()->pose;
                });
     };

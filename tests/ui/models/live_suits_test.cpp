@@ -40,7 +40,7 @@ protected:
         return std::make_unique<TestBox>(
             TestBox::Options{.loops = true, .serial = serial, .drive_hz = drive_hz});
     }
-    static bool looks(const WornSuit& worn) {
+    static bool looks(const SuitInUse& worn) {
         return waitFor([&] { return worn.suit.phase() == SuitsPhase::kLooking; });
     }
     /// Both looked at.
@@ -51,8 +51,8 @@ protected:
         suits_->add(QString::fromStdString(bob_->address()), wearingOfTinyTake());
         return suits_->areSeveral() && looks(suits_->current());
     }
-    WornSuit& first() { return *suits_->connected().at(0); }
-    WornSuit& second() { return *suits_->connected().at(1); }
+    SuitInUse& first() { return *suits_->connected().at(0); }
+    SuitInUse& second() { return *suits_->connected().at(1); }
     bool recordFor(double seconds) {
         const QString why_not = suits_->record({"duo", {}, 0, 0});
         EXPECT_EQ(why_not, "");
@@ -100,9 +100,9 @@ TEST_F(LiveSuitsTest, EachIsDisconnectedAlone) {
     ASSERT_TRUE(connectBoth());
     int looks_at = 0;
     suits_->follow(&LiveSuit::frameChanged, suits_.get(), [&] { ++looks_at; });
-    WornSuit& ann = first();
+    SuitInUse& ann = first();
     second().suit.disconnectSuit();
-    EXPECT_EQ(suits_->connected(), std::vector<WornSuit*>{&ann});
+    EXPECT_EQ(suits_->connected(), std::vector<SuitInUse*>{&ann});
     EXPECT_EQ(&suits_->current(), &ann) << "another one is looked at";
     EXPECT_GT(looks_at, 0);
     EXPECT_EQ(ann.suit.phase(), SuitsPhase::kLooking) << "and knows nothing of it";

@@ -107,11 +107,11 @@ protected:
     }
 
     LiveSuits& suits() { return studio_->suits(); }
-    WornSuit& worn(size_t index) { return *suits().connected().at(index); }
+    SuitInUse& worn(size_t index) { return *suits().connected().at(index); }
     bool bothLook() {
         return waitFor([this] {
             const auto all = suits().connected();
-            return all.size() == 2 && std::ranges::all_of(all, [](const WornSuit* one) {
+            return all.size() == 2 && std::ranges::all_of(all, [](const SuitInUse* one) {
                        return one->suit.phase() == LiveSuit::Phase::kLooking && one->suit.frame() &&
                               one->suit.frame()->pose;
                    });
