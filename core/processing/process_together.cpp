@@ -113,6 +113,10 @@ public:
             job.progress(std::clamp(time_s / std::max(end_s, kPortion_s), 0.0, 1.0), "Processing together");
         }
         joint_->advance(true);
+        if (!joint_->hasBegun())
+            return Error{ErrorKind::kUnusable,
+                         take_.path() + ": the recording of a subject ends before the rest pose does",
+                         "Leave it out with --subjects, or record again"};
         for (Line& line : lines_)
             line.tracker->advanceTo(line.watermark);  // decisions of the last steps
         if (Status written = write(); !written)

@@ -111,6 +111,19 @@ Status fillSubject(const Take& take, const Ingredients& in, const std::string& w
     return Done{};
 }
 
+/// Those whose box was lost while the rest pose was held: poses need all of it. Where nobody remains, they
+/// stay, and the caller says so.
+void leaveOutShort(std::vector<Ingredients>& subjects, std::vector<std::string>& warnings) {
+    const auto is_short = [](const Ingredients& in) { return in.rest && in.sample_count <= in.rest->second; };
+    if (std::ranges::all_of(subjects, is_short))
+        return;
+    for (const Ingredients& in : subjects)
+        if (is_short(in))
+            warnings.push_back(in.subject.name +
+                               ": the recording ends before the rest pose does. There are no poses of it.");
+    std::erase_if(subjects, is_short);
+}
+
 /// Reads and computes; nothing is written into the take.
 Result<ResultRuns> compute(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects,
                            const SubjectWork& work, const CancelFlag* cancel) {
@@ -121,6 +134,7 @@ Result<ResultRuns> compute(Take& take, const ProcessRequest& request, std::vecto
     auto all = gatherAll(take, request, warnings);
     if (!all)
         return all.error();
+    leaveOutShort(*all, warnings);
     auto clocks = joinClocks(take, {nullptr, cancel});
     if (!clocks)
         return clocks.error();

@@ -4129,6 +4129,14 @@
         <translation>%1: Die Stärke des Magnetfelds unterscheidet sich um %2</translation>
     </message>
     <message>
+        <source>%1: the recording ends before the rest pose does. There are no poses of it.</source>
+        <translation>%1: die Aufnahme endet, bevor die Ruhehaltung zu Ende ist. Es gibt davon keine Haltungen.</translation>
+    </message>
+    <message>
+        <source>%1: the recording of a subject ends before the rest pose does</source>
+        <translation>%1: die Aufnahme einer Person endet, bevor die Ruhehaltung zu Ende ist</translation>
+    </message>
+    <message>
         <source>%1: the table's point '%2' of suit %3 is no device of this take</source>
         <translation>%1: der Punkt „%2“ von Anzug %3 in der Tabelle ist kein Gerät dieser Aufnahme</translation>
     </message>
@@ -4379,6 +4387,10 @@
     <message>
         <source>Learning the sources' pulses</source>
         <translation>Die Pulse der Quellen werden gelernt</translation>
+    </message>
+    <message>
+        <source>Leave it out with --subjects, or record again</source>
+        <translation>Lassen Sie sie mit --subjects weg, oder nehmen Sie noch einmal auf</translation>
     </message>
     <message>
         <source>Leave out --between on and --room on, or what stands in their way</source>

@@ -85,8 +85,9 @@ protected:
 };
 
 /// Everything that comes from or goes to suit 2 from one of its seconds to another.
-std::string without(int from_s, int to_s) {
-    const std::string from = std::to_string(from_s * 150000), to = std::to_string(to_s * 150000);
+std::string without(double from_s, double to_s) {
+    const std::string from = std::to_string(std::lround(from_s * 150000)),
+                      to = std::to_string(std::lround(to_s * 150000));
     return "DELETE FROM range WHERE suit=2 AND arrival_sample BETWEEN " + from + " AND " + to +
            ";DELETE FROM range WHERE pulse IN (SELECT id FROM pulse WHERE suit=2 AND sample BETWEEN " + from +
            " AND " + to + ");DELETE FROM pulse WHERE suit=2 AND sample BETWEEN " + from + " AND " + to +
@@ -101,6 +102,26 @@ TEST_F(CastGoneWrong, ALostBoxIsSaidAndThePartnerGoesOn) {
     const ErrorsOfSuit ada = errorsOf(1);
     EXPECT_LT(ada.angles_deg, kUsual_deg);
     EXPECT_LT(ada.root_m, kUsual_m);
+}
+
+TEST_F(CastGoneWrong, ABoxThatIsLostWhileTheRestPoseIsHeldIsLeftOut) {
+    runSql(path_, without(0.5, 100) + "DELETE FROM meta WHERE key='sample_count';");
+    const ProcessSummary summary = processed(request());
+    EXPECT_TRUE(says(summary, {"Bea: the recording ends before the rest pose does"}));
+    ASSERT_EQ(summary.subjects.size(), 1U);
+    EXPECT_EQ(summary.subjects[0].name, "Ada");
+    EXPECT_GT(summary.subjects[0].poses, 100);
+    EXPECT_LT(errorsOf(1).angles_deg, kUsual_deg);
+}
+
+TEST_F(CastGoneWrong, WhereNobodyHeldTheRestPoseToItsEndThatIsSaid) {
+    runSql(
+        path_,
+        "DELETE FROM meta WHERE key='sample_count'; DELETE FROM range; DELETE FROM pulse WHERE sample>75000;"
+        "DELETE FROM inertial WHERE sample>75000;");
+    const auto summary = processTake(request(), {});
+    ASSERT_FALSE(summary);
+    EXPECT_NE(summary.error().message.find("no pose came out"), std::string::npos) << summary.error().message;
 }
 
 TEST_F(CastGoneWrong, AfterAGapBothAreKnownAgain) {

@@ -28,7 +28,7 @@ TEST_F(TwoSuitsPictures, FromConnectToReview) {
     studio_->startSecondVirtualSuit();
     ASSERT_TRUE(waitFor(bothMove));
     QTest::qWait(5000);
-    save("two-connect", {{1440, 900}, {1280, 800}});
+    save("two-connect", {{1440, 900}, {1280, 800}, {1920, 1080}});
     window_->goTo(Step::kRecord);
     suits.setCurrent(*suits.connected()[0]);
     RecordRun& run = dynamic_cast<RecordPage&>(window_->page(Step::kRecord)).run();
@@ -41,11 +41,11 @@ TEST_F(TwoSuitsPictures, FromConnectToReview) {
     run.recordAnyway();
     ASSERT_TRUE(waitFor([&] { return suits.recordedSeconds() > 5; }));
     run.addMarker();
-    save("two-recording", {{1440, 900}, {1280, 800}});
+    save("two-recording", {{1440, 900}, {1280, 800}, {1920, 1080}});
     run.stop();
     ASSERT_TRUE(waitFor([&] { return studio_->take().isOpen() && studio_->take().shownMotion(); }));
     QTest::qWait(3000);
-    save("two-review", {{1440, 900}});
+    save("two-review", {{1440, 900}, {1280, 800}, {1920, 1080}});
     window_->goTo(Step::kRecord);
     ASSERT_TRUE(waitFor(bothMove));
     run.setOpensReview(false);
