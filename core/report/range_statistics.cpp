@@ -76,17 +76,28 @@ RangeStatistics rangeStatistics(const std::vector<ReportPair>& pairs) {
     return all;
 }
 
-std::optional<double> residualMedian_m(const std::vector<ReportPair>& pairs) {
-    std::vector<float> sizes_m;
+std::vector<float> residualSizes_m(const ReportPair& pair) {
+    std::vector<float> sizes;
+    for (const PulseAtBoard& pulse : pair.pulses)
+        if (pulse.fate == PulseFate::kUsed && std::isfinite(pulse.residual_m))
+            sizes.push_back(std::abs(pulse.residual_m));
+    return sizes;
+}
+
+std::vector<float> residualSizes_m(const std::vector<ReportPair>& pairs) {
+    std::vector<float> all;
     for (const ReportPair& pair : pairs)
-        for (const PulseAtBoard& pulse : pair.pulses)
-            if (pulse.fate == PulseFate::kUsed && std::isfinite(pulse.residual_m))
-                sizes_m.push_back(std::abs(pulse.residual_m));
-    if (sizes_m.empty())
+        std::ranges::copy(residualSizes_m(pair), std::back_inserter(all));
+    return all;
+}
+
+std::optional<double> quantileOf(std::vector<float> sizes, double share) {
+    if (sizes.empty())
         return std::nullopt;
-    const auto middle = sizes_m.begin() + static_cast<std::ptrdiff_t>((sizes_m.size() - 1) / 2);
-    std::ranges::nth_element(sizes_m, middle);
-    return *middle;
+    const auto at =
+        sizes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
+    std::ranges::nth_element(sizes, at);
+    return *at;
 }
 
 }  // namespace noctule

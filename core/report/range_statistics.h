@@ -25,8 +25,11 @@ struct RangeStatistics {
     void merge(const RangeStatistics& other);
 };
 
-/// Of the sizes of the residuals of used ranges: what is usual, whatever a few echoes do to the mean.
-std::optional<double> residualMedian_m(const std::vector<ReportPair>& pairs);
+/// Sizes of the residuals of used ranges.
+std::vector<float> residualSizes_m(const ReportPair& pair);
+std::vector<float> residualSizes_m(const std::vector<ReportPair>& pairs);
+/// What the given share (0..1) of the sizes stays within, whatever echoes do to the mean; none without sizes.
+std::optional<double> quantileOf(std::vector<float> sizes, double share);
 
 RangeStatistics rangeStatistics(const ReportPair& pair);
 RangeStatistics rangeStatistics(const std::vector<ReportPair>& pairs);

@@ -27,7 +27,7 @@ std::string backedShare(const ReportData& data) {
 
 std::string cards(const ReportData& data, const ReportRun* run) {
     const Comparison* c = run && run->comparison ? &*run->comparison : nullptr;
-    const auto residual_m = rangeStatistics(data.pairs).residualRms_m();
+    const auto residual_m = quantileOf(residualSizes_m(data.pairs), 0.5);
     const std::string millimetres =
         c && c->end_effector_mm ? text::number(*c->end_effector_mm, 1) + " mm" : "–";
     return "<div class=\"cards\">" +
@@ -35,7 +35,7 @@ std::string cards(const ReportData& data, const ReportRun* run) {
            card(millimetres, "hands, feet and head, mean position error in the frame of the pelvis") +
            card(backedShare(data), "of frames backed by ranges, mean over joints") +
            card(residual_m ? text::number(1000 * *residual_m, 1) + " mm" : "–",
-                "range residual, root mean square of the ranges used") +
+                "range residual, median of the ranges used") +
            "</div>\n";
 }
 

@@ -182,10 +182,48 @@ private:
 
     void judgeResidual() {
         verdict_.residual_rms_m = rangeStatistics(report_.pairs).residualRms_m();
-        verdict_.residual_median_m = residualMedian_m(report_.pairs);
-        if (verdict_.residual_rms_m && !comparison_ && !is_uncalibrated_)
-            charge(VerdictReason::kResidual,
-                   gradeOf(*verdict_.residual_rms_m, limits_.good_residual_m, limits_.usable_residual_m));
+        const std::vector<float> sizes_m = residualSizes_m(report_.pairs);
+        verdict_.residual_median_m = quantileOf(sizes_m, 0.5);
+        verdict_.residual_spread_m = quantileOf(sizes_m, kOneSigma);
+        if (!verdict_.residual_spread_m || comparison_ || is_uncalibrated_)
+            return;
+        TakeGrade grade =
+            gradeOf(*verdict_.residual_spread_m, limits_.good_residual_m, limits_.usable_residual_m);
+        if (grade == TakeGrade::kGood) {
+            findAstray();
+            if (verdict_.astray)
+                grade =
+                    gradeOf(verdict_.astray->median_m, limits_.good_residual_m, limits_.usable_residual_m);
+        }
+        charge(VerdictReason::kResidual, grade);
+    }
+
+    /// The source or board whose ranges miss the pose most, if they do. One source that points elsewhere is
+    /// an eighth of all ranges, which the spread of all does not show.
+    void findAstray() {
+        std::vector<std::vector<float>> of_source(report_.sources.size()), of_board(report_.boards.size());
+        const auto gather = [](std::vector<std::vector<float>>& parts, int index,
+                               const std::vector<float>& sizes_m) {
+            if (static_cast<size_t>(index) >= parts.size())
+                parts.resize(static_cast<size_t>(index) + 1);
+            std::ranges::copy(sizes_m, std::back_inserter(parts[static_cast<size_t>(index)]));
+        };
+        for (const ReportPair& pair : report_.pairs) {
+            const std::vector<float> sizes_m = residualSizes_m(pair);
+            gather(of_source, pair.source, sizes_m);
+            gather(of_board, pair.board, sizes_m);
+        }
+        double worst_m = limits_.good_residual_m;
+        const auto look = [&](const std::vector<std::vector<float>>& parts, bool is_source) {
+            for (size_t i = 0; i < parts.size(); ++i)
+                if (const auto median_m = quantileOf(parts[i], 0.5);
+                    parts[i].size() >= kLeastOfPart && *median_m > worst_m) {
+                    worst_m = *median_m;
+                    verdict_.astray = {is_source, static_cast<int>(i), worst_m};
+                }
+        };
+        look(of_source, true);
+        look(of_board, false);
     }
 
     void judgeBoards() {
@@ -233,6 +271,8 @@ private:
     }
 
     static constexpr double kLeastHalf_s = 3;    ///< of the take, to either side of a change
+    static constexpr double kOneSigma = 0.683;   ///< of normal errors' sizes stay within it
+    static constexpr size_t kLeastOfPart = 50;   ///< ranges; fewer say little of a source or a board
     static constexpr double kLeastDrift_s = 20;  ///< a slope over less says little
 
     const ReportData& report_;

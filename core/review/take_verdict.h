@@ -66,6 +66,13 @@ struct VerdictBoard {
     double lost_share = 0;
 };
 
+/// A source or a board whose ranges miss the pose, though those of the others do not.
+struct VerdictPart {
+    bool is_source = false;
+    int index = 0;        ///< into the suit
+    double median_m = 0;  ///< of the sizes of its residuals
+};
+
 struct TakeVerdict {
     TakeGrade grade = TakeGrade::kGood;
     /// What lowered the grade, worst first; empty when nothing did. The screens word the first one or two.
@@ -77,10 +84,14 @@ struct TakeVerdict {
     std::vector<VerdictBoard> lossy_boards;  ///< that lost more than is good, worst first
     CalibrationLack lack;                    ///< of what the run was made with
 
-    std::optional<double> mean_error_deg;         ///< over joints, against the reference
-    double backed_share = 0;                      ///< of joints and time: backed by ranges
-    std::optional<double> residual_rms_m;         ///< of used ranges; a few echoes make it large
-    std::optional<double> residual_median_m;      ///< of their sizes
+    std::optional<double> mean_error_deg;     ///< over joints, against the reference
+    double backed_share = 0;                  ///< of joints and time: backed by ranges
+    std::optional<double> residual_rms_m;     ///< of used ranges; a few echoes make it large
+    std::optional<double> residual_median_m;  ///< of their sizes
+    /// Two of three stay within it: the standard deviation of normal errors, and echoes do not move it. The
+    /// filter trusts pairs that are always late little, so that they say nothing of the pose.
+    std::optional<double> residual_spread_m;
+    std::optional<VerdictPart> astray;            ///< with kResidual: where one part's ranges alone miss
     double hole_s = 0, longest_hole_s = 0;        ///< without signal, of all boards
     std::optional<double> yaw_drift_deg_per_min;  ///< against the reference
     std::vector<VerdictJoint> joints;

@@ -123,6 +123,31 @@ ProblemWords boardProblem(const TakeVerdict& verdict, const TakeOverview& overvi
     return words;
 }
 
+ProblemWords residualProblem(const TakeVerdict& verdict, const TakeOverview& overview) {
+    ProblemWords words;
+    if (!verdict.astray) {
+        words.title = Words::tr("A third of the ranges miss the pose by more than %1")
+                          .arg(millimetresText(verdict.residual_spread_m.value_or(0)));
+        words.text = Words::tr(
+            "A board or a source may sit elsewhere than the performer page says, or the "
+            "source offsets are another box's. Check both, then reprocess.");
+        return words;
+    }
+    const VerdictPart& part = *verdict.astray;
+    words.title = Words::tr("%1: half of its ranges miss the pose by more than %2")
+                      .arg(part.is_source ? sourceTitle(overview.suit, part.index)
+                                          : boardTitle(overview.suit, part.index),
+                           millimetresText(part.median_m));
+    words.text = Words::tr(
+        "It may sit elsewhere than the performer page says, or point elsewhere than when it was calibrated. "
+        "Check it, then reprocess.");
+    if (!part.is_source) {
+        words.board = part.index;
+        words.action = Words::tr("Show this board");
+    }
+    return words;
+}
+
 ProblemWords lackProblem(const TakeVerdict& verdict) {
     ProblemWords words;
     words.title = verdict.lack.isTotal()
@@ -223,12 +248,7 @@ std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const Take
                 words = lackProblem(verdict);
                 break;
             case VerdictReason::kResidual:
-                words.title = Words::tr("Ranges miss the pose by %1 (median %2)")
-                                  .arg(millimetresText(verdict.residual_rms_m.value_or(0)),
-                                       millimetresText(verdict.residual_median_m.value_or(0)));
-                words.text = Words::tr(
-                    "A board or a source may sit elsewhere than the performer page says, or the "
-                    "source offsets are another box's. Check both, then reprocess.");
+                words = residualProblem(verdict, overview);
                 break;
             case VerdictReason::kBoardLost:
                 words = boardProblem(verdict, overview);

@@ -200,6 +200,38 @@ TEST_F(TakeVerdictTest, TheMedianOfResidualsIsWhatIsUsual) {
     EXPECT_GT(*verdict().residual_rms_m, 0.05);
 }
 
+TEST_F(TakeVerdictTest, PairsThatAreAlwaysLateDoNotCondemnTheTake) {
+    for (ReportPair& pair : report_.pairs)
+        if (pair.board < 2 && pair.source % 3 == 0)  // sound that goes round the body
+            for (PulseAtBoard& pulse : pair.pulses)
+                pulse.residual_m = 0.55F;
+    EXPECT_EQ(verdict().grade, TakeGrade::kGood);
+    EXPECT_NEAR(*verdict().residual_spread_m, 0.003, 1e-6);
+    EXPECT_GT(*verdict().residual_rms_m, 0.05);
+}
+
+TEST_F(TakeVerdictTest, RangesThatMissEverywhereCondemnIt) {
+    for (ReportPair& pair : report_.pairs)
+        for (size_t i = 0; i < pair.pulses.size(); ++i)
+            if (i % 2 == 0)
+                pair.pulses[i].residual_m = 0.06F;
+    EXPECT_EQ(verdict().grade, TakeGrade::kNotUsable);
+    EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kResidual});
+    EXPECT_FALSE(verdict().astray);
+}
+
+TEST_F(TakeVerdictTest, ASourceGoneAstrayIsNamed) {
+    for (ReportPair& pair : report_.pairs)
+        if (pair.source == 5)
+            for (PulseAtBoard& pulse : pair.pulses)
+                pulse.residual_m = 0.03F;
+    EXPECT_EQ(verdict().grade, TakeGrade::kUsable);
+    ASSERT_TRUE(verdict().astray);
+    EXPECT_TRUE(verdict().astray->is_source);
+    EXPECT_EQ(verdict().astray->index, 5);
+    EXPECT_NEAR(verdict().astray->median_m, 0.03, 1e-6);
+}
+
 TEST_F(TakeVerdictTest, WithoutARunThereIsNothingToUse) {
     report_.runs.clear();
     EXPECT_EQ(verdict().grade, TakeGrade::kNotUsable);
