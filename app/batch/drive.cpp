@@ -21,7 +21,7 @@ namespace {
 struct DriveJob {
     robot::RobotModel model;
     robot::RobotProfile profile;
-    std::vector<robot::RobotArm> arms;
+    robot::DrivenParts parts;
     std::optional<TimedMotion> motion;
     std::optional<Actor> actor;
     std::optional<Calibration> calibration;
@@ -77,10 +77,10 @@ Result<DriveJob> readDrive(const VerbContext& context) {
     if (!profile)
         return profile.error();
     drive.profile = std::move(*profile);
-    auto arms = robot::drivenArms(drive.model, drive.profile, armChoice(arguments.text("arms")));
-    if (!arms)
-        return arms.error();
-    drive.arms = std::move(*arms);
+    auto parts = robot::drivenParts(drive.model, drive.profile, partsChoice(arguments));
+    if (!parts)
+        return parts.error();
+    drive.parts = std::move(*parts);
     if (!arguments.operands().empty()) {
         const Status read = readTake(arguments, drive);
         return read ? Result<DriveJob>(std::move(drive)) : Result<DriveJob>(read.error());
@@ -114,7 +114,7 @@ Result<std::unique_ptr<LivePoses>> startPoses(const VerbContext& context, DriveJ
 
 robot_link::LinkOptions linkOptionsOf(const Arguments& arguments, const DriveJob& drive) {
     robot_link::LinkOptions options;
-    options.joints = robot::jointsOf(drive.arms);
+    options.joints = drive.parts.joints();
     options.period_s = 1 / *arguments.number("rate");
     const std::string message = arguments.text("message");
     options.ros_command = message == "trajectory" ? robot_link::RosCommand::kJointTrajectory
@@ -122,7 +122,7 @@ robot_link::LinkOptions linkOptionsOf(const Arguments& arguments, const DriveJob
                                                   : robot_link::RosCommand::kJointState;
     options.command_topic = arguments.text("topic");
     options.state_topic = arguments.text("state-topic");
-    for (const robot::RobotArm& arm : drive.arms)
+    for (const robot::RobotArm& arm : drive.parts.arms)
         options.arms.push_back(arm.profile.name);
     return options;
 }
@@ -168,8 +168,8 @@ RobotDriveRow driveRowOf(const Arguments& arguments, const DriveJob& drive) {
     row.address = arguments.text("to");
     row.leader = arguments.operands().empty() ? "suit" : "take";
     row.rate_hz = *arguments.number("rate");
-    row.joints = robot::jointsOf(drive.arms);
-    for (const robot::RobotArm& arm : drive.arms)
+    row.joints = drive.parts.joints();
+    for (const robot::RobotArm& arm : drive.parts.arms)
         row.arms.push_back(arm.profile.name);
     return row;
 }
@@ -180,7 +180,7 @@ Result<std::unique_ptr<DriveRecording>> startRecording(const Arguments& argument
     if (!arguments.given("record"))
         return std::unique_ptr<DriveRecording>();
     const std::string take = arguments.operands().empty() ? "" : arguments.operands().front();
-    return DriveRecording::begin(driveRowOf(arguments, drive), drive.arms, take, poses.takeInput());
+    return DriveRecording::begin(driveRowOf(arguments, drive), drive.parts.arms, take, poses.takeInput());
 }
 
 Status checkDrive(const Arguments& arguments) {
@@ -218,13 +218,13 @@ Result<Outcome> runDriveVerb(const VerbContext& context) {
     if (!recording)
         return recording.error();
     OperatorKeys keys(arguments.given("hold"));
-    HandRecord record(drive->arms);
+    HandRecord record(drive->parts.arms);
     const robot_link::DrivePlan plan{
         **link,
         feed,
         drive->model,
         drive->profile,
-        drive->arms,
+        drive->parts,
         {performer->armLength_m(robot::Side::kLeft), performer->armLength_m(robot::Side::kRight)},
         settingsOf(arguments),
         arguments.number("seconds"),
@@ -260,7 +260,7 @@ Result<Outcome> runDriveVerb(const VerbContext& context) {
 Verb driveVerb() {
     Verb verb;
     verb.name = "drive";
-    verb.summary = "drive a robot's arms live, with a suit or with a take in real time";
+    verb.summary = "drive a robot's arms and trunk live, with a suit or with a take in real time";
     verb.operands = "[T.noctule]";
     verb.max_operands = 1;
     verb.example = "noctule --batch drive wave.noctule --robot g1.urdf --to udp://127.0.0.1:41950 --hold";
@@ -277,7 +277,8 @@ Verb driveVerb() {
         flag("repeat", "the take begins again after its end"),
         text("profile", "P.json",
              "how its arms answer to a performer's; else found by the robot's name, or made"),
-        choice("arms", {"both", "left", "right"}, "which of the profile's arms are driven").orElse("both"),
+        armsOption(),
+        trunkOption(),
         choice("follow", {"posture", "hand"}, "the arm's posture, or the hand's way from where it engaged")
             .orElse("posture"),
         flag("hold", "the dead man's key is held, and postures are accepted as soon as they are near"),
@@ -304,6 +305,7 @@ Verb driveVerb() {
         "and at most speed times period.",
         "A disk that is full or a take that another program holds never stops the robot; what could not be "
         "recorded is said at the end. `inspect` lists recorded drives, `export` writes them.",
+        "Legs are not driven: they keep the robot's balance, and that is its own controller's.",
         "Robots hurt people. Keep an emergency stop in reach that does not depend on this program."};
     verb.run = runDriveVerb;
     return verb;

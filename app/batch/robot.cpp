@@ -66,12 +66,11 @@ Result<MotionClip> motionFor(const VerbContext& context, const std::string& path
 }
 
 robot::MappingChoice choiceFor(const Arguments& arguments) {
-    robot::MappingChoice choice = armChoice(arguments.text("arms"));
+    robot::MappingChoice choice = partsChoice(arguments);
     const std::string mapping = arguments.text("mapping");
     choice.mapping = mapping == "miller"         ? robot::Mapping::kMiller
                      : mapping == "miller-trunk" ? robot::Mapping::kMillerTrunk
                                                  : robot::Mapping::kPosture;
-    choice.trunk = arguments.given("trunk");
     choice.legs = arguments.given("legs");
     return choice;
 }
@@ -265,8 +264,8 @@ Verb robotVerb() {
         choice("mapping", {"posture", "miller", "miller-trunk"},
                "posture and scaled wrist, or the angles of Miller 2004")
             .orElse("posture"),
-        choice("arms", {"both", "left", "right"}, "which of the profile's arms move").orElse("both"),
-        flag("trunk", "the robot's waist follows the performer's chest"),
+        armsOption(),
+        trunkOption(),
         flag("legs", "legs follow too, feet first: for robots that balance by themselves, and for films"),
         flag("loop", "goes back to the beginning, for playback without end"),
         number("rate", "HZ", 1, 1000, "commands a second; else 140, of BVH the file's rate"),

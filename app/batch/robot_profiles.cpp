@@ -10,10 +10,20 @@ Result<robot::RobotProfile> robotProfile(const robot::RobotModel& model, const s
     return robot::profileFor(model, path, &signalFlag());
 }
 
-robot::MappingChoice armChoice(const std::string& arms) {
+Option armsOption() {
+    return choice("arms", {"both", "left", "right"}, "which of the profile's arms are driven").orElse("both");
+}
+
+Option trunkOption() {
+    return flag("trunk", "the robot's waist follows the performer's chest");
+}
+
+robot::MappingChoice partsChoice(const Arguments& arguments) {
+    const std::string arms = arguments.text("arms");
     robot::MappingChoice choice;
     choice.left = arms != "right";
     choice.right = arms != "left";
+    choice.trunk = arguments.given("trunk");
     return choice;
 }
 

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "app/batch/arguments.h"
 #include "core/robot/motion_mapping.h"
 
 namespace noctule::batch {
@@ -12,7 +13,9 @@ namespace noctule::batch {
 /// `path` empty: not named.
 Result<robot::RobotProfile> robotProfile(const robot::RobotModel& model, const std::string& path);
 
-/// "both", "left" or "right".
-robot::MappingChoice armChoice(const std::string& arms);
+/// Which parts of a robot are driven: --arms and --trunk.
+Option armsOption();
+Option trunkOption();
+robot::MappingChoice partsChoice(const Arguments& arguments);
 
 }  // namespace noctule::batch

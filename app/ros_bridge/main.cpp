@@ -17,7 +17,7 @@
 #include "app/ros_bridge/joint_values.h"
 #include "app/ros_bridge/ros_node.h"
 #include "app/ros_bridge/udp_socket.h"
-#include "core/robot/live_drive.h"
+#include "core/robot/driven_parts.h"
 #include "core/robot/urdf_reader.h"
 #include "devices/device/clock.h"
 #include "devices/robot/datagram.h"
@@ -38,7 +38,8 @@ const std::vector<batch::Option>& optionTable() {
     static const std::vector<Option> options = {
         text("robot", "R.urdf", "the robot; a xacro file has to be expanded first"),
         text("profile", "P.json", "which joints are its arms; else found by the robot's name or made"),
-        choice("arms", {"both", "left", "right"}, "which arms are driven, as for `drive`").orElse("both"),
+        armsOption(),
+        trunkOption(),
         text("udp", "HOST:PORT", "listen there for the studio, port 0 for any free one")
             .orElse("127.0.0.1:41950"),
         choice("message", {"joint-state", "trajectory"},
@@ -78,10 +79,10 @@ Result<std::vector<std::string>> jointsOfRobot(const Arguments& arguments, const
     const auto profile = batch::robotProfile(*model, arguments.text("profile"));
     if (!profile)
         return profile.error();
-    const auto arms = robot::drivenArms(*model, *profile, batch::armChoice(arguments.text("arms")));
-    if (!arms)
-        return arms.error();
-    return robot::jointsOf(*arms);
+    const auto parts = robot::drivenParts(*model, *profile, batch::partsChoice(arguments));
+    if (!parts)
+        return parts.error();
+    return parts->joints();
 }
 
 RosOptions rosOptionsOf(const Arguments& arguments, const std::vector<std::string>& joints) {
@@ -130,7 +131,7 @@ private:
             return tellState();
         if (read->joints_hash != joints_hash_ || read->q.size() != joints_.size())
             return sayOnce({ErrorKind::kUnusable, "the studio drives other joints than this bridge",
-                            "Give both the same --robot, --profile and --arms"});
+                            "Give both the same --robot, --profile, --arms and --trunk"});
         obeyed_ = read->sequence;
         node_.publish(read->q, read->v);
     }

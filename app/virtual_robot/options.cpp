@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/virtual_robot/options.h"
 
+#include "app/batch/robot_profiles.h"
 #include "app/virtual_robot/control_line.h"
 
 namespace noctule::virtual_robot {
@@ -10,7 +11,8 @@ const std::vector<batch::Option>& optionTable() {
     static const std::vector<Option> options = {
         text("robot", "R.urdf", "the robot; a xacro file has to be expanded first"),
         text("profile", "P.json", "which joints are its arms; else found by the robot's name or made"),
-        choice("arms", {"both", "left", "right"}, "which arms it has").orElse("both"),
+        armsOption(),
+        trunkOption(),
         text("udp", "HOST:PORT", "listen there for datagrams, port 0 for any free one"),
         text("ws", "HOST:PORT", "be a rosbridge server there, port 0 for any free one"),
         number("rate", "HZ", 1, 1000, "states a second").orElse("200"),

@@ -33,9 +33,9 @@ void sayLine(const std::string& text) {
 
 class RobotProgram {
 public:
-    RobotProgram(const Options& options, const std::vector<robot::RobotArm>& arms)
-        : options_(options), body_(arms, options.body) {
-        for (const robot::RobotArm& arm : arms)
+    RobotProgram(const Options& options, const robot::DrivenParts& parts)
+        : options_(options), body_(parts, options.body) {
+        for (const robot::RobotArm& arm : parts.arms)
             arm_names_.push_back(arm.profile.name);
     }
 
@@ -162,10 +162,10 @@ int runChecked(const std::vector<std::string>& words, const CancelFlag& cancel) 
     const auto profile = batch::robotProfile(*model, arguments.text("profile"));
     if (!profile)
         return endWithError(profile.error());
-    const auto arms = robot::drivenArms(*model, *profile, batch::armChoice(arguments.text("arms")));
-    if (!arms)
-        return endWithError(arms.error());
-    RobotProgram program(*options, *arms);
+    const auto parts = robot::drivenParts(*model, *profile, batch::partsChoice(arguments));
+    if (!parts)
+        return endWithError(parts.error());
+    RobotProgram program(*options, *parts);
     if (Status open = program.open(); !open)
         return endWithError(open.error());
     return program.run(cancel);

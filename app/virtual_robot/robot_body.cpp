@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/robot/inverse_kinematics.h"
-#include "core/robot/live_drive.h"
 
 namespace noctule::virtual_robot {
 namespace {
@@ -16,16 +15,19 @@ constexpr int kTipIterations = 40;
 
 }  // namespace
 
-RobotBody::RobotBody(const std::vector<robot::RobotArm>& arms, const BodyOptions& options)
-    : options_(options), arms_(arms), joints_(robot::jointsOf(arms)) {
-    for (const robot::RobotArm& arm : arms_)
-        for (int i = 0; i < arm.chain.size(); ++i) {
-            const robot::ChainJoint& joint = arm.chain.joint(i);
+RobotBody::RobotBody(const robot::DrivenParts& parts, const BodyOptions& options)
+    : options_(options),
+      arms_(parts.arms),
+      joints_(parts.joints()),
+      speed_(parts.speeds()),
+      q_(parts.reference()) {
+    for (const robot::Chain* chain : parts.chains())
+        for (const robot::ChainJoint& joint : chain->joints()) {
             lower_.push_back(joint.lower);
             upper_.push_back(joint.upper);
-            speed_.push_back(arm.profile.max_speed[static_cast<size_t>(i)]);
-            q_.push_back(std::clamp(arm.reference[i], joint.lower, joint.upper));
         }
+    for (size_t i = 0; i < q_.size(); ++i)
+        q_[i] = std::clamp(q_[i], lower_[i], upper_[i]);
     v_.assign(q_.size(), 0);
     target_ = q_;
     stuck_.assign(q_.size(), false);

@@ -5,7 +5,7 @@
 
 #include <deque>
 
-#include "core/robot/profile.h"
+#include "core/robot/driven_parts.h"
 
 namespace noctule::virtual_robot {
 
@@ -18,7 +18,7 @@ struct BodyOptions {
 
 class RobotBody {
 public:
-    RobotBody(const std::vector<robot::RobotArm>& arms, const BodyOptions& options);
+    RobotBody(const robot::DrivenParts& parts, const BodyOptions& options);
 
     const std::vector<std::string>& joints() const { return joints_; }
     /// Values in the order of joints(); sizes must fit.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <set>
 
 #include "core/math/rotation.h"
 
@@ -94,68 +93,51 @@ std::string sentenceFor(const DriveOutput& output) {
     return "";
 }
 
-Result<std::vector<RobotArm>> drivenArms(const RobotModel& model, const RobotProfile& profile,
-                                         const MappingChoice& choice) {
-    std::vector<RobotArm> arms;
-    std::set<std::string> joints;
-    for (const ArmProfile& wanted : profile.arms) {
-        if (wanted.side == Side::kLeft ? !choice.left : !choice.right)
-            continue;
-        auto arm = makeArm(model, wanted);
-        if (!arm)
-            return arm.error();
-        for (const ChainJoint& joint : arm->chain.joints())
-            if (!joints.insert(joint.name).second)
-                return Error{
-                    ErrorKind::kUnusable,
-                    "robot " + profile.robot + ": joint \"" + joint.name + "\" belongs to two arms",
-                    "Let the base of both arms lie above what they share, or choose one with --arms"};
-        arms.push_back(std::move(*arm));
-    }
-    if (arms.empty())
-        return Error{ErrorKind::kUnusable, "robot " + profile.robot + " has no arm on the side asked for",
-                     "Choose another with --arms"};
-    return arms;
+const Chain& LiveDrive::Part::chain() const {
+    const auto* arm = std::get_if<ArmFollower>(&ghost);
+    return arm ? arm->arm().chain : std::get<TrunkFollower>(ghost).trunk().chain;
 }
 
-std::vector<std::string> jointsOf(const std::vector<RobotArm>& arms) {
-    std::vector<std::string> joints;
-    for (const RobotArm& arm : arms)
-        for (const ChainJoint& joint : arm.chain.joints())
-            joints.push_back(joint.name);
-    return joints;
-}
-
-LiveDrive::Arm::Arm(const RobotArm& robot_arm, const RobotProfile& profile, double human_length_m,
-                    const DriveSettings& settings, const JointVector& q)
-    : ghost(robot_arm, profile, human_length_m, settings.teleop.dt_s),
-      teleoperator(robot_arm, profile, settingsFor(robot_arm, human_length_m, settings), q),
-      first(0) {}
-
-LiveDrive::LiveDrive(const RobotModel& model, const RobotProfile& profile, const std::vector<RobotArm>& arms,
+LiveDrive::LiveDrive(const RobotModel& model, const RobotProfile& profile, const DrivenParts& parts,
                      const std::array<double, 2>& human_length_m, const DriveSettings& settings,
                      const std::vector<double>& q)
     : model_(model),
       settings_(settings),
       clearance_m_(profile.clearance_m),
-      joints_(jointsOf(arms)),
+      joints_(parts.joints()),
       last_near_m_(std::numeric_limits<double>::infinity()),
       last_q_(q) {
     require(q.size() == joints_.size(), "the robot's state has every driven joint");
-    JointValues reference;
-    size_t first = 0;
-    for (const RobotArm& arm : arms) {
-        JointVector place(arm.chain.size());
-        for (int i = 0; i < arm.chain.size(); ++i) {
-            place[i] = q[first + static_cast<size_t>(i)];
-            reference[arm.chain.joint(i).model_joint] = arm.reference[i];
-        }
-        arms_.emplace_back(arm, profile, human_length_m[static_cast<size_t>(arm.profile.side)], settings,
-                           place);
-        arms_.back().first = first;
-        first += static_cast<size_t>(arm.chain.size());
+    const double dt_s = settings.teleop.dt_s;
+    for (const RobotArm& arm : parts.arms) {
+        const double human_m = human_length_m[static_cast<size_t>(arm.profile.side)];
+        add(ArmFollower(arm, profile, human_m, dt_s), profile, settingsFor(arm, human_m, settings), q);
     }
+    if (parts.trunk) {
+        TeleopSettings of_trunk = settings.teleop;  // the workspace is the hands'
+        of_trunk.box_min_m = TeleopSettings().box_min_m, of_trunk.box_max_m = TeleopSettings().box_max_m;
+        add(TrunkFollower(*parts.trunk, profile, dt_s), profile, of_trunk, q);
+    }
+    JointValues reference;
+    const std::vector<double> values = parts.reference();
+    for (const Part& part : parts_)
+        for (size_t i = 0; i < part.size; ++i)
+            reference[part.chain().joint(static_cast<int>(i)).model_joint] = values[part.first + i];
     collision_ = std::make_unique<SelfCollision>(model, profile, reference);
+}
+
+void LiveDrive::add(const std::variant<ArmFollower, TrunkFollower>& ghost, const RobotProfile& profile,
+                    const TeleopSettings& settings, const std::vector<double>& q) {
+    const auto* arm = std::get_if<ArmFollower>(&ghost);
+    const Chain& chain = arm ? arm->arm().chain : std::get<TrunkFollower>(ghost).trunk().chain;
+    const std::vector<double>& speeds =
+        arm ? arm->arm().profile.max_speed : std::get<TrunkFollower>(ghost).trunk().max_speed;
+    const size_t first = parts_.empty() ? 0 : parts_.back().first + parts_.back().size;
+    JointVector place(chain.size());
+    for (int i = 0; i < chain.size(); ++i)
+        place[i] = q[first + static_cast<size_t>(i)];
+    parts_.push_back({ghost, Teleoperator(chain, speeds, profile, settings, place), first,
+                      static_cast<size_t>(chain.size())});
 }
 
 /// A robot that does not do as it is told is no longer driven until commands and robot are together again.
@@ -189,49 +171,61 @@ void LiveDrive::lookAt(const DriveInput& input, DriveOutput& output) {
               joints_[farthest], off_rad);
 }
 
-std::optional<TeleopPose> LiveDrive::poseFor(Arm& arm, const DriveInput& input) {
-    if (!input.performer)
-        return std::nullopt;
-    const ArmPose& seen = input.performer->frame.in_chest[static_cast<size_t>(arm.ghost.arm().profile.side)];
+TeleopPose LiveDrive::armPose(ArmFollower& ghost, const PerformerSeen& performer) const {
+    const ArmPose& seen = performer.frame.in_chest[static_cast<size_t>(ghost.arm().profile.side)];
     TeleopPose pose;
-    pose.time_ns = input.performer->arrived_ns;
-    pose.confidence = input.performer->confidence;
     pose.p_world_hand = seen.wrist_m;
     pose.q_world_hand = Quaterniond(seen.R_hand);
     if (settings_.follows_posture) {
         if (!has_settled_)
-            arm.ghost.settle(seen);
-        pose.posture = arm.ghost.follow(seen).q;
+            ghost.settle(seen);
+        pose.posture = ghost.follow(seen).q;
     }
     return pose;
 }
 
-void LiveDrive::stepArms(const DriveInput& input, DriveOutput& output) {
+TeleopPose LiveDrive::trunkPose(TrunkFollower& ghost, const PerformerSeen& performer) const {
+    if (!has_settled_)
+        ghost.settle(performer.frame.R_hips_chest);
+    ghost.follow(performer.frame.R_hips_chest);
+    TeleopPose pose;
+    pose.posture = ghost.places();
+    return pose;
+}
+
+std::optional<TeleopPose> LiveDrive::poseFor(Part& part, const DriveInput& input) const {
+    if (!input.performer)
+        return std::nullopt;
+    auto* arm = std::get_if<ArmFollower>(&part.ghost);
+    TeleopPose pose = arm ? armPose(*arm, *input.performer)
+                          : trunkPose(std::get<TrunkFollower>(part.ghost), *input.performer);
+    pose.time_ns = input.performer->arrived_ns;
+    pose.confidence = arm ? input.performer->confidence : input.performer->trunk_confidence;
+    return pose;
+}
+
+void LiveDrive::stepParts(const DriveInput& input, DriveOutput& output) {
     const bool is_blocked = output.trouble == DriveTrouble::kRobotSilent || recovers_;
     TeleopKeys keys = input.keys;
     keys.clutch &= !is_blocked;
     keys.accept &= all_near_;
     all_near_ = true;
-    for (Arm& arm : arms_) {
-        const int size = arm.ghost.arm().chain.size();
+    for (Part& part : parts_) {
         std::optional<JointVector> retreat;
-        if (recovers_ && output.trouble != DriveTrouble::kRobotSilent) {
-            retreat.emplace(size);
-            for (int i = 0; i < size; ++i)
-                (*retreat)[i] = input.robot->q[arm.first + static_cast<size_t>(i)];
-        }
-        arm.teleoperator.setRetreat(retreat);
-        const TeleopCommand command = arm.teleoperator.step(input.now_ns, poseFor(arm, input), keys);
+        if (recovers_ && output.trouble != DriveTrouble::kRobotSilent)
+            retreat = JointVector(Eigen::Map<const Eigen::VectorXd>(&input.robot->q[part.first],
+                                                                    static_cast<Eigen::Index>(part.size)));
+        part.teleoperator.setRetreat(retreat);
+        const TeleopCommand command = part.teleoperator.step(input.now_ns, poseFor(part, input), keys);
         output.state = command.state;
-        for (int i = 0; i < size; ++i)
-            output.ghost.push_back(command.ghost[i]);
+        output.ghost.insert(output.ghost.end(), command.ghost.begin(), command.ghost.end());
         if (command.state == TeleopState::kLost || (input.keys.clutch && command.state == TeleopState::kIdle))
             raise(output, DriveTrouble::kNoPose);
         const bool is_near = command.farthest_rad <= settings_.teleop.farthest_rad;
         all_near_ &= is_near;
         if (command.state == TeleopState::kSynchronising && !is_near)
             raise(output, DriveTrouble::kTooFar,
-                  joints_[arm.first + static_cast<size_t>(command.farthest_joint)], command.farthest_rad);
+                  joints_[part.first + static_cast<size_t>(command.farthest_joint)], command.farthest_rad);
         if (isEngaged(command.state) && command.is_slowed)
             raise(output, DriveTrouble::kUncertain);
         if (isEngaged(command.state) && command.is_outside_box)
@@ -242,10 +236,9 @@ void LiveDrive::stepArms(const DriveInput& input, DriveOutput& output) {
 
 JointValues LiveDrive::valuesNow() const {
     JointValues values;
-    for (const Arm& arm : arms_)
-        for (size_t i = 0; i < arm.teleoperator.motion().size(); ++i)
-            values[arm.ghost.arm().chain.joint(static_cast<int>(i)).model_joint] =
-                arm.teleoperator.motion()[i].place;
+    for (const Part& part : parts_)
+        for (size_t i = 0; i < part.size; ++i)
+            values[part.chain().joint(static_cast<int>(i)).model_joint] = part.teleoperator.motion()[i].place;
     return values;
 }
 
@@ -257,16 +250,16 @@ void LiveDrive::keepApart(const std::vector<std::vector<JointMotion>>& before, D
         raise(output, DriveTrouble::kTooNear,
               model_.links[static_cast<size_t>(near.link_a)].name + " and " +
                   model_.links[static_cast<size_t>(near.link_b)].name);
-        for (size_t i = 0; i < arms_.size(); ++i)
-            arms_[i].teleoperator.brakeFrom(before[i]);
+        for (size_t i = 0; i < parts_.size(); ++i)
+            parts_[i].teleoperator.brakeFrom(before[i]);
         near = collision_->nearest(valuesNow());
     }
     last_near_m_ = near.distance_m;
 }
 
 void LiveDrive::write(DriveOutput& output) const {
-    for (const Arm& arm : arms_)
-        for (const JointMotion& motion : arm.teleoperator.motion())
+    for (const Part& part : parts_)
+        for (const JointMotion& motion : part.teleoperator.motion())
             output.q.push_back(motion.place);
     for (size_t i = 0; i < output.q.size(); ++i)
         output.v.push_back((output.q[i] - last_q_[i]) / settings_.teleop.dt_s);
@@ -276,9 +269,9 @@ DriveOutput LiveDrive::step(const DriveInput& input) {
     DriveOutput output;
     lookAt(input, output);
     std::vector<std::vector<JointMotion>> before;
-    for (const Arm& arm : arms_)
-        before.push_back(arm.teleoperator.motion());
-    stepArms(input, output);
+    for (const Part& part : parts_)
+        before.push_back(part.teleoperator.motion());
+    stepParts(input, output);
     keepApart(before, output);
     write(output);
     last_q_ = output.q;

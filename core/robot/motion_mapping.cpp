@@ -38,10 +38,10 @@ public:
                          "robot " + profile_.robot + " has no arm on the side asked for",
                          "Choose another with --arms"};
         if (choice_.trunk) {
-            auto trunk = TrunkFollower::make(model_, profile_, dt_s_);
+            const auto trunk = makeTrunk(model_, profile_);
             if (!trunk)
                 return trunk.error();
-            trunk_.emplace(std::move(*trunk));
+            trunk_.emplace(*trunk, profile_, dt_s_);
         }
         if (choice_.legs)
             if (Status added = addLegs(); !added)
@@ -53,7 +53,7 @@ public:
         for (const DrivenArm& arm : arms_)
             drive(arm.follower.arm().chain);
         if (trunk_)
-            drive(trunk_->chain());
+            drive(trunk_->trunk().chain);
         for (const DrivenArm& leg : legs_)
             drive(leg.follower.arm().chain);
         for (const int joint : joints_)

@@ -30,6 +30,13 @@ Matrix3d turn(const Quaterniond& q) {
     return q.toRotationMatrix();
 }
 
+double largestOf(const std::vector<double>& sigma_rad, int joint) {
+    double largest = 0;
+    for (size_t at = 3 * static_cast<size_t>(joint), end = at + 3; at < std::min(end, sigma_rad.size()); ++at)
+        largest = std::max(largest, sigma_rad[at]);
+    return largest;
+}
+
 }  // namespace
 
 Result<PerformerArms> PerformerArms::make(const Skeleton& skeleton, const std::string& where) {
@@ -49,6 +56,8 @@ Result<PerformerArms> PerformerArms::make(const Skeleton& skeleton, const std::s
     }
     made.hips_ = bones.contains("Hips") ? bones.at("Hips") : 0;
     made.chest_ = commonAncestor(skeleton, made.arms_[0].upper, made.arms_[1].upper);
+    for (int joint = made.chest_; joint >= 0 && joint != made.hips_; joint = skeleton.joint(joint).parent)
+        made.spine_.push_back(joint);
     const GlobalPose zero = globalPose(skeleton, skeleton.zeroPose());
     const auto place = [&](int joint) { return zero.p_world_joint[static_cast<size_t>(joint)]; };
     const Vector3d across = place(made.arms_[0].upper) - place(made.arms_[1].upper);
@@ -150,9 +159,14 @@ double PerformerArms::worstSigma_rad(const std::vector<double>& sigma_rad) const
     double worst = 0;
     for (const ArmBones& arm : arms_)
         for (const int joint : {arm.upper, arm.forearm, arm.hand})
-            for (size_t axis = 0; axis < 3; ++axis)
-                if (const size_t at = 3 * static_cast<size_t>(joint) + axis; at < sigma_rad.size())
-                    worst = std::max(worst, sigma_rad[at]);
+            worst = std::max(worst, largestOf(sigma_rad, joint));
+    return worst;
+}
+
+double PerformerArms::trunkSigma_rad(const std::vector<double>& sigma_rad) const {
+    double worst = 0;
+    for (const int joint : spine_)
+        worst = std::max(worst, largestOf(sigma_rad, joint));
     return worst;
 }
 

@@ -53,6 +53,8 @@ public:
     /// The largest standard deviation of a joint of either arm. `sigma_rad`: 3 per joint of the skeleton;
     /// empty or of another size: 0.
     double worstSigma_rad(const std::vector<double>& sigma_rad) const;
+    /// The same of the joints between hips and chest.
+    double trunkSigma_rad(const std::vector<double>& sigma_rad) const;
 
     /// Turn from the T pose to the reference posture: upper arm down, elbow at a right angle, forearm and
     /// palm's edge ahead.
@@ -73,6 +75,7 @@ private:
     std::array<double, 2> arm_length_m_{};
     double leg_length_m_ = 0;
     int chest_ = -1, hips_ = -1;
+    std::vector<int> spine_;                        ///< from the chest down, without the hips
     Matrix3d R_world_body_ = Matrix3d::Identity();  ///< of chest and hips in the zero pose
 };
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "core/body/text.h"
-#include "core/robot/live_drive.h"
+#include "core/robot/driven_parts.h"
 
 namespace noctule::robot {
 namespace {
@@ -147,12 +147,12 @@ Result<std::vector<HandPair>> wristsOf(const MotionClip& clip, const RobotModel&
     const auto performer = PerformerArms::make(clip.skeleton, clip.name);
     if (!performer)
         return performer.error();
-    const auto arms = drivenArms(model, profile, choice);
-    if (!arms)
-        return arms.error();
+    const auto parts = drivenParts(model, profile, choice);
+    if (!parts)
+        return parts.error();
     std::vector<HandPair> pairs;
     size_t first = 0;
-    for (const RobotArm& arm : *arms) {
+    for (const RobotArm& arm : parts->arms) {
         HandPair pair{arm.profile.name, {}, {}};
         const double scale = arm.length_m / performer->armLength_m(arm.profile.side);
         for (size_t frame = 0; frame < std::min(clip.frames.size(), trajectory.frames.size()); ++frame) {

@@ -58,9 +58,9 @@ double eased(double t) {
 
 }  // namespace
 
-Teleoperator::Teleoperator(const RobotArm& arm, const RobotProfile& profile, const TeleopSettings& settings,
-                           const JointVector& q)
-    : arm_(arm), speeds_(arm.profile.max_speed), settings_(settings) {
+Teleoperator::Teleoperator(const Chain& chain, const std::vector<double>& max_speed,
+                           const RobotProfile& profile, const TeleopSettings& settings, const JointVector& q)
+    : chain_(chain), speeds_(max_speed), settings_(settings) {
     constexpr double kEndless = std::numeric_limits<double>::infinity();
     acceleration_ = profile.max_acceleration > 0 ? profile.max_acceleration : kEndless;
     jerk_ = profile.max_acceleration > 0 && profile.max_jerk > 0 ? profile.max_jerk : kEndless;
@@ -100,7 +100,7 @@ void Teleoperator::handleKeys(const TeleopKeys& keys) {
 }
 
 void Teleoperator::watch(int64_t now_ns, const std::optional<TeleopPose>& pose) {
-    const bool is_fresh = pose && isSound(*pose, arm_.chain.size()) && pose->time_ns <= now_ns &&
+    const bool is_fresh = pose && isSound(*pose, chain_.size()) && pose->time_ns <= now_ns &&
                           static_cast<double>(now_ns - pose->time_ns) * 1e-9 <= settings_.stale_s;
     has_pose_ = is_fresh;
     take(is_fresh ? TeleopEvent::kFind : TeleopEvent::kLose);
@@ -108,16 +108,16 @@ void Teleoperator::watch(int64_t now_ns, const std::optional<TeleopPose>& pose) 
 
 void Teleoperator::index(const TeleopPose& pose) {
     ChainState state;
-    arm_.chain.forward(places(), state);
+    chain_.forward(places(), state);
     index_ = {pose.p_world_hand, state.p_base_tip, pose.q_world_hand.normalized().toRotationMatrix(),
               state.R_base_tip};
 }
 
 JointVector Teleoperator::tipAt(const Matrix3d& R, const Vector3d& p, const JointVector& from) const {
-    const JointVector lower = arm_.chain.lower(), upper = arm_.chain.upper();
+    const JointVector lower = chain_.lower(), upper = chain_.upper();
     JointVector q = from.cwiseMax(lower).cwiseMin(upper);
     const JointVector last = q;
-    HandCost cost(arm_.chain, R, p, last);
+    HandCost cost(chain_, R, p, last);
     solveInBox(cost, lower, upper, {kHandIterations, 1e-6, 1e-6}, q, [](double) { return false; });
     return q;
 }
@@ -128,8 +128,8 @@ JointVector Teleoperator::askedFor(const TeleopPose& pose, bool& is_outside_box)
     Vector3d p;
     if (pose.posture) {
         ChainState state;
-        q = pose.posture->cwiseMax(arm_.chain.lower()).cwiseMin(arm_.chain.upper());
-        arm_.chain.forward(q, state);
+        q = pose.posture->cwiseMax(chain_.lower()).cwiseMin(chain_.upper());
+        chain_.forward(q, state);
         R = state.R_base_tip;
         p = state.p_base_tip;
     } else {
@@ -146,7 +146,7 @@ JointVector Teleoperator::askedFor(const TeleopPose& pose, bool& is_outside_box)
 /// Without a wish the joints brake. Place, speed, acceleration and jerk stay inside their limits.
 void Teleoperator::move(const JointVector* wish, double speed_scale, const JointVector* last_wish) {
     for (size_t i = 0; i < motion_.size(); ++i) {
-        const ChainJoint& joint = arm_.chain.joint(static_cast<int>(i));
+        const ChainJoint& joint = chain_.joint(static_cast<int>(i));
         // A stop from full speed may still need the whole limit.
         const double speed = wish ? speeds_[i] * speed_scale : speeds_[i];
         const StepLimiter limiter({joint.lower, joint.upper, speed, acceleration_, jerk_}, settings_.dt_s);

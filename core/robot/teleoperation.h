@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drives one arm live: clutch and reindexing (Miller 2004, section 6), synchronisation that is accepted and
-// blended in, dead man's key, watchdog, workspace box, speed scale, stop. Called once per command, at equal
-// steps; every command is the last one plus at most speed * dt, whatever comes in.
+// Drives one chain (an arm, a trunk) live: clutch and reindexing (Miller 2004, section 6), synchronisation
+// that is accepted and blended in, dead man's key, watchdog, workspace box, speed scale, stop. Called once
+// per command, at equal steps; every command is the last one plus at most speed * dt, whatever comes in.
 #pragma once
 
 #include <optional>
@@ -51,9 +51,9 @@ struct TeleopCommand {
 
 class Teleoperator {
 public:
-    /// `q`: where the robot stands.
-    Teleoperator(const RobotArm& arm, const RobotProfile& profile, const TeleopSettings& settings,
-                 const JointVector& q);
+    /// `max_speed` per joint, rad/s; `q`: where the robot stands. Other limits are the profile's.
+    Teleoperator(const Chain& chain, const std::vector<double>& max_speed, const RobotProfile& profile,
+                 const TeleopSettings& settings, const JointVector& q);
 
     /// `pose`: the newest one, also when it is the same as before.
     TeleopCommand step(int64_t now_ns, const std::optional<TeleopPose>& pose, const TeleopKeys& keys);
@@ -80,7 +80,7 @@ private:
     void move(const JointVector* wish, double speed_scale, const JointVector* last_wish = nullptr);
     void follow(const JointVector& ghost, double speed_scale);
 
-    RobotArm arm_;
+    Chain chain_;
     std::vector<double> speeds_;
     double acceleration_, jerk_;
     TeleopSettings settings_;

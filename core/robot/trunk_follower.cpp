@@ -38,56 +38,67 @@ private:
 
 }  // namespace
 
-Result<TrunkFollower> TrunkFollower::make(const RobotModel& model, const RobotProfile& profile, double dt_s) {
+Result<RobotTrunk> makeTrunk(const RobotModel& model, const RobotProfile& profile) {
     if (profile.trunk_joints.empty() || profile.arms.empty())
         return Error{ErrorKind::kUnusable, "robot " + profile.robot + " has no joints in its trunk",
-                     "Leave --trunk out, or name them in the profile"};
+                     "Drive its arms alone, or name the joints in the profile"};
     auto chain = Chain::make(model, profile.trunk_base, profile.trunk_tip);
     if (!chain)
         return chain.error();
-    TrunkFollower made(std::move(*chain));
+    RobotTrunk trunk{std::move(*chain), {}};
+    for (const ChainJoint& joint : trunk.chain.joints())
+        trunk.max_speed.push_back(joint.max_speed > kHighestSpeed_rad_per_s ? kUsualSpeed_rad_per_s
+                                                                            : joint.max_speed);
     ChainState state;
-    const Chain& own = made.chain_;
-    own.forward(JointVector::Zero(own.size()), state);
-    // Body axes at all joints 0, in both links.
-    made.R_tip_body_ =
+    trunk.chain.forward(JointVector::Zero(trunk.chain.size()), state);
+    trunk.R_tip_body =
         placeAtZero(model, model.findLink(profile.trunk_tip), model.findLink(profile.arms.front().base))
             .linear() *
         profile.arms.front().R_base_body;
-    made.R_base_body_ = state.R_base_tip * made.R_tip_body_;
+    trunk.R_base_body = state.R_base_tip * trunk.R_tip_body;
+    return trunk;
+}
+
+TrunkFollower::TrunkFollower(const RobotTrunk& trunk, const RobotProfile& profile, double dt_s)
+    : trunk_(trunk) {
     constexpr double kEndless = std::numeric_limits<double>::infinity();
     const double acceleration = profile.max_acceleration > 0 ? profile.max_acceleration : kEndless;
     const double jerk = profile.max_acceleration > 0 && profile.max_jerk > 0 ? profile.max_jerk : kEndless;
-    for (const ChainJoint& joint : own.joints()) {
-        const double speed =
-            joint.max_speed > kHighestSpeed_rad_per_s ? kUsualSpeed_rad_per_s : joint.max_speed;
-        made.limiters_.emplace_back(JointLimits{joint.lower, joint.upper, speed, acceleration, jerk}, dt_s);
-        made.motion_.push_back({std::clamp(0.0, joint.lower, joint.upper), 0, 0});
+    for (int i = 0; i < trunk.chain.size(); ++i) {
+        const ChainJoint& joint = trunk.chain.joint(i);
+        limiters_.emplace_back(JointLimits{joint.lower, joint.upper, trunk.max_speed[static_cast<size_t>(i)],
+                                           acceleration, jerk},
+                               dt_s);
+        motion_.push_back({std::clamp(0.0, joint.lower, joint.upper), 0, 0});
     }
-    return made;
+}
+
+JointVector TrunkFollower::places() const {
+    JointVector q(trunk_.chain.size());
+    for (int i = 0; i < trunk_.chain.size(); ++i)
+        q[i] = motion_[static_cast<size_t>(i)].place;
+    return q;
 }
 
 JointVector TrunkFollower::wishFor(const Matrix3d& R_hips_chest, int most_iterations) const {
-    JointVector last(chain_.size());
-    for (int i = 0; i < chain_.size(); ++i)
-        last[i] = motion_[static_cast<size_t>(i)].place;
+    const JointVector last = places();
     JointVector q = last;
-    const Matrix3d R_base_tip = R_base_body_ * R_hips_chest * R_tip_body_.transpose();
-    TrunkCost cost(chain_, R_base_tip, last);
-    solveInBox(cost, chain_.lower(), chain_.upper(), {most_iterations, 1e-6, 1e-6}, q,
+    const Matrix3d R_base_tip = trunk_.R_base_body * R_hips_chest * trunk_.R_tip_body.transpose();
+    TrunkCost cost(trunk_.chain, R_base_tip, last);
+    solveInBox(cost, trunk_.chain.lower(), trunk_.chain.upper(), {most_iterations, 1e-6, 1e-6}, q,
                [](double) { return false; });
     return q;
 }
 
 void TrunkFollower::settle(const Matrix3d& R_hips_chest) {
     const JointVector q = wishFor(R_hips_chest, 100);
-    for (int i = 0; i < chain_.size(); ++i)
+    for (int i = 0; i < trunk_.chain.size(); ++i)
         motion_[static_cast<size_t>(i)] = {q[i], 0, 0};
 }
 
 void TrunkFollower::follow(const Matrix3d& R_hips_chest) {
     const JointVector wish = wishFor(R_hips_chest, 5);
-    for (int i = 0; i < chain_.size(); ++i) {
+    for (int i = 0; i < trunk_.chain.size(); ++i) {
         const auto at = static_cast<size_t>(i);
         motion_[at] = limiters_[at].after(motion_[at], limiters_[at].approach(motion_[at], wish[i], 0));
     }

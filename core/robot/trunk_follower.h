@@ -7,22 +7,31 @@
 
 namespace noctule::robot {
 
+/// The joints between a robot's legs and its arms.
+struct RobotTrunk {
+    Chain chain;
+    std::vector<double> max_speed;  ///< rad/s, per joint
+    /// Body axes (x left, y up, z forward) of hips and chest in the links around it, at all joints 0.
+    Matrix3d R_base_body = Matrix3d::Identity(), R_tip_body = Matrix3d::Identity();
+};
+
+/// kUnusable when the profile names no joint of a trunk.
+Result<RobotTrunk> makeTrunk(const RobotModel& model, const RobotProfile& profile);
+
 class TrunkFollower {
 public:
-    /// kUnusable when the profile names no joint of a trunk.
-    static Result<TrunkFollower> make(const RobotModel& model, const RobotProfile& profile, double dt_s);
+    TrunkFollower(const RobotTrunk& trunk, const RobotProfile& profile, double dt_s);
 
     void settle(const Matrix3d& R_hips_chest);
     void follow(const Matrix3d& R_hips_chest);
-    const Chain& chain() const { return chain_; }
+    const RobotTrunk& trunk() const { return trunk_; }
     const std::vector<JointMotion>& motion() const { return motion_; }
+    JointVector places() const;
 
 private:
-    TrunkFollower(Chain chain) : chain_(std::move(chain)) {}
     JointVector wishFor(const Matrix3d& R_hips_chest, int most_iterations) const;
 
-    Chain chain_;
-    Matrix3d R_base_body_ = Matrix3d::Identity(), R_tip_body_ = Matrix3d::Identity();
+    RobotTrunk trunk_;
     std::vector<StepLimiter> limiters_;
     std::vector<JointMotion> motion_;
 };

@@ -43,10 +43,9 @@ public:
     DriveLoop(const DrivePlan& plan, const RobotState& first)
         : plan_(plan),
           period_ns_(std::llround(plan.settings.teleop.dt_s * 1e9)),
-          drive_(plan.model, plan.profile, plan.arms, plan.human_length_m, plan.settings, first.q),
-          table_(robot::jointsOf(plan.arms)) {
-        for (const robot::RobotArm& arm : plan.arms)
-            speeds_.insert(speeds_.end(), arm.profile.max_speed.begin(), arm.profile.max_speed.end());
+          drive_(plan.model, plan.profile, plan.parts, plan.human_length_m, plan.settings, first.q),
+          table_(plan.parts.joints()),
+          speeds_(plan.parts.speeds()) {
         output_.q = first.q;
     }
 
@@ -116,7 +115,7 @@ private:
             command.flags |= kStopPressed;
         size_t first = 0;
         robot::ChainState at;
-        for (const robot::RobotArm& arm : plan_.arms) {
+        for (const robot::RobotArm& arm : plan_.parts.arms) {
             robot::JointVector q(arm.chain.size());
             for (int i = 0; i < arm.chain.size(); ++i)
                 q[i] = output_.q[first++];

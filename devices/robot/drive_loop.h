@@ -30,7 +30,7 @@ struct DrivePlan {
     const PoseFeed& feed;
     const robot::RobotModel& model;
     const robot::RobotProfile& profile;
-    const std::vector<robot::RobotArm>& arms;
+    const robot::DrivenParts& parts;
     std::array<double, 2> human_length_m;
     robot::DriveSettings settings;
     std::optional<double> seconds;  ///< none: until `ends` or cancelled

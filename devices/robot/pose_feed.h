@@ -30,6 +30,7 @@ public:
         next.seen.arrived_ns = arrived_ns;
         next.seen.frame = performer_.at(globalPose(skeleton_, *timed.pose));
         next.seen.confidence = robot::confidenceFor(performer_.worstSigma_rad(timed.sigma_rad));
+        next.seen.trunk_confidence = robot::confidenceFor(performer_.trunkSigma_rad(timed.sigma_rad));
         next.time_ns = timed.time_ns;
         const std::lock_guard lock(mutex_);
         next.count = newest_ ? newest_->count + 1 : 1;

@@ -6758,8 +6758,8 @@
         <translation>Radialabduktion</translation>
     </message>
     <message>
-        <source>range residual, root mean square of the ranges used</source>
-        <translation>Entfernungsrest, quadratisches Mittel der verwendeten Entfernungen</translation>
+        <source>range residual, median of the ranges used</source>
+        <translation>Abweichung der Abstände, Median der verwendeten</translation>
     </message>
     <message>
         <source>ranges %1, inertia alone %2</source>
@@ -7068,6 +7068,10 @@
         <translation>Gestrichelt: %1. Linie: %2. Achsen der Brust: X nach links, Y nach oben, Z nach vorn. Ein Teilstrich ist 100 mm.</translation>
     </message>
     <message>
+        <source>Drive its arms alone, or name the joints in the profile</source>
+        <translation>Steuern Sie nur die Arme, oder nennen Sie die Gelenke im Profil</translation>
+    </message>
+    <message>
         <source>Exchange the two</source>
         <translation>Die beiden vertauschen</translation>
     </message>
@@ -7098,10 +7102,6 @@
     <message>
         <source>Leave --legs out, or take a motion of a whole body</source>
         <translation>Lassen Sie --legs weg, oder nehmen Sie eine Bewegung eines ganzen Körpers</translation>
-    </message>
-    <message>
-        <source>Leave --trunk out, or name them in the profile</source>
-        <translation>--trunk weglassen oder sie im Profil nennen</translation>
     </message>
     <message>
         <source>Let it mimic the joint that leads</source>
@@ -7296,8 +7296,8 @@
         <translation>der Roboter %1 hat keine zwei Beine</translation>
     </message>
     <message>
-        <source>robot %1: joint "%2" belongs to two arms</source>
-        <translation>Roboter %1: Gelenk "%2" gehört zu zwei Armen</translation>
+        <source>robot %1: joint "%2" belongs to two driven parts</source>
+        <translation>Roboter %1: Das Gelenk „%2“ gehört zu zwei gesteuerten Teilen</translation>
     </message>
     <message>
         <source>shoulder, elbow and wrist of arm %1 do not follow one another</source>

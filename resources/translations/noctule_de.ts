@@ -2051,22 +2051,6 @@
         <translation>Adresse</translation>
     </message>
     <message>
-        <source>Both arms</source>
-        <translation>Beide Arme</translation>
-    </message>
-    <message>
-        <source>Left arm</source>
-        <translation>Linker Arm</translation>
-    </message>
-    <message>
-        <source>Right arm</source>
-        <translation>Rechter Arm</translation>
-    </message>
-    <message>
-        <source>Arms</source>
-        <translation>Arme</translation>
-    </message>
-    <message>
         <source>Posture and scaled hand</source>
         <translation>Haltung, skalierte Hand</translation>
     </message>
@@ -2089,6 +2073,10 @@
     <message>
         <source>%1 is not there. Choose another file.</source>
         <translation>%1 ist nicht da. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Gesteuert</translation>
     </message>
 </context>
 <context>
@@ -8437,12 +8425,20 @@ Median; gut: unter %1</translation>
         <translation>Entfernungen stützten die Gelenke %1 der Zeit, dazwischen trug sie die Trägheit; keines fällt auf.</translation>
     </message>
     <message>
-        <source>Ranges miss the pose by %1 (median %2)</source>
-        <translation>Entfernungen verfehlen die Pose um %1 (Median %2)</translation>
-    </message>
-    <message>
         <source>Independent sensors</source>
         <translation>Unabhängige Sensoren</translation>
+    </message>
+    <message>
+        <source>A third of the ranges miss the pose by more than %1</source>
+        <translation>Ein Drittel der Abstände verfehlt die Pose um mehr als %1</translation>
+    </message>
+    <message>
+        <source>%1: half of its ranges miss the pose by more than %2</source>
+        <translation>%1: Die Hälfte der Abstände verfehlt die Pose um mehr als %2</translation>
+    </message>
+    <message>
+        <source>It may sit elsewhere than the performer page says, or point elsewhere than when it was calibrated. Check it, then reprocess.</source>
+        <translation>Das Teil sitzt vielleicht anders, als die Seite der Person sagt, oder zeigt anders als beim Kalibrieren. Prüfen Sie es und verarbeiten Sie die Aufnahme neu.</translation>
     </message>
 </context>
 <context>
@@ -8744,22 +8740,6 @@ Median; gut: unter %1</translation>
         <translation>Aufnahme in Prüfung</translation>
     </message>
     <message>
-        <source>Arms</source>
-        <translation>Arme</translation>
-    </message>
-    <message>
-        <source>Both arms</source>
-        <translation>Beide Arme</translation>
-    </message>
-    <message>
-        <source>Left arm</source>
-        <translation>Linker Arm</translation>
-    </message>
-    <message>
-        <source>Right arm</source>
-        <translation>Rechter Arm</translation>
-    </message>
-    <message>
         <source>Follows</source>
         <translation>Folgt</translation>
     </message>
@@ -8854,6 +8834,10 @@ Median; gut: unter %1</translation>
     <message>
         <source>Nothing yet</source>
         <translation>Noch nichts</translation>
+    </message>
+    <message>
+        <source>Driven</source>
+        <translation>Gesteuert</translation>
     </message>
 </context>
 <context>
@@ -9076,6 +9060,22 @@ Median; gut: unter %1</translation>
     <message>
         <source>The robot stays at its border.</source>
         <translation>Der Roboter bleibt an dessen Grenze.</translation>
+    </message>
+    <message>
+        <source>Both arms</source>
+        <translation>Beide Arme</translation>
+    </message>
+    <message>
+        <source>Left arm</source>
+        <translation>Linker Arm</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>Rechter Arm</translation>
+    </message>
+    <message>
+        <source>Both arms and the trunk</source>
+        <translation>Beide Arme und der Rumpf</translation>
     </message>
 </context>
 <context>

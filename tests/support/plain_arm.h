@@ -10,8 +10,9 @@ namespace noctule::test {
 
 inline constexpr double kPlainArmSpeed = 2;  ///< rad/s, of every joint
 
-/// The right arm of a person: shoulder, upper arm along -z, forearm ahead, in the axes of REP 103.
-inline std::string plainArmUrdf() {
+/// The right arm of a person: shoulder, upper arm along -z, forearm ahead, in the axes of REP 103. With a
+/// waist its base turns about z on the link "hips".
+inline std::string plainArmUrdf(bool has_waist = false) {
     struct One {
         const char *name, *axis, *origin;
     };
@@ -20,6 +21,11 @@ inline std::string plainArmUrdf() {
                           {"f", "0 0 1", "0 0 -0.1"},    {"w0", "0 1 0", "0 0 -0.2"},
                           {"w1", "1 0 0", "0 0 0"}};
     std::string text = "<robot name=\"arm\"><link name=\"l0\"/>";
+    if (has_waist)
+        text +=
+            "<link name=\"hips\"/><joint name=\"waist\" type=\"revolute\"><parent link=\"hips\"/>"
+            "<child link=\"l0\"/><axis xyz=\"0 0 1\"/>"
+            "<limit lower=\"-0.9\" upper=\"0.9\" velocity=\"2\" effort=\"1\"/></joint>";
     int number = 0;
     for (const One& joint : joints) {
         const std::string parent = "l" + std::to_string(number), child = "l" + std::to_string(++number);
@@ -31,7 +37,7 @@ inline std::string plainArmUrdf() {
     return text + "</robot>";
 }
 
-inline robot::RobotProfile plainArmProfile() {
+inline robot::RobotProfile plainArmProfile(bool has_waist = false) {
     robot::ArmProfile arm;
     arm.name = "right";
     arm.base = "l0";
@@ -48,6 +54,11 @@ inline robot::RobotProfile plainArmProfile() {
     profile.robot = "arm";
     profile.arms = {arm};
     profile.clearance_m = 0;  // it has no trunk that the arm could touch
+    if (has_waist) {
+        profile.trunk_joints = {"waist"};
+        profile.trunk_base = "hips";
+        profile.trunk_tip = "l0";
+    }
     return profile;
 }
 

@@ -9,6 +9,7 @@
 
 #include "devices/robot/robot_interface.h"
 #include "ui/language/core_words.h"
+#include "ui/robot/robot_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/label.h"
@@ -32,7 +33,7 @@ AddRobotDialog::AddRobotDialog(const RobotChoice& choice, QWidget* parent)
       profile_(new QLineEdit(choice.profile)),
       address_(new QLineEdit),
       interface_(new QComboBox),
-      arms_(new QComboBox),
+      body_(new QComboBox),
       follows_(new QComboBox) {
     auto* rows = new FormRows(110);
     rows->addRow(tr("URDF"), fileField(urdf_, tr("URDF"), tr("Robot descriptions (*.urdf);;All files (*)")));
@@ -45,8 +46,8 @@ AddRobotDialog::AddRobotDialog(const RobotChoice& choice, QWidget* parent)
     interface_->addItem(tr("UDP"));
     rows->addRow(tr("Interface"), interface_);
     rows->addRow(tr("Address"), address_);
-    arms_->addItems({tr("Both arms"), tr("Left arm"), tr("Right arm")});
-    rows->addRow(tr("Arms"), arms_);
+    body_->addItems(bodyChoices());
+    rows->addRow(tr("Driven"), body_);
     follows_->addItems({tr("Posture and scaled hand"), tr("The hand’s way only")});
     rows->addRow(tr("Follows"), follows_);
     content()->addWidget(rows);
@@ -54,7 +55,7 @@ AddRobotDialog::AddRobotDialog(const RobotChoice& choice, QWidget* parent)
     interface_->setCurrentIndex(is_udp ? 1 : 0);
     address_->setText(choice.address.isEmpty() ? QString(kUsualAddresses[0])
                                                : choice.address.section("://", 1));
-    arms_->setCurrentIndex(static_cast<int>(choice.arms));
+    body_->setCurrentIndex(static_cast<int>(choice.body));
     follows_->setCurrentIndex(choice.follows_posture ? 0 : 1);
     connect(interface_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
         if (address_->text() == kUsualAddresses[1 - index])
@@ -93,7 +94,7 @@ RobotChoice AddRobotDialog::choice() const {
     choice.urdf = urdf_->text().trimmed();
     choice.profile = profile_->text().trimmed();
     choice.address = kSchemes[interface_->currentIndex()] + address_->text().trimmed();
-    choice.arms = static_cast<DrivenArms>(arms_->currentIndex());
+    choice.body = static_cast<DrivenBody>(body_->currentIndex());
     choice.follows_posture = follows_->currentIndex() == 0;
     return choice;
 }

@@ -27,7 +27,7 @@ private:
 
     RobotChoice before_;
     QLineEdit *urdf_, *profile_, *address_;
-    QComboBox *interface_, *arms_, *follows_;
+    QComboBox *interface_, *body_, *follows_;
 };
 
 }  // namespace noctule::ui

@@ -17,7 +17,7 @@ RobotChoice loadRobot(QSettings& settings) {
     choice.urdf = settings.value("urdf").toString();
     choice.profile = settings.value("profile").toString();
     choice.address = settings.value("address").toString();
-    choice.arms = static_cast<DrivenArms>(static_cast<int>(numberWithin(settings, "arms", 0, 0, 2)));
+    choice.body = static_cast<DrivenBody>(static_cast<int>(numberWithin(settings, "arms", 0, 0, 3)));
     choice.follows_posture = settings.value("follows_posture", true).toBool();
     choice.speed = numberWithin(settings, "speed", choice.speed, 0.05, 1);
     choice.accept_within_rad =
@@ -34,7 +34,7 @@ void saveRobot(QSettings& settings, const RobotChoice& choice) {
     settings.setValue("urdf", choice.urdf);
     settings.setValue("profile", choice.profile);
     settings.setValue("address", choice.address);
-    settings.setValue("arms", static_cast<int>(choice.arms));
+    settings.setValue("arms", static_cast<int>(choice.body));
     settings.setValue("follows_posture", choice.follows_posture);
     settings.setValue("speed", choice.speed);
     settings.setValue("accept_within_deg", degrees(choice.accept_within_rad));

@@ -9,22 +9,23 @@
 
 namespace noctule::ui {
 
-enum class DrivenArms { kBoth, kLeft, kRight };
+enum class DrivenBody { kBothArms, kLeftArm, kRightArm, kUpperBody };
 
 struct RobotChoice {
     QString urdf;
     QString profile;  ///< a JSON file; empty: the shipped one of the robot's name, else made from the URDF
     QString address;  ///< "udp://10.0.0.5:41950", "ws://10.0.0.5:9090"
-    DrivenArms arms = DrivenArms::kBoth;
-    bool follows_posture = true;  ///< false: the hand's way from where it engaged
-    double speed = 0.4;           ///< share of the joints' limits
+    DrivenBody body = DrivenBody::kBothArms;  ///< the upper body: both arms and the trunk
+    bool follows_posture = true;              ///< false: the hand's way from where it engaged
+    double speed = 0.4;                       ///< share of the joints' limits
     double accept_within_rad = radians(20);
 
     bool isEmpty() const { return urdf.isEmpty(); }
     robot::MappingChoice mapping() const {
         robot::MappingChoice choice;
-        choice.left = arms != DrivenArms::kRight;
-        choice.right = arms != DrivenArms::kLeft;
+        choice.left = body != DrivenBody::kRightArm;
+        choice.right = body != DrivenBody::kLeftArm;
+        choice.trunk = body == DrivenBody::kUpperBody;
         return choice;
     }
 };

@@ -31,26 +31,25 @@ Result<std::shared_ptr<const RobotParts>> readParts(const RobotChoice& choice, c
     auto profile = robot::profileFor(*model, choice.profile.toStdString(), job.cancel);
     if (!profile)
         return profile.error();
-    auto arms = robot::drivenArms(*model, *profile, choice.mapping());
-    if (!arms)
-        return arms.error();
+    auto driven = robot::drivenParts(*model, *profile, choice.mapping());
+    if (!driven)
+        return driven.error();
     auto parts = std::make_shared<RobotParts>();
-    parts->joints = robot::jointsOf(*arms);
-    for (const robot::RobotArm& arm : *arms) {
-        parts->axes.insert(parts->axes.end(), arm.chain.joints().begin(), arm.chain.joints().end());
-        parts->speeds.insert(parts->speeds.end(), arm.profile.max_speed.begin(), arm.profile.max_speed.end());
-    }
+    parts->joints = driven->joints();
+    parts->speeds = driven->speeds();
+    for (const robot::Chain* chain : driven->chains())
+        parts->axes.insert(parts->axes.end(), chain->joints().begin(), chain->joints().end());
     parts->mesh = robot::lookOf(*model, *profile, choice.urdf.toStdString(), job).mesh;
     parts->model = std::move(*model);
     parts->profile = std::move(*profile);
-    parts->arms = std::move(*arms);
+    parts->driven = std::move(*driven);
     return std::shared_ptr<const RobotParts>(std::move(parts));
 }
 
 robot_link::LinkOptions optionsOf(const RobotParts& parts) {
     robot_link::LinkOptions options;
     options.joints = parts.joints;
-    for (const robot::RobotArm& arm : parts.arms)
+    for (const robot::RobotArm& arm : parts.driven.arms)
         options.arms.push_back(arm.profile.name);
     return options;
 }
@@ -363,12 +362,12 @@ void RobotDrive::judge() {
 
 RobotDrive::HandPaths RobotDrive::handPaths(size_t arm) const {
     HandPaths paths;
-    if (!parts_ || arm >= parts_->arms.size())
+    if (!parts_ || arm >= parts_->driven.arms.size())
         return paths;
     size_t first = 0;
     for (size_t i = 0; i < arm; ++i)
-        first += static_cast<size_t>(parts_->arms[i].chain.size());
-    const robot::RobotArm& shown = parts_->arms[arm];
+        first += static_cast<size_t>(parts_->driven.arms[i].chain.size());
+    const robot::RobotArm& shown = parts_->driven.arms[arm];
     const Matrix3d R_body_base = shown.profile.R_base_body.transpose();
     robot::ChainState state;
     const auto add = [&](const std::vector<double>& q, double time_s, std::vector<robot::PathPoint>& path) {

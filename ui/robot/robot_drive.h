@@ -23,7 +23,7 @@ namespace noctule::ui {
 struct RobotParts {
     robot::RobotModel model;
     robot::RobotProfile profile;
-    std::vector<robot::RobotArm> arms;
+    robot::DrivenParts driven;
     std::vector<std::string> joints;      ///< in the order of commands
     std::vector<robot::ChainJoint> axes;  ///< likewise, with their limits
     std::vector<double> speeds;           ///< rad/s, likewise

@@ -49,7 +49,7 @@ RobotDriveRow rowOf(const RobotParts& parts, const QString& address, bool of_tak
     row.leader = of_take ? "take" : "suit";
     row.rate_hz = 1 / robot::DriveSettings().teleop.dt_s;
     row.joints = parts.joints;
-    for (const robot::RobotArm& arm : parts.arms)
+    for (const robot::RobotArm& arm : parts.driven.arms)
         row.arms.push_back(arm.profile.name);
     return row;
 }
@@ -92,8 +92,8 @@ void RobotDrive::followSuitsTake() {
 
 void RobotDrive::beginRecording(std::unique_ptr<robot_link::DriveSink> sink, int64_t pose_origin_ns) {
     const RobotDriveRow row = rowOf(*parts_, choice_.address, leader_ == Leader::kTake, studio_);
-    recorder_ =
-        std::make_shared<robot_link::DriveRecorder>(row, parts_->arms, pose_origin_ns, std::move(sink));
+    recorder_ = std::make_shared<robot_link::DriveRecorder>(row, parts_->driven.arms, pose_origin_ns,
+                                                            std::move(sink));
     running_->setRecorder(recorder_);
     emit recordingChanged();
 }

@@ -55,7 +55,7 @@ void RobotRunning::run() {
                                      feed_,
                                      plan_.parts->model,
                                      plan_.parts->profile,
-                                     plan_.parts->arms,
+                                     plan_.parts->driven,
                                      armLengths(plan_.performer),
                                      plan_.settings,
                                      std::nullopt,

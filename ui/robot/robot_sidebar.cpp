@@ -6,6 +6,7 @@
 #include <QDoubleSpinBox>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStandardItemModel>
 
 #include "ui/robot/robot_words.h"
 #include "ui/style/words.h"
@@ -105,7 +106,7 @@ QWidget* RobotSidebar::makeLeading() {
         return box;
     };
     leader_ = add(tr("Led by"), {tr("The suit, live"), tr("The take in Review")});
-    arms_ = add(tr("Arms"), {tr("Both arms"), tr("Left arm"), tr("Right arm")});
+    body_ = add(tr("Driven"), bodyChoices());
     follows_ = add(tr("Follows"), {tr("Posture and scaled hand"), tr("The hand’s way only")});
     lengths_ = new Label({}, TextRole::kSecondary, Ink::kLabel);
     column->addWidget(lengths_->wrapped());
@@ -163,7 +164,7 @@ void RobotSidebar::connectFields() {
     connect(remove_, &QPushButton::clicked, &drive_, &RobotDrive::removeRobot);
     connect(leader_, qOverload<int>(&QComboBox::activated), this,
             [this](int index) { drive_.setLeader(static_cast<RobotDrive::Leader>(index)); });
-    for (QComboBox* box : {arms_, follows_})
+    for (QComboBox* box : {body_, follows_})
         connect(box, qOverload<int>(&QComboBox::activated), this, &RobotSidebar::choose);
     connect(within_, &QDoubleSpinBox::editingFinished, this, &RobotSidebar::choose);
     connect(speed_, &QSlider::valueChanged, this, [this](int percent) {
@@ -180,11 +181,11 @@ void RobotSidebar::connectFields() {
 /// Another arm or another way to follow: the robot is let go, read and connected anew.
 void RobotSidebar::choose() {
     RobotChoice choice = drive_.choice();
-    choice.arms = static_cast<DrivenArms>(arms_->currentIndex());
+    choice.body = static_cast<DrivenBody>(body_->currentIndex());
     choice.follows_posture = follows_->currentIndex() == 0;
     choice.accept_within_rad = radians(within_->value());
     const RobotChoice& before = drive_.choice();
-    const bool is_same = choice.arms == before.arms && choice.follows_posture == before.follows_posture &&
+    const bool is_same = choice.body == before.body && choice.follows_posture == before.follows_posture &&
                          std::abs(choice.accept_within_rad - before.accept_within_rad) < 1e-9;
     if (!is_same)
         drive_.setRobot(choice);
@@ -193,12 +194,15 @@ void RobotSidebar::choose() {
 void RobotSidebar::showRobot() {
     const RobotChoice& choice = drive_.choice();
     const QSignalBlocker no_speed(speed_), no_within(within_);
-    arms_->setCurrentIndex(static_cast<int>(choice.arms));
+    body_->setCurrentIndex(static_cast<int>(choice.body));
     follows_->setCurrentIndex(choice.follows_posture ? 0 : 1);
     within_->setValue(degrees(choice.accept_within_rad));
     speed_->setValue(static_cast<int>(std::lround(100 * choice.speed)));
     const auto parts = drive_.parts();
     name_->setText(parts ? robotInWords(parts->model.name) : tr("Robot"));
+    if (auto* items = qobject_cast<QStandardItemModel*>(body_->model()))
+        items->item(static_cast<int>(DrivenBody::kUpperBody))
+            ->setEnabled(!parts || !parts->profile.trunk_joints.empty());
     const QString joints =
         parts ? tr("%n joint(s) driven", nullptr, static_cast<int>(parts->joints.size())) : QString();
     about_->setText(joints.isEmpty() ? choice.address
@@ -239,9 +243,9 @@ void RobotSidebar::showLeader() {
             : QString());
     const QString lack = drive_.whyNoLeader();
     QString lengths;
-    for (size_t i = 0; parts && i < parts->arms.size() && i < 1; ++i)
+    for (size_t i = 0; parts && i < parts->driven.arms.size() && i < 1; ++i)
         lengths = tr("Robot’s arm %1 long. The reference is the chest, so walking does not move the arm.")
-                      .arg(metresText(parts->arms[i].length_m));
+                      .arg(metresText(parts->driven.arms[i].length_m));
     lengths_->setInk(lack.isEmpty() ? Ink::kLabel : Ink::kWarn);
     lengths_->setText(lack.isEmpty() ? lengths : lack);
 }

@@ -46,7 +46,7 @@ private:
     ProblemCard* problem_ = nullptr;
     QBoxLayout* robot_column_;
     Button *connect_, *change_, *remove_;
-    QComboBox *leader_, *arms_, *follows_;
+    QComboBox *leader_, *body_, *follows_;
     QSlider* speed_;
     QDoubleSpinBox* within_;
     Label* spells_;

@@ -64,11 +64,7 @@ void RobotView::takeRobot() {
     legend_->setVisible(parts_ != nullptr);
     if (parts_) {
         mesh_ = parts_->mesh;
-        std::vector<double> reference;
-        for (const robot::RobotArm& arm : parts_->arms)
-            for (int i = 0; i < arm.chain.size(); ++i)
-                reference.push_back(arm.reference[i]);
-        box_ = robot::boxOf(parts_->model, parts_->profile, valuesOf(reference),
+        box_ = robot::boxOf(parts_->model, parts_->profile, valuesOf(parts_->driven.reference()),
                             robot::standingRoot(parts_->model, parts_->profile, 0));
         lift_m_ = box_.isEmpty() ? 0 : -box_.min().y();
         box_.translate(Vector3d(0, lift_m_, 0));
@@ -97,11 +93,11 @@ robot::JointValues RobotView::valuesOf(const std::vector<double>& q) const {
 }
 
 /// The way of the hand: achieved as a line that fades, commanded as dashes.
-void RobotView::addHand(const robot::RobotArm& arm) {
+void RobotView::addHand(const robot::RobotArm& arm, const robot::JointValues& now) {
     const auto paths = drive_.handPaths(arm_);
     const int base = parts_->model.findLink(arm.profile.base);
     const Eigen::Isometry3d T_world_base = robot::standingRoot(parts_->model, parts_->profile, lift_m_) *
-                                           robot::linkPlaces(parts_->model, {})[static_cast<size_t>(base)];
+                                           robot::linkPlaces(parts_->model, now)[static_cast<size_t>(base)];
     const Tokens& tokens = Theme::get().tokens();
     const auto inWorld = [&](const Vector3d& p_body) -> Eigen::Vector3f {
         return (T_world_base * (arm.profile.R_base_body * p_body)).cast<float>();
@@ -134,8 +130,8 @@ const Scene& RobotView::compose() {
     SceneBody body;
     body.mesh = mesh_;
     body.color = colors.body;
-    body.skin = robot::skinOf(parts_->model, *mesh_,
-                              newest && !newest->actual.empty() ? valuesOf(newest->actual) : valuesOf({}),
+    const robot::JointValues now = valuesOf(newest ? newest->actual : std::vector<double>());
+    body.skin = robot::skinOf(parts_->model, *mesh_, now,
                               robot::standingRoot(parts_->model, parts_->profile, lift_m_));
     scene_.bodies.push_back(body);
     if (!newest)
@@ -148,8 +144,8 @@ const Scene& RobotView::compose() {
     body.color = colors.ghost;
     body.style = BodyStyle::kOutline;
     scene_.bodies.push_back(std::move(body));
-    if (arm_ < parts_->arms.size())
-        addHand(parts_->arms[arm_]);
+    if (arm_ < parts_->driven.arms.size())
+        addHand(parts_->driven.arms[arm_], now);
     return scene_;
 }
 

@@ -32,7 +32,7 @@ protected:
 private:
     void takeRobot();
     void frame();
-    void addHand(const robot::RobotArm& arm);
+    void addHand(const robot::RobotArm& arm, const robot::JointValues& now);
     robot::JointValues valuesOf(const std::vector<double>& q) const;
 
     RobotDrive& drive_;

@@ -157,4 +157,11 @@ QString robotInWords(const std::string& name) {
     return readable(QString::fromStdString(name));
 }
 
+QStringList bodyChoices() {
+    return {said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "Both arms")),
+            said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "Left arm")),
+            said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "Right arm")),
+            said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "Both arms and the trunk"))};
+}
+
 }  // namespace noctule::ui

@@ -32,5 +32,7 @@ RobotProblem problemOf(const robot::DriveOutput& output);
 /// "left_shoulder_pitch_joint" reads "Left shoulder pitch".
 QString jointInWords(const std::string& name);
 QString robotInWords(const std::string& name);
+/// In the order of DrivenBody.
+QStringList bodyChoices();
 
 }  // namespace noctule::ui

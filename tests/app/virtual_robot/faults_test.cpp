@@ -172,12 +172,12 @@ TEST_P(EveryInterface, HoldsThroughEveryFaultAndNeverJumps) {
     Robot robot(GetParam());
     const auto model = robot::parseUrdf(test::plainArmUrdf(), "arm");
     const robot::RobotProfile profile = test::plainArmProfile();
-    const auto arms = robot::drivenArms(*model, profile, {});
+    const auto arms = robot::drivenParts(*model, profile, {});
     ASSERT_TRUE(arms);
     const auto performer = robot::PerformerArms::make(defaultActor().skeleton, "performer");
     ASSERT_TRUE(performer);
     robot_link::LinkOptions options;
-    options.joints = robot::jointsOf(*arms);
+    options.joints = arms->joints();
     const auto link = robot_link::makeInterface(robot.address.toStdString(), options);
     ASSERT_TRUE(link) << link.error().text();
     robot_link::PoseFeed feed(defaultActor().skeleton, *performer);

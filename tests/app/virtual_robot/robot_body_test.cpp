@@ -13,12 +13,12 @@ namespace {
 
 constexpr int64_t kMs = 1'000'000;
 
-std::vector<robot::RobotArm> plainArms() {
+robot::DrivenParts plainArms() {
     const auto model = robot::parseUrdf(test::plainArmUrdf(), "arm");
     EXPECT_TRUE(model);
-    auto arm = robot::makeArm(*model, test::plainArmProfile().arms.front());
-    EXPECT_TRUE(arm) << (arm ? "" : arm.error().text());
-    return {std::move(*arm)};
+    auto parts = robot::drivenParts(*model, test::plainArmProfile(), {});
+    EXPECT_TRUE(parts) << (parts ? "" : parts.error().text());
+    return std::move(*parts);
 }
 
 /// Commands one posture again and again.
@@ -95,15 +95,15 @@ TEST(RobotBody, StandsStillWithoutCommandsAndWhereAJointIsStuck) {
 }
 
 TEST(RobotBody, ATipIsReached) {
-    const auto arms = plainArms();
-    RobotBody body(arms, {});
+    const auto parts = plainArms();
+    RobotBody body(parts, {});
     int64_t now_ns = kMs;
     body.advance(now_ns);
     robot::ChainState at;
     robot::JointVector q(7);
     for (int i = 0; i < 7; ++i)
         q[i] = body.q()[static_cast<size_t>(i)];
-    arms[0].chain.forward(q, at);
+    parts.arms[0].chain.forward(q, at);
     const Vector3d target = at.p_base_tip + Vector3d(0.05, 0.02, 0.03);
     for (int i = 0; i < 1000; ++i) {
         now_ns += kMs;
@@ -113,7 +113,7 @@ TEST(RobotBody, ATipIsReached) {
     }
     for (int i = 0; i < 7; ++i)
         q[i] = body.q()[static_cast<size_t>(i)];
-    arms[0].chain.forward(q, at);
+    parts.arms[0].chain.forward(q, at);
     EXPECT_LT((at.p_base_tip - target).norm(), 1e-3);
 }
 

@@ -18,9 +18,10 @@ namespace {
 constexpr double kDriveSpeed = test::kPlainArmSpeed;
 constexpr int64_t kDriveStep_ns = 1'000'000'000 / 140;
 
-/// The upper arm hangs, the forearm points ahead and swings up by `angle_rad`.
-PerformerFrame swinging(double angle_rad) {
+/// The upper arm hangs, the forearm points ahead and swings up by `angle_rad`; the chest is turned.
+PerformerFrame swinging(double angle_rad, double chest_rad) {
     PerformerFrame frame;
+    frame.R_hips_chest = axisAngle(Vector3d::UnitY(), chest_rad).toRotationMatrix();
     ArmPose& arm = frame.in_chest[1];
     arm.upper = -Vector3d::UnitY();
     arm.forearm = Vector3d(0, std::sin(angle_rad), std::cos(angle_rad));
@@ -36,16 +37,16 @@ constexpr TeleopKeys kNotDriven{};
 
 class Scene {
 public:
-    explicit Scene(DriveSettings settings = {}) {
-        auto read = parseUrdf(test::plainArmUrdf(), "arm");
+    explicit Scene(DriveSettings settings = {}, bool has_waist = false) {
+        auto read = parseUrdf(test::plainArmUrdf(has_waist), "arm");
         EXPECT_TRUE(read);
         model = std::move(*read);
-        const RobotProfile profile = test::plainArmProfile();
-        auto arms = drivenArms(model, profile, {});
-        EXPECT_TRUE(arms) << (arms ? "" : arms.error().text());
-        q_robot.assign(7, 0);
+        const RobotProfile profile = test::plainArmProfile(has_waist);
+        auto parts = drivenParts(model, profile, {Mapping::kPosture, true, true, has_waist});
+        EXPECT_TRUE(parts) << (parts ? "" : parts.error().text());
+        q_robot.assign(parts->joints().size(), 0);
         q_robot[3] = -1.4;
-        drive = std::make_unique<LiveDrive>(model, profile, *arms, std::array{0.6, 0.6}, settings, q_robot);
+        drive = std::make_unique<LiveDrive>(model, profile, *parts, std::array{0.6, 0.6}, settings, q_robot);
         last_q = q_robot;
     }
 
@@ -55,7 +56,7 @@ public:
         const double t = static_cast<double>(now_ns) * 1e-9;
         if (suit_sends) {
             performer.arrived_ns = now_ns;
-            performer.frame = swinging(0.5 * std::sin(2 * t));
+            performer.frame = swinging(0.5 * std::sin(2 * t), chestAt(t));
             performer.confidence = confidence;
         }
         const bool accepts = !refuses && !is_silent;
@@ -94,6 +95,8 @@ public:
         }
     }
 
+    double chestAt(double time_s) const { return chest_rad * std::sin(1.5 * time_s); }
+
     RobotModel model;
     std::unique_ptr<LiveDrive> drive;
     int64_t now_ns = 1'000'000'000;
@@ -101,7 +104,7 @@ public:
     std::optional<RobotSeen> robot;
     std::vector<double> q_robot, last_q;
     bool suit_sends = true, is_silent = false, refuses = false;
-    double confidence = 1, fastest = 0;
+    double confidence = 1, fastest = 0, chest_rad = 0;
     int stuck = -1;
     DriveOutput last;
 };
@@ -116,6 +119,78 @@ TEST(LiveDrive, FollowsThePerformer) {
         off = std::max(off, std::abs(scene.last.q[3] - (-radians(90) - 0.5 * std::sin(2 * t))));
     }
     EXPECT_LT(off, 0.03) << "elbow angle, rad";
+}
+
+TEST(LiveDrive, TheWaistFollowsTheChest) {
+    Scene scene({}, true);
+    scene.chest_rad = 0.6;
+    scene.followNow();
+    double waist_off = 0, elbow_off = 0;
+    for (int i = 0; i < 600; ++i) {
+        scene.step();
+        const double t = static_cast<double>(scene.now_ns) * 1e-9;
+        waist_off = std::max(waist_off, std::abs(scene.last.q[7] - scene.chestAt(t)));
+        elbow_off = std::max(elbow_off, std::abs(scene.last.q[3] - (-radians(90) - 0.5 * std::sin(2 * t))));
+    }
+    EXPECT_LT(waist_off, 0.03) << "rad";
+    EXPECT_LT(elbow_off, 0.03) << "the arm is led in the axes of the chest, rad";
+    scene.chest_rad = 2;  // farther than the waist goes
+    for (int i = 0; i < 600; ++i)
+        EXPECT_LE(std::abs(scene.step().q[7]), 0.9 + 1e-9);
+}
+
+TEST(LiveDrive, TheWaistIsPartOfTheAcceptance) {
+    Scene scene({}, true);
+    scene.q_robot[7] = scene.last_q[7] = 0.6;
+    scene.drive.reset();
+    const RobotProfile profile = test::plainArmProfile(true);
+    const auto parts = drivenParts(scene.model, profile, {Mapping::kPosture, true, true, true});
+    scene.drive = std::make_unique<LiveDrive>(scene.model, profile, *parts, std::array{0.6, 0.6},
+                                              DriveSettings(), scene.q_robot);
+    scene.run(2);
+    EXPECT_EQ(scene.last.state, TeleopState::kSynchronising);
+    EXPECT_EQ(scene.last.trouble, DriveTrouble::kTooFar);
+    EXPECT_EQ(scene.last.about, "waist");
+    EXPECT_EQ(scene.last.q, scene.q_robot) << "nothing moves";
+}
+
+TEST(LiveDrive, TheWaistHoldsWithTheArms) {
+    Scene scene({}, true);
+    scene.chest_rad = 0.6;
+    scene.followNow();
+    scene.suit_sends = false;
+    scene.expectHolds();
+}
+
+TEST(LiveDrive, AnUncertainTrunkSlowsTheWaistAlone) {
+    Scene scene({}, true);
+    scene.chest_rad = 0.6;
+    scene.performer.trunk_confidence = 0.2;
+    scene.run(8);
+    ASSERT_EQ(scene.last.state, TeleopState::kFollowing);
+    EXPECT_EQ(scene.last.trouble, DriveTrouble::kUncertain);
+    double waist = 0, elbow = 0;
+    for (int i = 0; i < 600; ++i) {
+        const std::vector<double> before = scene.last.q;
+        scene.step();
+        waist = std::max(waist, std::abs(scene.last.q[7] - before[7]) * 140);
+        elbow = std::max(elbow, std::abs(scene.last.q[3] - before[3]) * 140);
+    }
+    EXPECT_LE(waist, kDriveSpeed / 4 * (1 + 1e-9));
+    EXPECT_GT(waist, 0.1);
+    EXPECT_GT(elbow, kDriveSpeed / 4) << "the arms are sure";
+}
+
+TEST(LiveDrive, AnArmThatHangsBelowTheWaistsJointsSharesThem) {
+    auto model = parseUrdf(test::plainArmUrdf(true), "arm");
+    RobotProfile profile = test::plainArmProfile(true);
+    profile.arms[0].base = "hips";
+    profile.arms[0].reference_rad.insert(profile.arms[0].reference_rad.begin(), 0);
+    profile.arms[0].max_speed.push_back(2);
+    const auto parts = drivenParts(*model, profile, {Mapping::kPosture, true, true, true});
+    ASSERT_FALSE(parts);
+    EXPECT_NE(parts.error().text().find("\"waist\" belongs to two driven parts"), std::string::npos)
+        << parts.error().text();
 }
 
 TEST(LiveDrive, NothingMovesUntilTheKeysAreHeld) {
@@ -208,7 +283,7 @@ TEST(LiveDrive, ReindexingMovesNothing) {
     Scene scene(settings);
     scene.followNow();
     scene.run(0.2, {true, false, false, false, false});
-    scene.performer.frame = swinging(1.2);  // elsewhere; the suit keeps still from here
+    scene.performer.frame = swinging(1.2, 0);  // elsewhere; the suit keeps still from here
     scene.suit_sends = false;
     const std::vector<double> before = scene.last.q;
     for (int i = 0; i < 100; ++i) {

@@ -78,7 +78,8 @@ constexpr TeleopKeys kNobody{false, true, false, false, false};
 class Session {
 public:
     explicit Session(const Bench& bench, const TeleopSettings& settings = {})
-        : own_(bench), operator_(own_.arm, own_.profile, settings, own_.q) {}
+        : own_(bench),
+          operator_(own_.arm.chain, own_.arm.profile.max_speed, own_.profile, settings, own_.q) {}
 
     TeleopCommand step(const Vector3d& p, const TeleopKeys& keys) {
         now_ns_ += kStep_ns;
@@ -176,7 +177,7 @@ TEST(Teleoperation, ReindexingAtAnyTimeMovesNothing) {
 TEST(Teleoperation, APostureTooFarOffIsNotAccepted) {
     Session session(bench());
     Bench own = bench();
-    Teleoperator driver(own.arm, own.profile, {}, own.q);
+    Teleoperator driver(own.arm.chain, own.arm.profile.max_speed, own.profile, {}, own.q);
     TeleopPose pose = poseAt(1, Vector3d::Zero());
     pose.posture = own.q;
     (*pose.posture)[3] -= 0.5;
@@ -250,7 +251,7 @@ TEST(Teleoperation, TheTipStaysInsideTheBox) {
 
 TEST(Teleoperation, AnUncertainPoseSlowsTheArm) {
     Bench own = bench();
-    Teleoperator driver(own.arm, own.profile, {}, own.q);
+    Teleoperator driver(own.arm.chain, own.arm.profile.max_speed, own.profile, {}, own.q);
     TeleopPose pose = poseAt(1, Vector3d::Zero());
     pose.posture = own.q;
     driver.step(1, pose, kHeld);
@@ -311,7 +312,7 @@ TEST(Teleoperation, NothingJumpsWhateverGoesWrong) {
             Bench own = smooth ? bench(20, 400) : bench();
             TeleopSettings settings;
             settings.blend_s = 0.2;  // short, so that faults do not end every blend
-            Teleoperator driver(own.arm, own.profile, settings, own.q);
+            Teleoperator driver(own.arm.chain, own.arm.profile.max_speed, own.profile, settings, own.q);
             Faults faults{RandomPostures(seed)};
             JointVector last = own.q, speed = JointVector::Zero(7), acceleration = speed;
             for (int64_t i = 1; i <= 6000; ++i) {

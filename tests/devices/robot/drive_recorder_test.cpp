@@ -27,10 +27,10 @@ protected:
         std::filesystem::copy_file(NOCTULE_TEST_DATA "/takes/tiny_take.noctule", path_);
         const auto model = robot::parseUrdf(test::plainArmUrdf(), "arm");
         ASSERT_TRUE(model);
-        arms_ = robot::drivenArms(*model, test::plainArmProfile(), {}).value();
+        arms_ = robot::drivenParts(*model, test::plainArmProfile(), {})->arms;
         drive_.robot = "arm";
         drive_.leader = "take";
-        drive_.joints = robot::jointsOf(arms_);
+        drive_.joints = robot::drivenParts(*model, test::plainArmProfile(), {})->joints();
         drive_.arms = {"right"};
     }
     /// Steps `from` to `to`: the elbow turns, and the robot is two steps later.

@@ -15,6 +15,7 @@
 #include "core/math/rotation.h"
 #include "core/recording/take_edit.h"
 #include "core/robot/urdf_reader.h"
+#include "tests/devices/support/test_box.h"
 #include "tests/support/plain_arm.h"
 #include "tests/support/simulated_take.h"
 #include "tests/ui/support/wait.h"
@@ -30,6 +31,8 @@
 
 namespace noctule::ui {
 namespace {
+
+using noctule::test::TestBox;
 
 constexpr double kRate_hz = 100;
 
@@ -77,6 +80,8 @@ protected:
     void SetUp() override {
         Theme::install(*qApp);
         QSettings().clear();
+        QSettings().setValue("folders/sessions", folder_.filePath("sessions"));
+        QSettings().setValue("folders/suits", folder_.filePath("suits"));
         urdf_ = folder_.filePath("arm.urdf");
         profile_ = folder_.filePath("arm.json");
         writeFile(urdf_, noctule::test::plainArmUrdf());
@@ -131,7 +136,7 @@ protected:
         choice.urdf = urdf_;
         choice.profile = profile_;
         choice.address = address_;
-        choice.arms = DrivenArms::kRight;
+        choice.body = DrivenBody::kRightArm;
         return choice;
     }
     bool comesTo(RobotWord word) {
@@ -227,6 +232,52 @@ TEST_F(RobotPageTest, ADriveIsRecordedIntoTheTakeThatLeads) {
     EXPECT_GT(take->robotCommands(drives->front())->size(), 350U);
 }
 
+TEST_F(RobotPageTest, ATakeOfTheSuitThatLeadsHoldsTheRobotToo) {
+    startRobot("--udp");
+    const TestBox box({.loops = true});
+    const Take tiny = std::move(Take::open(noctule::test::kTinyTake).value());
+    LiveSuit& suit = studio_->suit();
+    suit.connectTo(QString::fromStdString(box.address()),
+                   {tiny.calibrationInForce()->value, tiny.actorInForce()->value, 0.5});
+    ASSERT_TRUE(waitFor([&] { return suit.phase() == LiveSuit::Phase::kLooking; }));
+    drive_->setRobot(choice());
+    ASSERT_TRUE(waitFor([this] { return drive_->link() == RobotDrive::Link::kAnswers; }));
+    ASSERT_TRUE(waitFor([this] { return drive_->whyNoLeader().isEmpty(); }));
+    EXPECT_FALSE(drive_->isRecording());
+    EXPECT_EQ(drive_->whyNotRecord(), "The suit leads: its recording holds the robot’s commands, too.");
+
+    ASSERT_EQ(suit.record({"led", {}}), QString());
+    ASSERT_TRUE(waitFor([this] { return drive_->isRecording(); })) << "by itself";
+    ASSERT_TRUE(waitFor([&] { return suit.recordedSeconds() > 1.5; }));
+    suit.stopRecording();
+    ASSERT_TRUE(waitFor([this] { return !drive_->isRecording(); }));
+    ASSERT_TRUE(waitFor([&] { return suit.phase() == LiveSuit::Phase::kLooking; }));
+    EXPECT_EQ(drive_->link(), RobotDrive::Link::kAnswers) << "the robot goes on";
+    ASSERT_TRUE(waitFor([this] { return !drive_->recordedPaths().commanded.empty(); }));
+
+    const Session& session = studio_->session().session();
+    ASSERT_EQ(session.takes.size(), 1U);
+    const auto take = Take::open(session.pathOf(session.takes[0]).string());
+    ASSERT_TRUE(take);
+    const auto drives = take->robotDrives();
+    ASSERT_TRUE(drives);
+    ASSERT_EQ(drives->size(), 1U);
+    EXPECT_EQ(drives->front().leader, "suit");
+    EXPECT_EQ(drives->front().joints, drive_->parts()->joints);
+    const auto commands = take->robotCommands(drives->front());
+    ASSERT_TRUE(commands);
+    ASSERT_GT(commands->size(), 100U) << "140 a second";
+    const double length_s = take->duration_s().value();
+    int led = 0;
+    for (const RobotCommandRow& command : *commands)
+        if (command.pose_time_ns) {
+            ++led;
+            EXPECT_GE(static_cast<double>(*command.pose_time_ns) * 1e-9, -1) << "on the take's clock";
+            EXPECT_LE(static_cast<double>(*command.pose_time_ns) * 1e-9, length_s + 1);
+        }
+    EXPECT_GT(led, 0);
+}
+
 TEST_F(RobotPageTest, ANameThatNobodyKnowsIsSaidAndTheScreenGoesOn) {
     address_ = "udp://no-such-robot.invalid:41950";
     drive_->setRobot(choice());
@@ -317,7 +368,7 @@ TEST_F(RobotPageTest, TheChoiceIsKept) {
     saveRobot(studio_->settings(), kept);
     const RobotChoice loaded = loadRobot(studio_->settings());
     EXPECT_EQ(loaded.urdf, urdf_);
-    EXPECT_EQ(loaded.arms, DrivenArms::kRight);
+    EXPECT_EQ(loaded.body, DrivenBody::kRightArm);
     EXPECT_FALSE(loaded.follows_posture);
     EXPECT_NEAR(loaded.speed, 0.7, 1e-12);
     studio_->settings().setValue("robot/speed", 7);
