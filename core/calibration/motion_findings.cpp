@@ -52,22 +52,42 @@ double turnSpread_rad(const MotionBody& body, const std::vector<MotionNode>& nod
     return std::sqrt(square / std::max(1.0, static_cast<double>(nodes.size())));
 }
 
+/// One cause is one finding: what most boards lack is no matter of their plugs.
+Finding mostlyUnheard(const Observations& take, const MotionEvidence& evidence,
+                      const std::vector<Finding>& boards) {
+    const Grade worst = std::ranges::max_element(boards, {}, &Finding::grade)->grade;
+    std::vector<double> shares = evidence.heard_share;
+    std::ranges::sort(shares);
+    return {
+        worst, "",
+        std::to_string(boards.size()) + " of " + std::to_string(shares.size()) +
+            " boards are heard in only " + text::number(100 * shares[boards.size() / 2], 0) +
+            " % of the movement in " + take.take + ", in the median",
+        "See that the driver box reaches the computer without loss, and that the take is whole, then move "
+        "again"};
+}
+
 }  // namespace
 
 void addEvidenceFindings(const Observations& take, const StillStretch& still, const MotionEvidence& evidence,
                          std::vector<Finding>& into) {
+    std::vector<Finding> boards;
     for (int b = 0; b < static_cast<int>(evidence.heard_share.size()); ++b) {
         const auto board = static_cast<size_t>(b);
         const double share = evidence.heard_share[board];
         if (share >= kWellHeardShare && still.boards[board].heard())
             continue;
         const bool lost = !evidence.isHeard(board) || !still.boards[board].heard();
-        into.push_back({lost ? Grade::kNotUsable : Grade::kUsable, take.suit.boards[board].id,
-                        boardName(take.suit, b) + ", is heard in only " + text::number(100 * share, 0) +
-                            " % of the movement in " + take.take,
-                        "Push its plug in until it clicks and see that its readings stay within their range, "
-                        "then move again"});
+        boards.push_back({lost ? Grade::kNotUsable : Grade::kUsable, take.suit.boards[board].id,
+                          boardName(take.suit, b) + ", is heard in only " + text::number(100 * share, 0) +
+                              " % of the movement in " + take.take,
+                          "Push its plug in until it clicks and see that its readings stay within their "
+                          "range, then move again"});
     }
+    if (2 * boards.size() > evidence.heard_share.size() && boards.size() > 1)
+        into.push_back(mostlyUnheard(take, evidence, boards));
+    else
+        into.insert(into.end(), boards.begin(), boards.end());
     if (evidence.distances.empty())
         into.push_back(
             {Grade::kUsable, "",

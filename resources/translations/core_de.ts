@@ -529,6 +529,10 @@
         <translation>%1 nennt Teile, die dieser Anzug nicht hat: %2</translation>
     </message>
     <message>
+        <source>%1 of %2 boards are heard in only %3 % of the movement in %4, in the median</source>
+        <translation>%1 von %2 Platinen sind im Median nur in %3 % der Bewegung in %4 zu hören</translation>
+    </message>
+    <message>
         <source>%1 seem to be swapped</source>
         <translation>%1 scheinen vertauscht</translation>
     </message>
@@ -1043,6 +1047,10 @@
     <message>
         <source>See that the distances reach from the source's face to the microphone's opening</source>
         <translation>Prüfen, ob die Abstände von der Vorderseite der Quelle zur Öffnung des Mikrofons reichen</translation>
+    </message>
+    <message>
+        <source>See that the driver box reaches the computer without loss, and that the take is whole, then move again</source>
+        <translation>Sorgen Sie dafür, dass die Treiberbox den Rechner ohne Verlust erreicht und die Aufnahme vollständig ist; bewegen Sie sich dann noch einmal</translation>
     </message>
     <message>
         <source>See that the file belongs to this take and that its labels are right</source>

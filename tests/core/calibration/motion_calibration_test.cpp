@@ -150,6 +150,21 @@ TEST_F(GuidedMovement, WithASilentBoardIsNotUsableAndNamesIt) {
     EXPECT_EQ(measured.skeleton.size(), damaged.actor.skeleton.size());
 }
 
+TEST_F(GuidedMovement, MostBoardsSilentIsOneFinding) {
+    Observations damaged = take_->observations;
+    for (size_t b = 0; b < damaged.boards.size(); ++b)
+        if (b % 3 != 0)
+            damaged.boards[b].clear();
+    MotionSettings settings = plainSettings();
+    settings.longest_s = 18;
+    const auto report = calibrateMotion({damaged}, settings, {});
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->grade(), Grade::kNotUsable);
+    EXPECT_NE(reasonsOf(*report).find("12 of 18 boards are heard in only 0 %"), std::string::npos)
+        << reasonsOf(*report);
+    EXPECT_EQ(reasonsOf(*report).find(", is heard in only"), std::string::npos) << "none by itself";
+}
+
 TEST_F(GuidedMovement, CanBeCancelled) {
     CancelFlag cancel;
     cancel.cancel();
