@@ -83,9 +83,15 @@ ExportRequest requestFor(const Arguments& arguments, const std::string& take_pat
 /// One for each subject of the run. A take that cannot be read gets one, whose job names the trouble.
 std::vector<ExportRequest> requestsFor(const Arguments& arguments, const std::string& take_path) {
     const ExportRequest request = requestFor(arguments, take_path);
-    const auto each = arguments.given("stacks") ? Result<std::vector<ExportRequest>>(std::vector{request})
-                                                : requestsOfSubjects(request);
+    const auto each = arguments.given("together") ? requestsTogether(request)
+                      : arguments.given("stacks") ? Result<std::vector<ExportRequest>>(std::vector{request})
+                                                  : requestsOfSubjects(request);
     return each ? *each : std::vector{request};
+}
+
+/// Takes as stacks, or the performers of one take as characters.
+bool goesIntoOneFile(const Arguments& arguments) {
+    return arguments.given("stacks") || arguments.given("together");
 }
 
 Status checkPictures(const Arguments& arguments, const ExportRequest& request) {
@@ -127,22 +133,36 @@ Status checkEndings(const ExportRequest& request) {
 }
 
 /// One FBX file and nothing else.
-Status checkStacks(const Arguments& arguments, const std::vector<ExportRequest>& requests) {
-    if (!arguments.given("stacks"))
+Status checkOneFile(const Arguments& arguments, const std::vector<ExportRequest>& requests) {
+    if (!goesIntoOneFile(arguments))
         return Done{};
+    const bool together = arguments.given("together");
+    const std::string option = together ? "--together" : "--stacks";
+    const std::string what = together ? "all performers" : "all takes";
     const ExportRequest& first = requests.front();
+    if (together && arguments.given("stacks"))
+        return Error{ErrorKind::kUsage, "--together is for one take, and --stacks for several",
+                     "Give the one or the other"};
+    if (together && arguments.operands().size() > 1)
+        return Error{ErrorKind::kUsage, "--together puts the performers of one take into a file",
+                     "Export the takes one by one"};
     if (first.fbx_path.empty() || outputsOf(first).size() > 1)
-        return Error{ErrorKind::kUsage, "--stacks puts all takes into one FBX file, and nothing else",
-                     "Give --fbx F, and write other files without --stacks"};
+        return Error{ErrorKind::kUsage, option + " puts " + what + " into one FBX file, and nothing else",
+                     "Give --fbx F, and write other files without " + option};
     if (first.fbx_path != requests.back().fbx_path)
         return Error{ErrorKind::kUsage, "--stacks writes one file, and {name} in its path would make several",
                      "Leave {name} out"};
+    for (const ExportRequest& request : requests)
+        if (const auto subjects = subjectsOfRun(request.take_path, request.run);
+            !together && subjects && subjects->size() > 1)
+            return Error{ErrorKind::kUnusable, request.take_path + ": holds several performers",
+                         "Export it by itself with --together, or without --stacks"};
     return Done{};
 }
 
 /// Every path once.
 std::vector<std::string> allOutputs(const Arguments& arguments, const std::vector<ExportRequest>& requests) {
-    if (arguments.given("stacks"))
+    if (goesIntoOneFile(arguments))
         return outputsOf(requests.front());
     std::vector<std::string> paths;
     for (const ExportRequest& request : requests)
@@ -157,7 +177,7 @@ Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest
             ErrorKind::kUsage, "export has nothing to write",
             "Give any of --bvh F, --fbx F, --glb F, --csv F, --mot F, --sto F, --png F and --video F"};
     for (const Status& sensible : {checkEndings(requests.front()), checkPictures(arguments, requests.front()),
-                                   checkStacks(arguments, requests)})
+                                   checkOneFile(arguments, requests)})
         if (!sensible)
             return sensible;
     if (arguments.given("angles") && !arguments.given("csv"))
@@ -166,7 +186,7 @@ Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest
     if (arguments.given("from") && arguments.given("to") &&
         *arguments.number("from") > *arguments.number("to"))
         return Error{ErrorKind::kUsage, "--from lies after --to", "Give --from S before --to S"};
-    const bool is_single = requests.size() == 1 || arguments.given("stacks");
+    const bool is_single = requests.size() == 1 || goesIntoOneFile(arguments);
     if (Status free =
             checkOutputs(allOutputs(arguments, requests), requests.front().overwrite, arguments.operands());
         !free) {
@@ -214,21 +234,23 @@ Result<std::shared_ptr<const WearableBody>> readBody(const VerbContext& context)
     return readWearable(arguments.text("mesh"), choices, context.job());
 }
 
-Result<Outcome> writeStacks(const VerbContext& context, const std::vector<ExportRequest>& requests) {
+Result<Outcome> writeOneFile(const VerbContext& context, const std::vector<ExportRequest>& requests) {
     const auto summary = exportStacks(requests, context.job());
     if (!summary)
         return summary.error();
     Outcome outcome;
+    const bool together = context.arguments.given("together");
     outcome.json = {{"takes", context.arguments.operands()},
-                    {"stacks", requests.size()},
+                    {together ? "performers" : "stacks", requests.size()},
                     {"frames", summary->frames},
                     {"fps", requests.front().frames_per_second},
                     {"duration_s", summary->duration_s},
                     {"files", summary->files}};
     if (requests.front().worn)
         outcome.json["bones"] = requests.front().worn->bones.node_of_joint;
-    outcome.text = summary->files.front() + ": " + std::to_string(requests.size()) + " stacks, " +
-                   std::to_string(summary->frames) + " frames.\n";
+    outcome.text = summary->files.front() + ": " + std::to_string(requests.size()) +
+                   (together ? " performers, " : " stacks, ") + std::to_string(summary->frames) +
+                   " frames.\n";
     return outcome;
 }
 
@@ -263,8 +285,8 @@ Result<Outcome> runExport(const VerbContext& context) {
         return body.error();
     for (ExportRequest& request : requests)
         request.worn = *body;
-    if (context.arguments.given("stacks"))
-        return writeStacks(context, requests);
+    if (goesIntoOneFile(context.arguments))
+        return writeOneFile(context, requests);
     return forEachTake(context, 1, [&](const std::string& take, const JobContext& job) -> Result<Outcome> {
         Outcome outcome;
         for (ExportRequest& request : requestsFor(context.arguments, take)) {
@@ -289,6 +311,7 @@ std::vector<Option> fileOptions() {
             text("bvh", "F", "animation with its skeleton; {name} in F stands for the take's name"),
             text("fbx", "F", "skeleton, motion and body as binary FBX 7.4"),
             flag("stacks", "all takes in that one FBX file, each as an animation stack with its name"),
+            flag("together", "all performers of a take in that one FBX file, each as a character of its own"),
             text("glb", "F", "the same as binary glTF"),
             text("csv", "F", "world positions of all joints in metres"),
             text("mot", "F", "joint angles for OpenSim, in degrees"),

@@ -16,10 +16,12 @@ struct Curve {
 
 class AnimationWriter {
 public:
-    AnimationWriter(FbxScene& scene, const Figure& figure, const FbxOptions& options)
-        : scene_(scene), figure_(figure), options_(options) {
+    AnimationWriter(FbxScene& scene, const Figure& figure, const FbxOptions& options, int64_t layer)
+        : scene_(scene), figure_(figure), options_(options), layer_(layer) {
         for (size_t f = 0; f < figure.clip.frames.size(); ++f)
             times_.push_back(fbxTime(figure.clip, f));
+        if (layer != 0)
+            return;
         const auto time = [](const char* name, int64_t value) {
             return fbxProperty(name, "KTime", "Time", "", value);
         };
@@ -30,6 +32,8 @@ public:
         layer_ = scene.add("AnimationLayer", "BaseLayer", "AnimLayer", "", {fbxProperties({})});
         scene.connect(layer_, stack);
     }
+
+    int64_t layer() const { return layer_; }
 
     void addJoint(size_t joint, int64_t model) {
         addCurves("Lcl Rotation", "R", model, rotation(joint));
@@ -95,18 +99,19 @@ private:
     const Figure& figure_;
     const FbxOptions& options_;
     std::vector<int64_t> times_;
-    int64_t layer_ = 0;
+    int64_t layer_;
 };
 
 }  // namespace
 
-void addFbxAnimation(FbxScene& scene, const Figure& figure, const FbxOptions& options,
-                     const std::vector<int64_t>& models) {
+int64_t addFbxAnimation(FbxScene& scene, const Figure& figure, const FbxOptions& options,
+                        const std::vector<int64_t>& models, int64_t layer) {
     if (figure.clip.frames.empty())
-        return;
-    AnimationWriter writer(scene, figure, options);
+        return layer;
+    AnimationWriter writer(scene, figure, options, layer);
     for (size_t j = 0; j + 1 < models.size(); ++j)
         writer.addJoint(j, models[j + 1]);
+    return writer.layer();
 }
 
 }  // namespace noctule

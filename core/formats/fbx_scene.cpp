@@ -99,7 +99,8 @@ int64_t fbxLastTime(const MotionClip& clip) {
 
 std::vector<int64_t> addFbxSkeleton(FbxScene& scene, const Figure& figure, const FbxOptions& options) {
     const Skeleton& skeleton = figure.clip.skeleton;
-    std::vector<int64_t> models{addFbxTop(scene, nameBesideJoints(skeleton, options.root_name))};
+    std::vector<int64_t> models{addFbxTop(
+        scene, nameBesideJoints(skeleton, figure.character.empty() ? options.root_name : figure.character))};
     scene.connect(models[0], FbxScene::kTop);
     for (int j = 0; j < skeleton.size(); ++j) {
         const Joint& joint = skeleton.joint(j);

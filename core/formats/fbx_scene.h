@@ -62,8 +62,8 @@ std::vector<int64_t> addFbxSkeleton(FbxScene& scene, const Figure& figure, const
 /// Mesh, skin and bind pose; nothing without a body. `models` as from addFbxSkeleton.
 void addFbxBody(FbxScene& scene, const Figure& figure, const FbxOptions& options,
                 const std::vector<int64_t>& models);
-/// A stack with the clip's name; nothing without frames. Called again for each further motion.
-void addFbxAnimation(FbxScene& scene, const Figure& figure, const FbxOptions& options,
-                     const std::vector<int64_t>& models);
+/// Into the layer, or with 0 into one of a new stack with the clip's name; the layer. Nothing without frames.
+int64_t addFbxAnimation(FbxScene& scene, const Figure& figure, const FbxOptions& options,
+                        const std::vector<int64_t>& models, int64_t layer = 0);
 
 }  // namespace noctule

@@ -106,18 +106,22 @@ public:
 
     Status add(const Figure& figure) {
         const MotionClip& clip = figure.clip;
-        if (models_.empty()) {
+        const bool is_first = models_.empty(), is_character = !figure.character.empty();
+        if (is_first) {
             first_.name = clip.name;
             first_.skeleton = clip.skeleton;
             first_.frame_time_s = clip.frame_time_s;
+        }
+        if (const Status together = checkTogether(figure); !together)
+            return together;
+        if (is_first || is_character) {
             models_ = addFbxSkeleton(scene_, figure, options_);
             addFbxBody(scene_, figure, options_, models_);
         }
-        if (const Status together = checkTogether(clip); !together)
-            return together;
-        addFbxAnimation(scene_, figure, options_, models_);
+        const bool shares_stack = is_character && layer_ != 0;
+        layer_ = addFbxAnimation(scene_, figure, options_, models_, is_character ? layer_ : 0);
         stop_ = std::max(stop_, fbxLastTime(clip));
-        if (!clip.frames.empty())
+        if (!clip.frames.empty() && !shares_stack)
             takes_.push_back(fbxTake(clip));
         return Done{};
     }
@@ -145,14 +149,16 @@ public:
 
 private:
     /// Whether the motion can stand in one file with those before it.
-    Status checkTogether(const MotionClip& clip) {
+    Status checkTogether(const Figure& figure) {
+        const MotionClip& clip = figure.clip;
+        const bool is_character = !figure.character.empty();
+        const std::string& name = is_character ? figure.character : clip.name;
         const auto refuse = [&](const std::string& why) {
-            return Error{ErrorKind::kUnusable, where_ + ": " + clip.name + why,
-                         "Write it to a file of its own"};
+            return Error{ErrorKind::kUnusable, where_ + ": " + name + why, "Write it to a file of its own"};
         };
-        if (!names_.insert(clip.name).second)
-            return refuse(" is the name of two motions");
-        if (!areSameJoints(clip.skeleton, first_.skeleton))
+        if (!names_.insert(name).second)
+            return refuse(is_character ? " is the name of two performers" : " is the name of two motions");
+        if (!is_character && !areSameJoints(clip.skeleton, first_.skeleton))
             return refuse(" has other bones than " + first_.name);
         if (std::abs(clip.frame_time_s / first_.frame_time_s - 1) > 1e-9)
             return refuse(" has another frame rate than " + first_.name);
@@ -166,7 +172,8 @@ private:
     std::vector<int64_t> models_;
     std::vector<FbxNode> takes_;
     std::set<std::string> names_;
-    int64_t stop_ = 0;  ///< of the longest motion
+    int64_t layer_ = 0;  ///< of the last motion
+    int64_t stop_ = 0;   ///< of the longest one
 };
 
 Result<std::string> formatFbx(const FigureSource& figures, const FbxOptions& options,

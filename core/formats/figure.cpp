@@ -7,6 +7,8 @@
 namespace noctule {
 namespace {
 
+constexpr char kCharacterEnd = ':';  // as namespaces of MotionBuilder and Maya end
+
 /// The same body with exactly the skeleton's joints as its bones.
 SkinnedMesh onJointsOf(const Skeleton& skeleton, const SkinnedMesh& body) {
     SkinnedMesh result = body;
@@ -55,6 +57,26 @@ Skeleton renamed(const Skeleton& skeleton, JointNames names) {
         joint.name = exportedName(joint, names);
     auto made = Skeleton::make(std::move(joints));
     return made ? std::move(*made) : skeleton;  // a performer's own aliases may name two joints alike
+}
+
+Skeleton skeletonOfCharacter(const Skeleton& skeleton, const std::string& character) {
+    std::vector<Joint> joints = skeleton.joints();
+    for (Joint& joint : joints)
+        joint.name = character + kCharacterEnd + joint.name;
+    return std::move(Skeleton::make(std::move(joints)).value());
+}
+
+Figure asCharacter(Figure figure, const std::string& character) {
+    figure.character = character;
+    figure.clip.skeleton = skeletonOfCharacter(figure.clip.skeleton, character);
+    for (int j = 0; figure.body && j < figure.clip.skeleton.size(); ++j)
+        figure.body->bones[static_cast<size_t>(j)].joint = figure.clip.skeleton.joint(j).name;
+    return figure;
+}
+
+std::string_view characterOf(std::string_view joint) {
+    const size_t end = joint.find(kCharacterEnd);
+    return end == std::string_view::npos ? std::string_view() : joint.substr(0, end);
 }
 
 Result<Figure> makeFigure(MotionClip clip, std::optional<SkinnedMesh> body, JointNames names) {

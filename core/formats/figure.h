@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/mesh/skinned_mesh.h"
@@ -21,7 +22,16 @@ struct Figure {
     Pose rest;
     /// Per frame one value per joint, 0..1: how far its rotation can be trusted. Empty: not known.
     std::vector<std::vector<float>> confidence;
+    /// Whose body it is where a file holds several; its joints are called "A:Hips". Empty: it is the only
+    /// one.
+    std::string character{};
 };
+
+/// The same skeleton, and the same figure, as one of several in a file.
+Skeleton skeletonOfCharacter(const Skeleton& skeleton, const std::string& character);
+Figure asCharacter(Figure figure, const std::string& character);
+/// "A" of the joint "A:Hips"; empty where a joint belongs to the only figure.
+std::string_view characterOf(std::string_view joint);
 
 /// The figures of one file, for writers and checks that look at one after the other: hands each to `visit`,
 /// the same ones in the same order whenever it is called, and ends with the first Error, its own or the

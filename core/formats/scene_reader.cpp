@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/formats/figure.h"
 #include "core/job/atomic_file.h"
 
 namespace noctule {
@@ -58,6 +59,12 @@ public:
 private:
     Error odd(const std::string& what) const {
         return {ErrorKind::kUnreadable, where_ + ": " + what, "Write the file again"};
+    }
+
+    /// Whether the bone belongs to another character than the joints asked for.
+    static bool isAnothers(std::string_view bone, const std::vector<std::string>& names) {
+        const std::string_view own = characterOf(names.front());
+        return !own.empty() && !characterOf(bone).empty() && characterOf(bone) != own;
     }
 
     /// One without a name is any.
@@ -123,6 +130,8 @@ private:
         for (unsigned c = 0; c < animation.mNumChannels; ++c) {
             const aiNodeAnim& channel = *animation.mChannels[c];
             const auto name = std::find(names.begin(), names.end(), channel.mNodeName.C_Str());
+            if (name == names.end() && isAnothers(channel.mNodeName.C_Str(), names))
+                continue;
             if (name == names.end())
                 return odd("a motion belongs to " + std::string(channel.mNodeName.C_Str()) +
                            ", which is no joint");
@@ -186,7 +195,8 @@ private:
     Status readSkin(const std::vector<std::string>& names) {
         motion_.bind_inverse.assign(names.size(), Eigen::Matrix4d::Identity());
         for (unsigned m = 0; m < scene_.mNumMeshes; ++m)
-            if (scene_.mMeshes[m]->HasBones())
+            if (const aiMesh& mesh = *scene_.mMeshes[m];
+                mesh.HasBones() && !isAnothers(mesh.mBones[0]->mName.C_Str(), names))
                 if (const Status part = readSkinPart(*scene_.mMeshes[m], names); !part)
                     return part;
         return Done{};

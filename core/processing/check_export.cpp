@@ -117,6 +117,8 @@ Status compareScene(const SceneFile& scene, const ExpectedMotion& expected, cons
         return compareRiggedFile(scene, expected, request, check);
     ExpectedMotion named = expected;
     named.skeleton = renamed(expected.skeleton, request.names);
+    if (!request.character.empty())
+        named.skeleton = skeletonOfCharacter(named.skeleton, request.character);
     return compareSceneFile(scene, named, check);
 }
 

@@ -309,9 +309,11 @@ Status compareRiggedFile(const SceneFile& scene, const ExpectedMotion& expected,
     const auto feet = request.lock_feet
                           ? moving->lockedFeet({expected.frames, expected.frame_time_s, expected.plants})
                           : std::vector<FootCorrections>();
-    const auto figure = riggedFigure(clip, {}, body, request.names, expected.feet_at_rest, feet);
+    auto figure = riggedFigure(clip, {}, body, request.names, expected.feet_at_rest, feet);
     if (!figure)
         return figure.error();
+    if (!request.character.empty())
+        figure = asCharacter(std::move(*figure), request.character);
     std::vector<std::string> bones;
     for (const Joint& joint : figure->clip.skeleton.joints())
         bones.push_back(joint.name);

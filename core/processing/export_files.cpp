@@ -77,7 +77,9 @@ SkinnedMesh bodyFor(const Skeleton& skeleton, const FeetAtRest& feet) {
     return fitted(defaultBody(), defaultActor().skeleton, skeleton, feet);
 }
 
-Result<Figure> figureOf(const ExportRequest& request, const ExportedMotion& motion) {
+namespace {
+
+Result<Figure> onlyFigureOf(const ExportRequest& request, const ExportedMotion& motion) {
     if (request.with_body && request.worn) {
         const auto moving = MovingBody::of(request.worn, motion.clip.skeleton, motion.feet_at_rest);
         return moving ? riggedFigure(motion.clip, motion.confidence, *request.worn, request.names,
@@ -90,6 +92,15 @@ Result<Figure> figureOf(const ExportRequest& request, const ExportedMotion& moti
     auto figure = makeFigure(motion.clip, std::move(body), request.names);
     if (figure)
         figure->confidence = motion.confidence;
+    return figure;
+}
+
+}  // namespace
+
+Result<Figure> figureOf(const ExportRequest& request, const ExportedMotion& motion) {
+    auto figure = onlyFigureOf(request, motion);
+    if (figure && !request.character.empty())
+        return asCharacter(std::move(*figure), request.character);
     return figure;
 }
 

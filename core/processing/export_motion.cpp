@@ -45,7 +45,6 @@ Result<ExportedMotion> cut(const Take& take, const RunMotion& from, const Export
     const TimedMotion& motion = from.motion;
     ExportedMotion exported;
     MotionClip& clip = exported.clip;
-    double begin_s = 0;
     clip.name = request.motion_name.empty() ? take.header().name : request.motion_name;
     clip.skeleton = motion.skeleton;
     clip.frame_time_s = 1 / frames_per_second;
@@ -61,7 +60,7 @@ Result<ExportedMotion> cut(const Take& take, const RunMotion& from, const Export
                 break;
             if (auto pose = sampler.at(time_ns)) {
                 if (clip.frames.empty())
-                    begin_s = static_cast<double>(time_ns) * 1e-9;
+                    exported.begin_s = static_cast<double>(time_ns) * 1e-9;
                 clip.frames.push_back(std::move(*pose));
                 exported.confidence.push_back(boneConfidence(motion, time_ns));
             }
@@ -71,7 +70,7 @@ Result<ExportedMotion> cut(const Take& take, const RunMotion& from, const Export
         return Error{ErrorKind::kUnusable, take.path() + ": there is no pose in the part to export",
                      "Choose --from and --to within the take's duration"};
     if (locksFeet(request))
-        exported.feet = {clip.frames, clip.frame_time_s, footPlants(from.feet, begin_s)};
+        exported.feet = {clip.frames, clip.frame_time_s, footPlants(from.feet, exported.begin_s)};
     holdRoot(clip, request.root);
     const auto is_empty = [](const std::vector<float>& row) { return row.empty(); };
     if (std::any_of(exported.confidence.begin(), exported.confidence.end(), is_empty))

@@ -113,12 +113,13 @@ private:
         if (!exported)
             return exported.error();
         if (is_first_round) {
+            const bool is_same_time = take > 0 && !takes_[take].character.empty();
             summary_.run = exported->run;
-            summary_.frames += exported->clip.frames.size();
-            summary_.duration_s += exported->clip.duration_s();
+            summary_.frames += is_same_time ? 0 : exported->clip.frames.size();
+            summary_.duration_s += is_same_time ? 0 : exported->clip.duration_s();
         }
         auto figure = figureOf(takes_[take], *exported);
-        if (figure && take > 0)
+        if (figure && take > 0 && takes_[take].character.empty())
             figure->body.reset();  // that of the first is written
         return figure;
     }

@@ -38,6 +38,7 @@ struct ExportRequest {
     JointNames names = JointNames::kOwn;  ///< in BVH, FBX and GLB files
     std::string root_name = "Reference";  ///< FBX: the node above the hips
     std::string motion_name;              ///< FBX and GLB: of the animation; empty: the take's own name
+    std::string character;                ///< FBX: whose, among several of the file; empty: the only one
     bool with_body = true;                ///< FBX and GLB: with skin, not the skeleton alone
     /// The body of FBX, GLB, picture and film; null: the default body in the performer's measures.
     std::shared_ptr<const WearableBody> worn;
@@ -79,10 +80,12 @@ std::vector<std::string> outputsOf(const ExportRequest& request);
 Result<ExportSummary> exportTake(const ExportRequest& request, const JobContext& job);
 
 /// Several takes in one FBX file, that of the first request: a stack for each under its motion's name, on the
-/// body of the first. Only FBX files are written; the requests differ in take, run, part and name alone. Of
-/// the summary, frames and duration are sums and `run` is that of the last. kUnusable, and says of which,
-/// when a take's bones are longer or shorter or two motions have one name. Takes are read one after the
-/// other, twice; what is held is the file and one of them (writeFbx()). A cancel leaves no file.
+/// body of the first. Or the performers of one take, each a character of its own (requestsTogether()). Only
+/// FBX files are written; the requests differ in take, run, part, name and performer alone. Of the summary,
+/// frames and duration are sums, of performers those of one, and `run` is that of the last. kUnusable, and
+/// says of which, when a take's bones are longer or shorter or two motions have one name. Motions are read
+/// one after the other, twice; what is held is the file and one of them (writeFbx()). A cancel leaves no
+/// file.
 Result<ExportSummary> exportStacks(const std::vector<ExportRequest>& takes, const JobContext& job);
 
 }  // namespace noctule

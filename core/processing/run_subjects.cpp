@@ -3,19 +3,29 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "core/math/json.h"
+#include "core/processing/export_motion.h"
 #include "core/processing/pose_runs.h"
 
 namespace noctule {
 namespace {
 
-std::string pathOfSubject(const std::string& path, const std::string& subject) {
-    std::string name = subject;
+constexpr double kHalfNanosecond_s = 0.5e-9;  // so that rounding leaves out no last frame
+
+/// What neither a file's name nor a name in a file can hold becomes an underscore.
+std::string fileWord(std::string name) {
     std::ranges::replace_if(
         name, [](char c) { return c == '/' || c == '\\' || c == ':' || c == ' '; }, '_');
+    return name;
+}
+
+std::string pathOfSubject(const std::string& path, const std::string& subject) {
     const std::filesystem::path whole(path);
-    return (whole.parent_path() / (whole.stem().string() + "_" + name + whole.extension().string())).string();
+    return (whole.parent_path() /
+            (whole.stem().string() + "_" + fileWord(subject) + whole.extension().string()))
+        .string();
 }
 
 }  // namespace
@@ -32,6 +42,38 @@ Result<std::vector<ExportRequest>> requestsOfSubjects(const ExportRequest& reque
             if (std::string& path = own.*format.path; subjects->size() > 1 && !path.empty())
                 path = pathOfSubject(path, subject.name);
         requests.push_back(std::move(own));
+    }
+    return requests;
+}
+
+Result<std::vector<ExportRequest>> requestsTogether(const ExportRequest& request) {
+    const auto subjects = subjectsOfRun(request.take_path, request.run);
+    if (!subjects)
+        return subjects.error();
+    if (subjects->size() == 1)
+        return std::vector{request};
+    std::vector<ExportRequest> requests;
+    double from_s = 0, to_s = std::numeric_limits<double>::infinity();
+    for (const TakeSubject& subject : *subjects) {
+        ExportRequest own = request;
+        own.suit = subject.suit();
+        own.character = fileWord(subject.name.empty() ? std::to_string(subject.suit()) : subject.name);
+        own.png_path = own.video_path = "";
+        const auto exported = exportedMotion(own);
+        if (!exported)
+            return exported.error();
+        const double steps = static_cast<double>(exported->clip.frames.size() - 1);
+        from_s = std::max(from_s, exported->begin_s);
+        to_s = std::min(to_s, exported->begin_s + steps * exported->clip.frame_time_s);
+        requests.push_back(std::move(own));
+    }
+    if (to_s < from_s)
+        return Error{ErrorKind::kUnusable,
+                     request.take_path + ": its performers are never seen at the same time",
+                     "Export a file for each of them"};
+    for (ExportRequest& own : requests) {
+        own.from_s = from_s;
+        own.to_s = to_s + kHalfNanosecond_s;
     }
     return requests;
 }

@@ -2101,6 +2101,10 @@
         <translation>ist der Name zweier Bewegungen</translation>
     </message>
     <message>
+        <source>is the name of two performers</source>
+        <translation>ist der Name von zwei Personen</translation>
+    </message>
+    <message>
         <source>it ends before the first row of numbers</source>
         <translation>sie endet vor der ersten Zeile mit Zahlen</translation>
     </message>
@@ -4097,6 +4101,10 @@
         <translation>%1: die Spalten sind nicht die des Körpers der Aufnahme</translation>
     </message>
     <message>
+        <source>%1: its performers are never seen at the same time</source>
+        <translation>%1: Die Personen sind nie gleichzeitig zu sehen</translation>
+    </message>
+    <message>
         <source>%1: its suits are not counted from 1</source>
         <translation>%1: seine Anzüge sind nicht ab 1 gezählt</translation>
     </message>
@@ -4319,6 +4327,10 @@
     <message>
         <source>Error over time</source>
         <translation>Fehler über der Zeit</translation>
+    </message>
+    <message>
+        <source>Export a file for each of them</source>
+        <translation>Exportieren Sie für jede eine Datei</translation>
     </message>
     <message>
         <source>Export the take again</source>

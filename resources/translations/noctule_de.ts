@@ -3267,14 +3267,6 @@
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>One file with all takes</source>
-        <translation>Eine Datei mit allen Aufnahmen</translation>
-    </message>
-    <message>
-        <source>Each take is an animation stack under its name; {take} in the file name becomes the session’s name.</source>
-        <translation>Jede Aufnahme ist ein Animation-Stack mit ihrem Namen; {take} im Dateinamen wird der Name der Sitzung.</translation>
-    </message>
-    <message>
         <source>Standing feet keep their place</source>
         <translation>Stehende Füße bleiben an ihrem Ort</translation>
     </message>
@@ -3301,6 +3293,14 @@
     <message>
         <source>Each take is written in this format too.</source>
         <translation>Jeder Take wird auch in diesem Format geschrieben.</translation>
+    </message>
+    <message>
+        <source>One file with all takes or performers</source>
+        <translation>Eine Datei mit allen Aufnahmen oder Personen</translation>
+    </message>
+    <message>
+        <source>Each take is an animation stack under its name; {take} in the file name becomes the session’s name. Of one take, each performer is a character of its own.</source>
+        <translation>Jede Aufnahme ist ein Animationsstapel unter ihrem Namen; {take} im Dateinamen wird zum Namen der Sitzung. Aus einer Aufnahme wird jede Person eine eigene Figur.</translation>
     </message>
 </context>
 <context>
@@ -3594,8 +3594,13 @@
         <translation>Take %1, Ergebnis: %2</translation>
     </message>
     <message>
-        <source>Export it without one file for all takes</source>
-        <translation>Ohne eine Datei für alle Aufnahmen exportieren</translation>
+        <source>Export it by itself, or without one file for all</source>
+        <translation>Exportieren Sie sie allein oder ohne eine Datei für alle</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>take, performer</comment>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>

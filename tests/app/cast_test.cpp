@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A cast from the command line: simulate, inspect, process, evaluate, and what may be wrong with the file.
+#include "core/formats/positions_csv.h"
+#include "core/formats/scene_reader.h"
 #include "tests/support/program_run.h"
 
 namespace noctule::test {
@@ -47,6 +49,42 @@ TEST(CastProgram, ATakeOfTwoGoesAllTheWay) {
     const Ran judged = batch({"evaluate", take});
     EXPECT_EQ(judged.exit_code, 0) << judged.err;
     EXPECT_NE(judged.out.find("Bea"), std::string::npos) << judged.out;
+
+    // Both in one file are where each alone is, at the same instants.
+    const std::vector<std::string> part{"--from", "1.5", "--to", "2.5", "--fps", "60", "--json"};
+    const auto exported = [&](std::vector<std::string> what) {
+        what.insert(what.begin(), {"export", take});
+        what.insert(what.end(), part.begin(), part.end());
+        return batch(what);
+    };
+    const Ran together = exported({"--fbx", two.file("both.fbx"), "--together", "--mesh", "none"});
+    ASSERT_EQ(together.exit_code, 0) << together.err;
+    EXPECT_EQ(together.json()["performers"], 2);
+    EXPECT_EQ(together.json()["frames"], 61);
+    ASSERT_EQ(exported({"--csv", two.file("each.csv")}).exit_code, 0);
+    const auto scene = SceneFile::open(two.file("both.fbx"), "both.fbx", SceneFormat::kFbx);
+    ASSERT_TRUE(scene) << scene.error().text();
+    std::vector<Vector3d> hips_m;
+    for (const std::string name : {"A", "Bea"}) {
+        const auto table = readPositionsCsv(two.file("each_" + name + ".csv"));
+        ASSERT_TRUE(table) << table.error().text();
+        std::vector<std::string> joints;
+        for (const std::string& joint : table->joints)
+            joints.push_back(name + ":" + joint);
+        const auto motion = scene->read(joints, {});
+        ASSERT_TRUE(motion) << motion.error().text();
+        ASSERT_EQ(motion->clip.frames.size(), 61U);
+        for (const size_t frame : {0U, 30U, 60U})
+            for (size_t j = 0; j < joints.size(); ++j)
+                EXPECT_LT((globalPose(motion->clip, frame).p_world_joint[j] - table->at(frame, j)).norm(),
+                          1e-5)
+                    << joints[j];
+        hips_m.push_back(motion->clip.frames[0].p_world_root);
+    }
+    EXPECT_GT((hips_m[0] - hips_m[1]).norm(), 0.5) << "they stand apart";
+    expectRefusal({"export", take, "--fbx", two.file("no.fbx"), "--stacks"}, 4,
+                  {"several performers", "--together"});
+    expectRefusal({"export", take, "--bvh", two.file("no.bvh"), "--together"}, 2, {"--together", "--fbx"});
 }
 
 /// Sound alone: who is heard is told by the carrier, and the boxes' clocks are found from what they heard.

@@ -66,7 +66,7 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
       camera(new QComboBox),
       run(new QComboBox),
       angles(new QCheckBox(tr("Joint angles too, in degrees"))),
-      one_file(new QCheckBox(tr("One file with all takes"))),
+      one_file(new QCheckBox(tr("One file with all takes or performers"))),
       lock_feet(new QCheckBox(tr("Standing feet keep their place"))),
       name_pattern(new QLineEdit),
       try_one_frame(makeButton(ButtonKind::kOutlined, tr("Write one frame and check"))),
@@ -141,7 +141,7 @@ void ExportForm::addMotionRows(FormRows& rows) {
     rows.addControl(one_file);
     one_file->setToolTip(
         tr("Each take is an animation stack under its name; {take} in the file name becomes the session’s "
-           "name."));
+           "name. Of one take, each performer is a character of its own."));
     for (const double rate : kRates)
         frames->addItem(tr("%1 per second").arg(numberText(rate, 0)), rate);
     rows.addRow(tr("Frames"), frames);

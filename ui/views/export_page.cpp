@@ -190,14 +190,14 @@ void ExportPage::refresh() {
     const auto jobs = plan();
     const QString problem = jobs ? QString() : coreWords(jobs.error());
     const bool busy = progress_->isRunning();
-    const int files = jobs ? fileCount(*jobs) : 0;
+    const int files = jobs ? fileCount(*jobs, performers_) : 0;
     write_->setText(tr("Write %n files", nullptr, files));
     const QString why_not = busy ? tr("Files are being written.") : problem;
     for (Button* button : {write_, again_, form_->try_one_frame})
         button->setDisabledBecause(why_not);
     if (jobs) {
         QStringList names;
-        for (int i = 0; i < std::min(kMostNames, files); ++i)
+        for (int i = 0; i < std::min({kMostNames, files, static_cast<int>(jobs->size())}); ++i)
             names += QFileInfo(QString::fromStdString((*jobs)[static_cast<size_t>(i)].path())).fileName();
         const int more = files - names.size();
         if (more > 0)
@@ -227,7 +227,7 @@ void ExportPage::write() {
     if (!jobs || progress_->isRunning())
         return;
     start(
-        tr("Writing %n files", nullptr, fileCount(*jobs)),
+        tr("Writing %n files", nullptr, fileCount(*jobs, performers_)),
         [jobs = *jobs](const JobContext& job) { return runExport(jobs, job); }, false);
 }
 

@@ -71,6 +71,7 @@ private:
 
     Studio& studio_;
     ExportPresets presets_;
+    PerformerCounts performers_;
     ExportPresetList* preset_list_;
     ExportForm* form_;
     ExportResultsPanel* results_panel_;

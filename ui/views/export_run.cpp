@@ -70,16 +70,17 @@ std::vector<ExportOutcome> writeAndCheck(std::span<const ExportJob> takes, const
     return outcomes;
 }
 
-/// A take of several people is one job for each of them. Their bodies have bones of different lengths, so
-/// that they cannot share a file.
+/// A take of several people is one job for each of them. In one file they are characters of their own; stacks
+/// of several takes share one body, so that such a take cannot stand among them.
 Result<std::vector<ExportJob>> oneForEachPerson(const std::vector<ExportJob>& jobs) {
     std::vector<ExportJob> all;
     std::set<std::string> taken;
     for (const ExportJob& job : jobs) {
-        const auto requests = requestsOfSubjects(job.request);
-        if (requests && requests->size() > 1 && job.in_one_file)
+        const bool together = job.in_one_file && jobs.size() == 1;
+        const auto requests = together ? requestsTogether(job.request) : requestsOfSubjects(job.request);
+        if (requests && requests->size() > 1 && job.in_one_file && !together)
             return Error{ErrorKind::kUnusable, job.request.take_path + ": holds several performers",
-                         RunWords::tr("Export it without one file for all takes").toStdString()};
+                         RunWords::tr("Export it by itself, or without one file for all").toStdString()};
         if (!requests || requests->size() == 1) {
             all.push_back(job);
             continue;
@@ -87,6 +88,11 @@ Result<std::vector<ExportJob>> oneForEachPerson(const std::vector<ExportJob>& jo
         for (const ExportRequest& request : *requests) {
             all.push_back(job);
             all.back().request = request;
+            if (together) {
+                all.back().take = RunWords::tr("%1, %2", "take, performer")
+                                      .arg(job.take, QString::fromStdString(request.character));
+                continue;
+            }
             std::string& path = all.back().request.*entryOf(job.format).path;
             const std::filesystem::path named(path);
             path = freeFilePath(named.parent_path().string(), named.stem().string(),
@@ -139,11 +145,29 @@ int ExportResults::faulty() const {
                    [](const ExportOutcome& outcome) { return outcome.error || !outcome.check.ok(); });
 }
 
-int fileCount(const std::vector<ExportJob>& jobs) {
+int PerformerCounts::of(const ExportRequest& request) {
+    const QDateTime changed = QFileInfo(QString::fromStdString(request.take_path)).lastModified();
+    auto& [asked, count] = known_[{request.take_path, request.run}];
+    if (count == 0 || asked != changed) {
+        const auto subjects = subjectsOfRun(request.take_path, request.run);
+        asked = changed;
+        count = subjects ? static_cast<int>(subjects->size()) : 1;
+    }
+    return count;
+}
+
+int fileCount(const std::vector<ExportJob>& jobs, PerformerCounts& performers) {
     std::set<std::string> paths;
+    int files = 0;
     for (const ExportJob& job : jobs)
-        paths.insert(job.path());
-    return static_cast<int>(paths.size());
+        if (paths.insert(job.path()).second)
+            files += job.in_one_file ? 1 : performers.of(job.request);
+    return files;
+}
+
+int fileCount(const std::vector<ExportJob>& jobs) {
+    PerformerCounts performers;
+    return fileCount(jobs, performers);
 }
 
 Result<ExportResults> runExport(const std::vector<ExportJob>& of_takes, const JobContext& job) {

@@ -2,6 +2,8 @@
 // Writes files one after the other and reads each again: one job.
 #pragma once
 
+#include <QDateTime>
+#include <map>
 #include <vector>
 
 #include "core/processing/check_export.h"
@@ -28,11 +30,22 @@ struct ExportResults {
     int faulty() const;   ///< files that are not there, or of which the check found something
 };
 
-/// How many files the jobs make.
+/// How many performers the results of takes hold; a file is asked again only after it changed.
+class PerformerCounts {
+public:
+    int of(const ExportRequest& request);
+
+private:
+    std::map<std::pair<std::string, std::string>, std::pair<QDateTime, int>> known_;  ///< by take and run
+};
+
+/// How many files the jobs make: one for each performer, or one for all.
+int fileCount(const std::vector<ExportJob>& jobs, PerformerCounts& performers);
 int fileCount(const std::vector<ExportJob>& jobs);
 
-/// A file for each person of a take of several. Goes on after a take that fails; an Error only when
-/// cancelled, the folder cannot be made, or several people are wanted in one file.
+/// A file for each person of a take of several, or one in which each is a character. Goes on after a take
+/// that fails; an Error only when cancelled, the folder cannot be made, or several takes with several people
+/// are wanted in one file.
 Result<ExportResults> runExport(const std::vector<ExportJob>& of_takes, const JobContext& job);
 
 /// The frame at `time_s` of the first one, written to a temporary folder, checked and deleted.

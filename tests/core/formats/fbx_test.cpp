@@ -127,6 +127,39 @@ TEST_F(Fbx, SeveralMotionsAreStacks) {
     EXPECT_FALSE(checkScene(path(), "walk.fbx", SceneFormat::kFbx, exchanged));
 }
 
+TEST_F(Fbx, PerformersAreCharactersOfOneStack) {
+    Figure tall = test::sampleFigure(true), other = tall;
+    std::reverse(other.clip.frames.begin(), other.clip.frames.end());
+    std::vector<Joint> joints = tall.clip.skeleton.joints();
+    for (Joint& joint : joints)
+        joint.offset_m *= 1.1;
+    tall.clip.skeleton = Skeleton::make(joints).value();
+    tall.rest = bindPose(tall.clip.skeleton);
+    tall.body.reset();  // a skeleton beside a body
+    const std::vector<Figure> figures{asCharacter(tall, "A"), asCharacter(other, "B")};
+    const Status written = writeFbx(path(), sourceOf(figures), {}, false);
+    ASSERT_TRUE(written) << written.error().text();
+    for (const Figure& figure : figures) {
+        EXPECT_EQ(differenceTo(figure).frames, 120U);
+        EXPECT_LT(differenceTo(figure).joint_m, 6e-6);
+        EXPECT_LT(differenceTo(figure).vertex_m, 6e-6);
+        EXPECT_NE(bytes().find(fbxObjectName(figure.character, "Model")), std::string::npos);
+        EXPECT_NE(bytes().find(fbxObjectName(figure.character + ":Hips", "Model")), std::string::npos);
+    }
+    size_t stacks = 0;
+    const std::string stack = fbxObjectName(tall.clip.name, "AnimStack"), all = bytes();
+    for (size_t at = all.find(stack); at != std::string::npos; at = all.find(stack, at + 1))
+        ++stacks;
+    EXPECT_EQ(stacks, 1U);
+    Figure exchanged = asCharacter(other, "A");
+    exchanged.body.reset();
+    EXPECT_GT(differenceTo(exchanged).joint_m, 0.05) << "the others' bones and frames";
+    const std::vector<Figure> twice{figures[0], figures[0]};
+    const Status refused = writeFbx(folder_.file("twice.fbx"), sourceOf(twice), {}, false);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("A is the name of two performers"), std::string::npos);
+}
+
 TEST_F(Fbx, MotionsOfOtherBonesRatesOrTheSameNameGoIntoNoFile) {
     const Figure figure = test::sampleFigure(false);
     Figure same = figure, longer = figure, faster = figure;

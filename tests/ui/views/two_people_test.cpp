@@ -211,6 +211,15 @@ TEST_F(TwoPeopleTest, ExportWritesAFileOfEach) {
     EXPECT_EQ(written(), (std::set<std::string>{"pair_120_Ada.bvh", "pair_120_Bea.bvh"}));
     EXPECT_EQ(written(), (std::set<std::string>{"pair_120_Ada_2.bvh", "pair_120_Bea_2.bvh"}))
         << "nothing is overwritten";
+    EXPECT_TRUE(page.writeButton()->text().contains('2')) << page.writeButton()->text().toStdString();
+
+    page.choosePreset("blender");
+    page.form().one_file->setChecked(true);
+    EXPECT_TRUE(page.writeButton()->text().contains('1')) << page.writeButton()->text().toStdString();
+    EXPECT_EQ(written().size(), 1U);
+    ASSERT_EQ(page.results()->outcomes.size(), 2U) << "each character is checked";
+    EXPECT_TRUE(page.results()->outcomes[1].take.contains("Bea"));
+    EXPECT_EQ(page.results()->written(), 1);
 }
 
 }  // namespace
