@@ -58,11 +58,20 @@ Shift shiftOf(std::span<const Pull> pulls, double sigma_m) {
     return shift;
 }
 
+/// How many of the ranges a shift of the place explains.
+double explainedBy(std::span<const Pull> pulls, const Vector3d& by_m, double sigma_m) {
+    double count = 0;
+    for (const Pull& pull : pulls)
+        count += std::abs(pull.residual_m - pull.direction.dot(by_m)) < 3 * sigma_m;
+    return count;
+}
+
 std::optional<AnchorMove> moveOf(int anchor, const std::vector<Pull>& pulls, double sigma_m) {
     if (pulls.size() < 2 * kFewestPulls)
         return std::nullopt;
     std::optional<AnchorMove> best;
     double least = 0;
+    const double by_one = explainedBy(pulls, shiftOf(pulls, sigma_m).by_m, sigma_m);
     for (int k = 1; k < kSplits; ++k) {
         const size_t at = pulls.size() * static_cast<size_t>(k) / kSplits;
         if (at < kFewestPulls || pulls.size() - at < kFewestPulls)
@@ -75,7 +84,10 @@ std::optional<AnchorMove> moveOf(int anchor, const std::vector<Pull>& pulls, dou
         const Vector3d by_m = after.by_m - before.by_m;
         const Vector3d along = by_m / std::max(by_m.norm(), 1e-9);
         best = AnchorMove{anchor, pulls[at].time_s, by_m.norm(),
-                          std::sqrt(along.dot((before.covariance_m2 + after.covariance_m2) * along))};
+                          std::sqrt(along.dot((before.covariance_m2 + after.covariance_m2) * along)),
+                          (explainedBy(std::span(pulls).first(at), before.by_m, sigma_m) +
+                           explainedBy(std::span(pulls).subspan(at), after.by_m, sigma_m) - by_one) /
+                              static_cast<double>(pulls.size())};
     }
     return best;
 }
@@ -97,7 +109,7 @@ std::optional<AnchorMove> stepOf(const std::vector<Pull>& pulls) {
             std::hypot(spreadAbout(medianOf(before), before), spreadAbout(medianOf(after), after)) /
             std::sqrt(static_cast<double>(std::min(before.size(), after.size())));
         if (!best || std::abs(step_m) > best->distance_m)
-            best = AnchorMove{0, pulls[static_cast<size_t>(at)].time_s, std::abs(step_m), sigma_m};
+            best = AnchorMove{0, pulls[static_cast<size_t>(at)].time_s, std::abs(step_m), sigma_m, 1};
     }
     return best && best->isPlain() ? best : std::nullopt;
 }

@@ -13,7 +13,10 @@
 namespace noctule::room_survey {
 namespace {
 
-constexpr double kDoubted_m = 10;       ///< sigma of ranges that are to bend nothing
+constexpr double kDoubted_m = 10;           ///< sigma of ranges that are to bend nothing
+constexpr size_t kMostWalkRanges = 12'000;  ///< of the walk, in one fit
+/// A rest pose that leans, or straps that do, tilt the room with whoever never turns round.
+constexpr double kLean_rad = 0.012;
 constexpr double kFixed = 0.1;          ///< metres, radians: better known than that is known
 constexpr double kNoSpread_m = 0.3;     ///< rough places nearer than that to each other say nothing
 constexpr double kPlainlyBetter = 0.5;  ///< of two mirror images, so much less misfit to the file
@@ -61,6 +64,15 @@ Evidence onlyOf(const Evidence& evidence, const std::vector<int>& kept) {
     for (KnownHeight& one : part.heights)
         one.anchor = at(one.anchor);
     return part;
+}
+
+/// Ranges that are half a second apart tell more than those between them.
+void thin(std::vector<WalkRange>& walk) {
+    const size_t step = (walk.size() + kMostWalkRanges - 1) / kMostWalkRanges;
+    for (size_t i = 0; step > 1 && i * step < walk.size(); ++i)
+        walk[i] = walk[i * step];
+    if (step > 1)
+        walk.resize((walk.size() + step - 1) / step);
 }
 
 double rmsTo(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, Eigen::Matrix3Xd& moved) {
@@ -116,7 +128,7 @@ RoomFrame frameOf(const Evidence& evidence, const RoomFit& fit) {
     for (Eigen::Index k = 0; k < 6; ++k)
         frame.fixed += sigma(k) < kFixed;
     frame.floor_m = sigma(1) < kFixed ? sigma(1) : 0;
-    const double level_rad = std::hypot(sigma(3), sigma(5));
+    const double level_rad = std::hypot(sigma(3), sigma(5), frame.of_performer ? kLean_rad : 0);
     frame.level_rad = level_rad < kFixed ? level_rad : 0;
     frame.heading_rad = sigma(4) < kFixed ? sigma(4) : 0;
     return frame;
@@ -186,6 +198,7 @@ private:
     /// `doubted`: the anchor, of those kept, by whose ranges nothing but its own place is to be found.
     Result<Fitted> fitted(const AnchorStart& start, const std::vector<int>& kept, int doubted = -1) const {
         Fitted result{onlyOf(evidence_, kept), {}, {}};
+        thin(result.part.walk);
         for (WalkRange& range : result.part.walk)
             if (range.anchor == doubted)
                 range.sigma_m = kDoubted_m;
