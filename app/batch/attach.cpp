@@ -8,6 +8,8 @@
 #include "core/formats/positions_csv.h"
 #include "core/import/markers.h"
 #include "core/processing/attach_reference.h"
+#include "core/processing/survey_room.h"
+#include "devices/device/clock.h"
 
 namespace noctule::batch {
 namespace {
@@ -107,8 +109,31 @@ std::string attachedText(const AttachSummary& summary, const std::string& as) {
     return line;
 }
 
+/// The places of a room's anchors, as surveyed.
+Result<Outcome> attachRoom(const VerbContext& context) {
+    const Arguments& arguments = context.arguments;
+    const std::string take_path = arguments.operands()[0], path = arguments.text("room");
+    const auto room = readSuit(path);
+    if (!room)
+        return room.error();
+    std::vector<std::string> warnings;
+    if (Status placed = placeAnchors(take_path, *room, utcNow(), warnings); !placed)
+        return placed.error();
+    for (const std::string& warning : warnings)
+        context.console.warn(warning);
+    Outcome outcome;
+    outcome.json = {{"take", take_path}, {"room", path}, {"warnings", warnings}};
+    outcome.text = take_path + ": the places of " + path + " are in force.\n";
+    return outcome;
+}
+
 Result<Outcome> runAttach(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
+    if (arguments.given("room") == arguments.given("reference"))
+        return Error{ErrorKind::kUsage, "attach needs one of --reference and --room",
+                     "Give the recording of another system, or the file of a surveyed room"};
+    if (arguments.given("room"))
+        return attachRoom(context);
     AttachRequest request;
     request.take_path = arguments.operands()[0];
     request.as = arguments.text("as") == "external-root" ? AttachAs::kExternalRoot : AttachAs::kReference;
@@ -151,14 +176,14 @@ Result<Outcome> runAttach(const VerbContext& context) {
 Verb attachVerb() {
     Verb verb;
     verb.name = "attach";
-    verb.summary = "put another system's recording of the same performance into a take";
+    verb.summary = "put another system's recording of the same performance, or a surveyed room, into a take";
     verb.operands = "T.noctule";
     verb.min_operands = verb.max_operands = 1;
     verb.example = "noctule --batch attach hops_001.noctule --reference optical.bvh --align auto";
     verb.options = {
         text("reference", "M.bvh|M.fbx|M.glb|P.csv|M.c3d|M.trc",
-             "the recording; CSV: time_s or time_ms, and JOINT.x, .y, .z in metres")
-            .needed(),
+             "the recording; CSV: time_s or time_ms, and JOINT.x, .y, .z in metres"),
+        text("room", "ROOM.json", "instead: places of the room's anchors, as calibrate room found them"),
         text("markers", "MAP.json",
              "C3D, TRC: which markers surround which joint, {\"Hips\": [\"LASI\", ...]}"),
         text("align", "auto|MILLISECONDS",

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The verbs that begin with `calibrate`, and `check`: what they share, and the options of each.
+#include <charconv>
+#include <cmath>
+
 #include "app/batch/files.h"
 #include "app/batch/photographs.h"
 #include "app/batch/signals.h"
@@ -7,11 +10,13 @@
 #include "core/formats/text_file.h"
 #include "core/job/atomic_file.h"
 #include "core/processing/calibrate_sensors.h"
+#include "core/processing/survey_room.h"
 #include "devices/device/clock.h"
 
 namespace noctule::batch {
 namespace {
 
+constexpr double kHighestAnchor_m = 100;
 constexpr int kReasonsNamed = 3;  // in the message; the report has them all
 
 /// One of these verbs.
@@ -24,6 +29,7 @@ struct Plan {
     bool measures = false;         ///< --actor-out
     bool checks_only = false;      ///< --calibration, and nothing but a report is written
     bool stores = false;           ///< --store
+    bool surveys = false;          ///< no --base; a room's file comes out
 };
 
 Result<CalibrateRequest> requestOf(const Arguments& arguments, const Plan& plan) {
@@ -32,6 +38,8 @@ Result<CalibrateRequest> requestOf(const Arguments& arguments, const Plan& plan)
     request.created_utc = utcNow();
     if (plan.hears)
         request.detector = *detectorFromName(arguments.text("detector"));
+    if (plan.surveys)
+        return request;
     if (const Status read =
             readGiven(arguments, plan.checks_only ? "calibration" : "base", readCalibration, request.base);
         !read)
@@ -71,7 +79,15 @@ Status write(const CalibrationResult& result, const Outputs& outputs, bool refus
             return done;
     if (outputs.calibration.empty())
         return Done{};
-    return writeJson(outputs.calibration, toJson(result.calibration), outputs.overwrite);
+    return writeJson(outputs.calibration, result.room ? toJson(*result.room) : toJson(result.calibration),
+                     outputs.overwrite);
+}
+
+/// In force in the takes that it was made from.
+Status store(const CalibrateRequest& request, CalibrationResult& result) {
+    if (!result.room)
+        return storeCalibration(request.take_paths, result.calibration);
+    return placeAnchors(request.take_paths.front(), *result.room, request.created_utc, result.warnings);
 }
 
 Error refusal(const CalibrationResult& result, const Plan& plan) {
@@ -96,7 +112,7 @@ Result<Outcome> run(const VerbContext& context, const Plan& plan) {
                                    context.arguments.operands());
         !free)
         return free.error();
-    const auto result = plan.solve(*request, context.arguments, context.job());
+    auto result = plan.solve(*request, context.arguments, context.job());
     if (!result)
         return result.error();
     const bool refused = result->grade() == Grade::kNotUsable && !outputs.force;
@@ -104,19 +120,23 @@ Result<Outcome> run(const VerbContext& context, const Plan& plan) {
         return written.error();
     const bool stored = plan.stores && context.arguments.given("store") && !refused;
     if (stored)
-        if (Status done = storeCalibration(request->take_paths, result->calibration); !done)
+        if (Status done = store(*request, *result); !done)
             return done.error();
+    for (const std::string& warning : result->warnings)
+        context.console.warn(warning);
     Outcome outcome{result->json, calibrationText(result->document), std::nullopt};
     if (refused) {
         outcome.failure = refusal(*result, plan);
         context.console.error(*outcome.failure);
         outcome.json["error"] = errorJson(*outcome.failure);
     } else if (!outputs.calibration.empty()) {
-        outcome.json["calibration"] = outputs.calibration;
+        outcome.json[result->room ? "room" : "calibration"] = outputs.calibration;
         outcome.text += "\nWritten: " + outputs.calibration + "\n";
         if (stored)
             outcome.text += "In force in the takes now\n";
     }
+    if (!result->warnings.empty())
+        outcome.json["warnings"] = result->warnings;
     return outcome;
 }
 
@@ -191,6 +211,31 @@ Result<CalibrationResult> solveSources(const CalibrateRequest& request, const Ar
     if (result)
         result->json["photographs"] = photographsJson(*found);
     return result;
+}
+
+/// "ceiling_1=2.41"
+Result<std::pair<std::string, double>> heightOf(const std::string& word) {
+    const size_t equals = word.rfind('=');
+    double height_m = 0;
+    const char* end = word.data() + word.size();
+    const char* begin = equals == std::string::npos ? end : word.data() + equals + 1;
+    const auto [rest, error] = std::from_chars(begin, end, height_m);
+    if (equals == 0 || error != std::errc() || rest != end || !(std::abs(height_m) <= kHighestAnchor_m))
+        return Error{ErrorKind::kUsage, "--height cannot be '" + word + "'",
+                     "Give the anchor's name and metres: --height ceiling_1=2.41"};
+    return std::pair(word.substr(0, equals), height_m);
+}
+
+Result<CalibrationResult> solveRoom(const CalibrateRequest& request, const Arguments& arguments,
+                                    const JobContext& job) {
+    RoomRequest room{request.take_paths.front(), arguments.text("subject"), {}, request.created_utc};
+    for (const std::string& word : arguments.texts("height")) {
+        auto height = heightOf(word);
+        if (!height)
+            return height.error();
+        room.heights_m.push_back(std::move(*height));
+    }
+    return calibrateRoom(room, job);
 }
 
 }  // namespace
@@ -314,6 +359,34 @@ Verb calibrateMotionVerb() {
                              .hears = true,
                              .knows_performer = true,
                              .measures = true});
+    };
+    return verb;
+}
+
+Verb calibrateRoomVerb() {
+    Verb verb;
+    verb.name = "calibrate room";
+    verb.summary = "find the places of a room's anchors from a take in which somebody walks past them";
+    verb.operands = "T.noctule";
+    verb.min_operands = verb.max_operands = 1;
+    verb.example = "noctule --batch calibrate room walk_001.noctule --out room.json --store";
+    verb.options = {
+        text("out", "ROOM.json",
+             "the room's file with the places found, for attach, record and simulate --cast")
+            .needed(),
+        text("subject", "NAME", "who walked; the one whom most distances concern when not given"),
+        texts("height", "ANCHOR=M", "heights above the floor that were measured, in metres"),
+        flag("store", "put the places in force in this take too"),
+        reportOption(),
+        flag("force", "write the room's file even when it is not usable; it lacks anchors without a place")};
+    verb.remarks = {
+        "Stand still in the rest pose in the middle of the room, then walk slowly past all anchors and turn. "
+        "The origin becomes where you stood, +z where you faced.",
+        "Without a performer, anchors that hear each other keep place and heading of the room's file, and "
+        "three heights make it level.",
+        "Exit code 4 and nothing written when the result is not usable; the reasons name part and remedy."};
+    verb.run = [](const VerbContext& context) {
+        return run(context, {.verb = "calibrate room", .solve = solveRoom, .stores = true, .surveys = true});
     };
     return verb;
 }

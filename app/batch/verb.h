@@ -65,6 +65,7 @@ Verb calibrateMagnetometersVerb();
 Verb calibrateInertialVerb();
 Verb calibrateRestPoseVerb();
 Verb calibrateMotionVerb();
+Verb calibrateRoomVerb();
 Verb checkVerb();
 
 /// {"exit_code", "message", "remedy"}

@@ -30,6 +30,7 @@ const std::vector<Verb>& verbs() {
                                           calibrateInertialVerb(),
                                           calibrateRestPoseVerb(),
                                           calibrateMotionVerb(),
+                                          calibrateRoomVerb(),
                                           checkVerb()};
     return all;
 }

@@ -31,9 +31,11 @@ struct CalibrationResult {
     /// The base with what was found. Parts whose values changed carry their serial number and when and how
     /// well they were calibrated.
     Calibration calibration;
-    CalibrationDocument document;  ///< for people
-    nlohmann::json json;           ///< values, sigmas, residuals, verdict, reasons: for machines
-    std::optional<Actor> actor{};  ///< with new measures, where a procedure finds any
+    CalibrationDocument document;         ///< for people
+    nlohmann::json json;                  ///< values, sigmas, residuals, verdict, reasons: for machines
+    std::optional<Actor> actor{};         ///< with new measures, where a procedure finds any
+    std::optional<Suit> room{};           ///< of a survey: the room's file, which is its result
+    std::vector<std::string> warnings{};  ///< whole sentences
 
     Grade grade() const { return gradeOf(document.findings); }
 };

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/live/live_pipeline.h"
+#include "core/processing/feed_tracker.h"
 #include "core/processing/pose_from_sensors.h"
 #include "core/processing/process_together.h"
 #include "core/processing/pulse_shapes.h"
@@ -111,7 +112,6 @@ Status processSound(const Take& take, const Ingredients& in, const TrackerSettin
     return writeWaiting(pipeline, tracker, results, job);
 }
 
-/// Primary readings and ranges, merged by time.
 Status processReadings(const Take& take, const Ingredients& in, const TrackerSettings& settings,
                        ResultRuns& results, const JobContext& job) {
     auto created = MotionTracker::create(in.suit, in.calibration, in.actor, in.decoder.train.sample_rate_hz,
@@ -119,49 +119,19 @@ Status processReadings(const Take& take, const Ingredients& in, const TrackerSet
     if (!created)
         return created.error();
     MotionTracker& tracker = **created;
-    auto readings = take.readings(kPrimaryRun);
-    if (!readings)
-        return readings.error();
-    auto ranges = take.ranges(kPrimaryRun);
-    if (!ranges)
-        return ranges.error();
     for (const RootMeasurement& root : rootMeasurements(in))
         tracker.add(root);
-    auto range = ranges->next();
-    if (!range)
-        return range.error();
-    constexpr int64_t kPortions_per_s = 10;
-    const auto portion = static_cast<int64_t>(in.decoder.train.sample_rate_hz) / kPortions_per_s;
-    int64_t watermark = 0;
-    while (true) {
-        auto reading = readings->next();
-        if (!reading)
-            return reading.error();
-        const bool ended = !reading->has_value();
-        const double sample = ended ? 0 : (*reading)->sample;
-        if (ended || sample >= static_cast<double>(watermark + portion)) {
-            watermark = ended ? std::max(in.sample_count, watermark) : static_cast<int64_t>(sample);
-            // Ranges go with their arrival, which lies after the pulse: none that belongs before is still to
-            // come.
-            while (*range && (ended || (*range)->pulse_sample < watermark)) {
-                tracker.add(**range);
-                range = ranges->next();
-                if (!range)
-                    return range.error();
-            }
-            tracker.advanceTo(watermark);
-            if (Status done = writeTracked(tracker, results); !done)
-                return done;
-            if (job.cancelled())
-                return JobContext::cancelledError();
-            job.progress(shareDone(watermark, in, settings), "Processing readings");
-        }
-        if (ended)
-            break;
-        results.summary.frames_seen += 1;
-        results.summary.frames_lost += (*reading)->corrected_bits ? 0 : 1;
-        tracker.add(**reading);
-    }
+    const auto frames = feedTracker(
+        take, in, tracker,
+        [&](int64_t reached) {
+            job.progress(shareDone(reached, in, settings), "Processing readings");
+            return writeTracked(tracker, results);
+        },
+        job);
+    if (!frames)
+        return frames.error();
+    results.summary.frames_seen += frames->seen;
+    results.summary.frames_lost += frames->lost;
     if (Status done = writeSummary(tracker, in, results); !done)
         return done;
     return writeWaiting(tracker, settings, results, job);

@@ -4,6 +4,14 @@
 namespace noctule {
 
 Suit placedSuit(Suit suit, const Calibration& calibration) {
+    for (Source& source : suit.sources)
+        if (const int b = source.segment.empty() ? suit.findBoard(source.board) : -1; b >= 0) {
+            const Board& housing = suit.boards[static_cast<size_t>(b)];
+            const BoardCalibration* known = calibration.findBoard(housing.id);
+            if (known && known->q_segment_board)
+                source.normal_segment =
+                    *known->q_segment_board * housing.q_segment_board.conjugate() * source.normal_segment;
+        }
     for (Board& board : suit.boards)
         if (const BoardCalibration* known = calibration.findBoard(board.id)) {
             board.p_segment_board_m = known->p_segment_board_m.value_or(board.p_segment_board_m);

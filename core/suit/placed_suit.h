@@ -5,7 +5,8 @@
 
 namespace noctule {
 
-/// The suit with boards and sources where the calibration has found them; others stay as described.
+/// The suit with boards and sources where the calibration has found them; others stay as described. Where an
+/// anchor of the room has been turned, the source in its housing faces elsewhere too.
 Suit placedSuit(Suit suit, const Calibration& calibration);
 
 }  // namespace noctule

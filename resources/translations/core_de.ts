@@ -4057,6 +4057,10 @@
         <translation>%1: hat kein Ergebnis %2 mit Posen</translation>
     </message>
     <message>
+        <source>%1: has no room: none of its suits is made of anchors alone</source>
+        <translation>%1: hat keinen Raum: keiner der Anzüge besteht nur aus Ankern</translation>
+    </message>
+    <message>
         <source>%1: has no run '%2'</source>
         <translation>%1: hat kein Ergebnis '%2'</translation>
     </message>
@@ -4151,6 +4155,10 @@
     <message>
         <source>%1: the recording of a subject ends before the rest pose does</source>
         <translation>%1: die Aufnahme einer Person endet, bevor die Ruhehaltung zu Ende ist</translation>
+    </message>
+    <message>
+        <source>%1: the room's file has none of its anchors (%2)</source>
+        <translation>%1: die Raumdatei kennt keinen der Anker (%2)</translation>
     </message>
     <message>
         <source>%1: the table's point '%2' of suit %3 is no device of this take</source>
@@ -4361,6 +4369,10 @@
         <translation>Die Kalibrierung dieses Anzugs angeben</translation>
     </message>
     <message>
+        <source>Give the file of this room</source>
+        <translation>Geben Sie die Datei dieses Raums an</translation>
+    </message>
+    <message>
         <source>Give the motion as BVH, or attach the positions with --as external-root</source>
         <translation>Die Bewegung als BVH angeben oder die Positionen mit --as external-root anhängen</translation>
     </message>
@@ -4379,6 +4391,14 @@
     <message>
         <source>Inertial sensors by hand</source>
         <translation>Inertialsensoren von Hand</translation>
+    </message>
+    <message>
+        <source>It holds anchors alone</source>
+        <translation>Sie enthält nur Anker</translation>
+    </message>
+    <message>
+        <source>Its anchors are %1</source>
+        <translation>Die Anker sind %1</translation>
     </message>
     <message>
         <source>Its magnetometer may be broken or shielded; skip it</source>
@@ -4561,6 +4581,10 @@
         <translation>Nehmen Sie eine mit `noctule --batch drive --record` auf, oder nennen Sie eine, die `inspect` aufzählt</translation>
     </message>
     <message>
+        <source>Record the anchors' box as a device of its own, with a suit whose segments are null</source>
+        <translation>Nehmen Sie die Box der Anker als eigenes Gerät auf, mit einem Anzug, dessen Segmente null sind</translation>
+    </message>
+    <message>
         <source>Record with magnetometers switched on</source>
         <translation>Mit eingeschalteten Magnetometern aufnehmen</translation>
     </message>
@@ -4687,6 +4711,14 @@
     <message>
         <source>The room has no calibration: its anchors are believed to hang where the suit's file says.</source>
         <translation>Der Raum hat keine Kalibrierung: es wird angenommen, dass seine Anker hängen, wo die Anzugdatei es sagt.</translation>
+    </message>
+    <message>
+        <source>The room's file had the anchors elsewhere: they are believed to face where the performer walked.</source>
+        <translation>In der Raumdatei hingen die Anker woanders: Es wird angenommen, dass sie dorthin weisen, wo der Darsteller ging.</translation>
+    </message>
+    <message>
+        <source>The room's file lacks %1: their places stay as they were.</source>
+        <translation>In der Raumdatei fehlen %1: deren Plätze bleiben, wie sie waren.</translation>
     </message>
     <message>
         <source>The take has more ranges between suits than are used for its clocks: their last rates are carried on to the end.</source>
@@ -5638,6 +5670,10 @@
         <translation>%1 im Mittel um mehr als %2 daneben, am weitesten %3 mit %4.</translation>
     </message>
     <message>
+        <source>%1 of %2 anchors are placed, the weakest to ±%3 mm. %4</source>
+        <translation>%1 von %2 Ankern sind eingemessen, der schwächste auf ±%3 mm. %4</translation>
+    </message>
+    <message>
         <source>%1 of %2 were backed by ranges in at least 90 % of the frames. Less: %3.</source>
         <translation>%1 von %2 wurden in mindestens 90 % der Bilder von Entfernungen gestützt. Weniger: %3.</translation>
     </message>
@@ -5734,6 +5770,10 @@
         <translation>Alles, womit diese Zahlen entstanden.</translation>
     </message>
     <message>
+        <source>Anchors</source>
+        <translation>Anker</translation>
+    </message>
+    <message>
         <source>Angle between the estimated and the reference orientation over time</source>
         <translation>Winkel zwischen geschätzter und Referenzorientierung über die Zeit</translation>
     </message>
@@ -5818,6 +5858,10 @@
         <translation>Unterschied zur Referenz über die Zeit</translation>
     </message>
     <message>
+        <source>Distances between anchors</source>
+        <translation>Abstände zwischen Ankern</translation>
+    </message>
+    <message>
         <source>Distances of single pairs</source>
         <translation>Entfernungen einzelner Paare</translation>
     </message>
@@ -5892,6 +5936,10 @@
     <message>
         <source>From %1.</source>
         <translation>Aus %1.</translation>
+    </message>
+    <message>
+        <source>From microphone and source of a housing to those of the other, middle to middle.</source>
+        <translation>Von Mitte zu Mitte der Gehäuse, zwischen Mikrofon und Quelle.</translation>
     </message>
     <message>
         <source>From the start of the drive to what the detector reports at distance 0.</source>
@@ -6194,6 +6242,10 @@
         <translation>Darsteller</translation>
     </message>
     <message>
+        <source>Place and heading are those of the room's file</source>
+        <translation>Ort und Richtung sind die der Raumdatei</translation>
+    </message>
+    <message>
         <source>Pose</source>
         <translation>Pose</translation>
     </message>
@@ -6330,6 +6382,10 @@
         <translation>Schulter</translation>
     </message>
     <message>
+        <source>Sigma is that against the other anchors, along the worst axis.</source>
+        <translation>Sigma gilt gegen die anderen Anker, entlang der schlechtesten Achse.</translation>
+    </message>
+    <message>
         <source>Smoothing</source>
         <translation>Glättung</translation>
     </message>
@@ -6408,6 +6464,10 @@
     <message>
         <source>The filter rejected %1 of the ranges it tried: a wrong source offset, a board out of place or a pose that has been lost.</source>
         <translation>Das Filter verwarf %1 der Entfernungen, die es prüfte: ein falscher Quellenversatz, eine verrutschte Platine oder eine verlorene Pose.</translation>
+    </message>
+    <message>
+        <source>The origin is where %1 stood in the rest pose, facing +z; level to %2°, floor to %3 mm</source>
+        <translation>Der Ursprung ist, wo %1 in der Ruhehaltung stand, mit Blick nach +z; waagerecht auf %2°, Boden auf %3 mm</translation>
     </message>
     <message>
         <source>The paper's rows are its Table 1: another motion, performer and suit, 30 s against an optical system. They are a scale to read ours by and no contest. Its neck is our head joint.</source>
@@ -6530,6 +6590,10 @@
         <translation>Nullpunkt des Beschleunigungssensors, mg</translation>
     </message>
     <message>
+        <source>agreement of the distances, median</source>
+        <translation>Übereinstimmung der Abstände, Median</translation>
+    </message>
+    <message>
         <source>angle</source>
         <translation>Winkel</translation>
     </message>
@@ -6646,6 +6710,10 @@
         <translation>Feldstärke, µT</translation>
     </message>
     <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
         <source>forward rotation</source>
         <translation>Vorwärtsdrehung</translation>
     </message>
@@ -6654,8 +6722,16 @@
         <translation>vier und mehr</translation>
     </message>
     <message>
+        <source>freedoms of the whole room that were measured</source>
+        <translation>Freiheitsgrade des ganzen Raums, die gemessen wurden</translation>
+    </message>
+    <message>
         <source>from %1</source>
         <translation>von %1</translation>
+    </message>
+    <message>
+        <source>from, to</source>
+        <translation>von, nach</translation>
     </message>
     <message>
         <source>given by another system</source>
@@ -6758,12 +6834,20 @@
         <translation>keine Quelle</translation>
     </message>
     <message>
+        <source>not heard</source>
+        <translation>nicht gehört</translation>
+    </message>
+    <message>
         <source>of all directions, the sensor that has seen least</source>
         <translation>aller Richtungen, der Sensor mit den wenigsten</translation>
     </message>
     <message>
         <source>of frames backed by ranges, mean over joints</source>
         <translation>der Bilder von Entfernungen gestützt, Mittel über die Gelenke</translation>
+    </message>
+    <message>
+        <source>performer</source>
+        <translation>Darsteller</translation>
     </message>
     <message>
         <source>place, mm</source>
@@ -6822,6 +6906,10 @@
         <translation>Sigma der Drehungen, die die Bewegung zeigt</translation>
     </message>
     <message>
+        <source>sigma of the weakest anchor</source>
+        <translation>Sigma des schwächsten Ankers</translation>
+    </message>
+    <message>
         <source>sigma of the worst board's upright</source>
         <translation>Sigma der Senkrechten der schlechtesten Platine</translation>
     </message>
@@ -6870,6 +6958,10 @@
         <translation>die Arbeit</translation>
     </message>
     <message>
+        <source>the same, rms without echoes</source>
+        <translation>dasselbe, quadratisches Mittel ohne Echos</translation>
+    </message>
+    <message>
         <source>the simulated truth</source>
         <translation>die simulierte Wahrheit</translation>
     </message>
@@ -6912,6 +7004,10 @@
     <message>
         <source>under %1 %</source>
         <translation>unter %1 %</translation>
+    </message>
+    <message>
+        <source>under %1 mm</source>
+        <translation>unter %1 mm</translation>
     </message>
     <message>
         <source>under %1 µT</source>
@@ -7405,6 +7501,145 @@
     <message>
         <source>Reading meshes of the robot</source>
         <translation>Netze des Roboters werden gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>core/room_survey</name>
+    <message>
+        <source>%1: it hears %2</source>
+        <translation>%1: er hört %2</translation>
+    </message>
+    <message>
+        <source>%1: it hears %2, but not %3</source>
+        <translation>%1: er hört %2, aber nicht %3</translation>
+    </message>
+    <message>
+        <source>Anchor %1 is weak, ±%2 mm</source>
+        <translation>Anker %1 ist schwach, ±%2 mm</translation>
+    </message>
+    <message>
+        <source>Anchor %1 may as well hang at a second place, its mirror image: the ranges do not tell which</source>
+        <translation>Anker %1 kann ebenso an einem zweiten Platz hängen, seinem Spiegelbild: Die Abstände sagen nicht, an welchem</translation>
+    </message>
+    <message>
+        <source>Anchor %1 was heard too rarely to be placed</source>
+        <translation>Anker %1 wurde zu selten gehört, um eingemessen zu werden</translation>
+    </message>
+    <message>
+        <source>Anchor %1 was moved by %2 m, %3 s into the take</source>
+        <translation>Anker %1 wurde um %2 m bewegt, %3 s nach Beginn der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Anchor %1 was never heard</source>
+        <translation>Anker %1 wurde nie gehört</translation>
+    </message>
+    <message>
+        <source>Calibrate the suit, and see that straps sit tight</source>
+        <translation>Kalibrieren Sie den Anzug und achten Sie darauf, dass die Gurte fest sitzen</translation>
+    </message>
+    <message>
+        <source>Check its cable and what stands in front of it, or take it out of the room's file</source>
+        <translation>Prüfen Sie sein Kabel und was vor ihm steht, oder nehmen Sie ihn aus der Raumdatei</translation>
+    </message>
+    <message>
+        <source>Fasten it and record again</source>
+        <translation>Befestigen Sie ihn und nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>Nobody in a suit walked past the anchors, and the room's file does not say roughly where they hang: place and heading of the room cannot be known</source>
+        <translation>Niemand ist im Anzug an den Ankern vorbeigegangen, und die Raumdatei sagt nicht ungefähr, wo sie hängen: Ort und Richtung des Raums sind nicht bestimmbar</translation>
+    </message>
+    <message>
+        <source>Nobody walked past the anchors: place, heading and which of two mirror images it is are taken from the room's file</source>
+        <translation>Niemand ist an den Ankern vorbeigegangen: Ort, Richtung und welches der beiden Spiegelbilder es ist, stammen aus der Raumdatei</translation>
+    </message>
+    <message>
+        <source>Nobody walked past the anchors: place, heading, level and which of two mirror images it is are taken from the room's file</source>
+        <translation>Niemand ist an den Ankern vorbeigegangen: Ort, Richtung, Waagerechte und welches der beiden Spiegelbilder es ist, stammen aus der Raumdatei</translation>
+    </message>
+    <message>
+        <source>Only %1 anchors were heard well enough, a survey needs three; hardly heard: %2</source>
+        <translation>Nur %1 Anker wurden gut genug gehört, eine Einmessung braucht drei; kaum gehört: %2</translation>
+    </message>
+    <message>
+        <source>Only %1 of the six freedoms of the whole room are held</source>
+        <translation>Nur %1 der sechs Freiheitsgrade des ganzen Raums sind festgelegt</translation>
+    </message>
+    <message>
+        <source>Record a take in which somebody in a suit stands still and then walks past all anchors</source>
+        <translation>Nehmen Sie auf, wie jemand im Anzug still steht und dann an allen Ankern vorbeigeht</translation>
+    </message>
+    <message>
+        <source>Record a take in which somebody in a suit stands still and then walks past all anchors, or bring the anchors nearer together</source>
+        <translation>Nehmen Sie auf, wie jemand im Anzug still steht und dann an allen Ankern vorbeigeht, oder rücken Sie die Anker näher zusammen</translation>
+    </message>
+    <message>
+        <source>Record a take with a performer, or put rough places into the room's file</source>
+        <translation>Nehmen Sie mit einem Darsteller auf, oder tragen Sie ungefähre Plätze in die Raumdatei ein</translation>
+    </message>
+    <message>
+        <source>Record a take with somebody in a suit, or give heights of three anchors with --height</source>
+        <translation>Nehmen Sie mit jemandem im Anzug auf, oder geben Sie mit --height die Höhen von drei Ankern an</translation>
+    </message>
+    <message>
+        <source>Record again, slowly past all anchors</source>
+        <translation>Nehmen Sie noch einmal auf, langsam an allen Ankern vorbei</translation>
+    </message>
+    <message>
+        <source>Set up another anchor and record again</source>
+        <translation>Stellen Sie einen weiteren Anker auf und nehmen Sie noch einmal auf</translation>
+    </message>
+    <message>
+        <source>Stand still in the rest pose at the beginning, in sight of all anchors</source>
+        <translation>Stehen Sie zu Beginn still in der Ruhehaltung, in Sicht aller Anker</translation>
+    </message>
+    <message>
+        <source>Surveying the room</source>
+        <translation>Der Raum wird eingemessen</translation>
+    </message>
+    <message>
+        <source>The anchors hardly hear each other, and nobody in a suit walked past them</source>
+        <translation>Die Anker hören einander kaum, und niemand ist im Anzug an ihnen vorbeigegangen</translation>
+    </message>
+    <message>
+        <source>The anchors have no sources, and nobody in a suit walked past them</source>
+        <translation>Die Anker haben keine Quellen, und niemand ist im Anzug an ihnen vorbeigegangen</translation>
+    </message>
+    <message>
+        <source>The clocks of %1 and the room are known from this walk alone</source>
+        <translation>Die Uhren von %1 und dem Raum sind nur aus diesem Gang bekannt</translation>
+    </message>
+    <message>
+        <source>The distances disagree by %1 mm in the median</source>
+        <translation>Die Abstände widersprechen sich im Median um %1 mm</translation>
+    </message>
+    <message>
+        <source>The distances do not hold the anchors together</source>
+        <translation>Die Abstände halten die Anker nicht zusammen</translation>
+    </message>
+    <message>
+        <source>The room has %1 anchors, a survey needs three</source>
+        <translation>Der Raum hat %1 Anker, eine Einmessung braucht drei</translation>
+    </message>
+    <message>
+        <source>The survey did not come to an end</source>
+        <translation>Die Einmessung kam zu keinem Ende</translation>
+    </message>
+    <message>
+        <source>Walk more widely and turn, or give heights of anchors with --height</source>
+        <translation>Gehen Sie weiter umher und drehen Sie sich, oder geben Sie mit --height Höhen von Ankern an</translation>
+    </message>
+    <message>
+        <source>Walk slowly past all anchors, turn towards each of them, and see that nothing hides them</source>
+        <translation>Gehen Sie langsam an allen Ankern vorbei, drehen Sie sich zu jedem hin und achten Sie darauf, dass nichts sie verdeckt</translation>
+    </message>
+    <message>
+        <source>Walk slowly past it, face it from several sides, and see that nothing hides it</source>
+        <translation>Gehen Sie langsam an ihm vorbei, wenden Sie sich ihm von mehreren Seiten zu und achten Sie darauf, dass nichts ihn verdeckt</translation>
+    </message>
+    <message>
+        <source>Wear a suit whose boards and sources share housings, or join the boxes with a sync cable</source>
+        <translation>Tragen Sie einen Anzug, bei dem Platinen und Quellen Gehäuse teilen, oder verbinden Sie die Boxen mit einem Synchronkabel</translation>
     </message>
 </context>
 <context>

@@ -87,7 +87,7 @@ TEST(Usage, UnknownWordsNameTheNearestKnownOne) {
     expectRefusal({"evaluate", "-x", "t"}, 2, {"-x"});
     expectRefusal({"calibrate"}, 2,
                   {"sources, accelerometers, gyroscopes, magnetometers, inertial, "
-                   "rest-pose or motion"});
+                   "rest-pose, motion or room"});
     expectRefusal({"calibrate", "sorces", "t"}, 2, {"rest-pose"});
     expectRefusal({"calibrate", "sources", "t"}, 2, {"--out"});
     expectRefusal({"calibrate", "sources", "t", "--out", "c.json"}, 2,

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// A room that surveys itself from the command line: simulate, spoil its places, survey, attach, process.
+#include <cmath>
+
+#include "tests/support/program_run.h"
+
+namespace noctule::test {
+namespace {
+
+const std::string kAnchors = std::string(NOCTULE_SOURCE_DIR) + "/resources/casts/ceiling_4.json";
+const std::string kTransceivers = std::string(NOCTULE_SOURCE_DIR) + "/resources/casts/transceivers_13.json";
+
+nlohmann::json parsed(const std::string& path) {
+    return nlohmann::json::parse(readBytes(path));
+}
+
+/// One performer on the installed motion, below four anchors.
+class WalkBelowAnchors {
+public:
+    WalkBelowAnchors() {
+        std::ofstream(file("cast.json"))
+            << R"({"subjects":[{"motion":")" + kMotion + R"(","suit":")" + kTransceivers +
+                   R"(","place":{"x_m":0,"z_m":0,"yaw_deg":0}}],"room":")" + kAnchors + "\"}";
+        const Ran made =
+            batch({"simulate", "--cast", file("cast.json"), "--out", take(), "--level", "readings",
+                   "--scenario", "nominal", "--duration", "26", "--truth-out", file("truth.json")});
+        EXPECT_EQ(made.exit_code, 0) << made.err;
+    }
+    std::string file(const std::string& name) const { return folder_.file(name); }
+    std::string take() const { return file("walk_001.noctule"); }
+    /// The room's file with every anchor elsewhere.
+    std::string roughRoom(double off_m) const {
+        nlohmann::json room = parsed(kAnchors);
+        double sign = 1;
+        for (const char* list : {"boards", "sources"})
+            for (auto& part : room[list]) {
+                const char* key = list == std::string("boards") ? "p_segment_board_m" : "p_segment_source_m";
+                const auto index = static_cast<double>(&part - &room[list][0]);
+                part[key][0] = part[key][0].get<double>() + off_m * std::cos(2 * index);
+                part[key][1] = part[key][1].get<double>() - off_m * std::abs(std::sin(index)) * sign;
+                part[key][2] = part[key][2].get<double>() + off_m * std::sin(2 * index);
+            }
+        std::ofstream(file("rough.json")) << room.dump();
+        return file("rough.json");
+    }
+    /// Root against the truth, made equal at the first frame, mm.
+    double rootError_mm(const std::string& run) const {
+        const Ran processed = batch({"process", take(), "--room", "on", "--run-name", run});
+        EXPECT_EQ(processed.exit_code, 0) << processed.err;
+        const Ran judged = batch({"evaluate", take(), "--run", run, "--json"});
+        EXPECT_EQ(judged.exit_code, 0) << judged.err;
+        return 1000 * judged.json()["root"]["position_m"].get<double>();
+    }
+
+private:
+    Folder folder_;
+};
+
+TEST(RoomProgram, RoughPlacesAreReplacedByASurvey) {
+    SKIP_WITHOUT_MOTION();
+    const WalkBelowAnchors walk;
+    const Ran spoiled = batch({"attach", walk.take(), "--room", walk.roughRoom(0.3)});
+    ASSERT_EQ(spoiled.exit_code, 0) << spoiled.err;
+    const double before_mm = walk.rootError_mm("rough");
+
+    const std::string room = walk.file("room.json");
+    const Ran surveyed = batch({"calibrate", "room", walk.take(), "--out", room, "--report",
+                                walk.file("room.html"), "--force", "--json"});
+    ASSERT_EQ(surveyed.exit_code, 0) << surveyed.err;
+    const nlohmann::json found = surveyed.json();
+    ASSERT_EQ(found["anchors"].size(), 4U);
+    EXPECT_EQ(found["frame"]["of"], "performer");
+    EXPECT_EQ(found["frame"]["fixed"], 6);
+    EXPECT_NE(readBytes(walk.file("room.html")).find("ceiling_1"), std::string::npos);
+    const nlohmann::json truth = parsed(walk.file("truth.json"))["suits"][1];
+    for (size_t i = 0; i < 4; ++i) {
+        double square = 0;
+        for (size_t axis = 0; axis < 3; ++axis)
+            square += std::pow(found["anchors"][i]["source_m"][axis].get<double>() -
+                                   truth["sources"][i]["p_segment_source_m"][axis].get<double>(),
+                               2);
+        EXPECT_LT(std::sqrt(square), 0.10) << i;
+    }
+
+    const Ran attached = batch({"attach", walk.take(), "--room", room});
+    ASSERT_EQ(attached.exit_code, 0) << attached.err;
+    const double after_mm = walk.rootError_mm("surveyed");
+    std::printf("root: %.0f mm by rough places, %.0f mm by surveyed ones\n", before_mm, after_mm);
+    EXPECT_LT(after_mm, before_mm / 2);
+}
+
+TEST(RoomProgram, TheRoomsFileIsARoomsFile) {
+    SKIP_WITHOUT_MOTION();
+    const WalkBelowAnchors walk;
+    const std::string room = walk.file("room.json");
+    const Ran surveyed = batch(
+        {"calibrate", "room", walk.take(), "--out", room, "--force", "--store", "--height", "ceiling_1=2.7"});
+    ASSERT_EQ(surveyed.exit_code, 0) << surveyed.err;
+    EXPECT_EQ(parsed(room)["format"], "noctule-suit");
+    std::ofstream(walk.file("again.json"))
+        << R"({"subjects":[{"motion":")" + kMotion + R"("}],"room":")" + room + "\"}";
+    const Ran again =
+        batch({"simulate", "--cast", walk.file("again.json"), "--out", walk.file("again.noctule"), "--level",
+               "readings", "--duration", "1", "--rest-seconds", "1"});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    expectRefusal({"calibrate", "room", walk.take(), "--out", room}, 2, {room, "--overwrite"});
+    expectRefusal({"calibrate", "room", walk.take(), "--out", walk.file("r.json"), "--height", "ceiling_9=2"},
+                  2, {"ceiling_9", "ceiling_1, ceiling_2"});
+    expectRefusal({"calibrate", "room", walk.take(), "--out", walk.file("r.json"), "--height", "high"}, 2,
+                  {"--height", "'high'"});
+    expectRefusal({"calibrate", "room", walk.take(), "--out", walk.file("r.json"), "--subject", "Bob"}, 2,
+                  {"Bob", "Its subjects are A"});
+    expectRefusal({"attach", walk.take(), "--room", kTransceivers}, 2, {"none of its anchors"});
+    expectRefusal({"attach", walk.take()}, 2, {"--reference", "--room"});
+}
+
+TEST(RoomProgram, ATakeWithoutARoomIsRefused) {
+    SKIP_WITHOUT_MOTION();
+    const Folder folder;
+    const std::string take = folder.file("alone.noctule");
+    makeTake(take, "2");
+    expectRefusal({"calibrate", "room", take, "--out", folder.file("room.json")}, 2, {take, "has no room"});
+    expectRefusal({"attach", take, "--room", kAnchors}, 2, {take, "has no room"});
+    EXPECT_FALSE(std::filesystem::exists(folder.file("room.json")));
+}
+
+}  // namespace
+}  // namespace noctule::test
