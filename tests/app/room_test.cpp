@@ -7,7 +7,7 @@
 namespace noctule::test {
 namespace {
 
-const std::string kAnchors = std::string(NOCTULE_SOURCE_DIR) + "/resources/casts/ceiling_4.json";
+const std::string kCeiling = std::string(NOCTULE_SOURCE_DIR) + "/resources/casts/ceiling_4.json";
 const std::string kTransceivers = std::string(NOCTULE_SOURCE_DIR) + "/resources/casts/transceivers_13.json";
 
 nlohmann::json parsed(const std::string& path) {
@@ -20,7 +20,7 @@ public:
     WalkBelowAnchors() {
         std::ofstream(file("cast.json"))
             << R"({"subjects":[{"motion":")" + kMotion + R"(","suit":")" + kTransceivers +
-                   R"(","place":{"x_m":0,"z_m":0,"yaw_deg":0}}],"room":")" + kAnchors + "\"}";
+                   R"(","place":{"x_m":0,"z_m":0,"yaw_deg":0}}],"room":")" + kCeiling + "\"}";
         const Ran made =
             batch({"simulate", "--cast", file("cast.json"), "--out", take(), "--level", "readings",
                    "--scenario", "nominal", "--duration", "26", "--truth-out", file("truth.json")});
@@ -30,7 +30,7 @@ public:
     std::string take() const { return file("walk_001.noctule"); }
     /// The room's file with every anchor elsewhere.
     std::string roughRoom(double off_m) const {
-        nlohmann::json room = parsed(kAnchors);
+        nlohmann::json room = parsed(kCeiling);
         double sign = 1;
         for (const char* list : {"boards", "sources"})
             for (auto& part : room[list]) {
@@ -120,7 +120,7 @@ TEST(RoomProgram, ATakeWithoutARoomIsRefused) {
     const std::string take = folder.file("alone.noctule");
     makeTake(take, "2");
     expectRefusal({"calibrate", "room", take, "--out", folder.file("room.json")}, 2, {take, "has no room"});
-    expectRefusal({"attach", take, "--room", kAnchors}, 2, {take, "has no room"});
+    expectRefusal({"attach", take, "--room", kCeiling}, 2, {take, "has no room"});
     EXPECT_FALSE(std::filesystem::exists(folder.file("room.json")));
 }
 
