@@ -114,10 +114,6 @@ Matrix3d bodyAxes(const RobotModel& model, int base, const std::vector<ArmJoints
     return R;
 }
 
-double usualSpeed(const ChainJoint& joint) {
-    return joint.max_speed > kHighestSpeed_rad_per_s ? kUsualSpeed_rad_per_s : joint.max_speed;
-}
-
 /// Twice the way to the centre of mass of the elbow's link and what is fixed to it: where a wrist would be.
 Vector3d pointOfForearm(const RobotModel& model, const RobotJoint& elbow) {
     const RobotLink& link = model.links[static_cast<size_t>(elbow.child_link)];
@@ -180,7 +176,7 @@ ArmProfile armOf(const RobotModel& model, int base, const ArmJoints& joints, Sid
     if (!chain)
         return profile;
     for (int i = 0; i < chain->size(); ++i) {
-        profile.max_speed.push_back(usualSpeed(chain->joint(i)));
+        profile.max_speed.push_back(usableSpeed(chain->joint(i).max_speed));
         profile.reference_rad.push_back(std::clamp(0.0, chain->joint(i).lower, chain->joint(i).upper));
     }
     profile.reference_rad = referenceOf(model, profile);
@@ -265,8 +261,7 @@ std::vector<ArmProfile> makeLegs(const RobotModel& model) {
         leg.R_base_body = bodyAxes(model, base, {joints[0], joints[1]});
         for (const int index : joints[s]) {
             const RobotJoint& one = model.joints[static_cast<size_t>(index)];
-            leg.max_speed.push_back(one.max_speed > kHighestSpeed_rad_per_s ? kUsualSpeed_rad_per_s
-                                                                            : one.max_speed);
+            leg.max_speed.push_back(usableSpeed(one.max_speed));
             leg.reference_rad.push_back(std::clamp(0.0, one.lower, one.upper));
         }
         if (const auto made = makeArm(model, leg); !made)

@@ -111,12 +111,14 @@ LiveDrive::LiveDrive(const RobotModel& model, const RobotProfile& profile, const
     const double dt_s = settings.teleop.dt_s;
     for (const RobotArm& arm : parts.arms) {
         const double human_m = human_length_m[static_cast<size_t>(arm.profile.side)];
-        add(ArmFollower(arm, profile, human_m, dt_s), profile, settingsFor(arm, human_m, settings), q);
+        add(ArmFollower(arm, profile, human_m, dt_s), arm.chain, arm.profile.max_speed, profile,
+            settingsFor(arm, human_m, settings), q);
     }
     if (parts.trunk) {
         TeleopSettings of_trunk = settings.teleop;  // the workspace is the hands'
         of_trunk.box_min_m = TeleopSettings().box_min_m, of_trunk.box_max_m = TeleopSettings().box_max_m;
-        add(TrunkFollower(*parts.trunk, profile, dt_s), profile, of_trunk, q);
+        add(TrunkFollower(*parts.trunk, profile, dt_s), parts.trunk->chain, parts.trunk->max_speed, profile,
+            of_trunk, q);
     }
     JointValues reference;
     const std::vector<double> values = parts.reference();
@@ -126,17 +128,14 @@ LiveDrive::LiveDrive(const RobotModel& model, const RobotProfile& profile, const
     collision_ = std::make_unique<SelfCollision>(model, profile, reference);
 }
 
-void LiveDrive::add(const std::variant<ArmFollower, TrunkFollower>& ghost, const RobotProfile& profile,
-                    const TeleopSettings& settings, const std::vector<double>& q) {
-    const auto* arm = std::get_if<ArmFollower>(&ghost);
-    const Chain& chain = arm ? arm->arm().chain : std::get<TrunkFollower>(ghost).trunk().chain;
-    const std::vector<double>& speeds =
-        arm ? arm->arm().profile.max_speed : std::get<TrunkFollower>(ghost).trunk().max_speed;
+void LiveDrive::add(Ghost ghost, const Chain& chain, const std::vector<double>& max_speed,
+                    const RobotProfile& profile, const TeleopSettings& settings,
+                    const std::vector<double>& q) {
     const size_t first = parts_.empty() ? 0 : parts_.back().first + parts_.back().size;
     JointVector place(chain.size());
     for (int i = 0; i < chain.size(); ++i)
         place[i] = q[first + static_cast<size_t>(i)];
-    parts_.push_back({ghost, Teleoperator(chain, speeds, profile, settings, place), first,
+    parts_.push_back({std::move(ghost), Teleoperator(chain, max_speed, profile, settings, place), first,
                       static_cast<size_t>(chain.size())});
 }
 

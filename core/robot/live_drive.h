@@ -84,14 +84,15 @@ public:
     DriveOutput step(const DriveInput& input);
 
 private:
+    using Ghost = std::variant<ArmFollower, TrunkFollower>;
     struct Part {
-        std::variant<ArmFollower, TrunkFollower> ghost;
+        Ghost ghost;
         Teleoperator teleoperator;
         size_t first, size;  ///< of its joints in joints_
         const Chain& chain() const;
     };
-    void add(const std::variant<ArmFollower, TrunkFollower>& ghost, const RobotProfile& profile,
-             const TeleopSettings& settings, const std::vector<double>& q);
+    void add(Ghost ghost, const Chain& chain, const std::vector<double>& max_speed,
+             const RobotProfile& profile, const TeleopSettings& settings, const std::vector<double>& q);
     void lookAt(const DriveInput& input, DriveOutput& output);
     std::optional<TeleopPose> poseFor(Part& part, const DriveInput& input) const;
     TeleopPose armPose(ArmFollower& ghost, const PerformerSeen& seen) const;

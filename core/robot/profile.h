@@ -54,6 +54,9 @@ struct RobotProfile {
 
 /// Speed of joints whose file states none that means anything.
 inline constexpr double kUsualSpeed_rad_per_s = 2.5;
+inline double usableSpeed(double stated_rad_per_s) {
+    return stated_rad_per_s > kHighestSpeed_rad_per_s ? kUsualSpeed_rad_per_s : stated_rad_per_s;
+}
 
 /// An arm with its joints looked up in the robot.
 struct RobotArm {

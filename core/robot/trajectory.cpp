@@ -55,9 +55,7 @@ Result<std::vector<CommandLimits>> limitsOf(const RobotModel& model, const Robot
             return Error{ErrorKind::kUnusable, "the robot has no joint \"" + name + "\"",
                          "Take the URDF that the commands were made for"};
         const RobotJoint& joint = model.joints[static_cast<size_t>(index)];
-        const double stated =
-            joint.max_speed > kHighestSpeed_rad_per_s ? kUsualSpeed_rad_per_s : joint.max_speed;
-        CommandLimits one{joint.lower, joint.upper, stated, profile.max_acceleration,
+        CommandLimits one{joint.lower, joint.upper, usableSpeed(joint.max_speed), profile.max_acceleration,
                           profile.max_acceleration > 0 ? profile.max_jerk : 0};
         for (const auto* limbs : {&profile.arms, &profile.legs})
             for (const ArmProfile& limb : *limbs)

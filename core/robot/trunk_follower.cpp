@@ -47,8 +47,7 @@ Result<RobotTrunk> makeTrunk(const RobotModel& model, const RobotProfile& profil
         return chain.error();
     RobotTrunk trunk{std::move(*chain), {}};
     for (const ChainJoint& joint : trunk.chain.joints())
-        trunk.max_speed.push_back(joint.max_speed > kHighestSpeed_rad_per_s ? kUsualSpeed_rad_per_s
-                                                                            : joint.max_speed);
+        trunk.max_speed.push_back(usableSpeed(joint.max_speed));
     ChainState state;
     trunk.chain.forward(JointVector::Zero(trunk.chain.size()), state);
     trunk.R_tip_body =
