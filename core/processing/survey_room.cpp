@@ -15,8 +15,8 @@
 namespace noctule {
 namespace {
 
-constexpr double kSameRoom =
-    0.35;  ///< misfit of file and survey against the room's size up to which they agree
+/// Misfit of file and survey against the room's size up to which they agree.
+constexpr double kSameRoom = 0.35;
 
 Status addHeights(const RoomRequest& request, room_survey::Evidence& evidence) {
     std::string names;

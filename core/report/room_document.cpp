@@ -6,11 +6,11 @@
 namespace noctule {
 namespace {
 
+using room_survey::kGoodAgreement_m;
+using room_survey::kGoodAnchor_m;
 using room_survey::RoomSurvey;
 using room_survey::SurveyedAnchor;
 using room_survey::SurveyedDistance;
-
-constexpr double kGoodAnchor_m = 0.010, kGoodAgreement_m = 0.015;
 
 std::string inMillimetres(double value_m) {
     return text::number(1000 * value_m, 1);

@@ -16,6 +16,9 @@
 
 namespace noctule::room_survey {
 
+inline constexpr double kGoodAnchor_m = 0.010;     ///< sigma of an anchor up to which it is good
+inline constexpr double kGoodAgreement_m = 0.015;  ///< median residual
+
 struct SurveyedAnchor {
     std::string id;
     bool placed = false;

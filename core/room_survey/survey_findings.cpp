@@ -5,8 +5,8 @@
 namespace noctule::room_survey {
 namespace {
 
-constexpr double kGood_m = 0.010, kUsable_m = 0.050;                   ///< sigma of an anchor
-constexpr double kGoodAgreement_m = 0.015, kUsableAgreement_m = 0.04;  ///< median residual
+constexpr double kUsable_m = 0.050;          ///< sigma of an anchor
+constexpr double kUsableAgreement_m = 0.04;  ///< median residual
 
 std::string namesOf(const std::vector<int>& anchors, const RoomSurvey& survey) {
     std::string names;
@@ -48,7 +48,7 @@ void addAnchor(const SurveyedAnchor& anchor, const RoomSurvey& survey, std::vect
                                 " may as well hang at a second place, its mirror image: the "
                                 "ranges do not tell which",
                             "Walk more widely and turn, or give heights of anchors with --height"});
-    else if (anchor.sigma_m > kGood_m)
+    else if (anchor.sigma_m > kGoodAnchor_m)
         findings.push_back({anchor.sigma_m > kUsable_m ? Grade::kNotUsable : Grade::kUsable, anchor.id,
                             weakness(anchor, survey), walk});
 }
