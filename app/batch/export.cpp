@@ -80,12 +80,15 @@ ExportRequest requestFor(const Arguments& arguments, const std::string& take_pat
     return request;
 }
 
-/// One for each subject of the run. A take that cannot be read gets one, whose job names the trouble.
-std::vector<ExportRequest> requestsFor(const Arguments& arguments, const std::string& take_path) {
+/// One for each subject of the run. A take that cannot be read gets one, whose job names the trouble; of one
+/// whose performers go together the trouble is the call's, for a file of one of them would be wrong.
+Result<std::vector<ExportRequest>> requestsFor(const Arguments& arguments, const std::string& take_path) {
     const ExportRequest request = requestFor(arguments, take_path);
-    const auto each = arguments.given("together") ? requestsTogether(request)
-                      : arguments.given("stacks") ? Result<std::vector<ExportRequest>>(std::vector{request})
-                                                  : requestsOfSubjects(request);
+    if (arguments.given("together"))
+        return requestsTogether(request);
+    if (arguments.given("stacks"))
+        return std::vector{request};
+    const auto each = requestsOfSubjects(request);
     return each ? *each : std::vector{request};
 }
 
@@ -275,9 +278,12 @@ Result<Outcome> runExport(const VerbContext& context) {
     if (exportsDrive(context.arguments))
         return exportDrive(context);
     std::vector<ExportRequest> requests;
-    for (const std::string& take : context.arguments.operands())
-        for (ExportRequest& request : requestsFor(context.arguments, take))
-            requests.push_back(std::move(request));
+    for (const std::string& take : context.arguments.operands()) {
+        auto each = requestsFor(context.arguments, take);
+        if (!each)
+            return each.error();
+        std::move(each->begin(), each->end(), std::back_inserter(requests));
+    }
     if (Status sensible = checkRequests(context.arguments, requests); !sensible)
         return sensible.error();
     const auto body = readBody(context);
@@ -289,7 +295,10 @@ Result<Outcome> runExport(const VerbContext& context) {
         return writeOneFile(context, requests);
     return forEachTake(context, 1, [&](const std::string& take, const JobContext& job) -> Result<Outcome> {
         Outcome outcome;
-        for (ExportRequest& request : requestsFor(context.arguments, take)) {
+        auto each = requestsFor(context.arguments, take);
+        if (!each)
+            return each.error();
+        for (ExportRequest& request : *each) {
             request.worn = *body;
             const auto summary = exportTake(request, job);
             if (!summary)

@@ -100,6 +100,13 @@ public:
         auto room = roomOfTake(take_);
         if (!room)
             return room.error();
+        if (take_.level() == TakeLevel::kSignal)
+            return Error{ErrorKind::kUnusable,
+                         take_.path() +
+                             ": is a take of sound, from which a distance to an anchor is known but "
+                             "for multiples of a pulse's slot, 2.7 m",
+                         "Survey the room from a take of readings, or measure its anchors and write their "
+                         "places into the room's file"};
         found_.room = std::move(*room);
         describeAnchors();
         auto subject = choose(performer);
@@ -117,7 +124,6 @@ public:
 
 private:
     int roomSuit() const { return found_.room.subject.suit(); }
-    const Take& data() const { return joining_.measured ? *joining_.measured : take_; }
 
     void describeAnchors() {
         const Suit placed = placedSuit(found_.room.suit, found_.room.calibration);
@@ -161,11 +167,8 @@ private:
             if (one.room)
                 continue;
             names += (names.empty() ? "" : ", ") + one.name;
-            if (name.empty() ? take_.level() == TakeLevel::kSignal : one.name != name) {
-                if (name.empty() && !chosen)
-                    chosen = one;  // sound tells only once it is measured
+            if (!name.empty() && one.name != name)
                 continue;
-            }
             if (const int64_t count = name.empty() ? rangesWith(one.suit()) : 0; count > most)
                 most = count, chosen = one;
         }
@@ -208,7 +211,7 @@ private:
         joining_ = std::move(*joining);
         if (!joining_.joins() || !joining_.room)
             return Done{};
-        const auto devices = devicesOf(data(), subjects.front(), job_);
+        const auto devices = devicesOf(take_, subjects.front(), job_);
         if (!devices)
             return devices.error();
         found_.evidence.performer = subject.name;
@@ -245,7 +248,7 @@ private:
     }
 
     Status addBetween() {
-        auto ranges = data().ranges(kPrimaryRun, roomSuit());
+        auto ranges = take_.ranges(kPrimaryRun, roomSuit());
         if (!ranges)
             return ranges.error();
         const double rate_hz = sampleRateOf(take_, roomSuit());

@@ -4089,6 +4089,10 @@
         <translation>%1: enthält keine Referenz</translation>
     </message>
     <message>
+        <source>%1: is a take of sound, from which a distance to an anchor is known but for multiples of a pulse's slot, 2.7 m</source>
+        <translation>%1: ist eine Aufnahme von Schall, aus der ein Abstand zu einem Anker nur bis auf Vielfache des Zeitfensters eines Pulses (2,7 m) bekannt ist</translation>
+    </message>
+    <message>
         <source>%1: is not JSON</source>
         <translation>%1: ist kein JSON</translation>
     </message>
@@ -4631,6 +4635,10 @@
     <message>
         <source>States of the robot</source>
         <translation>Zustände des Roboters</translation>
+    </message>
+    <message>
+        <source>Survey the room from a take of readings, or measure its anchors and write their places into the room's file</source>
+        <translation>Vermessen Sie den Raum mit einer Aufnahme von Messwerten, oder messen Sie die Anker aus und schreiben Sie ihre Orte in die Datei des Raums</translation>
     </message>
     <message>
         <source>Take --estimator comocap</source>

@@ -114,6 +114,21 @@ TEST(RoomProgram, TheRoomsFileIsARoomsFile) {
     expectRefusal({"attach", walk.take()}, 2, {"--reference", "--room"});
 }
 
+/// From sound a distance to an anchor is known but for multiples of a slot: a survey would be wrong.
+TEST(RoomProgram, ATakeOfSoundIsRefused) {
+    SKIP_WITHOUT_MOTION();
+    const Folder folder;
+    const std::string take = folder.file("sound.noctule");
+    std::ofstream(folder.file("cast.json")) << R"({"subjects":[{"motion":")" + kMotion + R"(","suit":")" +
+                                                   kTransceivers + R"("}],"room":")" + kCeiling + "\"}";
+    ASSERT_EQ(batch({"simulate", "--cast", folder.file("cast.json"), "--out", take, "--level", "signal",
+                     "--duration", "0.5", "--rest-seconds", "0.5"})
+                  .exit_code,
+              0);
+    expectRefusal({"calibrate", "room", take, "--out", folder.file("room.json")}, 4, {"take of sound"});
+    EXPECT_FALSE(std::filesystem::exists(folder.file("room.json")));
+}
+
 TEST(RoomProgram, ATakeWithoutARoomIsRefused) {
     SKIP_WITHOUT_MOTION();
     const Folder folder;

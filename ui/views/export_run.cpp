@@ -76,8 +76,11 @@ Result<std::vector<ExportJob>> oneForEachPerson(const std::vector<ExportJob>& jo
     std::vector<ExportJob> all;
     std::set<std::string> taken;
     for (const ExportJob& job : jobs) {
-        const bool together = job.in_one_file && jobs.size() == 1;
+        const bool is_alone = std::ranges::count(jobs, job.path(), &ExportJob::path) == 1;
+        const bool together = job.in_one_file && is_alone;
         const auto requests = together ? requestsTogether(job.request) : requestsOfSubjects(job.request);
+        if (together && !requests)
+            return requests.error();
         if (requests && requests->size() > 1 && job.in_one_file && !together)
             return Error{ErrorKind::kUnusable, job.request.take_path + ": holds several performers",
                          RunWords::tr("Export it by itself, or without one file for all").toStdString()};
