@@ -382,6 +382,8 @@ Verb calibrateRoomVerb() {
     verb.remarks = {
         "Stand still in the rest pose in the middle of the room, then walk slowly past all anchors and turn. "
         "The origin becomes where you stood, +z where you faced.",
+        "In a take of sound the room's file says which pulse was heard: each place in it must be right to "
+        "0.2 m.",
         "Without a performer, anchors that hear each other keep place and heading of the room's file, and "
         "three heights make it level.",
         "Exit code 4 and nothing written when the result is not usable; the reasons name part and remedy."};

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 
 namespace noctule {
 namespace {

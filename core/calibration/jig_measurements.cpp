@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 
 namespace noctule {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 #include "core/math/rotation.h"
 
 namespace noctule {

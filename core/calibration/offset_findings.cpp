@@ -5,7 +5,7 @@
 
 #include "core/body/text.h"
 #include "core/calibration/jig_groups.h"
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 
 namespace noctule {
 namespace {

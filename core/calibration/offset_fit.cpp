@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 
 namespace noctule {
 namespace {

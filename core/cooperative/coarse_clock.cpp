@@ -7,6 +7,9 @@
 #include <numbers>
 #include <utility>
 
+#include "core/cooperative/clock_of_room.h"
+#include "core/math/order_statistics.h"
+
 namespace noctule::cooperative {
 namespace {
 
@@ -18,22 +21,14 @@ constexpr double kMostMoved_s = 0.0013;
 constexpr size_t kLeastPairs = 3, kLeastHeard = 3;
 constexpr size_t kLeastSources = 6,
                  kLeastBoards = 3;  ///< that a count rests on: a place and a clock are four unknowns
-constexpr Eigen::Index kLeastDelays = 10;
 constexpr double kMostMisfit_s = 0.0003, kClearly = 1.5;
 constexpr double kMostDrift_s = 0.0015;  ///< of a clock between two stretches
 constexpr double kAir_m_per_s = 344;     ///< temperature changes it by 1 % in 6 degrees
-constexpr double kEcho_m = 0.05;         ///< what misses by more came around the body or from a wall
 constexpr double kStart_m = 1.5;
 constexpr int kSteps = 12;
 constexpr int kMostPulses = 3;  ///< that a delay may be counted wrong by
 
 using Delays = std::map<std::pair<int, int>, double>;  ///< median by source and board
-
-double medianIn(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// Where in the interval the longest pause between arrivals ends.
 double endOfPause(const Direction& direction) {
@@ -63,17 +58,17 @@ Delays delaysOf(const Direction& direction, double pause_end_s, int back) {
     for (auto& [pair, delays] : heard) {
         if (delays.size() < kLeastHeard)
             continue;
-        const double median_s = medianIn(delays);
+        const double median_s = medianOf(delays);
         for (double& delay_s : delays)
             delay_s = std::abs(delay_s - median_s);
-        if (medianIn(delays) < kMostMoved_s)
+        if (medianOf(delays) < kMostMoved_s)
             medians[pair] = median_s;
     }
     return medians;
 }
 
 struct Agreement {
-    double ahead_s, way_s, spread_s;
+    double ahead_s, spread_s;
 };
 
 std::optional<Agreement> agreementOf(const Delays& there, const Delays& back, const Direction& first,
@@ -93,12 +88,12 @@ std::optional<Agreement> agreementOf(const Delays& there, const Delays& back, co
     }
     if (ahead.size() < kLeastPairs)
         return std::nullopt;
-    const double way_s = medianIn(way), ahead_s = medianIn(ahead);
+    const double way_s = medianOf(way), ahead_s = medianOf(ahead);
     for (double& one : ahead)
         one = std::abs(one - ahead_s);
     if (way_s < kNearest_s || way_s > kFarthest_s || std::abs(ahead_s) > kMostAhead_s)
         return std::nullopt;
-    return Agreement{ahead_s, way_s, medianIn(ahead)};
+    return Agreement{ahead_s, medianOf(ahead)};
 }
 
 /// Root mean square by which delays from known places miss the best place of a board; its own clock is free.
@@ -149,7 +144,7 @@ std::optional<double> misfitOf(const Delays& delays, const Direction& direction)
             misfits.push_back(misfitOf(heard.first, heard.second));
     if (misfits.size() < kLeastBoards)
         return std::nullopt;
-    return medianIn(misfits);
+    return medianOf(misfits);
 }
 
 /// How many pulses arrivals of this direction were counted wrong by; nothing when that cannot be told.
@@ -168,92 +163,40 @@ std::optional<int> countOf(const Direction& direction, double pause_end_s) {
     return least_s < kMostMisfit_s && second_s > kClearly * least_s ? best : std::nullopt;
 }
 
-struct Standing {
-    double ahead_s = 0, misfit_s = 1;
-};
-
-/// Where a body stands on the floor of a room that it hears or that hears it, and its clock; echoes count
-/// little. The misfit is the median one.
-Standing standingIn(const Delays& delays, const Direction& direction) {
-    Standing best;
-    const auto n = static_cast<Eigen::Index>(delays.size());
-    if (n < kLeastDelays)
-        return best;
-    for (int start = 0; start < 8; ++start) {
-        Eigen::Vector4d at(0, 0, start * std::numbers::pi / 4,
-                           0);  // x, z, turn about the vertical, clock in metres
-        double damping = 1e-3, error = 1e18;
-        for (int step = 0; step < 2 * kSteps; ++step) {
-            Eigen::Matrix<double, Eigen::Dynamic, 4> slope(n, 4);
-            Eigen::VectorXd residual(n);
-            Eigen::Index i = 0;
-            for (const auto& [pair, delay_s] : delays) {
-                const Vector3d& source = direction.places_m[static_cast<size_t>(pair.first)];
-                const Vector3d& board = direction.boards_m[static_cast<size_t>(pair.second)];
-                const Vector3d& worn = direction.from_room ? board : source;
-                const Vector3d& hung = direction.from_room ? source : board;
-                const double sine = std::sin(at[2]), cosine = std::cos(at[2]);
-                const Vector3d turned(cosine * worn.x() + sine * worn.z(), worn.y(),
-                                      -sine * worn.x() + cosine * worn.z());
-                const Vector3d way_m = turned + Vector3d(at[0], 0, at[1]) - hung;
-                const Vector3d along = way_m / std::max(way_m.norm(), 1e-6);
-                residual[i] = way_m.norm() + at[3] - delay_s * kAir_m_per_s;
-                slope.row(i++) << along.x(), along.z(), along.x() * turned.z() - along.z() * turned.x(), 1;
-            }
-            const Eigen::VectorXd weight = (1 + (residual / kEcho_m).array().square()).inverse();
-            const double cost = (residual / kEcho_m).array().square().log1p().sum();
-            damping = cost < error ? damping / 3 : damping * 10;
-            error = std::min(error, cost);
-            std::vector<double> misses(residual.data(), residual.data() + n);
-            for (double& miss : misses)
-                miss = std::abs(miss);
-            if (const double misfit_s = medianIn(misses) / kAir_m_per_s; misfit_s < best.misfit_s)
-                best = {at[3] / kAir_m_per_s, misfit_s};
-            const Eigen::Matrix4d normal = slope.transpose() * weight.asDiagonal() * slope;
-            at -= (normal + damping * Eigen::Matrix4d::Identity())
-                      .ldlt()
-                      .solve(slope.transpose() * weight.asDiagonal() * residual);
-        }
+/// How long sound takes, source by board; a pair that is not heard is taken as far as those of its source, or
+/// as all.
+Eigen::MatrixXd waysOf(const Delays& delays, double ahead_s, const Direction& direction) {
+    const auto sources = std::ssize(direction.places_m), boards = std::ssize(direction.boards_m);
+    std::vector<double> all;
+    std::map<int, std::vector<double>> by_source;
+    for (const auto& [pair, delay_s] : delays) {
+        all.push_back(delay_s - ahead_s);
+        by_source[pair.first].push_back(delay_s - ahead_s);
     }
-    return best;
+    Eigen::MatrixXd ways_s = Eigen::MatrixXd::Constant(sources, boards, medianOf(std::move(all)));
+    for (const auto& [source, ways] : by_source)
+        ways_s.row(source).setConstant(medianOf(ways));
+    for (const auto& [pair, delay_s] : delays)
+        ways_s(pair.first, pair.second) = delay_s - ahead_s;
+    return ways_s;
 }
 
-/// By one direction alone: the room's places are known, and so are those of a body that stands.
-std::optional<CoarseClock> clockOfRoom(const Direction& direction) {
-    if (direction.arrivals.empty())
+/// The room's places are known, and so are those of a body that stands.
+std::optional<CoarseClock> clockWithRoom(const Direction& there, const Direction& back,
+                                         const std::optional<CoarseClock>& before) {
+    const auto found =
+        standInRoom(there, back, before ? std::optional(before->ahead_s) : std::nullopt, kMostDrift_s);
+    if (!found)
         return std::nullopt;
-    const double pause_end_s = endOfPause(direction);
-    Standing best, second;
-    for (int pulses = -kMostPulses; pulses <= kMostPulses; ++pulses) {
-        const Standing found = standingIn(delaysOf(direction, pause_end_s, pulses), direction);
-        if (std::abs(found.ahead_s) > kMostAhead_s)
-            continue;
-        if (found.misfit_s < best.misfit_s)
-            second = std::exchange(best, found);
-        else if (found.misfit_s < second.misfit_s)
-            second = found;
-    }
-    if (best.misfit_s > kMostMisfit_s || second.misfit_s < kClearly * best.misfit_s)
-        return std::nullopt;
-    CoarseClock clock{direction.from_room ? -best.ahead_s : best.ahead_s};
-    clock.spread_s = best.misfit_s;
-    std::vector<double> delays;
-    for (const LooseArrival& arrival : direction.arrivals)
-        delays.push_back(arrival.delay_s - best.ahead_s);
-    clock.way_s = medianIn(delays);
-    return clock;
+    return CoarseClock{found->ahead_s, found->ways_s[0], found->ways_s[1], found->misfit_s};
 }
 
 }  // namespace
 
 std::optional<CoarseClock> coarseClock(const Direction& there, const Direction& back,
                                        const std::optional<CoarseClock>& before) {
-    if (back.from_room) {
-        const auto heard = clockOfRoom(back);
-        const auto found = heard ? heard : clockOfRoom(there);
-        return found && before && std::abs(found->ahead_s - before->ahead_s) > kMostDrift_s ? std::nullopt
-                                                                                            : found;
-    }
+    if (there.from_room || back.from_room)
+        return clockWithRoom(there, back, before);
     if (there.arrivals.empty() || back.arrivals.empty())
         return std::nullopt;
     const double there_end = endOfPause(there), back_end = endOfPause(back);
@@ -269,11 +212,13 @@ std::optional<CoarseClock> coarseClock(const Direction& there, const Direction& 
         for (int b = -kMostPulses; b <= kMostPulses; ++b) {
             if (!before && (t != *there_count || b != *back_count))
                 continue;
-            const auto found =
-                agreementOf(delaysOf(there, there_end, t), delaysOf(back, back_end, b), there, back);
+            const Delays there_delays = delaysOf(there, there_end, t),
+                         back_delays = delaysOf(back, back_end, b);
+            const auto found = agreementOf(there_delays, back_delays, there, back);
             if (found && found->spread_s < (best ? best->spread_s : kMostSpread_s) &&
                 (!before || std::abs(found->ahead_s - before->ahead_s) < kMostDrift_s))
-                best = CoarseClock{found->ahead_s, t, b, found->way_s, found->spread_s};
+                best = CoarseClock{found->ahead_s, waysOf(there_delays, found->ahead_s, there),
+                                   waysOf(back_delays, -found->ahead_s, back), found->spread_s};
         }
     return best;
 }

@@ -36,16 +36,14 @@ struct Direction {
 
 struct CoarseClock {
     double ahead_s = 0;  ///< how much later the second's guessed take time is than the first's
-    int there_pulses =
-        0;  ///< an arrival at the second belongs to the pulse so many before the one it was given to
-    int back_pulses = 0;
-    double way_s = 0;     ///< median of the sound's ways
-    double spread_s = 0;  ///< median absolute deviation between pairs of housings
+    /// How long sound takes: sources of the first x boards of the second, and back.
+    Eigen::MatrixXd there_s, back_s;
+    double spread_s = 0;  ///< median absolute deviation between pairs of housings, or of arrivals in a room
 };
 
 /// `there`: sources of the first, boards of the second. Bodies stand about as in `places_m`, or what was
-/// found a few seconds before is given as `before`. Nothing when too few of them hear each other, or no
-/// counting fits much better than all others.
+/// found a few seconds before, or is known otherwise, is given as `before`. Nothing when too few of them hear
+/// each other, or no counting fits much better than all others.
 std::optional<CoarseClock> coarseClock(const Direction& there, const Direction& back,
                                        const std::optional<CoarseClock>& before = std::nullopt);
 

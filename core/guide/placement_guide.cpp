@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/calibration/jig_labels.h"
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 
 namespace noctule {
 namespace {

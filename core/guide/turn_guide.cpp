@@ -6,7 +6,7 @@
 
 #include "core/calibration/gyroscope_calibration.h"
 #include "core/calibration/gyroscope_turns.h"
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 #include "core/guide/side_guide.h"
 
 namespace noctule {

@@ -15,12 +15,14 @@ namespace noctule {
 namespace {
 
 constexpr double kLead_s = 0.0004;  ///< before a pulse's emission: clocks are known to less
-/// A slot is 2.7 m of sound long. It lies about where sound has been arriving, so that people may stand
-/// further apart.
+/// A slot is 2.7 m of sound long. It lies about where a source's sound has been arriving, so that people may
+/// stand further apart and anchors hang where they like.
 constexpr double kFarthest_m = 8;
-constexpr double kSettles =
-    0.01;  ///< weight of one arrival in the mean way, about which the next are expected
-constexpr double kTrusted = 0.5;  ///< confidence from which an arrival counts there
+/// Weights of one arrival in the way of its source's sound, and beyond that in the way to its board.
+constexpr double kSettles = 0.03, kSettlesAtBoard = 0.1;
+constexpr ptrdiff_t kNeighbours = 3;  ///< pulses before and after, whose sound may be taken for a pulse's own
+constexpr double kAir_m_per_s = 344;  ///< where to listen
+constexpr double kTrusted = 0.5;      ///< confidence from which an arrival counts there
 
 /// Sources of one suit with the boards of another.
 Suit joined(const Suit& sources, const Suit& boards) {
@@ -59,16 +61,17 @@ public:
 private:
     /// A pulse in the listener's samples.
     struct Sent {
+        ptrdiff_t index = 0;        ///< in the sender's log
         int64_t sample = 0;         ///< by the clocks as they were found, rounded
         double guessed_sample = 0;  ///< by the recorder's guess
     };
-    /// One suit's sources heard by another suit's boards.
+    /// One suit's sources heard by another suit's boards, or anchors heard by each other.
     struct Ear {
         size_t from;
         PulseReceiver receiver;
         RangeFinder finder;
         std::unordered_map<int64_t, Sent> sent;  ///< by pulse id
-        double way_s = 0;                        ///< of the sound, lately
+        Eigen::MatrixXd ways_s;                  ///< of the sound, lately; source x board
         size_t next_pulse = 0;                   ///< of the log, not yet awaited
     };
 
@@ -136,11 +139,27 @@ private:
         if (!finder)
             return finder.error();
         Ear ear{from_index, std::move(*receiver), std::move(*finder), {}, ways_[{from_index, to_index}]};
+        if (from_index == to_index)
+            ear.ways_s = waysIn(to.of);
+        ear.ways_s.conservativeResizeLike(
+            Eigen::MatrixXd::Zero(std::ssize(from.of.described.sources), std::ssize(to.of.described.boards)));
         for (const TemperatureStatus& status : to.log.statuses)
             ear.finder.soundSpeed().add(status);
         for (const GapRow& gap : to.log.gaps)
             ear.receiver.markMissing(gap.first_sample, gap.sample_count, gap.board);
         return ear;
+    }
+
+    /// Between the anchors of a room, by the places that its file states.
+    static Eigen::MatrixXd waysIn(const SoundOfSuit& room) {
+        Eigen::MatrixXd ways_s(std::ssize(room.source_places_m), std::ssize(room.board_places_m));
+        for (Eigen::Index source = 0; source < ways_s.rows(); ++source)
+            for (Eigen::Index board = 0; board < ways_s.cols(); ++board)
+                ways_s(source, board) = (room.source_places_m[static_cast<size_t>(source)] -
+                                         room.board_places_m[static_cast<size_t>(board)])
+                                            .norm() /
+                                        kAir_m_per_s;
+        return ways_s;
     }
 
     /// Makes the slots of all pulses that are sent before a sample of the listener.
@@ -154,23 +173,49 @@ private:
             const double emission = to.sampleAt(guessed_s + shift_s);
             if (emission >= static_cast<double>(until))
                 return;
-            const double late_s = std::max(-kLead_s, ear.way_s - interval_s / 2);
+            const double late_s = std::max(-kLead_s, ear.ways_s.row(pulse.source).mean() - interval_s / 2);
             const auto begin = static_cast<int64_t>(emission + late_s * to.rate_hz());
             if (emission < 0 || !ear.receiver.pushPulse({pulse.id, begin, pulse.source}))
                 continue;
-            ear.sent[pulse.id] = {std::llround(emission), to.sampleAt(guessed_s)};
+            ear.sent[pulse.id] = {static_cast<ptrdiff_t>(ear.next_pulse), std::llround(emission),
+                                  to.sampleAt(guessed_s)};
         }
     }
 
+    /// It fits another pulse better than the one in whose slot it was heard.
+    bool isOfNeighbour(const PulseDetection& detection, const Sent& sent, const Ear& ear,
+                       const SoundParty& to) const {
+        const auto& pulses = parties_[ear.from].log.pulses;
+        const auto miss_s = [&](const Pulse& pulse, int64_t sample) {
+            return std::abs((detection.arrival_sample - static_cast<double>(sample)) / to.rate_hz() -
+                            ear.ways_s(pulse.source, detection.board));
+        };
+        const double own_s = miss_s(detection.pulse, sent.sample);
+        const ptrdiff_t end = std::min(std::ssize(pulses), sent.index + kNeighbours + 1);
+        for (ptrdiff_t i = std::max(ptrdiff_t(0), sent.index - kNeighbours); i < end; ++i)
+            if (const auto other = ear.sent.find(pulses[static_cast<size_t>(i)].id);
+                i != sent.index && other != ear.sent.end() &&
+                miss_s(pulses[static_cast<size_t>(i)], other->second.sample) < own_s)
+                return true;
+        return false;
+    }
+
     /// As distances between suits stand in a take: by the recorder's guess of both clocks.
-    static std::optional<RangeMeasurement> rangeOf(PulseDetection detection, Ear& ear, const SoundParty& to) {
+    std::optional<RangeMeasurement> rangeOf(PulseDetection detection, Ear& ear, const SoundParty& to) const {
         const Sent& sent = ear.sent.at(detection.pulse.id);
+        if (to.isDeafAt(detection.board, detection.arrival_sample) || isOfNeighbour(detection, sent, ear, to))
+            return std::nullopt;
         detection.pulse.sample = sent.sample;
         auto range = ear.finder.process(detection);
         if (!range)
             return range;
-        if (range->confidence() >= kTrusted)
-            ear.way_s += kSettles * (range->distance_m / ear.finder.soundSpeed().at(sent.sample) - ear.way_s);
+        if (range->confidence() >= kTrusted) {
+            auto ways_s = ear.ways_s.row(detection.pulse.source);
+            const double miss_s =
+                range->distance_m / ear.finder.soundSpeed().at(sent.sample) - ways_s[detection.board];
+            ways_s.array() += kSettles * miss_s;
+            ways_s[detection.board] += kSettlesAtBoard * miss_s;
+        }
         range->distance_m += ear.finder.soundSpeed().at(sent.sample) *
                              (static_cast<double>(sent.sample) - sent.guessed_sample) / to.rate_hz();
         return range;
@@ -190,7 +235,8 @@ private:
         }
         std::vector<Ear> ears;
         for (size_t from = 0; from < parties_.size(); ++from)
-            if (from != index && parties_[from].sounds() && parties_[from].is_joined && to.is_joined) {
+            if ((from != index || to.of.is_room) && parties_[from].sounds() && parties_[from].is_joined &&
+                to.is_joined) {
                 auto ear = earOf(from, index);
                 if (!ear)
                     return ear.error();

@@ -100,13 +100,6 @@ public:
         auto room = roomOfTake(take_);
         if (!room)
             return room.error();
-        if (take_.level() == TakeLevel::kSignal)
-            return Error{ErrorKind::kUnusable,
-                         take_.path() +
-                             ": is a take of sound, from which a distance to an anchor is known but "
-                             "for multiples of a pulse's slot, 2.7 m",
-                         "Survey the room from a take of readings, or measure its anchors and write their "
-                         "places into the room's file"};
         found_.room = std::move(*room);
         describeAnchors();
         auto subject = choose(performer);
@@ -115,6 +108,10 @@ public:
         if (*subject)
             if (Status walked = addWalk(**subject); !walked)
                 return walked.error();
+        if (!*subject && take_.level() == TakeLevel::kSignal)
+            return Error{ErrorKind::kUnusable,
+                         take_.path() + ": holds the sound of anchors alone, whose clocks nobody joins",
+                         "Record somebody in a suit who walks past them"};
         if (Status between = addBetween(); !between)
             return between.error();
         if (Status counted = countPulses(); !counted)
@@ -124,6 +121,8 @@ public:
 
 private:
     int roomSuit() const { return found_.room.subject.suit(); }
+    /// With ranges: those of a take of sound have been measured.
+    const Take& data() const { return joining_.measured ? *joining_.measured : take_; }
 
     void describeAnchors() {
         const Suit placed = placedSuit(found_.room.suit, found_.room.calibration);
@@ -210,8 +209,8 @@ private:
             return joining.error();
         joining_ = std::move(*joining);
         if (!joining_.joins() || !joining_.room)
-            return Done{};
-        const auto devices = devicesOf(take_, subjects.front(), job_);
+            return take_.level() == TakeLevel::kSignal ? unknownClock(subject.name) : Status(Done{});
+        const auto devices = devicesOf(data(), subjects.front(), job_);
         if (!devices)
             return devices.error();
         found_.evidence.performer = subject.name;
@@ -219,6 +218,15 @@ private:
         found_.evidence.clock_known = joining_.clock_known.front() && joining_.clock_known.back();
         addWalkRanges(*devices, *clocks, subject);
         return Done{};
+    }
+
+    /// Which pulse an arrival belongs to is told by about how far the anchors are.
+    Error unknownClock(const std::string& performer) const {
+        return {ErrorKind::kUnusable,
+                take_.path() + ": the clocks of " + performer +
+                    " and of the room cannot be found from their sound",
+                "Stand still in sight of the anchors first, and see that the room's file has each of them "
+                "right to 0.2 m: without that, their pulses cannot be told apart"};
     }
 
     void addWalkRanges(const Devices& devices, const TakeClocks& clocks, const TakeSubject& subject) {
@@ -248,7 +256,7 @@ private:
     }
 
     Status addBetween() {
-        auto ranges = take_.ranges(kPrimaryRun, roomSuit());
+        auto ranges = data().ranges(kPrimaryRun, roomSuit());
         if (!ranges)
             return ranges.error();
         const double rate_hz = sampleRateOf(take_, roomSuit());

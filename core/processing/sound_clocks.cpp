@@ -12,6 +12,9 @@ namespace {
 constexpr double kStretch_s = 1.5, kStretchesApart_s = 10;  ///< in which the clocks are sought
 constexpr double kOutlier_s = 0.001;
 constexpr std::ptrdiff_t kRecent = 12;  ///< stretches
+/// A pulse in the own housing: what is found of it on another carrier lies from 0.1 ms before it to 1 ms
+/// after.
+constexpr double kOwnLead_s = 0.0001, kOwnPulse_s = 0.001;
 
 struct Point {
     double take_s, ahead_s;
@@ -68,11 +71,9 @@ public:
     Status run() {
         parties_.front().is_joined = true;
         if (const auto shared = take_.meta().find("clock_shared");
-            shared != take_.meta().end() && shared->second == "1") {
+            shared != take_.meta().end() && shared->second == "1")
             for (SoundParty& party : parties_)
                 party.is_joined = true;
-            return Done{};
-        }
         for (bool any = true; any;) {  // from those that are joined to those that they hear
             any = false;
             for (size_t a = 0; a < parties_.size(); ++a)
@@ -89,6 +90,10 @@ public:
                     parties_[b].is_joined = any = true;
                 }
         }
+        for (size_t a = 0; a < parties_.size(); ++a)
+            for (size_t b = a + 1; b < parties_.size(); ++b)
+                if (Status found = findWays(a, b); !found)
+                    return found;
         for (const SoundParty& party : parties_)
             if (!party.is_joined)
                 warnings_.push_back(
@@ -103,11 +108,9 @@ public:
 private:
     Result<std::optional<ClockError>> clockBetween(size_t a, size_t b) {
         std::optional<ClockError> none;
-        if (!parties_[a].sounds())
+        if (!parties_[a].sounds() && !parties_[b].sounds())
             return none;
-        const SoundParty& first = parties_[a];
-        const double begin_s = first.guessedTake_s(static_cast<double>(first.log.pulses.front().sample));
-        const double end_s = first.guessedTake_s(static_cast<double>(first.log.pulses.back().sample));
+        const auto [begin_s, end_s] = soundingTime(a, b);
         const int stretches = std::max(1, static_cast<int>((end_s - begin_s) / kStretchesApart_s) + 1);
         std::vector<Point> points;
         std::optional<cooperative::CoarseClock> before;
@@ -120,8 +123,7 @@ private:
                 return back.error();
             if (const auto found = cooperative::coarseClock(*there, *back, before)) {
                 before = found;
-                if (points.empty())
-                    ways[{a, b}] = ways[{b, a}] = found->way_s;
+                keepWays(a, b, *found);
                 points.push_back({from_s + kStretch_s / 2, found->ahead_s});
             }
             // Where nobody is heard for a while, the clock is believed to go on as it did.
@@ -138,6 +140,44 @@ private:
         return std::optional(lineThrough(std::move(points)));
     }
 
+    /// From the first to the last pulse of the first of the two that sends any, on guessed take time.
+    std::pair<double, double> soundingTime(size_t a, size_t b) const {
+        const SoundParty& party = parties_[a].sounds() ? parties_[a] : parties_[b];
+        return {party.guessedTake_s(static_cast<double>(party.log.pulses.front().sample)),
+                party.guessedTake_s(static_cast<double>(party.log.pulses.back().sample))};
+    }
+
+    /// Those of the first stretch.
+    void keepWays(size_t a, size_t b, const cooperative::CoarseClock& found) {
+        ways.try_emplace({a, b}, found.there_s);
+        ways.try_emplace({b, a}, found.back_s);
+    }
+
+    /// Of two that were joined by others, or share a clock: the first stretch in which they hear each other.
+    Status findWays(size_t a, size_t b) {
+        const SoundParty &first = parties_[a], &second = parties_[b];
+        if (!first.is_joined || !second.is_joined || ways.contains({a, b}) ||
+            (!first.sounds() && !second.sounds()))
+            return Done{};
+        const auto [begin_s, end_s] = soundingTime(a, b);
+        for (double from_s = begin_s; from_s < end_s; from_s += kStretchesApart_s) {
+            auto there = listen(a, b, from_s), back = listen(b, a, from_s);
+            if (!there)
+                return there.error();
+            if (!back)
+                return back.error();
+            cooperative::CoarseClock known;
+            known.ahead_s = second.error.at(from_s) - first.error.at(from_s);
+            if (const auto found = cooperative::coarseClock(*there, *back, known)) {
+                keepWays(a, b, *found);
+                return Done{};
+            }
+            if (job_.cancelled())
+                return JobContext::cancelledError();
+        }
+        return Done{};
+    }
+
     /// Everything that the boards of one suit hear on the carrier of another for a while.
     Result<cooperative::Direction> listen(size_t a, size_t b, double from_s) {
         const SoundParty &from = parties_[a], &to = parties_[b];
@@ -147,6 +187,8 @@ private:
         direction.places_m = from.of.source_places_m;
         direction.boards_m = to.of.board_places_m;
         direction.from_room = from.of.is_room;
+        if (!from.sounds() || !to.hears())
+            return direction;
         auto receiver = receiverBetween(from, to);
         if (!receiver)
             return receiver.error();
@@ -172,7 +214,8 @@ private:
         }
         receiver->finish(heard);
         for (const PulseDetection& one : heard)
-            if (!one.gap && !one.clipped && one.snr() >= RangeSettings{}.min_snr) {
+            if (!one.gap && !one.clipped && one.snr() >= RangeSettings{}.min_snr &&
+                !to.isDeafAt(one.board, one.arrival_sample)) {
                 const double delay_s =
                     (one.arrival_sample - emissions[static_cast<size_t>(one.pulse.id)]) / to.rate_hz();
                 direction.arrivals.push_back({static_cast<int>(one.pulse.id), one.board,
@@ -188,6 +231,17 @@ private:
 };
 
 }  // namespace
+
+bool SoundParty::isDeafAt(int board, double sample) const {
+    const std::string& housing = of.described.boards[static_cast<size_t>(board)].id;
+    auto pulse = std::ranges::upper_bound(log.pulses, sample + kOwnLead_s * rate_hz(), {},
+                                          [](const Pulse& one) { return static_cast<double>(one.sample); });
+    while (pulse != log.pulses.begin() &&
+           static_cast<double>((--pulse)->sample) > sample - kOwnPulse_s * rate_hz())
+        if (of.described.sources[static_cast<size_t>(pulse->source)].board == housing)
+            return true;
+    return false;
+}
 
 Result<PulseReceiver> receiverBetween(const SoundParty& from, const SoundParty& to) {
     PulseTrain train = from.of.decoder.train;

@@ -30,10 +30,13 @@ struct SoundParty {
     double sampleAt(double guessed_take_s) const { return guess.suitTime_s(guessed_take_s) * rate_hz(); }
     bool hears() const { return !of.described.boards.empty(); }
     bool sounds() const { return !of.described.sources.empty() && !log.pulses.empty(); }
+    /// The source in this board's own housing sounds then, millimetres away: on whatever carrier, nothing
+    /// else is heard.
+    bool isDeafAt(int board, double sample) const;
 };
 
-/// By sender and listener: how long the sound's way is at first, in seconds.
-using FirstWays = std::map<std::pair<size_t, size_t>, double>;
+/// By sender and listener: how long sound takes at first, source x board, in seconds.
+using FirstWays = std::map<std::pair<size_t, size_t>, Eigen::MatrixXd>;
 
 /// Fills in `error` and `is_joined`, against the first of them. Whoever cannot be joined is named in
 /// `warnings`.

@@ -9,7 +9,7 @@
 #include <set>
 #include <span>
 
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 
 namespace noctule::room_survey {
 namespace {

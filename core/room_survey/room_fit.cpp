@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "core/calibration/arrowhead_system.h"
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 #include "core/math/rotation.h"
 #include "core/room_survey/anchor_start.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 #include "core/room_survey/anchor_start.h"
 
 namespace noctule::room_survey {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 #include "core/math/rotation.h"
 
 namespace noctule {

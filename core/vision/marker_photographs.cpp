@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/calibration/jig_measurements.h"
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 #include "core/vision/photograph_set.h"
 
 namespace noctule {

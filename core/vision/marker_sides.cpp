@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/calibration/order_statistics.h"
+#include "core/math/order_statistics.h"
 #include "core/vision/marker_cells.h"
 
 namespace noctule {

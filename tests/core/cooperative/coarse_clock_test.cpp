@@ -45,6 +45,7 @@ Direction heard(const std::vector<Vector3d>& sources_m, const std::vector<Vector
     Direction direction;
     direction.interval_s = interval_s;
     direction.places_m = sources_m;
+    direction.boards_m = boards_m;
     const auto count = static_cast<int>(sources_m.size());
     for (int housing = 0; housing < count; ++housing)
         direction.board_near.push_back(housing);
@@ -72,7 +73,14 @@ TEST(CoarseClock, IsFoundWhateverTheGuessAndTheDistance) {
                                            heard(pair.second_m, pair.first_m, 0.0082, -ahead_s, 2));
             ASSERT_TRUE(found) << apart_m << " m, " << ahead_s << " s";
             EXPECT_NEAR(found->ahead_s, ahead_s, 50e-6) << apart_m << " m";
-            EXPECT_NEAR(found->way_s, apart_m / kSpeed_m_per_s, 0.0015) << ahead_s << " s";
+            for (int source = 0; source < std::ssize(pair.first_m); ++source)
+                for (int board = 0; board < std::ssize(pair.second_m); ++board)
+                    EXPECT_NEAR(found->there_s(source, board) * kSpeed_m_per_s,
+                                (pair.first_m[static_cast<size_t>(source)] -
+                                 pair.second_m[static_cast<size_t>(board)])
+                                    .norm(),
+                                0.05)
+                        << ahead_s << " s";
         }
 }
 
@@ -101,6 +109,55 @@ TEST(CoarseClock, OfARoomRestsOnItsAnchors) {
             EXPECT_NEAR(found->ahead_s, ahead_s, 0.0003);
         }
     }
+}
+
+/// Sound of one anchor comes within a pulse interval, that of another after two of them.
+TEST(CoarseClock, OfARoomKnowsHowFarEachAnchorIs) {
+    const std::vector<Vector3d> anchors_m{
+        {-2.8, 2.7, -2.2}, {2.9, 2.6, -2.4}, {-2.7, 0.9, 2.5}, {2.6, 2.7, 2.8}};
+    const Vector3d stands_m(-1.9, 0, -1.2);
+    const Pair pair = standing(1.1);
+    std::vector<Vector3d> worn_m;
+    for (const Vector3d& place : pair.first_m)
+        worn_m.emplace_back(Eigen::AngleAxisd(0.7, Vector3d::UnitY()) * place + stands_m);
+    for (const double ahead_s : {-0.0079, 0.0061}) {
+        Direction back = heard(anchors_m, worn_m, 0.008, -ahead_s, 3);
+        back.boards_m = pair.first_m;  // where the file has the body
+        back.from_room = true;
+        Direction silent;
+        silent.interval_s = 0.008;
+        silent.places_m = pair.first_m;
+        silent.boards_m = anchors_m;
+        const auto found = coarseClock(silent, back);
+        ASSERT_TRUE(found) << ahead_s;
+        EXPECT_NEAR(found->ahead_s, ahead_s, 0.0003);
+        for (int anchor = 0; anchor < std::ssize(anchors_m); ++anchor)
+            for (int board = 0; board < std::ssize(worn_m); ++board)
+                EXPECT_NEAR(
+                    found->back_s(anchor, board) * kSpeed_m_per_s,
+                    (worn_m[static_cast<size_t>(board)] - anchors_m[static_cast<size_t>(anchor)]).norm(), 0.1)
+                    << anchor << ", " << board;
+    }
+}
+
+/// One anchor later and a quarter turn further everything is as before.
+TEST(CoarseClock, OfASquareOfAnchorsIsNotGuessedFromOneDirection) {
+    std::vector<Vector3d> anchors_m{{2.3, 2.7, 2.3}, {-2.3, 2.7, 2.3}, {-2.3, 2.7, -2.3}, {2.3, 2.7, -2.3}};
+    const Pair pair = standing(1.1);
+    std::vector<Vector3d> worn_m;
+    for (const Vector3d& place : pair.first_m)
+        worn_m.emplace_back(Eigen::AngleAxisd(0.4, Vector3d::UnitY()) * place + Vector3d(0.3, 0, -0.9));
+    Direction back = heard(anchors_m, worn_m, 0.008, 0, 5);
+    back.boards_m = pair.first_m;
+    back.from_room = true;
+    Direction there = heard(worn_m, anchors_m, 0.0082, 0, 6);
+    there.places_m = pair.first_m;
+    there.boards_m = anchors_m;
+    const auto found = coarseClock(there, back);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->ahead_s, 0, 0.0003);
+    there.arrivals.clear();
+    EXPECT_FALSE(coarseClock(there, back));
 }
 
 TEST(CoarseClock, IsNotGuessedFromOneDirection) {

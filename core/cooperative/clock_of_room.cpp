@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cooperative/clock_of_room.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "core/math/order_statistics.h"
+
+namespace noctule::cooperative {
+namespace {
+
+constexpr double kWidestClock_s = 0.012;  ///< by which recorders guess wrong
+constexpr double kLongestWay_s = 0.024;   ///< of sound: 8 m
+constexpr double kSound_m_per_s = 344;    ///< temperature changes it by 1 % in 6 degrees
+constexpr size_t kMostArrivals = 400, kLeastArrivals = 30;
+constexpr double kCell_m = 0.3, kBeyond_m = 1;  ///< places are sought so far outside of the anchors
+constexpr int kMostCells = 40, kTurns = 12;     ///< per axis; about the vertical
+constexpr double kBin_s = 0.0005;               ///< of the clocks that are voted for: 17 cm
+constexpr size_t kRefined = 6;                  ///< clocks, those with the most votes
+constexpr int kRefinements = 24;
+constexpr double kEcho_m = 0.1;  ///< what misses by more came around the body or from a wall
+constexpr double kFits_m = 0.2;  ///< what misses by so much counts half: anchors may be known by eye only
+constexpr double kLeastShare = 0.4, kClearlyMore = 1.25;
+constexpr double kOtherClock_s = 0.001;  ///< clocks that differ by more are different answers
+
+struct PossiblePulse {
+    int source;
+    double delay_s;
+};
+struct Arrival {
+    int way;  ///< 0: there, 1: back
+    int board;
+    std::vector<PossiblePulse> pulses;
+};
+
+/// Place and turn of a body on the floor, and the clock in metres of sound.
+using Placement = Eigen::Vector4d;  // x, z, turn, clock
+
+/// By which the clock lengthens the delays.
+double signOf(int way) {
+    return way == 0 ? 1 : -1;
+}
+
+class RoomSearch {
+public:
+    RoomSearch(const Direction& there, const Direction& back, double expected_s, double within_s)
+        : ways_{&there, &back}, expected_s_(expected_s), within_s_(within_s) {
+        addArrivals(0);
+        addArrivals(1);
+    }
+
+    std::optional<StandingInRoom> find() {
+        if (arrivals_.size() < kLeastArrivals || hung().empty())
+            return std::nullopt;
+        vote();
+        std::vector<StandingInRoom> found;
+        for (const Vote& vote : mostVoted())
+            found.push_back(refined(vote.placement));
+        std::ranges::sort(found,
+                          [](const StandingInRoom& a, const StandingInRoom& b) { return a.share > b.share; });
+        const StandingInRoom& best = found.front();
+        if (best.share < kLeastShare || std::abs(best.ahead_s - expected_s_) > within_s_)
+            return std::nullopt;
+        const bool is_certain = std::ranges::all_of(found, [&](const StandingInRoom& other) {
+            return std::abs(other.ahead_s - best.ahead_s) < kOtherClock_s || isClearlyWorse(other, best);
+        });
+        return is_certain ? std::optional(best) : std::nullopt;
+    }
+
+private:
+    struct Vote {
+        int count = 0;
+        Placement placement = Placement::Zero();
+    };
+
+    void addArrivals(int way) {
+        const Direction& direction = *ways_[static_cast<size_t>(way)];
+        const double clock_s = signOf(way) * expected_s_;
+        const auto first = static_cast<int>(std::floor((clock_s - within_s_) / direction.interval_s));
+        const auto last =
+            static_cast<int>(std::ceil((clock_s + within_s_ + kLongestWay_s) / direction.interval_s));
+        // Every n-th would be of the same few boards.
+        std::vector<LooseArrival> some;
+        std::mt19937 random;
+        std::ranges::sample(direction.arrivals, std::back_inserter(some), kMostArrivals, random);
+        for (const LooseArrival& heard : some) {
+            Arrival arrival{way, heard.board, {}};
+            for (int back = first; back <= last; ++back)
+                if (const int pulse = heard.pulse - back;
+                    pulse >= 0 && pulse < static_cast<int>(direction.sources.size()))
+                    arrival.pulses.push_back({direction.sources[static_cast<size_t>(pulse)],
+                                              heard.delay_s + back * direction.interval_s});
+            if (!arrival.pulses.empty())
+                ++count_[static_cast<size_t>(way)], arrivals_.push_back(std::move(arrival));
+        }
+    }
+
+    /// In either direction, of those in which enough is heard.
+    bool isClearlyWorse(const StandingInRoom& other, const StandingInRoom& best) const {
+        for (size_t way = 0; way < 2; ++way)
+            if (count_[way] >= kLeastArrivals && other.shares[way] * kClearlyMore <= best.shares[way])
+                return true;
+        return false;
+    }
+
+    const std::vector<Vector3d>& hung() const {
+        const std::vector<Vector3d>& there = ways_[0]->from_room ? ways_[0]->places_m : ways_[0]->boards_m;
+        return there.empty() ? (ways_[1]->from_room ? ways_[1]->places_m : ways_[1]->boards_m) : there;
+    }
+    double wayOf(const Placement& at, int way, int source, int board) const {
+        const Direction& direction = *ways_[static_cast<size_t>(way)];
+        const Vector3d& sounds = direction.places_m[static_cast<size_t>(source)];
+        const Vector3d& hears = direction.boards_m[static_cast<size_t>(board)];
+        const Vector3d& worn = direction.from_room ? hears : sounds;
+        const double sine = std::sin(at[2]), cosine = std::cos(at[2]);
+        const Vector3d turned(cosine * worn.x() + sine * worn.z(), worn.y(),
+                              -sine * worn.x() + cosine * worn.z());
+        return (turned + Vector3d(at[0], 0, at[1]) - (direction.from_room ? sounds : hears)).norm();
+    }
+
+    /// Source x board, seconds.
+    Eigen::MatrixXd allWays(const Placement& at, int way) const {
+        const Direction& direction = *ways_[static_cast<size_t>(way)];
+        Eigen::MatrixXd ways_s(std::ssize(direction.places_m), std::ssize(direction.boards_m));
+        for (int source = 0; source < ways_s.rows(); ++source)
+            for (int board = 0; board < ways_s.cols(); ++board)
+                ways_s(source, board) = wayOf(at, way, source, board) / kSound_m_per_s;
+        return ways_s;
+    }
+
+    /// Every placement of a grid votes for the clock that most arrivals agree on.
+    void vote() {
+        const auto bins = static_cast<size_t>(2 * within_s_ / kBin_s) + 1;
+        votes_.assign(bins, {});
+        Vector3d low = hung().front(), high = low;
+        for (const Vector3d& place : hung())
+            low = low.cwiseMin(place), high = high.cwiseMax(place);
+        const double from_x = low.x() - kBeyond_m, from_z = low.z() - kBeyond_m;
+        const double wide_x = high.x() + kBeyond_m - from_x, wide_z = high.z() + kBeyond_m - from_z;
+        const double cell_m = std::max(kCell_m, std::max(wide_x, wide_z) / kMostCells);
+        for (int turn = 0; turn < kTurns; ++turn)
+            for (double x = from_x; x <= from_x + wide_x; x += cell_m)
+                for (double z = from_z; z <= from_z + wide_z; z += cell_m)
+                    voteAt({x, z, 2 * std::numbers::pi * turn / kTurns, 0});
+    }
+
+    void voteAt(Placement at) {
+        const std::array<Eigen::MatrixXd, 2> ways_s{allWays(at, 0), allWays(at, 1)};
+        std::vector<int> counts(votes_.size());
+        for (const Arrival& arrival : arrivals_) {
+            const auto way = static_cast<size_t>(arrival.way);
+            for (const PossiblePulse& pulse : arrival.pulses) {
+                const double way_s = ways_s[way](pulse.source, arrival.board);
+                const double clock_s = signOf(arrival.way) * (pulse.delay_s - way_s);
+                const double bin = (clock_s - expected_s_ + within_s_) / kBin_s;
+                if (bin >= 0 && bin < static_cast<double>(counts.size()))
+                    ++counts[static_cast<size_t>(bin)];
+            }
+        }
+        for (size_t bin = 0; bin < counts.size(); ++bin) {
+            const int count = counts[bin] + (bin > 0 ? counts[bin - 1] : 0) +
+                              (bin + 1 < counts.size() ? counts[bin + 1] : 0);
+            if (count <= votes_[bin].count)
+                continue;
+            const double clock_s = expected_s_ - within_s_ + (static_cast<double>(bin) + 0.5) * kBin_s;
+            at[3] = clock_s * kSound_m_per_s;
+            votes_[bin] = {count, at};
+        }
+    }
+
+    std::vector<Vote> mostVoted() const {
+        std::vector<Vote> best = votes_;
+        std::ranges::sort(best, [](const Vote& a, const Vote& b) { return a.count > b.count; });
+        std::vector<Vote> apart;
+        for (const Vote& vote : best) {
+            const bool is_new = std::ranges::none_of(apart, [&](const Vote& other) {
+                return std::abs(other.placement[3] - vote.placement[3]) < kOtherClock_s * kSound_m_per_s;
+            });
+            if (is_new && apart.size() < kRefined)
+                apart.push_back(vote);
+        }
+        return apart;
+    }
+
+    /// By how much an arrival misses, metres, with the source of the pulse that it fits best.
+    std::pair<double, int> missOf(const Arrival& arrival, const Placement& at) const {
+        std::pair<double, int> least{std::numeric_limits<double>::max(), 0};
+        for (const PossiblePulse& pulse : arrival.pulses) {
+            const double miss = wayOf(at, arrival.way, pulse.source, arrival.board) +
+                                signOf(arrival.way) * at[3] - pulse.delay_s * kSound_m_per_s;
+            if (std::abs(miss) < std::abs(least.first))
+                least = {miss, pulse.source};
+        }
+        return least;
+    }
+
+    StandingInRoom refined(Placement at) const {
+        constexpr double kStep = 1e-5;
+        double damping = 1e-3, error = std::numeric_limits<double>::max();
+        Placement best = at;
+        for (int step = 0; step < kRefinements; ++step) {
+            Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+            Eigen::Vector4d gradient = Eigen::Vector4d::Zero();
+            double cost = 0;
+            for (const Arrival& arrival : arrivals_) {
+                const auto [miss, source] = missOf(arrival, at);
+                const double square = miss * miss / (kEcho_m * kEcho_m);
+                cost += std::log1p(square);
+                Eigen::Vector4d slope;
+                for (int axis = 0; axis < 3; ++axis) {
+                    Placement moved = at;
+                    moved[axis] += kStep;
+                    slope[axis] = (wayOf(moved, arrival.way, source, arrival.board) -
+                                   wayOf(at, arrival.way, source, arrival.board)) /
+                                  kStep;
+                }
+                slope[3] = signOf(arrival.way);
+                normal += slope * slope.transpose() / (1 + square);
+                gradient += slope * (miss / (1 + square));
+            }
+            damping = cost < error ? damping / 3 : damping * 10;
+            if (cost < error)
+                error = cost, best = at;
+            at -= (normal + damping * Eigen::Matrix4d::Identity()).ldlt().solve(gradient);
+        }
+        return described(best);
+    }
+
+    StandingInRoom described(const Placement& at) const {
+        StandingInRoom standing;
+        standing.ahead_s = at[3] / kSound_m_per_s;
+        std::vector<double> misses;
+        for (const Arrival& arrival : arrivals_) {
+            const double miss_m = std::abs(missOf(arrival, at).first);
+            const double fits = 1 / (1 + miss_m * miss_m / (kFits_m * kFits_m));
+            const auto way = static_cast<size_t>(arrival.way);
+            standing.share += fits / static_cast<double>(arrivals_.size());
+            standing.shares[way] += fits / static_cast<double>(count_[way]);
+            misses.push_back(miss_m);
+        }
+        standing.misfit_s = medianOf(std::move(misses)) / kSound_m_per_s;
+        for (const int way : {0, 1})
+            standing.ways_s[static_cast<size_t>(way)] = allWays(at, way);
+        return standing;
+    }
+
+    std::array<const Direction*, 2> ways_;
+    double expected_s_, within_s_;
+    std::vector<Arrival> arrivals_;
+    std::array<size_t, 2> count_{};  ///< of the arrivals there and back
+    std::vector<Vote> votes_;        // by clock
+};
+
+}  // namespace
+
+std::optional<StandingInRoom> standInRoom(const Direction& there, const Direction& back,
+                                          std::optional<double> expected_s, double within_s) {
+    return RoomSearch(there, back, expected_s.value_or(0), expected_s ? within_s : kWidestClock_s).find();
+}
+
+}  // namespace noctule::cooperative
