@@ -235,7 +235,10 @@ Result<CalibrationResult> solveRoom(const CalibrateRequest& request, const Argum
             return height.error();
         room.heights_m.push_back(std::move(*height));
     }
-    return calibrateRoom(room, job);
+    auto surveyed = calibrateRoom(room, job);
+    if (!surveyed)
+        return surveyed.error();
+    return std::move(surveyed->result);
 }
 
 }  // namespace

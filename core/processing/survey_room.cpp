@@ -113,7 +113,7 @@ Suit surveyedRoom(const RoomEvidence& take, const room_survey::RoomSurvey& surve
 
 }  // namespace
 
-Result<CalibrationResult> calibrateRoom(const RoomRequest& request, const JobContext& job) {
+Result<SurveyedTake> calibrateRoom(const RoomRequest& request, const JobContext& job) {
     auto take = Take::open(request.take_path, Access::kRead, {job.cancel});
     if (!take)
         return take.error();
@@ -122,13 +122,15 @@ Result<CalibrationResult> calibrateRoom(const RoomRequest& request, const JobCon
         return gathered.error();
     if (Status heights = addHeights(request, gathered->evidence); !heights)
         return heights.error();
-    const auto survey = room_survey::surveyRoom(gathered->evidence, {}, job);
+    auto survey = room_survey::surveyRoom(gathered->evidence, {}, job);
     if (!survey) {
         Error error = survey.error();
         error.message = request.take_path + ": " + error.message;
         return error;
     }
-    CalibrationResult result;
+    SurveyedTake surveyed;
+    surveyed.before = placedSuit(gathered->room.suit, gathered->room.calibration);
+    CalibrationResult& result = surveyed.result;
     result.room = surveyedRoom(*gathered, *survey, gathered->warnings);
     result.calibration = gathered->room.calibration;
     result.document = documentOf(*survey);
@@ -139,7 +141,8 @@ Result<CalibrationResult> calibrateRoom(const RoomRequest& request, const JobCon
     result.json["takes"] = result.document.takes;
     result.warnings = std::move(gathered->warnings);
     result.json.update(findingsJson(survey->findings));
-    return result;
+    surveyed.survey = std::move(*survey);
+    return surveyed;
 }
 
 Status placeAnchors(const std::string& take_path, const Suit& room, const std::string& created_utc,

@@ -14,8 +14,12 @@ struct RoomRequest {
     std::string created_utc;
 };
 
-/// The result's `room` has the places found; anchors that could not be placed are left out of it.
-Result<CalibrationResult> calibrateRoom(const RoomRequest& request, const JobContext& job);
+struct SurveyedTake {
+    CalibrationResult result;  ///< its `room` has the places found, without anchors that could not be placed
+    room_survey::RoomSurvey survey;
+    Suit before{};  ///< the room as its places are in force in the take
+};
+Result<SurveyedTake> calibrateRoom(const RoomRequest& request, const JobContext& job);
 
 /// Puts the places of a room's file in force in a take. Fails (kUsage) when the take has no room, or when
 /// none of its anchors is in the file; anchors that the file lacks are named in `warnings`.

@@ -4089,8 +4089,8 @@
         <translation>%1: enthält keine Referenz</translation>
     </message>
     <message>
-        <source>%1: is a take of sound, from which a distance to an anchor is known but for multiples of a pulse's slot, 2.7 m</source>
-        <translation>%1: ist eine Aufnahme von Schall, aus der ein Abstand zu einem Anker nur bis auf Vielfache des Zeitfensters eines Pulses (2,7 m) bekannt ist</translation>
+        <source>%1: holds the sound of anchors alone, whose clocks nobody joins</source>
+        <translation>%1: enthält nur den Schall von Ankern, deren Uhren niemand verbindet</translation>
     </message>
     <message>
         <source>%1: is not JSON</source>
@@ -4143,6 +4143,10 @@
     <message>
         <source>%1: subjects cannot be estimated together: %2</source>
         <translation>%1: Darsteller lassen sich nicht gemeinsam schätzen: %2</translation>
+    </message>
+    <message>
+        <source>%1: the clocks of %2 and of the room cannot be found from their sound</source>
+        <translation>%1: Die Uhren von %2 und vom Raum lassen sich aus ihrem Schall nicht finden</translation>
     </message>
     <message>
         <source>%1: the field is bent for %2 of the time</source>
@@ -4585,6 +4589,10 @@
         <translation>Nehmen Sie eine mit `noctule --batch drive --record` auf, oder nennen Sie eine, die `inspect` aufzählt</translation>
     </message>
     <message>
+        <source>Record somebody in a suit who walks past them</source>
+        <translation>Jemanden im Anzug aufnehmen, der an ihnen vorbeigeht</translation>
+    </message>
+    <message>
         <source>Record the anchors' box as a device of its own, with a suit whose segments are null</source>
         <translation>Nehmen Sie die Box der Anker als eigenes Gerät auf, mit einem Anzug, dessen Segmente null sind</translation>
     </message>
@@ -4629,16 +4637,16 @@
         <translation>Schallgeschwindigkeit</translation>
     </message>
     <message>
+        <source>Stand still in sight of the anchors first, and see that the room's file has each of them right to 0.2 m: without that, their pulses cannot be told apart</source>
+        <translation>Zuerst in Sicht der Anker still stehen, und darauf achten, dass die Datei des Raums jeden von ihnen auf 0,2 m genau nennt: sonst sind ihre Pulse nicht auseinanderzuhalten</translation>
+    </message>
+    <message>
         <source>Stated uncertainty of all points</source>
         <translation>Angegebene Unsicherheit aller Punkte</translation>
     </message>
     <message>
         <source>States of the robot</source>
         <translation>Zustände des Roboters</translation>
-    </message>
-    <message>
-        <source>Survey the room from a take of readings, or measure its anchors and write their places into the room's file</source>
-        <translation>Vermessen Sie den Raum mit einer Aufnahme von Messwerten, oder messen Sie die Anker aus und schreiben Sie ihre Orte in die Datei des Raums</translation>
     </message>
     <message>
         <source>Take --estimator comocap</source>

@@ -2627,6 +2627,22 @@
         <source>None yet. The suit&apos;s own values from an earlier session are in use; the rest pose belongs to each wearing.</source>
         <translation>Noch keine. Die Werte des Anzugs aus einer früheren Sitzung sind in Gebrauch; die Ruhehaltung gehört zu jedem Anziehen.</translation>
     </message>
+    <message>
+        <source>Anchors</source>
+        <translation>Anker</translation>
+    </message>
+    <message>
+        <source>Needs a take in which somebody walks past the anchors</source>
+        <translation>Braucht eine Aufnahme, in der jemand an den Ankern vorbeigeht</translation>
+    </message>
+    <message>
+        <source>From the take that is open, %1</source>
+        <translation>Aus der offenen Aufnahme, %1</translation>
+    </message>
+    <message>
+        <source>Survey</source>
+        <translation>Vermessen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::CalibrationShelf</name>
@@ -9081,6 +9097,242 @@ Median; gut: unter %1</translation>
     <message>
         <source>Both arms and the trunk</source>
         <translation>Beide Arme und der Rumpf</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RoomDrawing</name>
+    <message>
+        <source>was moved</source>
+        <translation>wurde verschoben</translation>
+    </message>
+    <message>
+        <source>not placed</source>
+        <translation>ohne Ort</translation>
+    </message>
+    <message>
+        <source>two places fit</source>
+        <translation>zwei Orte passen</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>schwach</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>Plan of the room, from above</source>
+        <translation>Grundriss des Raums, von oben</translation>
+    </message>
+    <message>
+        <source>The room from the front</source>
+        <translation>Der Raum von vorn</translation>
+    </message>
+    <message>
+        <source>anchor %1 at %2, %3, height %4</source>
+        <translation>Anker %1 bei %2, %3, Höhe %4</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Ellipse: uncertainty, drawn %1 times larger. Line: walked.</source>
+        <translation>Ellipse: Unsicherheit, %1-mal größer gezeichnet. Linie: gegangen.</translation>
+    </message>
+    <message>
+        <source>Heights above the floor.</source>
+        <translation>Höhen über dem Boden.</translation>
+    </message>
+    <message>
+        <source>Plan, from above</source>
+        <translation>Grundriss, von oben</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RoomPage</name>
+    <message>
+        <source>The room is surveyed</source>
+        <translation>Der Raum ist vermessen</translation>
+    </message>
+    <message>
+        <source>The room can be used</source>
+        <translation>Der Raum ist brauchbar</translation>
+    </message>
+    <message>
+        <source>The room cannot be used yet</source>
+        <translation>Der Raum ist noch nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>Anchor %1</source>
+        <translation>Anker %1</translation>
+    </message>
+    <message>
+        <source>height %1</source>
+        <translation>Höhe %1</translation>
+    </message>
+    <message>
+        <source>heard %1 of %2</source>
+        <translation>gehört %1 von %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>hears anchor %1</source>
+        <translation>
+            <numerusform>hört Anker %1</numerusform>
+            <numerusform>hört die Anker %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>Where the anchors hang, so that place and heading of everybody hold.</source>
+        <translation>Wo die Anker hängen, damit Ort und Richtung von allen halten.</translation>
+    </message>
+    <message>
+        <source>Somebody in a suit walks past all anchors, one minute; after an anchor was moved</source>
+        <translation>Jemand im Anzug geht an allen Ankern vorbei, eine Minute; nachdem ein Anker bewegt wurde</translation>
+    </message>
+    <message>
+        <source>Record a take for the room: stand still in the rest pose in the middle, then walk slowly past all anchors and turn, for a minute. Or open such a take in Review.</source>
+        <translation>Eine Aufnahme für den Raum machen: in der Mitte in der Ruhehaltung still stehen, dann eine Minute langsam an allen Ankern vorbeigehen und sich drehen. Oder eine solche Aufnahme in „Prüfen“ öffnen.</translation>
+    </message>
+    <message>
+        <source>Go to Record</source>
+        <translation>Zur Aufnahme</translation>
+    </message>
+    <message>
+        <source>Survey again</source>
+        <translation>Neu vermessen</translation>
+    </message>
+    <message>
+        <source>Use these places</source>
+        <translation>Diese Orte verwenden</translation>
+    </message>
+    <message>
+        <source>Process the take again</source>
+        <translation>Aufnahme neu verarbeiten</translation>
+    </message>
+    <message>
+        <source>Save as file</source>
+        <translation>Als Datei sichern</translation>
+    </message>
+    <message>
+        <source>Back to Calibrate</source>
+        <translation>Zurück zum Kalibrieren</translation>
+    </message>
+    <message>
+        <source>It is being surveyed.</source>
+        <translation>Er wird gerade vermessen.</translation>
+    </message>
+    <message>
+        <source>Survey</source>
+        <translation>Vermessen</translation>
+    </message>
+    <message>
+        <source>Room of %1</source>
+        <translation>Raum von %1</translation>
+    </message>
+    <message>
+        <source>Walk slowly past all anchors</source>
+        <translation>Langsam an allen Ankern vorbeigehen</translation>
+    </message>
+    <message>
+        <source>Where do the anchors hang?</source>
+        <translation>Wo hängen die Anker?</translation>
+    </message>
+    <message>
+        <source>The room is being surveyed</source>
+        <translation>Der Raum wird vermessen</translation>
+    </message>
+    <message>
+        <source>The room was not surveyed</source>
+        <translation>Der Raum wurde nicht vermessen</translation>
+    </message>
+    <message>
+        <source>Anchors heard</source>
+        <translation>Anker gehört</translation>
+    </message>
+    <message>
+        <source>the weakest: %1 of %2</source>
+        <translation>der schwächste: %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, good: up to %2</source>
+        <translation>%1, gut: bis %2</translation>
+    </message>
+    <message>
+        <source>Largest error</source>
+        <translation>Größter Fehler</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>Übereinstimmung</translation>
+    </message>
+    <message>
+        <source>Nobody has to measure: places come from what the anchors and the suit hear. The origin is where %1 stood in the rest pose; the arrow is where %1 faced.</source>
+        <translation>Niemand muss messen: Die Orte kommen aus dem, was Anker und Anzug hören. Der Ursprung ist, wo %1 in der Ruhehaltung stand; der Pfeil zeigt, wohin %1 blickte.</translation>
+    </message>
+    <message>
+        <source>Nobody walked past the anchors: place and heading are those of the room&apos;s file.</source>
+        <translation>Niemand ging an den Ankern vorbei: Ort und Richtung sind die der Datei des Raums.</translation>
+    </message>
+    <message>
+        <source>Use these places anyway</source>
+        <translation>Diese Orte trotzdem verwenden</translation>
+    </message>
+    <message>
+        <source>In use in %1; undo with Ctrl+Z. Results that it has were made with the earlier places.</source>
+        <translation>In %1 in Gebrauch; mit Strg+Z rückgängig. Ergebnisse, die sie hat, wurden mit den früheren Orten gemacht.</translation>
+    </message>
+    <message>
+        <source>Poses would be wrong where the cards say so. Mend what is named first.</source>
+        <translation>Haltungen wären dort falsch, wo die Karten es sagen. Zuerst beheben, was genannt ist.</translation>
+    </message>
+    <message>
+        <source>The places come into force in %1. Other takes and the box itself get them from the file.</source>
+        <translation>Die Orte gelten dann in %1. Andere Aufnahmen und die Box selbst bekommen sie aus der Datei.</translation>
+    </message>
+    <message>
+        <source>Anchors</source>
+        <translation>Anker</translation>
+    </message>
+    <message>
+        <source>Save the room</source>
+        <translation>Raum sichern</translation>
+    </message>
+    <message>
+        <source>Rooms (*.json)</source>
+        <translation>Räume (*.json)</translation>
+    </message>
+    <message>
+        <source>The room was not saved</source>
+        <translation>Der Raum wurde nicht gesichert</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RoomRun</name>
+    <message>
+        <source>Using the surveyed places of anchors</source>
+        <translation>Die vermessenen Orte der Anker verwenden</translation>
+    </message>
+    <message>
+        <source>Writing the places of anchors into %1</source>
+        <translation>Die Orte der Anker in %1 schreiben</translation>
+    </message>
+    <message>
+        <source>Surveying the room of %1</source>
+        <translation>Den Raum von %1 vermessen</translation>
     </message>
 </context>
 <context>

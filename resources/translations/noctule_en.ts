@@ -544,6 +544,16 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::RoomPage</name>
+    <message numerus="yes">
+        <source>hears anchor %1</source>
+        <translation>
+            <numerusform>hears anchor %1</numerusform>
+            <numerusform>hears anchors %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::SessionModel</name>
     <message numerus="yes">
         <source>%n take(s) copied into the session</source>

@@ -21,6 +21,7 @@
 #include "ui/widgets/verdict_header.h"
 #include "ui/wizards/calibration_state.h"
 #include "ui/wizards/compare_dialog.h"
+#include "ui/wizards/room_page.h"
 #include "ui/wizards/task_card.h"
 #include "ui/wizards/wizard_page.h"
 
@@ -33,13 +34,16 @@ CalibratePage::CalibratePage(Studio& studio, QWidget* parent)
       left_(new QStackedWidget(this)),
       right_(new QStackedWidget(this)),
       wizard_(new WizardPage(studio)),
+      room_(new RoomPage(studio)),
       overview_(nullptr) {
     makeColumn(this)->addWidget(centre_);
     overview_ = makeOverview();
     centre_->addWidget(overview_);
     centre_->addWidget(wizard_);
+    centre_->addWidget(room_);
     right_->addWidget(makeOverviewSide());
     right_->addWidget(wizard_->side());
+    right_->addWidget(room_->side());
     left_->addWidget(makeHistory());
     left_->addWidget(wizard_->rail());
     for (QWidget* dock : {left_, right_}) {
@@ -51,6 +55,8 @@ CalibratePage::CalibratePage(Studio& studio, QWidget* parent)
     setFocusPolicy(Qt::ClickFocus);
     setDockTitles(tr("Calibrations"), tr("Calibration"));
     connect(wizard_, &WizardPage::leaveRequested, this, &CalibratePage::closeWizard);
+    connect(room_, &RoomPage::leaveRequested, this, &CalibratePage::showOverview);
+    connect(&studio.take(), &TakeDocument::opened, this, &CalibratePage::refresh);
     studio.suits().follow(&CalibrationShelf::changed, this, &CalibratePage::refresh);
     studio.suits().follow(&LiveSuit::wearingChanged, this, &CalibratePage::refresh);
     studio.suits().follow(&LiveSuit::phaseChanged, this, &CalibratePage::refresh);
@@ -91,11 +97,14 @@ QWidget* CalibratePage::makeOverview() {
     auto* tasks = new QWidget;
     auto* column = makeColumn(tasks, {}, 8);  // all of them are seen on the smallest screen
     for (const WizardTask task : kWizardTasks) {
-        auto* card = new TaskCard(task);
+        auto* card = new TaskCard(wordsOf(task));
         connect(card->button(), &QPushButton::clicked, this, [this, task] { open(task); });
         cards_[task] = card;
         column->addWidget(card);
     }
+    room_card_ = new TaskCard(roomWords());
+    connect(room_card_->button(), &QPushButton::clicked, this, &CalibratePage::openRoom);
+    column->addWidget(room_card_);
     column->addStretch();
     keepMaximumWidth(*tasks, 720);
     auto* middle = new QWidget;
@@ -237,13 +246,26 @@ void CalibratePage::open(WizardTask task) {
     setFocus();
 }
 
-void CalibratePage::closeWizard() {
-    wizard_->close();
+void CalibratePage::openRoom() {
+    centre_->setCurrentWidget(room_);
+    right_->setCurrentWidget(room_->side());
+    left_->setCurrentIndex(0);
+    setDockTitles(tr("Calibrations"), tr("Anchors"));
+    room_->enter();
+    setFocus();
+}
+
+void CalibratePage::showOverview() {
     centre_->setCurrentWidget(overview_);
     right_->setCurrentIndex(0);
     left_->setCurrentIndex(0);
     setDockTitles(tr("Calibrations"), tr("Calibration"));
     refresh();
+}
+
+void CalibratePage::closeWizard() {
+    wizard_->close();
+    showOverview();
     if (std::exchange(back_to_record_, false))
         studio_.goTo(Step::kRecord);
 }
@@ -255,6 +277,12 @@ void CalibratePage::refresh() {
     next_ = nextTask(in_force, suit, now);
     const bool has_field = std::ranges::any_of(suit.boards, &Board::has_magnetometer);
     cards_.at(WizardTask::kMagnetometers)->setVisible(has_field);
+    room_card_->setVisible(RoomRun::hasRoom(studio_));
+    room_card_->setState(Tone::kNeutral,
+                         room_->run().phase() == RoomRun::Phase::kNoTake
+                             ? tr("Needs a take in which somebody walks past the anchors")
+                             : tr("From the take that is open, %1").arg(room_->run().takeName()));
+    room_card_->setButton(tr("Survey"), false);
     for (const auto& [task, card] : cards_) {
         if (task == WizardTask::kCheck) {
             card->setState(Tone::kNeutral, in_force ? tr("Against the calibration in force")

@@ -17,6 +17,7 @@ namespace noctule::ui {
 
 class Button;
 class ProblemCard;
+class RoomPage;
 class TaskCard;
 class VerdictHeader;
 class WizardPage;
@@ -38,7 +39,12 @@ public:
     void checkBeforeTake();
     /// Back to the overview, or to where it was opened from.
     void closeWizard();
+    /// The survey of the room of the take that is open.
+    void openRoom();
     WizardPage& wizard() { return *wizard_; }
+    RoomPage& room() { return *room_; }
+    /// Of the room; hidden where there are no anchors.
+    TaskCard* roomCard() { return room_card_; }
     bool showsWizard() const;
     Button* startButton(WizardTask task);
     Button* wayOn() { return way_on_; }
@@ -65,6 +71,7 @@ private:
     void refresh();
     void showHistory();
     void showNewer();
+    void showOverview();
     QWidget* makeFiles();
     void chooseImport();
     void chooseExport();
@@ -72,9 +79,11 @@ private:
     Studio& studio_;
     QStackedWidget *centre_, *left_, *right_;
     WizardPage* wizard_;
+    RoomPage* room_;
     QWidget* overview_;
     QString session_;  ///< that the wizard was opened in
     std::map<WizardTask, TaskCard*> cards_;
+    TaskCard* room_card_ = nullptr;
     VerdictHeader* verdict_ = nullptr;
     Button* way_on_ = nullptr;
     std::optional<WizardTask> next_;

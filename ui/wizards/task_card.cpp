@@ -11,12 +11,11 @@
 
 namespace noctule::ui {
 
-TaskCard::TaskCard(WizardTask task, QWidget* parent)
+TaskCard::TaskCard(const WizardWords& words, QWidget* parent)
     : Card(parent),
       state_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       state_icon_(new IconLabel("info", [] { return colorOf(Ink::kHint); })),
       button_(makeButton(ButtonKind::kOutlined, tr("Begin"))) {
-    const WizardWords words = wordsOf(task);
     auto* row = makeRow(this, {20, 12, 20, 12}, 20);
     row->addWidget(new IconLabel(
                        words.icon, [] { return Theme::get().tokens().t2; }, 40),

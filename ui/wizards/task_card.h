@@ -16,7 +16,7 @@ class Label;
 class TaskCard : public Card {
     Q_OBJECT
 public:
-    explicit TaskCard(WizardTask task, QWidget* parent = nullptr);
+    explicit TaskCard(const WizardWords& words, QWidget* parent = nullptr);
 
     /// "17 of 18 boards, 3 days ago, good"
     void setState(Tone tone, const QString& state);

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// The survey of a room on step Calibrate: from a take with anchors to their places in force, and back.
+// NOCTULE_TEST_PICTURES names a folder for a picture of it.
+#include "ui/wizards/room_page.h"
+
+#include <QLabel>
+#include <QProcess>
+#include <QUndoStack>
+
+#include "core/processing/room_evidence.h"
+#include "core/suit/placed_suit.h"
+#include "tests/ui/wizards/wizard_flow.h"
+#include "ui/wizards/room_drawing.h"
+#include "ui/wizards/task_card.h"
+
+namespace noctule::ui {
+namespace {
+
+using namespace test;
+
+const std::string kResources = NOCTULE_SOURCE_DIR "/resources/";
+
+class RoomPageTest : public WizardFlow {
+protected:
+    void SetUp() override {
+        WizardFlow::SetUp();
+        page_->resize(1000, 760);
+        ASSERT_TRUE(studio_->session().create(folder_.filePath("session"), "Room"));
+    }
+    /// A performer below four anchors; `duration` in seconds, as text.
+    QString makeTake(const QString& name, const QString& duration) {
+        const QString cast = folder_.filePath("cast.json"), take = folder_.filePath(name + ".noctule");
+        std::ofstream(cast.toStdString())
+            << R"({"subjects":[{"name":"Ada","motion":")" << kResources << R"(motions/sample.bvh","suit":")"
+            << kResources << R"(casts/transceivers_13.json","place":{"x_m":0,"z_m":0,"yaw_deg":0}}],"room":")"
+            << kResources << R"(casts/ceiling_4.json"})";
+        QProcess program;
+        program.start(NOCTULE_PROGRAM,
+                      {"--batch", "simulate", "--cast", cast, "--out", take, "--level", "readings",
+                       "--scenario", "nominal", "--duration", duration, "--seed", "4"});
+        EXPECT_TRUE(program.waitForFinished(120'000));
+        EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+        return take;
+    }
+    void open(const QString& take) {
+        studio_->session().importTakes({take});
+        ASSERT_TRUE(waitLong([this] { return studio_->take().isOpen() && studio_->jobs().idle(); }));
+    }
+    RoomRun& run() { return page_->room().run(); }
+    void survey() {
+        QTest::mouseClick(page_->roomCard()->button(), Qt::LeftButton);
+        ASSERT_TRUE(waitLong([this] { return run().phase() != RoomRun::Phase::kSurveying; }));
+    }
+    Vector3d sourceInTake(int source) const {
+        Take take = Take::open(studio_->take().path().toStdString()).value();
+        const auto room = roomOfTake(take);
+        return placedSuit(room->suit, room->calibration)
+            .sources[static_cast<size_t>(source)]
+            .p_segment_source_m;
+    }
+    bool says(QWidget& where, const QString& words) const {
+        for (const QLabel* label : where.findChildren<QLabel*>())
+            if (!label->isHidden() && label->text().contains(words))
+                return true;
+        return false;
+    }
+};
+
+TEST_F(RoomPageTest, WithoutAnchorsThereIsNoCard) {
+    EXPECT_TRUE(page_->roomCard()->isHidden());
+    page_->openRoom();
+    EXPECT_EQ(run().phase(), RoomRun::Phase::kNoTake);
+    EXPECT_TRUE(says(page_->room(), "walk slowly past"));
+    EXPECT_TRUE(page_->room().useButton()->isHidden());
+    run().survey();
+    EXPECT_EQ(run().phase(), RoomRun::Phase::kNoTake);
+}
+
+TEST_F(RoomPageTest, ATakeIsSurveyedUsedAndTakenBack) {
+    open(makeTake("walk_001", "16"));
+    ASSERT_FALSE(page_->roomCard()->isHidden());
+    survey();
+    ASSERT_EQ(run().phase(), RoomRun::Phase::kResult) << run().error().text();
+    page_->rightDock()->show();
+    const room_survey::RoomSurvey& found = run().result().survey;
+    ASSERT_EQ(found.anchors.size(), 4u);
+    EXPECT_TRUE(says(*page_->rightDock(), "Anchor 4"));
+    EXPECT_TRUE(says(*page_->rightDock(), "ceiling_4"));
+    EXPECT_TRUE(says(page_->room(), "where Ada stood"));
+    for (const RoomDrawing* drawing : page_->room().findChildren<RoomDrawing*>())
+        EXPECT_EQ(drawing->accessibleName().count("anchor "), 4) << drawing->accessibleName().toStdString();
+    if (const QString folder = qEnvironmentVariable("NOCTULE_TEST_PICTURES"); !folder.isEmpty()) {
+        QTest::qWait(300);
+        page_->room().grab().save(folder + "/room.png");
+        page_->room().side()->resize(364, 760);
+        page_->room().side()->grab().save(folder + "/room-side.png");
+    }
+
+    const Vector3d before = sourceInTake(0);
+    const Vector3d surveyed = run().result().result.room->sources[0].p_segment_source_m;
+    ASSERT_GT((surveyed - before).norm(), 0.002) << "the survey is not what the file says";
+    QTest::mouseClick(page_->room().useButton(), Qt::LeftButton);
+    ASSERT_TRUE(waitLong([this] { return run().isInUse() && studio_->jobs().idle(); }));
+    EXPECT_LT((sourceInTake(0) - surveyed).norm(), 1e-6);
+    EXPECT_TRUE(page_->room().useButton()->isHidden());
+    EXPECT_FALSE(page_->room().processButton()->isHidden());
+    EXPECT_EQ(run().phase(), RoomRun::Phase::kResult) << "it stays when the take is read again";
+
+    studio_->session().undoStack().undo();
+    ASSERT_TRUE(waitLong([this] { return !run().isInUse() && studio_->jobs().idle(); }));
+    EXPECT_LT((sourceInTake(0) - before).norm(), 1e-6);
+    EXPECT_FALSE(page_->room().useButton()->isHidden());
+
+    const QString file = folder_.filePath("room.json");
+    EXPECT_TRUE(run().save(file).isEmpty());
+    std::ifstream in(file.toStdString());
+    const auto read = suitFromJson(nlohmann::json::parse(in), "room.json");
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_LT((read->sources[0].p_segment_source_m - surveyed).norm(), 1e-6);
+    EXPECT_FALSE(run().save(folder_.filePath("no/such/folder/room.json")).isEmpty());
+}
+
+TEST_F(RoomPageTest, WhatCannotBeSurveyedIsSaidInPlace) {
+    open(makeTake("short_001", "3.2"));  // the rest pose and hardly more
+    survey();
+    if (run().phase() == RoomRun::Phase::kFailed)
+        EXPECT_TRUE(says(page_->room(), "The room was not surveyed"));
+    else
+        EXPECT_TRUE(says(page_->room(), "The room cannot be used yet") ||
+                    says(page_->room(), "The room can be used"));
+    EXPECT_FALSE(run().isInUse());
+}
+
+}  // namespace
+}  // namespace noctule::ui

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// The survey of the room of the take that is open: what can be done, its result, and the places put in force
+// in the take as a step that can be undone.
+#pragma once
+
+#include <QPointer>
+#include <memory>
+#include <mutex>
+
+#include "core/processing/survey_room.h"
+#include "ui/models/studio.h"
+
+namespace noctule::ui {
+
+class RoomRun : public QObject {
+    Q_OBJECT
+public:
+    enum class Phase {
+        kNoTake,  ///< none with anchors is open
+        kReady,
+        kSurveying,
+        kFailed,
+        kResult
+    };
+
+    explicit RoomRun(Studio& studio, QObject* parent = nullptr);
+
+    /// The take that is open has anchors, or a box of anchors is connected.
+    static bool hasRoom(Studio& studio);
+
+    Phase phase() const;
+    QString takeName() const;
+    /// Of kSurveying.
+    Job* job() const { return job_; }
+    /// Of kResult.
+    const SurveyedTake& result() const { return *result_; }
+    /// Of kFailed.
+    const Error& error() const { return *error_; }
+    /// The places of the result hold in the take.
+    bool isInUse() const { return in_use_; }
+
+    void survey();
+    void use();
+    /// Writes the room's file; in words why not, else empty.
+    QString save(const QString& path) const;
+
+signals:
+    void changed();
+
+private:
+    friend class RoomCommand;
+    void follow();
+    void accept(Result<SurveyedTake> result, const QString& path);
+    void placed(const QString& path, bool as_surveyed);
+
+    Studio& studio_;
+    QPointer<Job> job_;
+    QString path_;  ///< of result or error
+    std::shared_ptr<const SurveyedTake> result_;
+    std::optional<Error> error_;
+    bool in_use_ = false;
+    std::shared_ptr<std::mutex> one_at_a_time_ = std::make_shared<std::mutex>();
+};
+
+}  // namespace noctule::ui
