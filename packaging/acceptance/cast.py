@@ -63,13 +63,18 @@ def found_in_points(take, estimator):
 def found_in_take(job):
     """{(cast, run or estimator): numbers} of one cast and seed."""
     name, cast, seed = job
-    take = cast.parent / f"worn_{name}_{seed}.noctule"
-    studio.batch("simulate", "--cast", cast, "--level", "readings", "--scenario", "nominal", "--seed", seed,
-                 "--out", take, "--overwrite")
+    def take_of(level):
+        path = cast.parent / f"worn_{name}_{seed}_{level}.noctule"
+        studio.batch("simulate", "--cast", cast, "--level", level, "--scenario", "nominal", "--seed", seed,
+                     "--out", path, "--overwrite")
+        return path
+    sound = take_of("signal")
     runs = {**RUNS, **ONCE} if (name, seed) == ("handshake", FIRST_SEED) else RUNS
-    found = {(name, label): found_in_run(take, label, options) for label, options in runs.items()}
-    found.update({(name, estimator): found_in_points(take, estimator) for estimator in POINTS})
-    take.unlink()
+    found = {(name, label): found_in_run(sound, label, options) for label, options in runs.items()}
+    sound.unlink()
+    readings = take_of("readings")
+    found.update({(name, estimator): found_in_points(readings, estimator) for estimator in POINTS})
+    readings.unlink()
     return found
 
 
@@ -122,14 +127,14 @@ def worn(options):
         for found in pool.map(found_in_take, work):
             for key, numbers in found.items():
                 seen[key].append(numbers)
-    text = (f"\n### Two whole suits, readings level, nominal\n\nHandshake: {seeds['handshake']} seeds from {FIRST_SEED} on; "
+    text = (f"\n### Two whole suits, signal level, nominal\n\nHandshake: {seeds['handshake']} seeds from {FIRST_SEED} on; "
             f"salsa: {seeds['salsa']}, since each takes longer. Mean ± standard deviation over seeds (largest). "
             "`between` uses no anchors, `room` no ranges between the suits. Error in mm (rms) of the vector between the "
             "pelvises, of the worst pair of hands (common heading taken off), of the pelvises' vector in the world; "
             "relative heading in degrees; mean NEES of these vectors; error of the worse root in mm and of its yaw in degrees, with a "
             "room as it stands in the world, without against its start; mean angle of both in degrees.\n\n" +
             table_of([*RUNS, *ONCE], COLUMNS, seen) +
-            "\nThe same takes as free points, one per housing: error in mm (rms) of all points, of the vectors between "
+            "\nThe same seeds at readings level as free points, one per housing: error in mm (rms) of all points, of the vectors between "
             "points of both people, of those nearer than 0.3 m. Soft tissue and errors of mounting count.\n\n" +
             table_of(POINTS, POINT_COLUMNS, seen))
     return text, missed_in(seen)
