@@ -26,6 +26,8 @@ constexpr int kRefinements = 24;
 constexpr double kEcho_m = 0.1;  ///< what misses by more came around the body or from a wall
 constexpr double kFits_m = 0.2;  ///< what misses by so much counts half: anchors may be known by eye only
 constexpr double kLeastShare = 0.4, kClearlyMore = 1.25;
+constexpr double kSureShare =
+    0.85;  ///< where nothing else tells the clock: people do not always stand as believed
 constexpr double kOtherClock_s = 0.001;  ///< clocks that differ by more are different answers
 
 struct PossiblePulse {
@@ -48,8 +50,9 @@ double signOf(int way) {
 
 class RoomSearch {
 public:
-    RoomSearch(const Direction& there, const Direction& back, double expected_s, double within_s)
-        : ways_{&there, &back}, expected_s_(expected_s), within_s_(within_s) {
+    RoomSearch(const Direction& there, const Direction& back, double expected_s, double within_s,
+               double least_share)
+        : ways_{&there, &back}, expected_s_(expected_s), within_s_(within_s), least_share_(least_share) {
         addArrivals(0);
         addArrivals(1);
     }
@@ -64,7 +67,7 @@ public:
         std::ranges::sort(found,
                           [](const StandingInRoom& a, const StandingInRoom& b) { return a.share > b.share; });
         const StandingInRoom& best = found.front();
-        if (best.share < kLeastShare || std::abs(best.ahead_s - expected_s_) > within_s_)
+        if (best.share < least_share_ || std::abs(best.ahead_s - expected_s_) > within_s_)
             return std::nullopt;
         const bool is_certain = std::ranges::all_of(found, [&](const StandingInRoom& other) {
             return std::abs(other.ahead_s - best.ahead_s) < kOtherClock_s || isClearlyWorse(other, best);
@@ -250,7 +253,7 @@ private:
     }
 
     std::array<const Direction*, 2> ways_;
-    double expected_s_, within_s_;
+    double expected_s_, within_s_, least_share_;
     std::vector<Arrival> arrivals_;
     std::array<size_t, 2> count_{};  ///< of the arrivals there and back
     std::vector<Vote> votes_;        // by clock
@@ -260,7 +263,8 @@ private:
 
 std::optional<StandingInRoom> standInRoom(const Direction& there, const Direction& back,
                                           std::optional<double> expected_s, double within_s) {
-    return RoomSearch(there, back, expected_s.value_or(0), expected_s ? within_s : kWidestClock_s).find();
+    return expected_s ? RoomSearch(there, back, *expected_s, within_s, kLeastShare).find()
+                      : RoomSearch(there, back, 0, kWidestClock_s, kSureShare).find();
 }
 
 }  // namespace noctule::cooperative

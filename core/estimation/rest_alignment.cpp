@@ -125,6 +125,21 @@ private:
     bool moves_;
 };
 
+struct Weighed {
+    double value, weight;
+};
+/// Half of the weight lies below it: what is hardly trusted hardly counts.
+double median(std::vector<Weighed>& values) {
+    std::ranges::sort(values, {}, &Weighed::value);
+    double all = 0, below = 0;
+    for (const Weighed& one : values)
+        all += one.weight;
+    for (const Weighed& one : values)
+        if ((below += one.weight) >= all / 2)
+            return one.value;
+    return values.back().value;
+}
+
 class Aligner {
 public:
     Aligner(const std::vector<RestingMember>& members, const std::vector<JointDistance>& distances,
@@ -234,17 +249,13 @@ private:
         return all;
     }
     void keep(size_t member, size_t shifted, const PlaceFit& fit, const Vector5& u) {
-        std::vector<double> sizes;
-        std::map<int, std::vector<double>> of_anchor;
+        std::vector<Weighed> sizes;
+        std::map<int, std::vector<Weighed>> of_anchor;
         for (const PairRow& row : fit.rows()) {
-            sizes.push_back(std::abs(fit.residual(row, u)));
+            sizes.push_back({std::abs(fit.residual(row, u)), row.weight});
             if (members_[static_cast<size_t>(row.known_member)].is_room)
                 of_anchor[row.known_board].push_back(sizes.back());
         }
-        const auto median = [](std::vector<double>& values) {
-            std::ranges::nth_element(values, values.begin() + std::ssize(values) / 2);
-            return values[values.size() / 2];
-        };
         for (auto& [anchor, values] : of_anchor)
             worst_anchor_m = std::max(worst_anchor_m, median(values));
         misfit += fit.meanCost(u);

@@ -86,6 +86,11 @@ public:
         if (Status read = readDistances(); !read)
             return read.error();
         leaveOutSilentRoom();
+        if (!joining_.joins() && take_.level() == TakeLevel::kSignal)
+            return giveUp(
+                "their clocks cannot be found from their sound",
+                "Stand still in the rest pose first, in sight of the others; anchors that hang in a "
+                "square need microphones of their own");
         if (!joining_.joins())
             return giveUp("the take holds no distances between its suits",
                           "Check that the suits heard each other");

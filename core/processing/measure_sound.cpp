@@ -7,9 +7,11 @@
 #include <unordered_map>
 
 #include "core/job/atomic_file.h"
+#include "core/math/order_statistics.h"
 #include "core/processing/pulse_shapes.h"
 #include "core/processing/sound_clocks.h"
 #include "core/recording/take_writer.h"
+#include "core/suit/calibration_entries.h"
 
 namespace noctule {
 namespace {
@@ -46,6 +48,7 @@ public:
         for (SoundOfSuit& suit : suits_)
             if (Status read = addParty(suit); !read)
                 return read;
+        supposeShapes();
         if (Status copied = copyTables(writer); !copied)
             return copied;
         auto ways = findSoundClocks(take_, parties_, warnings_, job_);
@@ -90,6 +93,22 @@ private:
         suit.calibration = in.calibration;
         parties_.push_back({suit, take_.suitClock(suit.suit), std::move(*log), {}, false});
         return Done{};
+    }
+
+    /// Anchors that nobody of their own suit hears: their pulses are taken as like those of the others.
+    void supposeShapes() {
+        std::vector<double> known;
+        for (const SoundParty& party : parties_)
+            for (const SourceCalibration& source : party.of.calibration.sources)
+                if (source.q)
+                    known.push_back(*source.q);
+        for (SoundOfSuit& suit : suits_)
+            for (const Source& source : suit.described.sources)
+                if (SourceCalibration& entry = entryOf(suit.calibration, source);
+                    !known.empty() && !(entry.resonance_hz && entry.q)) {
+                    entry.resonance_hz = suit.decoder.train.drive_hz;
+                    entry.q = medianOf(known);
+                }
     }
 
     Status copyTables(TakeWriter& writer) {

@@ -4641,6 +4641,10 @@
         <translation>Zuerst in Sicht der Anker still stehen, und darauf achten, dass die Datei des Raums jeden von ihnen auf 0,2 m genau nennt: sonst sind ihre Pulse nicht auseinanderzuhalten</translation>
     </message>
     <message>
+        <source>Stand still in the rest pose first, in sight of the others; anchors that hang in a square need microphones of their own</source>
+        <translation>Zuerst in Sicht der anderen in der Ruhehaltung still stehen; Anker, die im Quadrat hängen, brauchen eigene Mikrofone</translation>
+    </message>
+    <message>
         <source>Stated uncertainty of all points</source>
         <translation>Angegebene Unsicherheit aller Punkte</translation>
     </message>
@@ -5031,6 +5035,10 @@
     <message>
         <source>the take holds no distances between its suits</source>
         <translation>die Aufnahme enthält keine Abstände zwischen ihren Anzügen</translation>
+    </message>
+    <message>
+        <source>their clocks cannot be found from their sound</source>
+        <translation>ihre Uhren lassen sich aus ihrem Schall nicht finden</translation>
     </message>
     <message>
         <source>there is no reference of a single sensor to compare with</source>

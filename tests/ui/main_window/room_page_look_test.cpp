@@ -52,11 +52,12 @@ TEST_P(RoomLook, IsWholeAndInOneLanguage) {
     page().openRoom();
     ASSERT_TRUE(waitFor([this] { return page().room().run().phase() == RoomRun::Phase::kResult; }));
     lookAt("room");
-    if (GetParam() == std::string("de"))
-        for (const QLabel* label : window_->findChildren<QLabel*>())
-            for (const char* english : {" the ", " of ", " and ", " is ", " are "})
-                EXPECT_FALSE(label->isVisible() && label->text().contains(english))
-                    << label->text().toStdString();
+    if (GetParam() != std::string("de"))
+        return;
+    for (const QLabel* label : window_->findChildren<QLabel*>())
+        for (const char* english : {" the ", " of ", " and ", " is ", " are "})
+            EXPECT_FALSE(label->isVisible() && label->text().contains(english))
+                << label->text().toStdString();
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, RoomLook, testing::Values("en", "de"));
