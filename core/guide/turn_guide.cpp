@@ -6,8 +6,8 @@
 
 #include "core/calibration/gyroscope_calibration.h"
 #include "core/calibration/gyroscope_turns.h"
-#include "core/math/order_statistics.h"
 #include "core/guide/side_guide.h"
+#include "core/math/order_statistics.h"
 
 namespace noctule {
 namespace {

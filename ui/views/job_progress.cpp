@@ -34,6 +34,7 @@ void JobProgress::follow(Job* job) {
     if (job_)
         job_->disconnect(this);
     job_ = job;
+    patience_.stop();
     hide();
     line_->hide();
     error_->hide();
