@@ -73,9 +73,10 @@ private:
         size_t from;
         PulseReceiver receiver;
         RangeFinder finder;
-        std::unordered_map<int64_t, Sent> sent;  ///< by pulse id
-        Eigen::MatrixXd ways_s;                  ///< of the sound, lately; source x board
-        size_t next_pulse = 0;                   ///< of the log, not yet awaited
+        std::unordered_map<int64_t, Sent> sent{};  ///< by pulse id
+        Eigen::MatrixXd ways_s{};                  ///< of the sound, lately; source x board
+        bool knows_ways = false;                   ///< else they began at 0
+        size_t next_pulse = 0;                     ///< of the log, not yet awaited
     };
 
     Status addParty(SoundOfSuit& suit) {
@@ -95,20 +96,25 @@ private:
         return Done{};
     }
 
-    /// Anchors that nobody of their own suit hears: their pulses are taken as like those of the others.
+    /// Of anchors without microphones nobody can learn the pulses: they are taken as like those of the
+    /// others.
     void supposeShapes() {
         std::vector<double> known;
         for (const SoundParty& party : parties_)
             for (const SourceCalibration& source : party.of.calibration.sources)
                 if (source.q)
                     known.push_back(*source.q);
-        for (SoundOfSuit& suit : suits_)
-            for (const Source& source : suit.described.sources)
-                if (SourceCalibration& entry = entryOf(suit.calibration, source);
-                    !known.empty() && !(entry.resonance_hz && entry.q)) {
-                    entry.resonance_hz = suit.decoder.train.drive_hz;
-                    entry.q = medianOf(known);
-                }
+        for (SoundOfSuit& suit : suits_) {
+            if (!suit.described.boards.empty() || known.empty())
+                continue;
+            for (const Source& source : suit.described.sources) {
+                SourceCalibration& entry = entryOf(suit.calibration, source);
+                if (entry.resonance_hz && entry.q)
+                    continue;
+                entry.resonance_hz = suit.decoder.train.drive_hz;
+                entry.q = medianOf(known);
+            }
+        }
     }
 
     Status copyTables(TakeWriter& writer) {
@@ -157,11 +163,13 @@ private:
                                           from.of.decoder.detector, settings);
         if (!finder)
             return finder.error();
-        Ear ear{from_index, std::move(*receiver), std::move(*finder), {}, ways_[{from_index, to_index}]};
-        if (from_index == to_index)
-            ear.ways_s = waysIn(to.of);
-        ear.ways_s.conservativeResizeLike(
-            Eigen::MatrixXd::Zero(std::ssize(from.of.described.sources), std::ssize(to.of.described.boards)));
+        Ear ear{from_index, std::move(*receiver), std::move(*finder)};
+        ear.ways_s =
+            Eigen::MatrixXd::Zero(std::ssize(from.of.described.sources), std::ssize(to.of.described.boards));
+        const auto ways = ways_.find({from_index, to_index});
+        ear.knows_ways = from_index == to_index || ways != ways_.end();
+        if (ear.knows_ways)
+            ear.ways_s = from_index == to_index ? waysIn(to.of) : ways->second;
         for (const TemperatureStatus& status : to.log.statuses)
             ear.finder.soundSpeed().add(status);
         for (const GapRow& gap : to.log.gaps)
@@ -209,6 +217,8 @@ private:
             return std::abs((detection.arrival_sample - static_cast<double>(sample)) / to.rate_hz() -
                             ear.ways_s(pulse.source, detection.board));
         };
+        if (!ear.knows_ways)
+            return false;
         const double own_s = miss_s(detection.pulse, sent.sample);
         const ptrdiff_t end = std::min(std::ssize(pulses), sent.index + kNeighbours + 1);
         for (ptrdiff_t i = std::max(ptrdiff_t(0), sent.index - kNeighbours); i < end; ++i)
