@@ -88,7 +88,8 @@ public:
         leaveOutSilentRoom();
         if (!joining_.joins() && take_.level() == TakeLevel::kSignal)
             return giveUp(
-                "their clocks cannot be found from their sound",
+                "no distances between its suits are known, since their clocks cannot be found from their "
+                "sound",
                 "Stand still in the rest pose first, in sight of the others; anchors that hang in a "
                 "square need microphones of their own");
         if (!joining_.joins())

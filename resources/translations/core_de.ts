@@ -4925,6 +4925,10 @@
         <translation>keine Platine hat Messwerte von Gyroskop und Beschleunigungssensor</translation>
     </message>
     <message>
+        <source>no distances between its suits are known, since their clocks cannot be found from their sound</source>
+        <translation>keine Abstände zwischen ihren Anzügen sind bekannt, da sich ihre Uhren aus ihrem Schall nicht finden lassen</translation>
+    </message>
+    <message>
         <source>no instant of the run has a reference</source>
         <translation>kein Zeitpunkt des Ergebnisses hat eine Referenz</translation>
     </message>
@@ -5035,10 +5039,6 @@
     <message>
         <source>the take holds no distances between its suits</source>
         <translation>die Aufnahme enthält keine Abstände zwischen ihren Anzügen</translation>
-    </message>
-    <message>
-        <source>their clocks cannot be found from their sound</source>
-        <translation>ihre Uhren lassen sich aus ihrem Schall nicht finden</translation>
     </message>
     <message>
         <source>there is no reference of a single sensor to compare with</source>
