@@ -27,7 +27,9 @@ constexpr double kEcho_m = 0.1;  ///< what misses by more came around the body o
 constexpr double kFits_m = 0.2;  ///< what misses by so much counts half: anchors may be known by eye only
 constexpr double kLeastShare = 0.4, kClearlyMore = 1.25;
 constexpr double kSureShare =
-    0.85;  ///< where nothing else tells the clock: people do not always stand as believed
+    0.85;                      ///< where nothing else tells the clock: people do not always stand as believed
+constexpr size_t kPlaces = 4;  ///< of each clock, those with the most votes
+constexpr double kOtherPlace_m = 0.7, kOtherTurn_rad = 0.7;
 constexpr double kOtherClock_s = 0.001;  ///< clocks that differ by more are different answers
 
 struct PossiblePulse {
@@ -168,26 +170,52 @@ private:
         for (size_t bin = 0; bin < counts.size(); ++bin) {
             const int count = counts[bin] + (bin > 0 ? counts[bin - 1] : 0) +
                               (bin + 1 < counts.size() ? counts[bin + 1] : 0);
-            if (count <= votes_[bin].count)
-                continue;
             const double clock_s = expected_s_ - within_s_ + (static_cast<double>(bin) + 0.5) * kBin_s;
             at[3] = clock_s * kSound_m_per_s;
-            votes_[bin] = {count, at};
+            keep({count, at}, votes_[bin]);
+        }
+    }
+
+    static bool isElsewhere(const Placement& a, const Placement& b) {
+        return (a - b).head<2>().norm() > kOtherPlace_m ||
+               std::abs(std::remainder(a[2] - b[2], 2 * std::numbers::pi)) > kOtherTurn_rad;
+    }
+
+    /// The most voted places of a clock, one of each neighbourhood: the cell next to the true place need not
+    /// be the one with the most votes.
+    static void keep(const Vote& vote, std::vector<Vote>& places) {
+        const auto near = std::ranges::find_if(
+            places, [&](const Vote& other) { return !isElsewhere(other.placement, vote.placement); });
+        if (near != places.end()) {
+            if (near->count < vote.count)
+                *near = vote;
+        } else if (places.size() < kPlaces) {
+            places.push_back(vote);
+        } else if (const auto least = std::ranges::min_element(places, {}, &Vote::count);
+                   least->count < vote.count) {
+            *least = vote;
         }
     }
 
     std::vector<Vote> mostVoted() const {
-        std::vector<Vote> best = votes_;
-        std::ranges::sort(best, [](const Vote& a, const Vote& b) { return a.count > b.count; });
-        std::vector<Vote> apart;
-        for (const Vote& vote : best) {
-            const bool is_new = std::ranges::none_of(apart, [&](const Vote& other) {
-                return std::abs(other.placement[3] - vote.placement[3]) < kOtherClock_s * kSound_m_per_s;
+        const auto most = [](const std::vector<Vote>& places) {
+            return places.empty() ? 0 : std::ranges::max_element(places, {}, &Vote::count)->count;
+        };
+        std::vector<std::vector<Vote>> best = votes_;
+        std::ranges::sort(best, std::ranges::greater{}, most);
+        std::vector<std::vector<Vote>> apart;
+        for (const std::vector<Vote>& places : best) {
+            const bool is_new = !places.empty() && std::ranges::none_of(apart, [&](const auto& other) {
+                return std::abs(other.front().placement[3] - places.front().placement[3]) <
+                       kOtherClock_s * kSound_m_per_s;
             });
             if (is_new && apart.size() < kRefined)
-                apart.push_back(vote);
+                apart.push_back(places);
         }
-        return apart;
+        std::vector<Vote> all;
+        for (const std::vector<Vote>& places : apart)
+            all.insert(all.end(), places.begin(), places.end());
+        return all;
     }
 
     /// By how much an arrival misses, metres, with the source of the pulse that it fits best.
@@ -255,8 +283,8 @@ private:
     std::array<const Direction*, 2> ways_;
     double expected_s_, within_s_, least_share_;
     std::vector<Arrival> arrivals_;
-    std::array<size_t, 2> count_{};  ///< of the arrivals there and back
-    std::vector<Vote> votes_;        // by clock
+    std::array<size_t, 2> count_{};         ///< of the arrivals there and back
+    std::vector<std::vector<Vote>> votes_;  // by clock, of several places
 };
 
 }  // namespace
