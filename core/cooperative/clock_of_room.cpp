@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kWidestClock_s = 0.012;  ///< by which recorders guess wrong
 constexpr double kLongestWay_s = 0.024;   ///< of sound: 8 m
-constexpr double kSound_m_per_s = 344;    ///< temperature changes it by 1 % in 6 degrees
 constexpr size_t kMostArrivals = 400, kLeastArrivals = 30;
 constexpr double kCell_m = 0.3, kBeyond_m = 1;  ///< places are sought so far outside of the anchors
 constexpr int kMostCells = 40, kTurns = 12;     ///< per axis; about the vertical
@@ -134,7 +133,7 @@ private:
         Eigen::MatrixXd ways_s(std::ssize(direction.places_m), std::ssize(direction.boards_m));
         for (int source = 0; source < ways_s.rows(); ++source)
             for (int board = 0; board < ways_s.cols(); ++board)
-                ways_s(source, board) = wayOf(at, way, source, board) / kSound_m_per_s;
+                ways_s(source, board) = wayOf(at, way, source, board) / kSupposedSound_m_per_s;
         return ways_s;
     }
 
@@ -171,7 +170,7 @@ private:
             const int count = counts[bin] + (bin > 0 ? counts[bin - 1] : 0) +
                               (bin + 1 < counts.size() ? counts[bin + 1] : 0);
             const double clock_s = expected_s_ - within_s_ + (static_cast<double>(bin) + 0.5) * kBin_s;
-            at[3] = clock_s * kSound_m_per_s;
+            at[3] = clock_s * kSupposedSound_m_per_s;
             keep({count, at}, votes_[bin]);
         }
     }
@@ -207,7 +206,7 @@ private:
         for (const std::vector<Vote>& places : best) {
             const bool is_new = !places.empty() && std::ranges::none_of(apart, [&](const auto& other) {
                 return std::abs(other.front().placement[3] - places.front().placement[3]) <
-                       kOtherClock_s * kSound_m_per_s;
+                       kOtherClock_s * kSupposedSound_m_per_s;
             });
             if (is_new && apart.size() < kRefined)
                 apart.push_back(places);
@@ -223,7 +222,7 @@ private:
         std::pair<double, int> least{std::numeric_limits<double>::max(), 0};
         for (const PossiblePulse& pulse : arrival.pulses) {
             const double miss = wayOf(at, arrival.way, pulse.source, arrival.board) +
-                                signOf(arrival.way) * at[3] - pulse.delay_s * kSound_m_per_s;
+                                signOf(arrival.way) * at[3] - pulse.delay_s * kSupposedSound_m_per_s;
             if (std::abs(miss) < std::abs(least.first))
                 least = {miss, pulse.source};
         }
@@ -264,7 +263,7 @@ private:
 
     StandingInRoom described(const Placement& at) const {
         StandingInRoom standing;
-        standing.ahead_s = at[3] / kSound_m_per_s;
+        standing.ahead_s = at[3] / kSupposedSound_m_per_s;
         std::vector<double> misses;
         for (const Arrival& arrival : arrivals_) {
             const double miss_m = std::abs(missOf(arrival, at).first);
@@ -274,7 +273,7 @@ private:
             standing.shares[way] += fits / static_cast<double>(count_[way]);
             misses.push_back(miss_m);
         }
-        standing.misfit_s = medianOf(std::move(misses)) / kSound_m_per_s;
+        standing.misfit_s = medianOf(std::move(misses)) / kSupposedSound_m_per_s;
         for (const int way : {0, 1})
             standing.ways_s[static_cast<size_t>(way)] = allWays(at, way);
         return standing;

@@ -23,7 +23,6 @@ constexpr size_t kLeastSources = 6,
                  kLeastBoards = 3;  ///< that a count rests on: a place and a clock are four unknowns
 constexpr double kMostMisfit_s = 0.0003, kClearly = 1.5;
 constexpr double kMostDrift_s = 0.0015;  ///< of a clock between two stretches
-constexpr double kAir_m_per_s = 344;     ///< temperature changes it by 1 % in 6 degrees
 constexpr double kStart_m = 1.5;
 constexpr int kSteps = 12;
 constexpr int kMostPulses = 3;  ///< that a delay may be counted wrong by
@@ -109,7 +108,7 @@ double misfitOf(const std::vector<Vector3d>& places_m, const std::vector<double>
         const double turn = start * std::numbers::pi / 4;
         Eigen::Vector4d at;  // place, clock times the speed of sound
         at << middle_m + kStart_m * Vector3d(std::sin(turn), 0.1, std::cos(turn)),
-            mean_s * kAir_m_per_s - kStart_m;
+            mean_s * kSupposedSound_m_per_s - kStart_m;
         double damping = 1e-3, error = 1e18;
         for (int step = 0; step < kSteps; ++step) {
             Eigen::Matrix<double, Eigen::Dynamic, 4> slope(n, 4);
@@ -117,7 +116,7 @@ double misfitOf(const std::vector<Vector3d>& places_m, const std::vector<double>
             for (Eigen::Index i = 0; i < n; ++i) {
                 const Vector3d way_m = at.head<3>() - places_m[static_cast<size_t>(i)];
                 const double length_m = std::max(way_m.norm(), 1e-6);
-                residual[i] = length_m + at[3] - delays_s[static_cast<size_t>(i)] * kAir_m_per_s;
+                residual[i] = length_m + at[3] - delays_s[static_cast<size_t>(i)] * kSupposedSound_m_per_s;
                 slope.row(i) << way_m.transpose() / length_m, 1;
             }
             damping = residual.squaredNorm() < error ? damping / 3 : damping * 10;
@@ -125,7 +124,7 @@ double misfitOf(const std::vector<Vector3d>& places_m, const std::vector<double>
             const Eigen::Matrix4d normal = slope.transpose() * slope;
             at -= (normal + damping * Eigen::Matrix4d::Identity()).ldlt().solve(slope.transpose() * residual);
         }
-        best_s = std::min(best_s, std::sqrt(error / static_cast<double>(n - 4)) / kAir_m_per_s);
+        best_s = std::min(best_s, std::sqrt(error / static_cast<double>(n - 4)) / kSupposedSound_m_per_s);
     }
     return best_s;
 }

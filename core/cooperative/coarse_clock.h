@@ -13,6 +13,9 @@
 
 namespace noctule::cooperative {
 
+/// Until a thermometer is asked; temperature changes it by 1 % in 6 degrees.
+inline constexpr double kSupposedSound_m_per_s = 344;
+
 /// One arrival, seen from some pulse that may not be its own.
 struct LooseArrival {
     int pulse = 0;  ///< index into Direction::sources

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <unordered_map>
 
+#include "core/cooperative/coarse_clock.h"
 #include "core/job/atomic_file.h"
 #include "core/math/order_statistics.h"
 #include "core/processing/pulse_shapes.h"
@@ -23,7 +24,6 @@ constexpr double kFarthest_m = 8;
 /// Weights of one arrival in the way of its source's sound, and beyond that in the way to its board.
 constexpr double kSettles = 0.03, kSettlesAtBoard = 0.1;
 constexpr ptrdiff_t kNeighbours = 3;  ///< pulses before and after, whose sound may be taken for a pulse's own
-constexpr double kAir_m_per_s = 344;  ///< where to listen
 constexpr double kTrusted = 0.5;      ///< confidence from which an arrival counts there
 
 /// Sources of one suit with the boards of another.
@@ -185,7 +185,7 @@ private:
                 ways_s(source, board) = (room.source_places_m[static_cast<size_t>(source)] -
                                          room.board_places_m[static_cast<size_t>(board)])
                                             .norm() /
-                                        kAir_m_per_s;
+                                        cooperative::kSupposedSound_m_per_s;
         return ways_s;
     }
 

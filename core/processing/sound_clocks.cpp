@@ -116,15 +116,12 @@ private:
         std::optional<cooperative::CoarseClock> before;
         for (int i = 0; i < stretches; ++i) {  // the first lies where the standing pose is held
             const double from_s = begin_s + (end_s - begin_s - kStretch_s) * i / stretches;
-            auto there = listen(a, b, from_s), back = listen(b, a, from_s);
-            if (!there)
-                return there.error();
-            if (!back)
-                return back.error();
-            if (const auto found = cooperative::coarseClock(*there, *back, before)) {
-                before = found;
-                keepWays(a, b, *found);
-                points.push_back({from_s + kStretch_s / 2, found->ahead_s});
+            auto found = coarseClock(a, b, from_s, before);
+            if (!found)
+                return found.error();
+            if (*found) {
+                points.push_back({from_s + kStretch_s / 2, (*found)->ahead_s});
+                before = std::move(*found);
             }
             // Where nobody is heard for a while, the clock is believed to go on as it did.
             if (before && points.size() > 1)
@@ -132,8 +129,6 @@ private:
                     lineThrough({points.end() - std::min(std::ssize(points), kRecent), points.end()})
                         .at(from_s + kStretchesApart_s + kStretch_s / 2);
             job_.progress(0, "Finding the clocks");
-            if (job_.cancelled())
-                return JobContext::cancelledError();
         }
         if (points.empty())
             return none;
@@ -147,10 +142,22 @@ private:
                 party.guessedTake_s(static_cast<double>(party.log.pulses.back().sample))};
     }
 
-    /// Those of the first stretch.
-    void keepWays(size_t a, size_t b, const cooperative::CoarseClock& found) {
-        ways.try_emplace({a, b}, found.there_s);
-        ways.try_emplace({b, a}, found.back_s);
+    /// By what both hear of each other in one stretch. The ways of the first stretch are kept.
+    Result<std::optional<cooperative::CoarseClock>> coarseClock(
+        size_t a, size_t b, double from_s, const std::optional<cooperative::CoarseClock>& before) {
+        const auto there = listen(a, b, from_s), back = listen(b, a, from_s);
+        if (!there)
+            return there.error();
+        if (!back)
+            return back.error();
+        if (job_.cancelled())
+            return JobContext::cancelledError();
+        auto found = cooperative::coarseClock(*there, *back, before);
+        if (found) {
+            ways.try_emplace({a, b}, found->there_s);
+            ways.try_emplace({b, a}, found->back_s);
+        }
+        return found;
     }
 
     /// Of two that were joined by others, or share a clock: the first stretch in which they hear each other.
@@ -161,19 +168,13 @@ private:
             return Done{};
         const auto [begin_s, end_s] = soundingTime(a, b);
         for (double from_s = begin_s; from_s < end_s; from_s += kStretchesApart_s) {
-            auto there = listen(a, b, from_s), back = listen(b, a, from_s);
-            if (!there)
-                return there.error();
-            if (!back)
-                return back.error();
             cooperative::CoarseClock known;
             known.ahead_s = second.error.at(from_s) - first.error.at(from_s);
-            if (const auto found = cooperative::coarseClock(*there, *back, known)) {
-                keepWays(a, b, *found);
-                return Done{};
-            }
-            if (job_.cancelled())
-                return JobContext::cancelledError();
+            const auto found = coarseClock(a, b, from_s, known);
+            if (!found)
+                return found.error();
+            if (*found)
+                break;
         }
         return Done{};
     }

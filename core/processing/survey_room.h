@@ -21,6 +21,14 @@ struct SurveyedTake {
 };
 Result<SurveyedTake> calibrateRoom(const RoomRequest& request, const JobContext& job);
 
+/// Places of anchors, changed by an operator.
+struct RoomChange {
+    Suit before{}, after{};
+    std::string created_utc{};
+
+    RoomChange reversed() const { return {after, before, created_utc}; }
+};
+
 /// Puts the places of a room's file in force in a take. Fails (kUsage) when the take has no room, or when
 /// none of its anchors is in the file; anchors that the file lacks are named in `warnings`.
 Status placeAnchors(const std::string& take_path, const Suit& room, const std::string& created_utc,

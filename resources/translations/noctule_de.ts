@@ -9153,6 +9153,10 @@ Median; gut: unter %1</translation>
         <source>From the front</source>
         <translation>Von vorn</translation>
     </message>
+    <message>
+        <source>Ellipse: uncertainty. Line: walked.</source>
+        <translation>Ellipse: Unsicherheit. Linie: gegangen.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RoomPage</name>
@@ -9325,10 +9329,6 @@ Median; gut: unter %1</translation>
     <message>
         <source>Using the surveyed places of anchors</source>
         <translation>Die vermessenen Orte der Anker verwenden</translation>
-    </message>
-    <message>
-        <source>Writing the places of anchors into %1</source>
-        <translation>Die Orte der Anker in %1 schreiben</translation>
     </message>
     <message>
         <source>Surveying the room of %1</source>
@@ -10498,6 +10498,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Writing contacts into %1</source>
         <translation>Kontakte werden in %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the places of anchors into %1</source>
+        <translation>Die Orte der Anker werden in %1 geschrieben</translation>
     </message>
 </context>
 <context>

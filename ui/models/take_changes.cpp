@@ -16,12 +16,18 @@ TakeChange reversed(const TakeChange& change) {
 Status write(const std::string& path, const TakeChange& change, const JobContext& job) {
     if (const auto* marker = std::get_if<MarkerChange>(&change))
         return changeMarker(path, *marker, job);
+    if (const auto* room = std::get_if<RoomChange>(&change)) {
+        std::vector<std::string> lacking;  // anchors that could not be placed, as the survey has said
+        return placeAnchors(path, room->after, room->created_utc, lacking);
+    }
     return changeContacts(path, std::get<ContactsChange>(change), job);
 }
 
 QString titleOf(const TakeChange& change, const QString& take) {
-    return std::holds_alternative<MarkerChange>(change)
-               ? TakeChanges::tr("Writing a marker into %1").arg(take)
+    if (std::holds_alternative<MarkerChange>(change))
+        return TakeChanges::tr("Writing a marker into %1").arg(take);
+    return std::holds_alternative<RoomChange>(change)
+               ? TakeChanges::tr("Writing the places of anchors into %1").arg(take)
                : TakeChanges::tr("Writing contacts into %1").arg(take);
 }
 

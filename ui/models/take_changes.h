@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the operator changes in the file of a take (markers, contacts of the feet): each a step on the
-// session's undo stack, written by jobs one after the other in the order in which the steps were made.
+// What the operator changes in the file of a take (markers, contacts of the feet, places of anchors): each a
+// step on the session's undo stack, written by jobs one after the other in the order in which the steps were
+// made.
 #pragma once
 
 #include <QObject>
@@ -9,6 +10,7 @@
 #include <memory>
 #include <variant>
 
+#include "core/processing/survey_room.h"
 #include "core/processing/take_contacts.h"
 #include "core/processing/take_markers.h"
 #include "ui/models/session_model.h"
@@ -16,7 +18,7 @@
 
 namespace noctule::ui {
 
-using TakeChange = std::variant<MarkerChange, ContactsChange>;
+using TakeChange = std::variant<MarkerChange, ContactsChange, RoomChange>;
 
 class TakeChanges : public QObject {
     Q_OBJECT

@@ -17,7 +17,9 @@ namespace {
 using room_survey::RoomSurvey;
 using room_survey::SurveyedAnchor;
 
-constexpr double kLarger = 50;  ///< than it is, uncertainty is drawn
+/// How much larger than it is uncertainty is drawn: the largest of these that keeps it below `kSeen_m`.
+constexpr double kLarger[] = {50, 20, 10, 5, 2, 1};
+constexpr double kSeen_m = 0.8;
 constexpr double kAround_m = 0.5, kLeast_m = 2, kPerson_m = 1.75;
 constexpr int kPlanHead = 36, kPlanFoot = 52, kAnchor = 20;
 
@@ -44,8 +46,16 @@ RoomDrawing::RoomDrawing(From from, QWidget* parent) : QWidget(parent), from_(fr
     show(nullptr);
 }
 
-void RoomDrawing::show(const RoomSurvey* survey) {
+void RoomDrawing::show(const RoomSurvey* survey, int performer) {
+    performer_ = performer;
     survey_ = survey ? std::optional(*survey) : std::nullopt;
+    double widest_m = 0;
+    for (const SurveyedAnchor& anchor : survey ? survey->anchors : std::vector<SurveyedAnchor>())
+        if (anchor.placed)
+            widest_m = std::max(widest_m, anchor.sigma_m);
+    const auto* fits =
+        std::ranges::find_if(kLarger, [&](double larger) { return larger * widest_m <= kSeen_m; });
+    larger_ = fits == std::end(kLarger) ? 1 : *fits;
     const QString name =
         from_ == From::kAbove ? tr("Plan of the room, from above") : tr("The room from the front");
     QStringList places;
@@ -69,6 +79,15 @@ QSize RoomDrawing::minimumSizeHint() const {
 /// Right and down of the picture: from above x and z, from the front x and -y.
 QPointF RoomDrawing::flat(const Vector3d& place_m) const {
     return {place_m.x(), from_ == From::kAbove ? place_m.z() : -place_m.y()};
+}
+
+Eigen::Matrix2d RoomDrawing::flatCovariance(const Matrix3d& cov_m2) const {
+    Eigen::Matrix<double, 2, 3> seen;
+    if (from_ == From::kAbove)
+        seen << 1, 0, 0, 0, 0, 1;
+    else
+        seen << 1, 0, 0, 0, -1, 0;
+    return seen * cov_m2 * seen.transpose();
 }
 
 QRectF RoomDrawing::extent() const {
@@ -146,6 +165,24 @@ void RoomDrawing::paintHearing(QPainter& painter, const Scale& scale) const {
     }
 }
 
+void RoomDrawing::paintUncertainty(QPainter& painter, const Scale& scale, size_t index) const {
+    const SurveyedAnchor& anchor = survey_->anchors[index];
+    if (!anchor.placed)
+        return;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(flatCovariance(anchor.cov_m2));
+    const Eigen::Vector2d radii = larger_ * scale.pixels_per_m * axes.eigenvalues().cwiseMax(0).cwiseSqrt();
+    const QColor color = colorOf(stateOf(anchor).tone);
+    QColor fill = color;
+    fill.setAlphaF(0.18);
+    painter.save();
+    painter.translate(at(scale, flat(anchor.place_m)));
+    painter.rotate(degrees(std::atan2(axes.eigenvectors()(1, 1), axes.eigenvectors()(0, 1))));
+    painter.setPen(QPen(color, Theme::get().px(1.5)));
+    painter.setBrush(fill);
+    painter.drawEllipse(QPointF(), radii[1], radii[0]);
+    painter.restore();
+}
+
 void RoomDrawing::paintAnchor(QPainter& painter, const Scale& scale, size_t index,
                               std::vector<QRectF>& taken) const {
     const SurveyedAnchor& anchor = survey_->anchors[index];
@@ -159,22 +196,6 @@ void RoomDrawing::paintAnchor(QPainter& painter, const Scale& scale, size_t inde
         painter.setPen(QPen(theme.tokens().edge, theme.px(1.5)));
         painter.drawLine(middle, at(scale, {anchor.place_m.x(), 0}));
     }
-    const int down = across();
-    Eigen::Matrix2d cov_m2;
-    cov_m2 << anchor.cov_m2(0, 0), anchor.cov_m2(0, down), anchor.cov_m2(down, 0), anchor.cov_m2(down, down);
-    if (from_ == From::kFront)
-        cov_m2(0, 1) *= -1, cov_m2(1, 0) *= -1;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(cov_m2);
-    const Eigen::Vector2d radii = kLarger * scale.pixels_per_m * axes.eigenvalues().cwiseMax(0).cwiseSqrt();
-    painter.save();
-    painter.translate(middle);
-    painter.rotate(degrees(std::atan2(axes.eigenvectors()(1, 1), axes.eigenvectors()(0, 1))));
-    painter.setPen(QPen(color, theme.px(1.5)));
-    QColor fill = color;
-    fill.setAlphaF(0.18);
-    painter.setBrush(fill);
-    painter.drawEllipse(QPointF(), radii[1], radii[0]);
-    painter.restore();
     const double side = theme.px(kAnchor);
     const QRectF box(middle.x() - side / 2, middle.y() - side / 2, side, side);
     paintBox(painter, box, theme.px(4), theme.tokens().panel, color);
@@ -187,8 +208,8 @@ void RoomDrawing::paintAnchor(QPainter& painter, const Scale& scale, size_t inde
     painter.setFont(theme.font(TextRole::kCaption));
     painter.setPen(tone == Tone::kOk ? theme.tokens().t2 : color);
     // Anchors one behind the other have their words one above the other.
-    const double above =
-        std::max(side / 2, kLarger * scale.pixels_per_m * std::sqrt(std::max(0.0, cov_m2(1, 1))));
+    const double sigma_down_m = std::sqrt(std::max(0.0, flatCovariance(anchor.cov_m2)(1, 1)));
+    const double above = std::max(side / 2, larger_ * scale.pixels_per_m * sigma_down_m);
     QRectF place(middle.x() - theme.px(30), middle.y() - above - theme.px(18), theme.px(60), theme.px(16));
     while (std::ranges::any_of(taken, [&](const QRectF& other) { return other.intersects(place); }))
         place.translate(0, -place.height());
@@ -222,17 +243,19 @@ void RoomDrawing::paintPerformer(QPainter& painter, const Scale& scale) const {
     }
     painter.drawEllipse(stood, std::max(0.24 * m, 12.0), std::max(0.14 * m, 7.0));
     const double radius = theme.px(9);
-    painter.setBrush(performerColor(0));
+    painter.setBrush(performerColor(performer_));
     painter.drawPolygon(QPolygonF({stood + QPointF(-0.5 * radius, radius),
                                    stood + QPointF(0.5 * radius, radius), stood + QPointF(0, 2.2 * radius)}));
-    paintPerformerDisc(painter, QRectF(stood.x() - radius, stood.y() - radius, 2 * radius, 2 * radius), 0);
+    paintPerformerDisc(painter, QRectF(stood.x() - radius, stood.y() - radius, 2 * radius, 2 * radius),
+                       performer_);
 }
 
 void RoomDrawing::paintLegend(QPainter& painter, const QRectF& row) const {
     const Theme& theme = Theme::get();
-    const QString words = from_ == From::kAbove
-                              ? tr("Ellipse: uncertainty, drawn %1 times larger. Line: walked.").arg(kLarger)
-                              : tr("Heights above the floor.");
+    QString words = tr("Heights above the floor.");
+    if (from_ == From::kAbove)
+        words = larger_ > 1 ? tr("Ellipse: uncertainty, drawn %1 times larger. Line: walked.").arg(larger_)
+                            : tr("Ellipse: uncertainty. Line: walked.");
     painter.setFont(theme.font(TextRole::kCaption));
     painter.setPen(theme.tokens().t3);
     painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter,
@@ -268,6 +291,10 @@ void RoomDrawing::paintEvent(QPaintEvent*) {
     paintHearing(painter, scale);
     paintWalk(painter, scale);
     paintPerformer(painter, scale);
+    painter.setClipRect(field);
+    for (size_t i = 0; i < survey_->anchors.size(); ++i)
+        paintUncertainty(painter, scale, i);
+    painter.setClipping(false);
     std::vector<QRectF> taken;
     for (size_t i = 0; i < survey_->anchors.size(); ++i)
         paintAnchor(painter, scale, i, taken);

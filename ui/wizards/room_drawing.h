@@ -24,8 +24,8 @@ public:
 
     explicit RoomDrawing(From from, QWidget* parent = nullptr);
 
-    /// Null: nothing is known yet.
-    void show(const room_survey::RoomSurvey* survey);
+    /// Null: nothing is known yet. `performer`: who walked, 0 for A.
+    void show(const room_survey::RoomSurvey* survey, int performer = 0);
     using QWidget::show;
 
     QSize sizeHint() const override;
@@ -40,13 +40,14 @@ private:
         QPointF middle_m, middle;
         double pixels_per_m = 1;
     };
-    int across() const { return from_ == From::kAbove ? 2 : 1; }
     QPointF flat(const Vector3d& place_m) const;
+    Eigen::Matrix2d flatCovariance(const Matrix3d& cov_m2) const;
     QRectF extent() const;
     QPointF at(const Scale& scale, const QPointF& place) const;
     void paintGrid(QPainter& painter, const Scale& scale, const QRectF& field, const QRectF& extent_m) const;
     void paintWalk(QPainter& painter, const Scale& scale) const;
     void paintHearing(QPainter& painter, const Scale& scale) const;
+    void paintUncertainty(QPainter& painter, const Scale& scale, size_t anchor) const;
     /// `taken`: where words stand.
     void paintAnchor(QPainter& painter, const Scale& scale, size_t anchor, std::vector<QRectF>& taken) const;
     void paintPerformer(QPainter& painter, const Scale& scale) const;
@@ -54,6 +55,8 @@ private:
 
     From from_;
     std::optional<room_survey::RoomSurvey> survey_;
+    int performer_ = 0;
+    double larger_ = 1;  ///< than it is, uncertainty is drawn
 };
 
 }  // namespace noctule::ui

@@ -248,8 +248,11 @@ void RoomPage::showResult() {
     const SurveyedTake& found = run_->result();
     const Grade grade = found.result.grade();
     headline_->setText(headlineOf(grade));
-    plan_->show(&found.survey);
-    front_->show(&found.survey);
+    const auto& people = studio_.take().subjects();
+    const auto walked = std::ranges::find(people, found.survey.performer, &TakeSubject::name);
+    const int performer = walked != people.end() ? static_cast<int>(walked - people.begin()) : 0;
+    plan_->show(&found.survey, performer);
+    front_->show(&found.survey, performer);
     showFindings();
     showAnchors();
     const auto weakest = std::ranges::min_element(found.survey.anchors, {}, &SurveyedAnchor::heardShare);

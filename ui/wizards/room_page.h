@@ -18,7 +18,6 @@ class JobProgress;
 class Label;
 class MeasureMeter;
 class RoomDrawing;
-class VerdictHeader;
 
 /// Of its card on the overview.
 WizardWords roomWords();

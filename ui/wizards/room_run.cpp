@@ -2,7 +2,6 @@
 #include "ui/wizards/room_run.h"
 
 #include <QFileInfo>
-#include <QUndoCommand>
 #include <algorithm>
 
 #include "core/job/atomic_file.h"
@@ -11,64 +10,29 @@
 
 namespace noctule::ui {
 
-/// Places of anchors, put into a take and taken back.
-class RoomCommand : public QObject, public QUndoCommand {
-public:
-    RoomCommand(RoomRun& run, std::shared_ptr<const SurveyedTake> surveyed)
-        : QUndoCommand(RoomRun::tr("Using the surveyed places of anchors")),
-          run_(&run),
-          path_(run.path_),
-          surveyed_(std::move(surveyed)) {
-        connect(&run.studio_.session(), &SessionModel::takeRenamed, this,
-                [this](const QString& before, const QString& now) {
-                    if (path_ == before)
-                        path_ = now;
-                });
-    }
+namespace {
 
-    void redo() override { place(*surveyed_->result.room, true); }
-    void undo() override { place(surveyed_->before, false); }
+bool hasAnchors(const TakeDocument& take) {
+    const auto overview = take.overview();
+    return overview &&
+           std::ranges::any_of(overview->parties, [](const TakeParty& party) { return party.subject.room; });
+}
 
-private:
-    void place(const Suit& room, bool as_surveyed) {
-        if (!run_)
-            return;
-        Studio& studio = run_->studio_;
-        studio.jobs().start<Done>(
-            RoomRun::tr("Writing the places of anchors into %1").arg(QFileInfo(path_).completeBaseName()),
-            [path = path_.toStdString(), room, utc = studio.parts().utc_now(),
-             turn = run_->one_at_a_time_](const JobContext&) {
-                const std::lock_guard<std::mutex> lock(*turn);
-                std::vector<std::string> lacking;  // anchors without a place, as the result says
-                return placeAnchors(path, room, utc, lacking);
-            },
-            [run = run_, path = path_, as_surveyed,
-             kept = studio.session().keepInPlace(path_)](const Status& status) -> QString {
-                if (run && status)
-                    run->placed(path, as_surveyed);
-                else if (run)
-                    emit run->studio_.failed(coreWords(status.error().message),
-                                             coreWords(status.error().remedy));
-                return {};
-            },
-            Jobs::Loudness::kQuiet);
-    }
-
-    QPointer<RoomRun> run_;
-    QString path_;
-    std::shared_ptr<const SurveyedTake> surveyed_;
-};
+}  // namespace
 
 RoomRun::RoomRun(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
     connect(&studio.take(), &TakeDocument::opened, this, &RoomRun::follow);
+    connect(&studio.session(), &SessionModel::takeRenamed, this,
+            [this](const QString& before, const QString& now) {
+                if (path_ == before)
+                    path_ = now;
+            });
+    connect(&studio.changes(), &TakeChanges::written, this, &RoomRun::placed);
 }
 
 bool RoomRun::hasRoom(Studio& studio) {
-    const auto overview = studio.take().overview();
-    if (overview &&
-        std::ranges::any_of(overview->parties, [](const TakeParty& party) { return party.subject.room; }))
-        return true;
-    return std::ranges::any_of(studio.suits().connected(),
+    return hasAnchors(studio.take()) ||
+           std::ranges::any_of(studio.suits().connected(),
                                [](const SuitInUse* worn) { return isFixed(worn->suit.suit()); });
 }
 
@@ -90,11 +54,7 @@ RoomRun::Phase RoomRun::phase() const {
         return Phase::kResult;
     if (error_)
         return Phase::kFailed;
-    const auto overview = studio_.take().overview();
-    const bool has_anchors = overview && std::ranges::any_of(overview->parties, [](const TakeParty& party) {
-                                 return party.subject.room;
-                             });
-    return has_anchors ? Phase::kReady : Phase::kNoTake;
+    return hasAnchors(studio_.take()) ? Phase::kReady : Phase::kNoTake;
 }
 
 QString RoomRun::takeName() const {
@@ -112,40 +72,36 @@ void RoomRun::survey() {
     request.created_utc = studio_.parts().utc_now();
     job_ = studio_.jobs().start<SurveyedTake>(
         tr("Surveying the room of %1").arg(takeName()),
-        [request, turn = one_at_a_time_](const JobContext& job) {
-            const std::lock_guard<std::mutex> lock(*turn);
-            return calibrateRoom(request, job);
-        },
+        [request](const JobContext& job) { return calibrateRoom(request, job); },
         [self = QPointer(this), path = path_,
          kept = studio_.session().keepInPlace(path_)](Result<SurveyedTake> result) -> QString {
-            if (self)
-                self->accept(std::move(result), path);
+            if (self && self->path_ == path)
+                self->accept(std::move(result));
             return {};
         });
     connect(job_, &Job::ended, this, &RoomRun::changed);
     emit changed();
 }
 
-void RoomRun::accept(Result<SurveyedTake> result, const QString& path) {
-    if (path != path_)
-        return;
+/// The job's end is told next.
+void RoomRun::accept(Result<SurveyedTake> result) {
     if (result)
         result_ = std::make_shared<const SurveyedTake>(std::move(*result));
     else if (result.error().kind != ErrorKind::kCancelled)
         error_ = result.error();
-    emit changed();
 }
 
 void RoomRun::use() {
-    if (result_ && !in_use_)
-        studio_.session().undoStack().push(new RoomCommand(*this, result_));
+    if (result_ && !in_use_ && studio_.changes().waiting<RoomChange>(path_).empty())
+        studio_.changes().push(tr("Using the surveyed places of anchors"),
+                               RoomChange{result_->before, *result_->result.room, studio_.parts().utc_now()});
 }
 
-void RoomRun::placed(const QString& path, bool as_surveyed) {
-    if (studio_.take().path() == path)
-        studio_.take().reload(false);
-    if (path == path_)
-        in_use_ = as_surveyed;
+void RoomRun::placed(const QString& path, const TakeChange& change) {
+    const auto* room = std::get_if<RoomChange>(&change);
+    if (!room || path != path_ || !result_)
+        return;
+    in_use_ = toJson(room->after) == toJson(*result_->result.room);
     emit changed();
 }
 

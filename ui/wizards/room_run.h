@@ -5,7 +5,6 @@
 
 #include <QPointer>
 #include <memory>
-#include <mutex>
 
 #include "core/processing/survey_room.h"
 #include "ui/models/studio.h"
@@ -48,10 +47,9 @@ signals:
     void changed();
 
 private:
-    friend class RoomCommand;
     void follow();
-    void accept(Result<SurveyedTake> result, const QString& path);
-    void placed(const QString& path, bool as_surveyed);
+    void accept(Result<SurveyedTake> result);
+    void placed(const QString& path, const TakeChange& change);
 
     Studio& studio_;
     QPointer<Job> job_;
@@ -59,7 +57,6 @@ private:
     std::shared_ptr<const SurveyedTake> result_;
     std::optional<Error> error_;
     bool in_use_ = false;
-    std::shared_ptr<std::mutex> one_at_a_time_ = std::make_shared<std::mutex>();
 };
 
 }  // namespace noctule::ui

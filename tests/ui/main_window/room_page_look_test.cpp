@@ -8,6 +8,7 @@
 #include "ui/main_window/side_docks.h"
 #include "ui/wizards/calibrate_page.h"
 #include "ui/wizards/room_page.h"
+#include "ui/wizards/task_card.h"
 
 namespace noctule::ui {
 namespace {
@@ -15,6 +16,33 @@ namespace {
 class RoomLook : public test::ClippingFixture {
 protected:
     CalibratePage& page() { return dynamic_cast<CalibratePage&>(window_->page(Step::kCalibrate)); }
+    /// A performer below four anchors, opened; `duration` in seconds.
+    void open(const std::string& name, const std::string& duration) {
+        const std::string resources = NOCTULE_SOURCE_DIR "/resources/";
+        const std::string cast = folder_.filePath("cast.json").toStdString();
+        const std::string take = (folder_.path().toStdString() + "/" + name) + ".noctule";
+        std::ofstream(cast)
+            << R"({"subjects":[{"name":"Ada","motion":")" << resources << R"(motions/sample.bvh","suit":")"
+            << resources << R"(casts/transceivers_13.json","place":{"x_m":0,"z_m":0,"yaw_deg":0}}],"room":")"
+            << resources << R"(casts/ceiling_4.json"})";
+        const auto made =
+            noctule::test::batch({"simulate", "--cast", cast, "--out", take, "--level", "readings",
+                                  "--scenario", "nominal", "--duration", duration, "--seed", "4"});
+        ASSERT_EQ(made.exit_code, 0) << made.err;
+        studio_->session().importTakes({QString::fromStdString(take)});
+        ASSERT_TRUE(waitFor([&] {
+            return studio_->take().overview() && studio_->take().path().contains(name.c_str()) &&
+                   studio_->jobs().idle();
+        }));
+        window_->goTo(Step::kCalibrate);
+        page().closeWizard();
+    }
+    void survey() {
+        QTest::mouseClick(page().roomCard()->button(), Qt::LeftButton);
+        ASSERT_TRUE(waitFor([this] {
+            return page().room().run().phase() != RoomRun::Phase::kSurveying && studio_->jobs().idle();
+        }));
+    }
     void lookAt(const QString& what) {
         inEveryLook([&](const QString& look) {
             for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
@@ -32,26 +60,18 @@ protected:
 };
 
 TEST_P(RoomLook, IsWholeAndInOneLanguage) {
-    const std::string resources = NOCTULE_SOURCE_DIR "/resources/";
-    const std::string cast = folder_.filePath("cast.json").toStdString();
-    const std::string take = folder_.filePath("walk_001.noctule").toStdString();
-    std::ofstream(cast) << R"({"subjects":[{"name":"Ada","motion":")" << resources
-                        << R"(motions/sample.bvh","suit":")" << resources
-                        << R"(casts/transceivers_13.json","place":{"x_m":0,"z_m":0,"yaw_deg":0}}],"room":")"
-                        << resources << R"(casts/ceiling_4.json"})";
-    const auto made = noctule::test::batch({"simulate", "--cast", cast, "--out", take, "--level", "readings",
-                                            "--scenario", "nominal", "--duration", "12", "--seed", "4"});
-    ASSERT_EQ(made.exit_code, 0) << made.err;
     ASSERT_TRUE(studio_->session().create(folder_.filePath("room"), "Room"));
     window_->goTo(Step::kCalibrate);
     page().openRoom();
     lookAt("no room");
-    studio_->session().importTakes({QString::fromStdString(take)});
-    ASSERT_TRUE(waitFor([this] { return studio_->take().isOpen() && studio_->jobs().idle(); }));
-    window_->goTo(Step::kCalibrate);
-    page().openRoom();
-    ASSERT_TRUE(waitFor([this] { return page().room().run().phase() == RoomRun::Phase::kResult; }));
+    open("walk_001", "12");
+    lookAt("overview");
+    survey();
+    ASSERT_EQ(page().room().run().phase(), RoomRun::Phase::kResult);
     lookAt("room");
+    open("short_001", "3.2");  // the rest pose and hardly more
+    survey();
+    lookAt("room of a short take");
     if (GetParam() != std::string("de"))
         return;
     for (const QLabel* label : window_->findChildren<QLabel*>())
