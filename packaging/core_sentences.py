@@ -137,6 +137,8 @@ def is_sentence(text, alternative, room):
         return bool(words) and len(plain) > 2
     if room in ROOMS_OF_WORDS and " " in text and len("".join(words)) > 3 and not re.search("[=;]", plain) and re.search(r"%\d", text):
         return True
+    if room in ROOMS_OF_WORDS and re.fullmatch("[a-z]{3,}, (mm|m|s|ms|µs|°)", text):  # head of a column: "height, m"
+        return True
     return len(words) >= 2 and " " in plain.strip() and any(word.islower() for word in words)
 
 

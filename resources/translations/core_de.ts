@@ -6782,6 +6782,10 @@
         <translation>gehört, aber unbenutzt</translation>
     </message>
     <message>
+        <source>height, m</source>
+        <translation>Höhe, m</translation>
+    </message>
+    <message>
         <source>hidden by the body</source>
         <translation>vom Körper verdeckt</translation>
     </message>
@@ -6822,6 +6826,10 @@
         <translation>Gelenke liegen</translation>
     </message>
     <message>
+        <source>leans, °</source>
+        <translation>geneigt, °</translation>
+    </message>
+    <message>
         <source>leg</source>
         <translation>Bein</translation>
     </message>
@@ -6836,6 +6844,14 @@
     <message>
         <source>mean, mm</source>
         <translation>Mittel, mm</translation>
+    </message>
+    <message>
+        <source>measured, m</source>
+        <translation>gemessen, m</translation>
+    </message>
+    <message>
+        <source>mounting, °</source>
+        <translation>Befestigung, °</translation>
     </message>
     <message>
         <source>no distance could be judged</source>
@@ -6868,6 +6884,14 @@
     <message>
         <source>of frames backed by ranges, mean over joints</source>
         <translation>der Bilder von Entfernungen gestützt, Mittel über die Gelenke</translation>
+    </message>
+    <message>
+        <source>off, °</source>
+        <translation>daneben, °</translation>
+    </message>
+    <message>
+        <source>offset, µs</source>
+        <translation>Versatz, µs</translation>
     </message>
     <message>
         <source>performer</source>
@@ -6954,12 +6978,20 @@
         <translation>Sigma, mm</translation>
     </message>
     <message>
+        <source>sigma, °</source>
+        <translation>Sigma, °</translation>
+    </message>
+    <message>
         <source>source %1%2</source>
         <translation>Quelle %1%2</translation>
     </message>
     <message>
         <source>strength of the field, mean</source>
         <translation>Stärke des Feldes, Mittel</translation>
+    </message>
+    <message>
+        <source>surveyed, m</source>
+        <translation>vermessen, m</translation>
     </message>
     <message>
         <source>the %1 reference</source>
@@ -7006,12 +7038,24 @@
         <translation>tick mid</translation>
     </message>
     <message>
+        <source>tilt, °</source>
+        <translation>Neigung, °</translation>
+    </message>
+    <message>
+        <source>tissue, °</source>
+        <translation>Gewebe, °</translation>
+    </message>
+    <message>
         <source>too long, mm</source>
         <translation>zu lang, mm</translation>
     </message>
     <message>
         <source>turn to the left</source>
         <translation>Drehung nach links</translation>
+    </message>
+    <message>
+        <source>turned, °</source>
+        <translation>gedreht, °</translation>
     </message>
     <message>
         <source>turns and rests</source>
