@@ -14,19 +14,24 @@
 namespace noctule::cooperative {
 namespace {
 
-constexpr double kWidestClock_s = 0.012;  ///< by which recorders guess wrong
+constexpr double kGuess_s = 0.006;        ///< recorders guess by their network's time, 5 ms wrong at most
+constexpr double kWidestClock_s = 0.012;  ///< by which they may guess wrong all the same
 constexpr double kLongestWay_s = 0.024;   ///< of sound: 8 m
-constexpr size_t kMostArrivals = 400, kLeastArrivals = 30;
-constexpr double kCell_m = 0.3, kBeyond_m = 1;  ///< places are sought so far outside of the anchors
-constexpr int kMostCells = 40, kTurns = 12;     ///< per axis; about the vertical
+constexpr size_t kMostArrivals = 200, kLeastArrivals = 30;
+constexpr double kCell_m = 0.2, kBeyond_m = 1;  ///< places are sought so far outside of the anchors
+constexpr int kMostCells = 40, kTurns = 24;     ///< per axis; about the vertical
 constexpr double kBin_s = 0.0005;               ///< of the clocks that are voted for: 17 cm
-constexpr size_t kRefined = 6;                  ///< clocks, those with the most votes
+constexpr size_t kRefined = 8;                  ///< clocks, those with the most votes
 constexpr int kRefinements = 24;
-constexpr double kEcho_m = 0.1;  ///< what misses by more came around the body or from a wall
-constexpr double kFits_m = 0.2;  ///< what misses by so much counts half: anchors may be known by eye only
-constexpr double kLeastShare = 0.4, kClearlyMore = 1.25;
-constexpr double kSureShare =
-    0.85;                      ///< where nothing else tells the clock: people do not always stand as believed
+constexpr double kEcho_m = 0.1;      ///< what misses by more came around the body or from a wall
+constexpr double kFits_m = 0.2;      ///< what misses by so much counts half: anchors may be known by eye only
+constexpr double kLeastShare = 0.4;  ///< of all arrivals, and of those of a direction with more than a few
+constexpr size_t kFewArrivals = 8;
+constexpr double kClearlyMore = 1.25, kMoreArrivals = 4;
+constexpr double kFitsMisfits = 4, kTight_m = 0.04;  ///< beside other places, so much of the median miss fits
+constexpr double kClose_s = 0.00006, kMuchCloser = 2;  ///< 2 cm, by which standing people are off
+/// Where nothing else tells the clock: people do not always stand as believed.
+constexpr double kSureShare = 0.85;
 constexpr size_t kPlaces = 4;  ///< of each clock, those with the most votes
 constexpr double kOtherPlace_m = 0.7, kOtherTurn_rad = 0.7;
 constexpr double kOtherClock_s = 0.001;  ///< clocks that differ by more are different answers
@@ -62,24 +67,29 @@ public:
         if (arrivals_.size() < kLeastArrivals || hung().empty())
             return std::nullopt;
         vote();
-        std::vector<StandingInRoom> found;
+        std::vector<Candidate> found;
         for (const Vote& vote : mostVoted())
             found.push_back(refined(vote.placement));
-        std::ranges::sort(found,
-                          [](const StandingInRoom& a, const StandingInRoom& b) { return a.share > b.share; });
-        const StandingInRoom& best = found.front();
-        if (best.share < least_share_ || std::abs(best.ahead_s - expected_s_) > within_s_)
-            return std::nullopt;
-        const bool is_certain = std::ranges::all_of(found, [&](const StandingInRoom& other) {
-            return std::abs(other.ahead_s - best.ahead_s) < kOtherClock_s || isClearlyWorse(other, best);
-        });
-        return is_certain ? std::optional(best) : std::nullopt;
+        std::ranges::sort(found, std::ranges::greater{},
+                          [](const Candidate& one) { return one.standing.share; });
+        const auto guessed =
+            std::ranges::find_if(found, [&](const Candidate& one) { return isGuessed(one) && isGood(one); });
+        if (guessed != found.end() && isCertain(*guessed, found, true))
+            return guessed->standing;
+        return isGood(found.front()) && isCertain(found.front(), found, false)
+                   ? std::optional(found.front().standing)
+                   : std::nullopt;
     }
 
 private:
     struct Vote {
         int count = 0;
         Placement placement = Placement::Zero();
+    };
+
+    struct Candidate {
+        Placement at;
+        StandingInRoom standing;
     };
 
     void addArrivals(int way) {
@@ -104,12 +114,39 @@ private:
         }
     }
 
-    /// In either direction, of those in which enough is heard.
-    bool isClearlyWorse(const StandingInRoom& other, const StandingInRoom& best) const {
-        for (size_t way = 0; way < 2; ++way)
-            if (count_[way] >= kLeastArrivals && other.shares[way] * kClearlyMore <= best.shares[way])
+    double guessedWrong_s(const Candidate& one) const { return std::abs(one.standing.ahead_s - expected_s_); }
+    bool isGuessed(const Candidate& one) const { return guessedWrong_s(one) < kGuess_s; }
+    /// All in all, and in either direction in which something is heard.
+    bool isGood(const Candidate& one) const {
+        const auto fits = [&](int way) {
+            return count_[static_cast<size_t>(way)] < kFewArrivals ||
+                   shareOf(one.at, way, kFits_m) >= kLeastShare;
+        };
+        return one.standing.share >= least_share_ && guessedWrong_s(one) <= within_s_ && fits(0) && fits(1);
+    }
+    /// No other clock fits about as well. Equal anchors that hang in a square look alike from four sides,
+    /// each a pulse interval from the next: then it counts which of them the recorder can have meant.
+    bool isCertain(const Candidate& best, const std::vector<Candidate>& found, bool guess_counts) const {
+        return std::ranges::all_of(found, [&](const Candidate& other) {
+            if (std::abs(other.standing.ahead_s - best.standing.ahead_s) < kOtherClock_s ||
+                isClearlyWorse(other, best))
                 return true;
-        return false;
+            return guess_counts && !isGuessed(other) && !isClearlyWorse(best, other);
+        });
+    }
+
+    /// In either direction, by what the better one misses; or it misses by more than shapes and places of
+    /// bodies are off, and the better one does not.
+    bool isClearlyWorse(const Candidate& other, const Candidate& best) const {
+        const double misses_s = best.standing.misfit_s;
+        const double fits_m = std::clamp(kFitsMisfits * misses_s * kSupposedSound_m_per_s, kTight_m, kFits_m);
+        for (const int way : {0, 1}) {
+            const double of_best = shareOf(best.at, way, fits_m), of_other = shareOf(other.at, way, fits_m);
+            const double more = (of_best - of_other) * static_cast<double>(count_[static_cast<size_t>(way)]);
+            if (more >= kMoreArrivals && of_other * kClearlyMore <= of_best)
+                return true;
+        }
+        return misses_s < kClose_s && other.standing.misfit_s > std::max(kClose_s, kMuchCloser * misses_s);
     }
 
     const std::vector<Vector3d>& hung() const {
@@ -156,22 +193,23 @@ private:
     void voteAt(Placement at) {
         const std::array<Eigen::MatrixXd, 2> ways_s{allWays(at, 0), allWays(at, 1)};
         std::vector<int> counts(votes_.size());
+        std::vector<const Arrival*> counted(votes_.size());  // once, whichever of its pulses fits
         for (const Arrival& arrival : arrivals_) {
             const auto way = static_cast<size_t>(arrival.way);
             for (const PossiblePulse& pulse : arrival.pulses) {
                 const double way_s = ways_s[way](pulse.source, arrival.board);
                 const double clock_s = signOf(arrival.way) * (pulse.delay_s - way_s);
-                const double bin = (clock_s - expected_s_ + within_s_) / kBin_s;
-                if (bin >= 0 && bin < static_cast<double>(counts.size()))
-                    ++counts[static_cast<size_t>(bin)];
+                const double bin = std::floor((clock_s - expected_s_ + within_s_) / kBin_s);
+                for (const double near : {bin - 1, bin, bin + 1})
+                    if (const auto b = static_cast<size_t>(near);
+                        near >= 0 && near < static_cast<double>(counts.size()) && counted[b] != &arrival)
+                        counted[b] = &arrival, ++counts[b];
             }
         }
         for (size_t bin = 0; bin < counts.size(); ++bin) {
-            const int count = counts[bin] + (bin > 0 ? counts[bin - 1] : 0) +
-                              (bin + 1 < counts.size() ? counts[bin + 1] : 0);
             const double clock_s = expected_s_ - within_s_ + (static_cast<double>(bin) + 0.5) * kBin_s;
             at[3] = clock_s * kSupposedSound_m_per_s;
-            keep({count, at}, votes_[bin]);
+            keep({counts[bin], at}, votes_[bin]);
         }
     }
 
@@ -229,7 +267,7 @@ private:
         return least;
     }
 
-    StandingInRoom refined(Placement at) const {
+    Candidate refined(Placement at) const {
         constexpr double kStep = 1e-5;
         double damping = 1e-3, error = std::numeric_limits<double>::max();
         Placement best = at;
@@ -258,24 +296,32 @@ private:
                 error = cost, best = at;
             at -= (normal + damping * Eigen::Matrix4d::Identity()).ldlt().solve(gradient);
         }
-        return described(best);
+        return {best, described(best)};
+    }
+
+    /// Of the arrivals of a way; one that misses by `fits_m` counts half.
+    double shareOf(const Placement& at, int way, double fits_m) const {
+        double share = 0;
+        for (const Arrival& arrival : arrivals_)
+            if (arrival.way == way)
+                share += 1 / (1 + std::pow(missOf(arrival, at).first / fits_m, 2)) /
+                         static_cast<double>(count_[static_cast<size_t>(way)]);
+        return share;
     }
 
     StandingInRoom described(const Placement& at) const {
         StandingInRoom standing;
         standing.ahead_s = at[3] / kSupposedSound_m_per_s;
         std::vector<double> misses;
-        for (const Arrival& arrival : arrivals_) {
-            const double miss_m = std::abs(missOf(arrival, at).first);
-            const double fits = 1 / (1 + miss_m * miss_m / (kFits_m * kFits_m));
-            const auto way = static_cast<size_t>(arrival.way);
-            standing.share += fits / static_cast<double>(arrivals_.size());
-            standing.shares[way] += fits / static_cast<double>(count_[way]);
-            misses.push_back(miss_m);
+        for (const Arrival& arrival : arrivals_)
+            misses.push_back(std::abs(missOf(arrival, at).first) / kSupposedSound_m_per_s);
+        standing.misfit_s = medianOf(std::move(misses));
+        for (const int way : {0, 1}) {
+            const auto w = static_cast<size_t>(way);
+            standing.share += shareOf(at, way, kFits_m) * static_cast<double>(count_[w]) /
+                              static_cast<double>(arrivals_.size());
+            standing.ways_s[w] = allWays(at, way);
         }
-        standing.misfit_s = medianOf(std::move(misses)) / kSupposedSound_m_per_s;
-        for (const int way : {0, 1})
-            standing.ways_s[static_cast<size_t>(way)] = allWays(at, way);
         return standing;
     }
 

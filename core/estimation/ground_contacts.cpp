@@ -237,10 +237,12 @@ std::vector<ObservationBlock> GroundContacts::observe(const KinematicTree& tree,
 }
 
 /// `height_m` of the point of contact, `column` of the root's height; nothing where the foot stands on
-/// something else.
+/// something else, or where that height is known better than floors are level.
 std::optional<ObservationBlock> GroundContacts::onFloor(const Foot& foot, double height_m,
                                                         double body_variance_m2, int column,
                                                         Covariance& P) const {
+    if (P.dense()(column, column) < parameters_.level_m * parameters_.level_m)
+        return std::nullopt;
     P.dense()(column, column) += parameters_.sole_m * parameters_.sole_m;
     ObservationBlock floor = ofRoot({column}, Eigen::VectorXd::Constant(1, foot.floor_m - height_m),
                                     parameters_.height_m, Eigen::VectorXd::Constant(1, body_variance_m2));

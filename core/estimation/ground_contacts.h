@@ -47,6 +47,9 @@ struct GroundParameters {
     /// By how much the place of the sole under the root changes from one update to the next: how high a root
     /// stands is never known better than that adds up to.
     double sole_m = 0.014;
+    /// How level floors and soles are, of people and in recordings. A root whose height is known better
+    /// (anchors of a room) is not held by the floor.
+    double level_m = 0.01;
     double huber_sigma = 2.5;
     /// Farther from the floor, beyond height_gate_sigma of where the body may be, it stands on something
     /// else: a stair is 0.17 m.

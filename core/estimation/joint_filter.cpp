@@ -9,11 +9,11 @@
 namespace noctule {
 namespace {
 
-constexpr double kSound_m_per_s = 344;    ///< a clock's error in metres
-constexpr int64_t kTriedBefore = 200;     ///< an anchor is judged
-constexpr double kMovedShare = 0.6;       ///< of its ranges contradict the others
-constexpr double kOffMemory = 100;        ///< ranges of an anchor over which the share that is off is learnt
-constexpr double kOffShare = 0.7;         ///< of a moved anchor's ranges
+constexpr double kSound_m_per_s = 344;  ///< a clock's error in metres
+constexpr int64_t kTriedBefore = 200;   ///< an anchor is judged
+constexpr double kMovedShare = 0.6;     ///< of its ranges contradict the others
+constexpr double kOffMemory = 150;  ///< ranges of an anchor over which the share that is off is learnt: 1 s
+constexpr double kOffShare = 0.7;   ///< of a moved anchor's ranges
 constexpr double kOthersOffShare = 0.35;  ///< at most, of the other anchors'
 constexpr double kOffSigma = 4;           ///< of what is stated
 constexpr double kMovedNoise_m = 0.04;    ///< beyond a survey's errors

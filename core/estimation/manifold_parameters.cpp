@@ -287,6 +287,11 @@ Rows groundContact() {
         {"ground.sole", "m", 0, 1,
          at(&ManifoldSetup::filter, &ManifoldParameters::ground, &GroundParameters::sole_m),
          "Random change of the sole's place under the root from update to update.", "tuned on simulations"},
+        {"ground.level", "m", 0, 1,
+         at(&ManifoldSetup::filter, &ManifoldParameters::ground, &GroundParameters::level_m),
+         "How level floors are: where the root's height is known better, the floor does not correct it. "
+         "Larger: anchors count more than the floor.",
+         "floors and soles of recorded people, 1 to 2 cm"},
         {"ground.huber", "sigma", 0.5, 100,
          at(&ManifoldSetup::filter, &ManifoldParameters::ground, &GroundParameters::huber_sigma),
          "Innovation beyond which the Huber weight of a zero-velocity update falls.", "Huber 1964"},

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPortion_s = 0.1;
 constexpr double kClockEvery_s = 1;
-constexpr double kLost_s = 5;      ///< without any distance: a box was lost
+constexpr double kLost_s = 5;      ///< without any distance: a box is out of reach or lost
 constexpr double kSilent_s = 0.5;  ///< without readings of any board
 
 /// One body of the joint filter, for a pipeline that knows of its own suit only.
@@ -367,14 +367,15 @@ private:
         }
     }
 
-    /// A box that nobody hears any more.
+    /// A box that neither hears anybody nor is heard.
     void warnOfLost(double end_s) {
         std::vector<double> last_s(subjects_.size() + 1, 0);
-        for (const JointDistance& distance : joining_.distances) {
-            auto& last = last_s[static_cast<size_t>(distance.from)];
-            last = std::max(
-                last, joint_->clocks()[static_cast<size_t>(distance.from)].common_s(distance.emission_s));
-        }
+        const auto note = [&](int member, double time_s) {
+            auto& last = last_s[static_cast<size_t>(member)];
+            last = std::max(last, joint_->clocks()[static_cast<size_t>(member)].common_s(time_s));
+        };
+        for (const JointDistance& distance : joining_.distances)
+            note(distance.from, distance.emission_s), note(distance.to, distance.arrival_s);
         const auto is_silent = [&](size_t member) {
             return member < lines_.size() && !lines_[member].silences.empty();
         };
@@ -384,8 +385,9 @@ private:
                 std::snprintf(when, sizeof when, "%.1f s of %.1f s", last_s[member], end_s);
                 results_.summary.warnings.push_back(
                     (member < subjects_.size() ? subjects_[member].subject.name : std::string("The room")) +
-                    " is not heard after " + when +
-                    ": the box was lost. From there on the others are estimated without it.");
+                    " neither hears anybody nor is heard after " + when +
+                    ": out of reach, or its box was lost. From there on the others are estimated without "
+                    "it.");
             }
     }
 

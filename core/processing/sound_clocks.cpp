@@ -10,7 +10,11 @@ namespace noctule {
 namespace {
 
 constexpr double kStretch_s = 1.5, kStretchesApart_s = 10;  ///< in which the clocks are sought
+/// The first stretch of a pair with a room: of the rest pose, which lasts for three seconds. Anchors hear
+/// little.
+constexpr double kStanding_s = 2.5;
 constexpr double kOutlier_s = 0.001;
+constexpr double kMostRate = 60e-6;  ///< two crystals, 20 parts per million off each, and half as much again
 constexpr std::ptrdiff_t kRecent = 12;  ///< stretches
 /// A pulse in the own housing: what is found of it on another carrier lies from 0.1 ms before it to 1 ms
 /// after.
@@ -19,8 +23,11 @@ constexpr double kOwnLead_s = 0.0001, kOwnPulse_s = 0.001;
 struct Point {
     double take_s, ahead_s;
 };
+struct Stretch {
+    double from_s, to_s;  ///< guessed take time
+};
 
-/// The line through most of the points.
+/// The line through most of the points, of those that crystals can follow; else the first point tells.
 ClockError lineThrough(std::vector<Point> points) {
     ClockError line{points.front().ahead_s, 0};
     if (points.size() == 1)
@@ -30,6 +37,8 @@ ClockError lineThrough(std::vector<Point> points) {
         for (size_t k = i + 1; k < points.size(); ++k) {
             const double slope =
                 (points[k].ahead_s - points[i].ahead_s) / (points[k].take_s - points[i].take_s);
+            if (std::abs(slope) > kMostRate)
+                continue;
             const ClockError candidate{points[i].ahead_s - slope * points[i].take_s, slope};
             const auto fits = static_cast<size_t>(std::ranges::count_if(points, [&](const Point& p) {
                 return std::abs(p.ahead_s - candidate.at(p.take_s)) < kOutlier_s;
@@ -43,9 +52,9 @@ ClockError lineThrough(std::vector<Point> points) {
     for (const Point& p : points)
         n += 1, t += p.take_s, a += p.ahead_s, tt += p.take_s * p.take_s, ta += p.take_s * p.ahead_s;
     const double spread = n * tt - t * t;
-    if (!(spread > 0))
+    const double slope = spread > 0 ? (n * ta - t * a) / spread : line.slope;
+    if (!(spread > 0) || std::abs(slope) > kMostRate)
         return line;
-    const double slope = (n * ta - t * a) / spread;
     return {(a - slope * t) / n, slope};
 }
 
@@ -116,11 +125,13 @@ private:
         std::optional<cooperative::CoarseClock> before;
         for (int i = 0; i < stretches; ++i) {  // the first lies where the standing pose is held
             const double from_s = begin_s + (end_s - begin_s - kStretch_s) * i / stretches;
-            auto found = coarseClock(a, b, from_s, before);
+            const bool is_room = parties_[a].of.is_room || parties_[b].of.is_room;
+            const double lasts_s = i == 0 && is_room ? kStanding_s : kStretch_s;
+            auto found = coarseClock(a, b, {from_s, from_s + lasts_s}, before);
             if (!found)
                 return found.error();
             if (*found) {
-                points.push_back({from_s + kStretch_s / 2, (*found)->ahead_s});
+                points.push_back({from_s + lasts_s / 2, (*found)->ahead_s});
                 before = std::move(*found);
             }
             // Where nobody is heard for a while, the clock is believed to go on as it did.
@@ -144,8 +155,8 @@ private:
 
     /// By what both hear of each other in one stretch. The ways of the first stretch are kept.
     Result<std::optional<cooperative::CoarseClock>> coarseClock(
-        size_t a, size_t b, double from_s, const std::optional<cooperative::CoarseClock>& before) {
-        const auto there = listen(a, b, from_s), back = listen(b, a, from_s);
+        size_t a, size_t b, const Stretch& stretch, const std::optional<cooperative::CoarseClock>& before) {
+        const auto there = listen(a, b, stretch), back = listen(b, a, stretch);
         if (!there)
             return there.error();
         if (!back)
@@ -170,7 +181,7 @@ private:
         for (double from_s = begin_s; from_s < end_s; from_s += kStretchesApart_s) {
             cooperative::CoarseClock known;
             known.ahead_s = second.error.at(from_s) - first.error.at(from_s);
-            const auto found = coarseClock(a, b, from_s, known);
+            const auto found = coarseClock(a, b, {from_s, from_s + kStretch_s}, known);
             if (!found)
                 return found.error();
             if (*found)
@@ -180,7 +191,7 @@ private:
     }
 
     /// Everything that the boards of one suit hear on the carrier of another for a while.
-    Result<cooperative::Direction> listen(size_t a, size_t b, double from_s) {
+    Result<cooperative::Direction> listen(size_t a, size_t b, const Stretch& stretch) {
         const SoundParty &from = parties_[a], &to = parties_[b];
         cooperative::Direction direction;
         direction.interval_s = from.of.decoder.train.interval_samples / from.rate_hz();
@@ -193,8 +204,8 @@ private:
         auto receiver = receiverBetween(from, to);
         if (!receiver)
             return receiver.error();
-        const auto first = static_cast<int64_t>(to.sampleAt(from_s));
-        const auto end = static_cast<int64_t>(to.sampleAt(from_s + kStretch_s));
+        const auto first = static_cast<int64_t>(to.sampleAt(stretch.from_s));
+        const auto end = static_cast<int64_t>(to.sampleAt(stretch.to_s));
         std::vector<double> emissions;
         std::vector<PulseDetection> heard;
         const Status read =

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/body/text.h"
 #include "core/simulation/anchor_world.h"
 #include "core/simulation/take_maker.h"
 
@@ -196,6 +197,28 @@ private:
     Cast& cast_;
 };
 
+/// A file's motion knows nothing of walls.
+void noteWhoLeaves(const ChamberScenario& chamber, double duration_s, Cast& cast) {
+    for (const CastSuit& suit : cast.suits) {
+        const Performance& performance = suit.stage.body->performance();
+        double beyond_m = 0, since_s = 0;
+        for (double t_s = 0; t_s < duration_s; t_s += 0.1) {
+            const Vector3d root_m = performance.pose(t_s).p_world_root;
+            const double out_m = std::max(std::abs(root_m.x()) - chamber.width_m / 2,
+                                          std::abs(root_m.z()) - chamber.depth_m / 2);
+            if (out_m > 0 && beyond_m <= 0)
+                since_s = t_s;
+            beyond_m = std::max(beyond_m, out_m);
+        }
+        if (beyond_m > 0)
+            cast.notes.push_back(suit.name + " walks through the wall at " + text::number(since_s, 1) +
+                                 " s, up to " + text::number(beyond_m, 1) +
+                                 " m beyond it; sound is not true there. The room is " +
+                                 text::number(chamber.width_m, 0) + " x " + text::number(chamber.depth_m, 0) +
+                                 " m: give another place or a shorter duration");
+    }
+}
+
 Result<Stage> stageOf(const CastSubject& subject, const CastRequest& request, const Scenario& scenario,
                       uint64_t seed) {
     StageRequest stage = subject.stage;
@@ -321,6 +344,7 @@ Result<Cast> prepareCast(const CastRequest& request) {
     for (CastSuit& suit : cast.suits)
         suit.stage.body->lastFor(duration_s);
     Placer(request, cast).place();
+    noteWhoLeaves(ChamberScenario{}, duration_s, cast);
     if (const size_t i = cast.suits.size(); request.room) {
         const Scenario heard = scenario(i, *request.room);
         if (Status fit = checkPulses(voices[i], heard); !fit)

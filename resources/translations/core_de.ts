@@ -3981,12 +3981,12 @@
         <translation>%1 lässt sich nicht mit den anderen verbinden: während der Ruhehaltung passten zu wenige Entfernungen zu ihnen oder zum Raum. Diese Posen stehen für sich.</translation>
     </message>
     <message>
-        <source>%1 is not heard after %2: the box was lost. From there on the others are estimated without it.</source>
-        <translation>%1 ist nach %2 nicht mehr zu hören: die Box ging verloren. Von da an werden die anderen ohne sie geschätzt.</translation>
-    </message>
-    <message>
         <source>%1 led by the %2, %3: %4 commands, %5 following, %6 states</source>
         <translation>%1, geführt von %2, %3: %4 Befehle, davon %5 folgend, %6 Zustände</translation>
+    </message>
+    <message>
+        <source>%1 neither hears anybody nor is heard after %2: out of reach, or its box was lost. From there on the others are estimated without it.</source>
+        <translation>%1 hört ab %2 niemanden mehr und wird nicht gehört: außer Reichweite, oder die Box ist verloren. Von da an werden die anderen ohne sie geschätzt.</translation>
     </message>
     <message>
         <source>%1 of %2 rows lie outside the take of %3</source>
@@ -7925,6 +7925,10 @@
     <message>
         <source>%1 must be true or false</source>
         <translation>%1 muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>%1 walks through the wall at %2 s, up to %3 m beyond it; sound is not true there. The room is %4 x %5 m: give another place or a shorter duration</source>
+        <translation>%1 geht bei %2 s durch die Wand, bis zu %3 m weit; Schall stimmt dort nicht. Der Raum misst %4 x %5 m: einen anderen Ort oder eine kürzere Dauer angeben</translation>
     </message>
     <message>
         <source>%1: frame %2, joint %3: a value is not a finite number</source>

@@ -180,24 +180,28 @@ TEST(CoarseClock, OfARoomFindsTheBodyWhereverItStands) {
     }
 }
 
-/// One anchor later and a quarter turn further everything is as before.
+/// One anchor later and a quarter turn further everything is as before: then only the recorder's guess tells.
 TEST(CoarseClock, OfASquareOfAnchorsIsNotGuessedFromOneDirection) {
     std::vector<Vector3d> anchors_m{{2.3, 2.7, 2.3}, {-2.3, 2.7, 2.3}, {-2.3, 2.7, -2.3}, {2.3, 2.7, -2.3}};
     const Pair pair = standing(1.1);
     std::vector<Vector3d> worn_m;
     for (const Vector3d& place : pair.first_m)
         worn_m.emplace_back(Eigen::AngleAxisd(0.4, Vector3d::UnitY()) * place + Vector3d(0.3, 0, -0.9));
-    Direction back = heard(anchors_m, worn_m, 0.008, 0, 5);
-    back.boards_m = pair.first_m;
-    back.from_room = true;
-    Direction there = heard(worn_m, anchors_m, 0.0082, 0, 6);
-    there.places_m = pair.first_m;
-    there.boards_m = anchors_m;
-    const auto found = coarseClock(there, back);
-    ASSERT_TRUE(found);
-    EXPECT_NEAR(found->ahead_s, 0, 0.0003);
-    there.arrivals.clear();
-    EXPECT_FALSE(coarseClock(there, back));
+    for (const double ahead_s : {0.0, 0.004}) {  // 8 ms on, the next anchor sounds
+        Direction back = heard(anchors_m, worn_m, 0.008, -ahead_s, 5);
+        back.boards_m = pair.first_m;
+        back.from_room = true;
+        Direction there = heard(worn_m, anchors_m, 0.0082, ahead_s, 6);
+        there.places_m = pair.first_m;
+        there.boards_m = anchors_m;
+        const auto found = coarseClock(there, back);
+        ASSERT_TRUE(found) << ahead_s;
+        EXPECT_NEAR(found->ahead_s, ahead_s, 0.0003);
+        there.arrivals.clear();
+        const auto alone = coarseClock(there, back);
+        EXPECT_EQ(alone.has_value(), ahead_s == 0) << "of 0 and 8 ms one can be the guess, of 4 and -4 both";
+        EXPECT_NEAR(alone ? alone->ahead_s : ahead_s, ahead_s, 0.0003);
+    }
 }
 
 TEST(CoarseClock, IsNotGuessedFromOneDirection) {

@@ -239,6 +239,17 @@ TEST(GroundContacts, aStepIsNotPulledToTheFloor) {
     EXPECT_EQ(body.observe().size(), 2U) << "what a filter may have drifted";
 }
 
+TEST(GroundContacts, aHeightKnownBetterThanFloorsAreLevelIsNotPulledToTheFloor) {
+    OneLeg body;
+    body.state.motion.p_world_root.y() += 0.02;  // as people stand in a recording
+    body.P = Covariance(Eigen::VectorXd::Constant(body.layout.size, 0.005 * 0.005));
+    const int height = body.layout.theta(1);
+    EXPECT_EQ(body.observe().size(), 1U) << "it stands still, wherever the floor is";
+    EXPECT_EQ(body.P.dense()(height, height), 0.005 * 0.005) << "its height stays as sure";
+    body.P = Covariance(Eigen::VectorXd::Constant(body.layout.size, 0.02 * 0.02));
+    EXPECT_EQ(body.observe().size(), 2U);
+}
+
 TEST(GroundContacts, withoutBoardsOnTheFeetTheLowestOnesCount) {
     OneLeg body;
     body.suit.boards = {{body.tree.linkOfJoint(0)}, {body.tree.linkOfJoint(1)}, {body.tree.linkOfJoint(2)}};

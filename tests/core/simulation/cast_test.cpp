@@ -378,6 +378,15 @@ TEST(Cast, PlacesInOneFileWorldAreKept) {
     EXPECT_NEAR(row.places[1].x_m - row.places[0].x_m, 1.2, 1e-9);
 }
 
+TEST(Cast, WhoWalksThroughAWallIsNamed) {
+    CastRequest request = twoPeople(Scenario::ideal());
+    request.subjects[1].place = StandingPlace{2.8, 0, 0};
+    const Cast cast = prepareCast(request).value();
+    ASSERT_EQ(cast.notes.size(), 1U);
+    EXPECT_NE(cast.notes[0].find(cast.suits[1].name + " walks through the wall at 0.0 s"), std::string::npos)
+        << cast.notes[0];
+}
+
 TEST(Cast, AMistakeIsNamed) {
     const auto messageOf = [](const CastRequest& request) {
         const auto cast = prepareCast(request);
