@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The full figures, by name, as in packaging/acceptance.sh table1 accuracy partial referee drift bounds ground benchmarks
-# speed studio live record accessibility blender calibration cast real robot kills beside motions hostile
+# speed studio live record accessibility blender calibration cast rooms real robot kills beside motions hostile
 # hostile-sanitized fuzz sanitizers long-fuzz (or all).
 # They go into out/acceptance/YYYY-MM-DD.md, which packaging/acceptance/results.md is taken from.
 set -euo pipefail

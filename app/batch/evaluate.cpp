@@ -148,6 +148,19 @@ Status addBetween(const VerbContext& context, const EvaluateRequest& request,
     return Done{};
 }
 
+/// How a subject stands in the room, where anchors hold it there: into `json`, and as the end of a line.
+Result<std::string> addInRoom(const VerbContext& context, const EvaluateRequest& request,
+                              const TakeSubject& subject, nlohmann::json& json) {
+    const auto in_world = rootInWorld(request.take_path, request.run, subject, context.job());
+    if (!in_world)
+        return in_world.error();
+    if (!*in_world)
+        return std::string();
+    json["root_in_world"] = {{"position_m", (*in_world)->position_m}, {"yaw_deg", (*in_world)->yaw_deg}};
+    return "as it stands in the room " + fixed((*in_world)->position_m, 4) + " m, yaw " +
+           fixed((*in_world)->yaw_deg) + " deg";
+}
+
 /// One entry of `subjects` and one line each; the rest of the outcome is the first subject's.
 Status addSubjects(const VerbContext& context, EvaluateRequest request,
                    const std::vector<TakeSubject>& subjects, Outcome& outcome) {
@@ -164,23 +177,17 @@ Status addSubjects(const VerbContext& context, EvaluateRequest request,
         nlohmann::json own{{"name", subject.name}, {"suit", subject.suit()}};
         for (const char* member : {"mean_deg", "end_effector_mm", "root", "nees", "duration_s"})
             own[member] = all.value(member, nlohmann::json(nullptr));
-        const auto in_world = rootInWorld(request.take_path, request.run, subject, context.job());
-        if (!in_world)
-            return in_world.error();
         own["root_in_world"] = nullptr;
-        if (*in_world)
-            own["root_in_world"] = {{"position_m", (*in_world)->position_m},
-                                    {"yaw_deg", (*in_world)->yaw_deg}};
+        const auto in_room = addInRoom(context, request, subject, own);
+        if (!in_room)
+            return in_room.error();
         outcome.json["subjects"].push_back(own);
         const auto& comparison = data->shownRun()->comparison;
         outcome.text += "subject " + subject.name + ": " +
                         (comparison ? fixed(comparison->mean_deg) + " deg mean, root position " +
                                           fixed(comparison->root.position_m, 3) + " m"
                                     : std::string("no reference")) +
-                        (*in_world ? "; as it stands in the room " + fixed((*in_world)->position_m, 4) +
-                                         " m, yaw " + fixed((*in_world)->yaw_deg) + " deg"
-                                   : std::string()) +
-                        "\n";
+                        (in_room->empty() ? "" : "; " + *in_room) + "\n";
     }
     return Done{};
 }
@@ -287,6 +294,12 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
             return added.error();
         if (Status added = addBetween(context, request, *subjects, outcome); !added)
             return added.error();
+    } else if (!request.reference) {
+        const auto in_room = addInRoom(context, request, subjects->front(), outcome.json);
+        if (!in_room)
+            return in_room.error();
+        if (!in_room->empty())
+            outcome.text += *in_room + "\n";
     }
     if (!report_path.empty()) {
         if (context.cancel.cancelled())

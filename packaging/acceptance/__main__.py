@@ -31,6 +31,7 @@ import real
 import record
 import referee
 import robot
+import rooms
 import sanitizers
 import speed
 import studio
@@ -54,6 +55,7 @@ FIGURES = {
     "calibration": ("Calibration", calibration.figure),
     "cast": ("Several people: Welch 2018, section 4, and two whole suits", cast.figure),
     "cast-live": ("Two whole suits in real time, into one take", cast_live.figure),
+    "rooms": ("One performer in a room of four anchors", rooms.figure),
     "real": ("Recordings of real sensors, takes made elsewhere", real.figure),
     "robot": ("Robots: kinematics, following, limits, six trajectories, the live chain and its faults", robot.figure),
     "kills": ("Recordings that are killed, without power, with every fault", kills.figure),
@@ -80,6 +82,7 @@ def parse_options():
     parser.add_argument("--damaged-meshes", type=int, default=1000, metavar="N", help="of fuzz")
     parser.add_argument("--fuzz-inputs", type=int, default=20000, metavar="N")
     parser.add_argument("--fuzz-seed", type=int, default=1, metavar="N")
+    parser.add_argument("--room-seeds", type=int, default=20, metavar="N", help="of rooms: takes of each scenario")
     parser.add_argument("--cast-seeds", type=int, default=20, metavar="N", help="of cast: handshakes of two whole suits")
     parser.add_argument("--cast-salsa-seeds", type=int, default=3, metavar="N", help="of cast: dances of two whole suits")
     parser.add_argument("--cast-paper-seeds", type=int, default=20, metavar="N", help="of cast: the paper's section 4")

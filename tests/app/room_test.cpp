@@ -132,8 +132,8 @@ TEST(RoomProgram, ATakeOfSoundHoldsPlaceAndIsSurveyed) {
     EXPECT_EQ(processed.err.find("contradicts"), std::string::npos) << processed.err;
     const Ran judged = batch({"evaluate", take, "--run", "room", "--json"});
     ASSERT_EQ(judged.exit_code, 0) << judged.err;
-    // The heading of the rest pose is taken off with the start, and is a degree or two wrong.
-    EXPECT_LT(judged.json()["root"]["position_m"].get<double>(), 0.05);
+    EXPECT_LT(judged.json()["root_in_world"]["position_m"].get<double>(), 0.015);
+    EXPECT_LT(judged.json()["root_in_world"]["yaw_deg"].get<double>(), 0.6);
     const std::string found = folder.file("room.json");
     ASSERT_EQ(batch({"calibrate", "room", take, "--out", found, "--force"}).exit_code, 0);
     const auto sources = parsed(found)["sources"], hung = parsed(kCeiling)["sources"];
