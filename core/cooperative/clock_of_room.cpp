@@ -27,7 +27,7 @@ constexpr double kEcho_m = 0.1;      ///< what misses by more came around the bo
 constexpr double kFits_m = 0.2;      ///< what misses by so much counts half: anchors may be known by eye only
 constexpr double kLeastShare = 0.4;  ///< of all arrivals, and of those of a direction with more than a few
 constexpr size_t kFewArrivals = 8;
-constexpr double kClearlyMore = 1.25, kMoreArrivals = 4;
+constexpr double kClearlyMore = 1.25, kMoreArrivals = 4;  ///< by which another clock fits less
 constexpr double kFitsMisfits = 4, kTight_m = 0.04;  ///< beside other places, so much of the median miss fits
 constexpr double kClose_s = 0.00006, kMuchCloser = 2;  ///< 2 cm, by which standing people are off
 /// Where nothing else tells the clock: people do not always stand as believed.
@@ -199,11 +199,11 @@ private:
             for (const PossiblePulse& pulse : arrival.pulses) {
                 const double way_s = ways_s[way](pulse.source, arrival.board);
                 const double clock_s = signOf(arrival.way) * (pulse.delay_s - way_s);
-                const double bin = std::floor((clock_s - expected_s_ + within_s_) / kBin_s);
-                for (const double near : {bin - 1, bin, bin + 1})
-                    if (const auto b = static_cast<size_t>(near);
-                        near >= 0 && near < static_cast<double>(counts.size()) && counted[b] != &arrival)
-                        counted[b] = &arrival, ++counts[b];
+                const auto bin = static_cast<int>(std::floor((clock_s - expected_s_ + within_s_) / kBin_s));
+                for (int near = std::max(bin - 1, 0);
+                     near < std::min(bin + 2, static_cast<int>(counts.size())); ++near)
+                    if (auto& last = counted[static_cast<size_t>(near)]; last != &arrival)
+                        last = &arrival, ++counts[static_cast<size_t>(near)];
             }
         }
         for (size_t bin = 0; bin < counts.size(); ++bin) {
