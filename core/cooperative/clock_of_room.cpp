@@ -72,13 +72,11 @@ public:
             found.push_back(refined(vote.placement));
         std::ranges::sort(found, std::ranges::greater{},
                           [](const Candidate& one) { return one.standing.share; });
-        const auto guessed =
+        auto best =
             std::ranges::find_if(found, [&](const Candidate& one) { return isGuessed(one) && isGood(one); });
-        if (guessed != found.end() && isCertain(*guessed, found, true))
-            return guessed->standing;
-        return isGood(found.front()) && isCertain(found.front(), found, false)
-                   ? std::optional(found.front().standing)
-                   : std::nullopt;
+        if (best == found.end() || !isCertain(*best, found))
+            best = found.begin();
+        return isGood(*best) && isCertain(*best, found) ? std::optional(best->standing) : std::nullopt;
     }
 
 private:
@@ -126,12 +124,12 @@ private:
     }
     /// No other clock fits about as well. Equal anchors that hang in a square look alike from four sides,
     /// each a pulse interval from the next: then it counts which of them the recorder can have meant.
-    bool isCertain(const Candidate& best, const std::vector<Candidate>& found, bool guess_counts) const {
+    bool isCertain(const Candidate& best, const std::vector<Candidate>& found) const {
         return std::ranges::all_of(found, [&](const Candidate& other) {
             if (std::abs(other.standing.ahead_s - best.standing.ahead_s) < kOtherClock_s ||
                 isClearlyWorse(other, best))
                 return true;
-            return guess_counts && !isGuessed(other) && !isClearlyWorse(best, other);
+            return isGuessed(best) && !isGuessed(other) && !isClearlyWorse(best, other);
         });
     }
 

@@ -38,6 +38,7 @@ RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun
     settings.ground = json::text(read, "ground").value_or("");
     settings.contacts_edited = json::text(read, "contacts").value_or("") == kContactsEdited;
     settings.root_given = json::text(read, "root") == "given";
+    settings.uses_room = read.is_object() && read.contains("room") && read["room"] == true;
     settings.process_sigma_rad_per_s2 = json::number(read, "process_sigma_rad_per_s2");
     settings.inertial_run = runNumber(read, "inertial_run");
     if (!settings.inertial_run)

@@ -47,6 +47,8 @@ Result<std::optional<RootInWorld>> rootInWorld(const std::string& take_path, con
     const auto chosen = choosePoseRun(*take, run);
     if (!chosen)
         return chosen.error();
+    if (!runSettings(*chosen, {}, take->level()).uses_room)
+        return std::optional<RootInWorld>();
     const auto found = take->poses(chosen->run, subject.suit());
     if (!found)
         return found.error();

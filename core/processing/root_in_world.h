@@ -16,8 +16,8 @@ struct RootInWorld {
     double position_m = 0, yaw_deg = 0;  ///< rms after the rest pose
 };
 
-/// Nothing in a take without a room or without a reference of the subject. The run is named as in
-/// choosePoseRun(); one that used no anchors stands where it chose to.
+/// Nothing of a run that used no anchors, which stands where it chose to, or without a reference of the
+/// subject. The run is named as in choosePoseRun().
 Result<std::optional<RootInWorld>> rootInWorld(const std::string& take_path, const std::string& run,
                                                const TakeSubject& subject, const JobContext& job);
 

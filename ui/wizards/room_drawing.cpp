@@ -50,9 +50,9 @@ void RoomDrawing::show(const RoomSurvey* survey, int performer) {
     performer_ = performer;
     survey_ = survey ? std::optional(*survey) : std::nullopt;
     double widest_m = 0;
-    for (const SurveyedAnchor& anchor : survey ? survey->anchors : std::vector<SurveyedAnchor>())
-        if (anchor.placed)
-            widest_m = std::max(widest_m, anchor.sigma_m);
+    if (survey_)
+        for (const SurveyedAnchor& anchor : survey_->anchors)
+            widest_m = std::max(widest_m, anchor.placed ? anchor.sigma_m : 0);
     const auto* fits =
         std::ranges::find_if(kLarger, [&](double larger) { return larger * widest_m <= kSeen_m; });
     larger_ = fits == std::end(kLarger) ? 1 : *fits;
