@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <tuple>
 
+#include "core/cooperative/clock_line.h"
 #include "core/job/contract.h"
 
 namespace noctule::cooperative {
@@ -20,6 +22,8 @@ constexpr double kHuber = 2.5;                   ///< sigmas
 constexpr int kWayTerms = 4;                     ///< a cubic of time
 constexpr size_t kLeastFlights = kWayTerms + 2;  ///< of a pair of housings in a window
 constexpr double kJoined_s = 1e-4;               ///< an offset that stays less certain was never measured
+/// A window's clock further off the line of most windows tells of echoes. Temperature bends the line by less.
+constexpr double kOffLine_s = 5e-4;
 
 using Pair = std::tuple<int, int, int, int>;  // suit, housing; the smaller suit first
 
@@ -59,6 +63,7 @@ public:
             // About the first guess, which the random walk begins with.
             told.back().vector += told.back().matrix * fromGuess();
         }
+        forgetEchoes(told);
         smooth(told);
     }
 
@@ -245,6 +250,49 @@ private:
                 g.head(n) - to_drift * drift.solve(g.tail(d))};
     }
 
+    /// Where somebody is heard by way of walls alone, all pairs of housings agree on a wrong clock. Such a
+    /// window tells nothing of that suit.
+    void forgetEchoes(std::vector<WindowInformation>& windows) const {
+        for (Eigen::Index i = 0; i < clockUnknowns(); i += 2) {
+            std::vector<ClockOffset> told;
+            std::vector<WindowInformation*> of;
+            for (WindowInformation& window : windows)
+                if (const auto offset_s = toldAlone(window, i)) {
+                    told.push_back({window.centre_s, *offset_s});
+                    of.push_back(&window);
+                }
+            if (told.empty())
+                continue;
+            const ClockLine line = lineThroughMost(told, kOffLine_s);
+            for (size_t k = 0; k < told.size(); ++k)
+                if (std::abs(told[k].offset_s - line.at(told[k].take_s)) > kOffLine_s)
+                    forget(*of[k], i);
+        }
+    }
+
+    /// The offset of a suit from its guess by one window alone, where that makes it certain.
+    std::optional<double> toldAlone(const WindowInformation& window, Eigen::Index i) const {
+        const Eigen::MatrixXd P = (window.matrix + guessCovariance().inverse()).inverse();
+        if (!(P(i, i) < kJoined_s * kJoined_s))
+            return std::nullopt;
+        return P.row(i).dot(window.vector);
+    }
+
+    static void forget(WindowInformation& window, Eigen::Index i) {
+        const Eigen::MatrixXd to_suit = window.matrix.middleCols(i, 2);
+        const Eigen::Matrix2d of_suit = to_suit.middleRows(i, 2);
+        const Eigen::MatrixXd left = of_suit.completeOrthogonalDecomposition().solve(to_suit.transpose());
+        window.vector -= left.transpose() * window.vector.segment(i, 2).eval();
+        window.matrix -= to_suit * left;
+    }
+
+    Eigen::MatrixXd guessCovariance() const {
+        Eigen::VectorXd sigmas(clockUnknowns());
+        for (Eigen::Index i = 0; i < sigmas.size(); i += 2)
+            sigmas.segment<2>(i) << settings_.guess_sigma_s, settings_.guess_rate_sigma;
+        return sigmas.cwiseAbs2().asDiagonal();
+    }
+
     struct ClockState {
         double centre_s = 0;
         Eigen::VectorXd x, x_predicted;
@@ -260,10 +308,7 @@ private:
             ClockState state{
                 window.centre_s, Eigen::VectorXd::Zero(n), {}, Eigen::MatrixXd::Zero(n, n), {}, {}};
             if (states.empty()) {
-                for (int i = 0; i < n; i += 2) {
-                    state.P(i, i) = std::pow(settings_.guess_sigma_s, 2);
-                    state.P(i + 1, i + 1) = std::pow(settings_.guess_rate_sigma, 2);
-                }
+                state.P = guessCovariance();
                 state.F = Eigen::MatrixXd::Identity(n, n);
             } else {
                 predict(states.back(), state);

@@ -14,49 +14,14 @@ constexpr double kStretch_s = 1.5, kStretchesApart_s = 10;  ///< in which the cl
 /// little.
 constexpr double kStanding_s = 2.5;
 constexpr double kOutlier_s = 0.001;
-constexpr double kMostRate = 60e-6;  ///< two crystals, 20 parts per million off each, and half as much again
 constexpr std::ptrdiff_t kRecent = 12;  ///< stretches
 /// A pulse in the own housing: what is found of it on another carrier lies from 0.1 ms before it to 1 ms
 /// after.
 constexpr double kOwnLead_s = 0.0001, kOwnPulse_s = 0.001;
 
-struct Point {
-    double take_s, ahead_s;
-};
 struct Stretch {
     double from_s, to_s;  ///< guessed take time
 };
-
-/// The line through most of the points, of those that crystals can follow; else the first point tells.
-ClockError lineThrough(std::vector<Point> points) {
-    ClockError line{points.front().ahead_s, 0};
-    if (points.size() == 1)
-        return line;
-    size_t most = 0;
-    for (size_t i = 0; i < points.size(); ++i)
-        for (size_t k = i + 1; k < points.size(); ++k) {
-            const double slope =
-                (points[k].ahead_s - points[i].ahead_s) / (points[k].take_s - points[i].take_s);
-            if (std::abs(slope) > kMostRate)
-                continue;
-            const ClockError candidate{points[i].ahead_s - slope * points[i].take_s, slope};
-            const auto fits = static_cast<size_t>(std::ranges::count_if(points, [&](const Point& p) {
-                return std::abs(p.ahead_s - candidate.at(p.take_s)) < kOutlier_s;
-            }));
-            if (fits > most)
-                most = fits, line = candidate;
-        }
-    std::erase_if(points,
-                  [&](const Point& p) { return std::abs(p.ahead_s - line.at(p.take_s)) > kOutlier_s; });
-    double n = 0, t = 0, a = 0, tt = 0, ta = 0;
-    for (const Point& p : points)
-        n += 1, t += p.take_s, a += p.ahead_s, tt += p.take_s * p.take_s, ta += p.take_s * p.ahead_s;
-    const double spread = n * tt - t * t;
-    const double slope = spread > 0 ? (n * ta - t * a) / spread : line.slope;
-    if (!(spread > 0) || std::abs(slope) > kMostRate)
-        return line;
-    return {(a - slope * t) / n, slope};
-}
 
 /// By source: a board that is near it on the same suit.
 std::vector<int> boardsNear(const Suit& suit) {
@@ -94,7 +59,7 @@ public:
                         return found.error();
                     if (!*found)
                         continue;
-                    const ClockError& known = parties_[a].error;
+                    const cooperative::ClockLine& known = parties_[a].error;
                     parties_[b].error = {(*found)->at_0_s + known.at_0_s, (*found)->slope + known.slope};
                     parties_[b].is_joined = any = true;
                 }
@@ -115,13 +80,13 @@ public:
     FirstWays ways;
 
 private:
-    Result<std::optional<ClockError>> clockBetween(size_t a, size_t b) {
-        std::optional<ClockError> none;
+    Result<std::optional<cooperative::ClockLine>> clockBetween(size_t a, size_t b) {
+        std::optional<cooperative::ClockLine> none;
         if (!parties_[a].sounds() && !parties_[b].sounds())
             return none;
         const auto [begin_s, end_s] = soundingTime(a, b);
         const int stretches = std::max(1, static_cast<int>((end_s - begin_s) / kStretchesApart_s) + 1);
-        std::vector<Point> points;
+        std::vector<cooperative::ClockOffset> points;
         std::optional<cooperative::CoarseClock> before;
         for (int i = 0; i < stretches; ++i) {  // the first lies where the standing pose is held
             const double from_s = begin_s + (end_s - begin_s - kStretch_s) * i / stretches;
@@ -137,13 +102,14 @@ private:
             // Where nobody is heard for a while, the clock is believed to go on as it did.
             if (before && points.size() > 1)
                 before->ahead_s =
-                    lineThrough({points.end() - std::min(std::ssize(points), kRecent), points.end()})
+                    cooperative::lineThroughMost(
+                        {points.end() - std::min(std::ssize(points), kRecent), points.end()}, kOutlier_s)
                         .at(from_s + kStretchesApart_s + kStretch_s / 2);
             job_.progress(0, "Finding the clocks");
         }
         if (points.empty())
             return none;
-        return std::optional(lineThrough(std::move(points)));
+        return std::optional(cooperative::lineThroughMost(std::move(points), kOutlier_s));
     }
 
     /// From the first to the last pulse of the first of the two that sends any, on guessed take time.

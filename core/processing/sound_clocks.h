@@ -7,22 +7,18 @@
 #include <map>
 #include <utility>
 
+#include "core/cooperative/clock_line.h"
 #include "core/processing/measure_sound.h"
 #include "core/processing/sound_log.h"
 
 namespace noctule {
 
-/// How far the recorder's guess of a clock is ahead of take time: a line over take time.
-struct ClockError {
-    double at_0_s = 0, slope = 0;
-    double at(double take_s) const { return at_0_s + slope * take_s; }
-};
-
 struct SoundParty {
     const SoundOfSuit& of;
     SuitClock guess;
     SoundLog log;
-    ClockError error{};
+    /// How far the recorder's guess of its clock is ahead of take time.
+    cooperative::ClockLine error{};
     bool is_joined = false;
 
     double rate_hz() const { return of.decoder.train.sample_rate_hz; }

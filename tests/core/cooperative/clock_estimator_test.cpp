@@ -162,6 +162,28 @@ TEST(ClockEstimator, EchoesDoNotTellTheTime) {
     EXPECT_LT(errorsOf(world, tracks[1], 1).worst_offset_s, 3e-6);
 }
 
+TEST(ClockEstimator, SecondsInWhichOnlyEchoesAreHeardDoNotBendTheClock) {
+    for (const double begin_s : {0.0, 12.0}) {
+        World world;
+        world.addSuit({-0.6, 1.2, 0}, 4, false);
+        world.addSuit({0.6, 1.2, 0}, 4, false);
+        world.addSuit({0, 2.5, 0}, 4, true);
+        auto flights = world.flights(20, 6e-6);
+        for (TimedFlight& flight : flights)  // suit 1 by way of a wall, in one direction 6 ms later
+            if ((flight.from_suit == 1 || flight.to_suit == 1) && flight.emission_s > begin_s &&
+                flight.emission_s < begin_s + 8)
+                flight.arrival_s += flight.to_suit == 1 ? 8e-3 : 2e-3;
+        ClockSettings settings;
+        settings.housing_s = 0;
+        const auto tracks = estimateClocks(flights, world.guesses, settings);
+        for (const size_t suit : {1u, 2u}) {
+            ASSERT_TRUE(tracks[suit].joined);
+            EXPECT_LT(errorsOf(world, tracks[suit], suit).worst_offset_s, 6e-6)
+                << "from " << begin_s << " s, suit " << suit;
+        }
+    }
+}
+
 TEST(ClockEstimator, OneDirectionAloneJoinsNothing) {
     World world;
     world.addSuit({-0.6, 1.2, 0}, 4, false);
