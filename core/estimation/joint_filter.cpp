@@ -14,9 +14,9 @@ constexpr int64_t kTriedBefore = 200;   ///< an anchor is judged
 constexpr double kMovedShare = 0.6;     ///< of its ranges contradict the others
 constexpr double kOffMemory = 150;  ///< ranges of an anchor over which the share that is off is learnt: 1 s
 constexpr double kOffShare = 0.7;   ///< of a moved anchor's ranges
-constexpr double kOthersOffShare = 0.35;  ///< at most, of the other anchors'
-constexpr double kOffSigma = 4;           ///< of what is stated
-constexpr double kMovedNoise_m = 0.04;    ///< beyond a survey's errors
+constexpr double kInPlaceShare = 0.35;  ///< at most, of the ranges of one that is not
+constexpr double kOffSigma = 4;         ///< of what is stated
+constexpr double kMovedNoise_m = 0.04;  ///< beyond a survey's errors
 
 }  // namespace
 
@@ -153,13 +153,13 @@ void JointFilter::advance(bool ended) {
         decisions_.push_back({order_[next_], RangeFate::kNotTried, 1, 0});
 }
 
-bool JointFilter::isUsed(const JointDistance& distance) const {
+bool JointFilter::isJoined(const JointDistance& distance) const {
     for (const int member : {distance.from, distance.to}) {
         const auto index = static_cast<size_t>(member);
         if (index == room() ? !room_ : !bodies_[index].joined)
             return false;
     }
-    return !isMoved(anchorOf(distance));
+    return true;
 }
 
 /// The board of the room that a range starts or ends at; -1: none.
@@ -172,22 +172,22 @@ int JointFilter::anchorOf(const JointDistance& distance) const {
 
 bool JointFilter::isMoved(int anchor) const {
     const auto tally = anchors_.find(anchor);
-    return std::ranges::count(alignment_.moved_anchors, anchor) > 0 ||
-           (tally != anchors_.end() && tally->second.moved);
+    return tally != anchors_.end() && tally->second.moved;
 }
 
 /// A moved anchor is off for nearly all who hear it. What stands in the way of sound is in the way of some;
-/// where others are as far off, it is the body that is elsewhere than believed.
+/// where others are as far off, it is the body that is elsewhere than believed. A body that stands between
+/// an anchor and most of its own microphones makes it look moved, until the performer turns.
 void JointFilter::noteAnchor(int anchor, bool gated, bool is_off) {
     Tally& tally = anchors_[anchor];
     tally.tried += 1;
     tally.gated += gated ? 1 : 0;
     tally.off_share += ((is_off ? 1.0 : 0.0) - tally.off_share) / kOffMemory;
-    if (tally.tried < kTriedBefore || tally.off_share < kOffShare)
-        return;
-    tally.moved =
-        tally.moved || std::ranges::all_of(anchors_, [&](const auto& entry) {
-            return entry.first == anchor || isMoved(entry.first) || entry.second.off_share < kOthersOffShare;
+    if (tally.moved)
+        tally.moved = tally.off_share > kInPlaceShare;
+    else if (tally.tried >= kTriedBefore && tally.off_share > kOffShare)
+        tally.moved = std::ranges::all_of(anchors_, [&](const auto& entry) {
+            return entry.first == anchor || entry.second.moved || entry.second.off_share < kInPlaceShare;
         });
 }
 
@@ -204,7 +204,8 @@ void JointFilter::useDistances(double until_s) {
         const auto too_early = [&](size_t member, double time_s) {
             return member != room() && time_s < bodies_[member].rest.end_s;
         };
-        if (!isUsed(distance) || too_early(from, distance.emission_s) || too_early(to, distance.arrival_s)) {
+        if (!isJoined(distance) || too_early(from, distance.emission_s) ||
+            too_early(to, distance.arrival_s)) {
             decisions_.push_back(decision);
             continue;
         }
@@ -258,10 +259,13 @@ std::vector<Eigen::Index> JointFilter::judge(const Eigen::MatrixXd& HPH, std::ve
                                                               : RangeFate::kUsed;
         row.variance += std::max(0.0, ratio / parameters_.huber_sigma - 1) * variance;
         row.variance += noise.whitenedVariance();
-        if (const int anchor = anchorOf(distance); anchor >= 0)
+        const int anchor = anchorOf(distance);
+        if (anchor >= 0)
             noteAnchor(anchor, gated,
                        std::abs(row.residual) > std::max(kMovedNoise_m, kOffSigma * std::sqrt(expected[0])));
-        if (!gated)
+        if (isMoved(anchor))
+            decisions[r].fate = RangeFate::kNotTried;
+        else if (!gated)
             kept.push_back(at);
     }
     if (parameters_.share >= 1)
@@ -311,15 +315,13 @@ double JointFilter::clockSigma_s(size_t member) const {
 }
 
 std::vector<int> JointFilter::movedAnchors() const {
-    std::vector<int> moved = alignment_.moved_anchors;
+    std::vector<int> moved;
     for (const auto& [anchor, tally] : anchors_) {
         const bool contradicts =
-            tally.tried >= kTriedBefore &&
             static_cast<double>(tally.gated) > kMovedShare * static_cast<double>(tally.tried);
-        if ((tally.moved || contradicts) && std::ranges::count(moved, anchor) == 0)
+        if (tally.tried >= kTriedBefore && (tally.moved || contradicts))
             moved.push_back(anchor);
     }
-    std::ranges::sort(moved);
     return moved;
 }
 

@@ -121,7 +121,7 @@ private:
                                     std::vector<JointDecision>& decisions);
     std::vector<Eigen::Index> mostInformative(Eigen::MatrixXd HPH, const std::vector<JointRow>& rows,
                                               std::vector<Eigen::Index> among);
-    bool isUsed(const JointDistance& distance) const;
+    bool isJoined(const JointDistance& distance) const;
     bool isMoved(int anchor) const;
     int anchorOf(const JointDistance& distance) const;
     void noteAnchor(int anchor, bool gated, bool is_off);

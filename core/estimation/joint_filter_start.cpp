@@ -43,6 +43,8 @@ void JointFilter::begin() {
     alignment_ = alignAtRest(members, distances_, alignment_.clocks, room_.has_value());
     for (size_t i = 0; i < bodies_.size(); ++i)
         bodies_[i].joined = alignment_.places[i].placed;
+    for (const int anchor : alignment_.moved_anchors)
+        anchors_[anchor] = {.off_share = 1, .moved = true};
     order_.resize(distances_.size());
     std::iota(order_.begin(), order_.end(), size_t{0});
     const auto arrives_s = [&](size_t index) {
@@ -104,7 +106,8 @@ void JointFilter::useRest() {
             return member == room() || (bodies_[member].joined && emitted_s >= still[member].from_s &&
                                         emitted_s <= still[member].to_s);
         };
-        if (!isUsed(distance) || !within(from) || !within(to) || distance.confidence < kLeastConfidence)
+        if (!isJoined(distance) || isMoved(anchorOf(distance)) || !within(from) || !within(to) ||
+            distance.confidence < kLeastConfidence)
             continue;
         const auto bin = static_cast<int>(std::floor((emitted_s - common_s_) / kBin_s));
         Mean& mean = means[{distance.from, distance.source, distance.to, distance.board, bin}];

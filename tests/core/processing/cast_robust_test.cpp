@@ -172,6 +172,18 @@ TEST_F(CastGoneWrong, AnAnchorThatIsMovedMeanwhileIsNamed) {
     }
 }
 
+TEST_F(CastGoneWrong, AnAnchorThatIsHeardByWayOfAWallAtFirstIsUsedLater) {
+    // 0.2 m late for two seconds, in which the rest pose is held.
+    runSql(path_,
+           "UPDATE range SET distance_m=distance_m+0.2, arrival_sample=arrival_sample+87.2 WHERE suit=3 AND "
+           "board=1 AND arrival_sample<300000;"
+           "UPDATE range SET distance_m=distance_m+0.2, arrival_sample=arrival_sample+87.2 WHERE suit<>3 AND "
+           "pulse IN (SELECT id FROM pulse WHERE suit=3 AND source=1 AND sample<300000)");
+    EXPECT_FALSE(says(processed(request()), {"Anchor"}));
+    EXPECT_LT(errorsOf(1).root_m, kUsual_m);
+    EXPECT_LT(errorsOf(2).root_m, kUsual_m);
+}
+
 TEST_F(CastGoneWrong, WhatIsInOrderIsNotCalledMoved) {
     EXPECT_FALSE(says(processed(request()), {"Anchor"}));
     EXPECT_LT(errorsOf(1).root_m, kUsual_m);
