@@ -155,11 +155,13 @@ void DriverBox::handleEvents() {
 
 void DriverBox::handle(const link::BoxEvent& event) {
     if (std::holds_alternative<link::StartWanted>(event)) {
-        pacer_.start(nowNs());
+        const int64_t now_ns = nowNs();
+        pacer_.start(now_ns);
         wiring_.restart();
         told_end_ = told_late_ = false;
         timer_.start(kSampling_ms);
-        tell("started");
+        tell("started at " + std::to_string(1e-9 * static_cast<double>(now_ns)) +
+             " s of this machine's clock");
     } else if (std::holds_alternative<link::StopWanted>(event)) {
         maker_.restart();
         tell("stopped");

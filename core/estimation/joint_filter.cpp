@@ -10,10 +10,10 @@ namespace noctule {
 namespace {
 
 constexpr double kSound_m_per_s = 344;  ///< a clock's error in metres
-constexpr int64_t kTriedBefore = 200;   ///< an anchor is judged
+constexpr int64_t kTriedBefore = 200;   ///< an anchor is judged, and one that seems moved is named
 constexpr double kMovedShare = 0.6;     ///< of its ranges contradict the others
 constexpr double kOffMemory = 150;  ///< ranges of an anchor over which the share that is off is learnt: 1 s
-constexpr double kOffShare = 0.7;   ///< of a moved anchor's ranges
+constexpr double kOffShare = 0.7;   ///< of the ranges of an anchor that seems moved
 constexpr double kInPlaceShare = 0.35;  ///< at most, of the ranges of one that is not
 constexpr double kOffSigma = 4;         ///< of what is stated
 constexpr double kMovedNoise_m = 0.04;  ///< beyond a survey's errors
@@ -183,6 +183,7 @@ void JointFilter::noteAnchor(int anchor, bool gated, bool is_off) {
     tally.tried += 1;
     tally.gated += gated ? 1 : 0;
     tally.off_share += ((is_off ? 1.0 : 0.0) - tally.off_share) / kOffMemory;
+    tally.tried_while_moved = tally.moved ? tally.tried_while_moved + 1 : 0;
     if (tally.moved)
         tally.moved = tally.off_share > kInPlaceShare;
     else if (tally.tried >= kTriedBefore && tally.off_share > kOffShare)
@@ -318,8 +319,9 @@ std::vector<int> JointFilter::movedAnchors() const {
     std::vector<int> moved;
     for (const auto& [anchor, tally] : anchors_) {
         const bool contradicts =
+            tally.tried >= kTriedBefore &&
             static_cast<double>(tally.gated) > kMovedShare * static_cast<double>(tally.tried);
-        if (tally.tried >= kTriedBefore && (tally.moved || contradicts))
+        if (tally.tried_while_moved >= kTriedBefore || contradicts)
             moved.push_back(anchor);
     }
     return moved;

@@ -98,8 +98,9 @@ private:
     };
     struct Tally {
         int64_t tried = 0, gated = 0;
-        double off_share = 0;  ///< of the last ranges, those that are plainly off
-        bool moved = false;
+        int64_t tried_while_moved = 0;  ///< since it seems so
+        double off_share = 0;           ///< of the last ranges, those that are plainly off
+        bool moved = false;             ///< it seems so, and is left out until its ranges fit again
     };
 
     size_t room() const { return bodies_.size(); }

@@ -4,6 +4,7 @@ each are, how well the recorder guessed the clock, and what processing makes of 
 import contextlib
 import json
 import os
+import re
 import signal
 import sqlite3
 import subprocess
@@ -43,8 +44,8 @@ def documents_of(tape, table):
 
 
 @contextlib.contextmanager
-def boxes(tape):
-    """Their addresses."""
+def boxes(tape, started_s):
+    """Their addresses. When each began to sample, on this machine's clock, is added at the end."""
     running = []
     try:
         for subject in SUBJECTS:
@@ -56,12 +57,13 @@ def boxes(tape):
     finally:
         for box in running:
             box.send_signal(signal.SIGINT)
-            box.wait()
+            started_s.append(float(re.search(r"started at ([\d.]+) s", box.communicate()[0])[1]))
 
 
 def recorded(tape, seconds):
-    """What `record --json` says, and the processor time it took."""
-    with boxes(tape) as addresses:
+    """What `record --json` says, the processor time it took, and how far off the guess of the second clock is in ms."""
+    started_s = []
+    with boxes(tape, started_s) as addresses:
         each = [("--device", addresses), ("--calibration", documents_of(tape, "calibration")),
                 ("--actor", documents_of(tape, "actor")), ("--subject", SUBJECTS)]
         options = [word for name, values in each for value in values for word in (name, str(value))]
@@ -73,7 +75,9 @@ def recorded(tape, seconds):
         recorder.returncode = os.waitstatus_to_exitcode(status)
     if recorder.returncode != 0:
         raise RuntimeError(f"record: exit code {recorder.returncode}")
-    return json.loads(said), usage.ru_utime + usage.ru_stime
+    report = json.loads(said)
+    guess_ms = report["suits"][1]["clock_offset_ms"] - 1000 * (started_s[1] - started_s[0])
+    return report, usage.ru_utime + usage.ru_stime, guess_ms
 
 
 def found_in_take(tape, take):
@@ -93,10 +97,9 @@ def found_in_take(tape, take):
 def figure(options):
     seconds = options.cast_live_seconds
     tape = worn_tape(min(seconds, PROCESSED_S) + 10)
-    report, busy_s = recorded(tape, seconds)
+    report, busy_s, guess_ms = recorded(tape, seconds)
     take = FOLDER / os.path.basename(report["take"])
     rows, missed = [], []
-    guess_ms = report["suits"][1]["clock_offset_ms"]  # both suits' sound began at the same instant
     for suit in report["suits"]:
         live = suit["live"]
         rows.append([suit["subject"], suit["lost_samples"], live["dropped_samples"], live["poses"],
