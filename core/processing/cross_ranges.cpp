@@ -90,8 +90,8 @@ public:
             return giveUp(
                 "no distances between its suits are known, since their clocks cannot be found from their "
                 "sound",
-                "Stand still in the rest pose first, in sight of the others; anchors that hang in a "
-                "square need microphones of their own");
+                "Stand still in the rest pose first, in sight of the others. Anchors that hang in a square "
+                "look alike from four sides: hang one of them half a metre lower");
         if (!joining_.joins())
             return giveUp("the take holds no distances between its suits",
                           "Check that the suits heard each other");

@@ -51,7 +51,7 @@ def boxes(tape, started_s):
         for subject in SUBJECTS:
             running.append(subprocess.Popen(
                 [studio.BUILD / "noctule-virtual-suit", "--take", tape, "--subject", subject, "--tcp", "127.0.0.1:0",
-                 "--loop"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True))
+                 "--loop"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True))
         yield [next(word for line in box.stdout for word in line.split() if word.startswith("tcp://"))
                for box in running]
     finally:

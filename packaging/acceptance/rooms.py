@@ -65,8 +65,9 @@ def figure(options):
         if astray:
             missed.append(f"{scenario}: {len(astray)} of {len(takes)} performers stand elsewhere, up to {max(astray):.2f} m")
     text = (f"Seeds from {FIRST_SEED} on, {SECONDS} s each, everybody at another place and heading, whole suits and suits of "
-            f"13 transceivers, on two motions that nobody looked at while the search was made. Refused: said with a remedy. Astray: more than {ASTRAY_M} m off. Named: an anchor said to "
-            "be moved though none is. Root in the room in mm, mean (largest); its yaw in degrees.\n\n" +
+            "13 transceivers, on two motions that nobody looked at while the search was made. Refused: said with a remedy. "
+            f"Astray: more than {ASTRAY_M} m off. Named: an anchor said to be moved though none is. Root in the room in mm, "
+            "mean (largest); its yaw in degrees.\n\n" +
             studio.markdown_table(["scenario", "takes", "refused", "astray", "named", "root", "yaw"], rows))
     if missed:
         raise studio.Missed(missed, text)

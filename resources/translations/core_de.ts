@@ -4641,8 +4641,8 @@
         <translation>Zuerst in Sicht der Anker still stehen, und darauf achten, dass die Datei des Raums jeden von ihnen auf 0,2 m genau nennt: sonst sind ihre Pulse nicht auseinanderzuhalten</translation>
     </message>
     <message>
-        <source>Stand still in the rest pose first, in sight of the others; anchors that hang in a square need microphones of their own</source>
-        <translation>Zuerst in Sicht der anderen in der Ruhehaltung still stehen; Anker, die im Quadrat hängen, brauchen eigene Mikrofone</translation>
+        <source>Stand still in the rest pose first, in sight of the others. Anchors that hang in a square look alike from four sides: hang one of them half a metre lower</source>
+        <translation>Zuerst in Sicht der anderen in der Ruhehaltung still stehen. Anker, die im Quadrat hängen, sehen von vier Seiten gleich aus: einen davon einen halben Meter tiefer hängen</translation>
     </message>
     <message>
         <source>Stated uncertainty of all points</source>
