@@ -10,7 +10,7 @@
 #include <set>
 #include <tuple>
 
-#include "core/cooperative/clock_line.h"
+#include "core/cooperative/offset_line.h"
 #include "core/job/contract.h"
 
 namespace noctule::cooperative {
@@ -263,7 +263,7 @@ private:
                 }
             if (told.empty())
                 continue;
-            const ClockLine line = lineThroughMost(told, kOffLine_s);
+            const OffsetLine line = lineThroughMost(told, kOffLine_s);
             for (size_t k = 0; k < told.size(); ++k)
                 if (std::abs(told[k].offset_s - line.at(told[k].take_s)) > kOffLine_s)
                     forget(*of[k], i);

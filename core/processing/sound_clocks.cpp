@@ -59,7 +59,7 @@ public:
                         return found.error();
                     if (!*found)
                         continue;
-                    const cooperative::ClockLine& known = parties_[a].error;
+                    const cooperative::OffsetLine& known = parties_[a].error;
                     parties_[b].error = {(*found)->at_0_s + known.at_0_s, (*found)->slope + known.slope};
                     parties_[b].is_joined = any = true;
                 }
@@ -80,8 +80,8 @@ public:
     FirstWays ways;
 
 private:
-    Result<std::optional<cooperative::ClockLine>> clockBetween(size_t a, size_t b) {
-        std::optional<cooperative::ClockLine> none;
+    Result<std::optional<cooperative::OffsetLine>> clockBetween(size_t a, size_t b) {
+        std::optional<cooperative::OffsetLine> none;
         if (!parties_[a].sounds() && !parties_[b].sounds())
             return none;
         const auto [begin_s, end_s] = soundingTime(a, b);

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "core/cooperative/clock_line.h"
+#include "core/cooperative/offset_line.h"
 #include "core/processing/measure_sound.h"
 #include "core/processing/sound_log.h"
 
@@ -18,7 +18,7 @@ struct SoundParty {
     SuitClock guess;
     SoundLog log;
     /// How far the recorder's guess of its clock is ahead of take time.
-    cooperative::ClockLine error{};
+    cooperative::OffsetLine error{};
     bool is_joined = false;
 
     double rate_hz() const { return of.decoder.train.sample_rate_hz; }

@@ -12,13 +12,13 @@ struct ClockOffset {
     double take_s = 0, offset_s = 0;
 };
 
-struct ClockLine {
+struct OffsetLine {
     double at_0_s = 0, slope = 0;  ///< over take time
     double at(double take_s) const { return at_0_s + slope * take_s; }
 };
 
 /// Through all that lie within `outlier_s` of the line through most of them. No steeper than two crystals
 /// allow, 60 parts per million; where no two offsets agree, level through the first. Needs one.
-ClockLine lineThroughMost(std::vector<ClockOffset> offsets, double outlier_s);
+OffsetLine lineThroughMost(std::vector<ClockOffset> offsets, double outlier_s);
 
 }  // namespace noctule::cooperative

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/cooperative/clock_line.h"
+#include "core/cooperative/offset_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +14,12 @@ constexpr size_t kMostEnds = 100;    ///< of candidate lines, spread over all of
 
 }  // namespace
 
-ClockLine lineThroughMost(std::vector<ClockOffset> offsets, double outlier_s) {
+OffsetLine lineThroughMost(std::vector<ClockOffset> offsets, double outlier_s) {
     require(!offsets.empty(), "lineThroughMost: no offset");
-    const auto fits = [outlier_s](const ClockLine& line, const ClockOffset& one) {
+    const auto fits = [outlier_s](const OffsetLine& line, const ClockOffset& one) {
         return std::abs(one.offset_s - line.at(one.take_s)) < outlier_s;
     };
-    ClockLine best{offsets.front().offset_s, 0};
+    OffsetLine best{offsets.front().offset_s, 0};
     const size_t step = 1 + (offsets.size() - 1) / kMostEnds;
     std::ptrdiff_t most = 0;
     for (size_t i = 0; i < offsets.size(); i += step)
@@ -28,7 +28,7 @@ ClockLine lineThroughMost(std::vector<ClockOffset> offsets, double outlier_s) {
                 (offsets[k].offset_s - offsets[i].offset_s) / (offsets[k].take_s - offsets[i].take_s);
             if (!(std::abs(slope) <= kMostRate))
                 continue;
-            const ClockLine candidate{offsets[i].offset_s - slope * offsets[i].take_s, slope};
+            const OffsetLine candidate{offsets[i].offset_s - slope * offsets[i].take_s, slope};
             const auto count =
                 std::ranges::count_if(offsets, [&](const ClockOffset& one) { return fits(candidate, one); });
             if (count > most)
