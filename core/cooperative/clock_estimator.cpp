@@ -22,8 +22,9 @@ constexpr double kHuber = 2.5;                   ///< sigmas
 constexpr int kWayTerms = 4;                     ///< a cubic of time
 constexpr size_t kLeastFlights = kWayTerms + 2;  ///< of a pair of housings in a window
 constexpr double kJoined_s = 1e-4;               ///< an offset that stays less certain was never measured
-/// A window's clock further off the line of most windows tells of echoes. Temperature bends the line by less.
-constexpr double kOffLine_s = 5e-4;
+/// A window's clock further off the line of most windows near it tells of echoes. Within four minutes
+/// crystals keep to a line to 0.02 ms, in an hour to a millisecond.
+constexpr double kOffLine_s = 5e-4, kJudged_s = 120, kNear_s = 60;
 
 using Pair = std::tuple<int, int, int, int>;  // suit, housing; the smaller suit first
 
@@ -251,7 +252,7 @@ private:
     }
 
     /// Where somebody is heard by way of walls alone, all pairs of housings agree on a wrong clock. Such a
-    /// window tells nothing of that suit.
+    /// window tells nothing of that suit; where no half of the windows agree, none does.
     void forgetEchoes(std::vector<WindowInformation>& windows) const {
         for (Eigen::Index i = 0; i < clockUnknowns(); i += 2) {
             std::vector<ClockOffset> told;
@@ -261,12 +262,21 @@ private:
                     told.push_back({window.centre_s, *offset_s});
                     of.push_back(&window);
                 }
-            if (told.empty())
-                continue;
-            const OffsetLine line = lineThroughMost(told, kOffLine_s);
-            for (size_t k = 0; k < told.size(); ++k)
-                if (std::abs(told[k].offset_s - line.at(told[k].take_s)) > kOffLine_s)
-                    forget(*of[k], i);
+            const auto from = [&](double take_s) {
+                return std::ranges::lower_bound(told, take_s, {}, &ClockOffset::take_s);
+            };
+            for (auto next = told.begin(); next != told.end();) {
+                const double begin_s = next->take_s, end_s = begin_s + kJudged_s;
+                const std::vector<ClockOffset> near(from(begin_s - kNear_s), from(end_s + kNear_s));
+                const OffsetLine line = lineThroughMost(near, kOffLine_s);
+                const auto fits = [&line](const ClockOffset& one) {
+                    return std::abs(one.offset_s - line.at(one.take_s)) < kOffLine_s;
+                };
+                const bool agree = 2 * std::ranges::count_if(near, fits) >= std::ssize(near);
+                for (; next != told.end() && next->take_s < end_s; ++next)
+                    if (!agree || !fits(*next))
+                        forget(*of[static_cast<size_t>(next - told.begin())], i);
+            }
         }
     }
 

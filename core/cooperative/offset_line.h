@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The line that most offsets of a clock lie on. Crystals keep to it within microseconds a minute; echoes and
-// pulses that were taken for their neighbours lie off it, together by milliseconds.
+// The line that most offsets of a clock lie on. Crystals keep to it within microseconds for some minutes;
+// echoes and pulses that were taken for their neighbours lie off it, together by milliseconds.
 #pragma once
 
 #include <cstddef>

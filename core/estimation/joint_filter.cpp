@@ -180,16 +180,21 @@ bool JointFilter::isMoved(int anchor) const {
 /// an anchor and most of its own microphones makes it look moved, until the performer turns.
 void JointFilter::noteAnchor(int anchor, bool gated, bool is_off) {
     Tally& tally = anchors_[anchor];
+    tally.off_share += ((is_off ? 1.0 : 0.0) - tally.off_share) / kOffMemory;
+    if (tally.moved) {
+        tally.left_out += 1;
+        tally.left_out_lately += 1;
+        tally.moved = tally.off_share > kInPlaceShare;
+        return;
+    }
     tally.tried += 1;
     tally.gated += gated ? 1 : 0;
-    tally.off_share += ((is_off ? 1.0 : 0.0) - tally.off_share) / kOffMemory;
-    tally.tried_while_moved = tally.moved ? tally.tried_while_moved + 1 : 0;
-    if (tally.moved)
-        tally.moved = tally.off_share > kInPlaceShare;
-    else if (tally.tried >= kTriedBefore && tally.off_share > kOffShare)
-        tally.moved = std::ranges::all_of(anchors_, [&](const auto& entry) {
-            return entry.first == anchor || entry.second.moved || entry.second.off_share < kInPlaceShare;
-        });
+    if (tally.tried < kTriedBefore || tally.off_share < kOffShare)
+        return;
+    tally.left_out_lately = 0;
+    tally.moved = std::ranges::all_of(anchors_, [&](const auto& entry) {
+        return entry.first == anchor || entry.second.moved || entry.second.off_share < kInPlaceShare;
+    });
 }
 
 void JointFilter::useDistances(double until_s) {
@@ -252,7 +257,9 @@ std::vector<Eigen::Index> JointFilter::judge(const Eigen::MatrixXd& HPH, std::ve
         const Eigen::VectorXd innovation = Eigen::VectorXd::Constant(1, row.residual);
         const Eigen::VectorXd expected = Eigen::VectorXd::Constant(1, HPH(at, at) + row.variance);
         const double variance = expected[0] + noise.variance();
-        noise.learn(innovation, expected, before);
+        const int anchor = anchorOf(distance);
+        if (!isMoved(anchor))
+            noise.learn(innovation, expected, before);
         const double ratio = std::abs(row.residual) / std::sqrt(variance);
         const bool gated = ratio > parameters_.gate_sigma;
         decisions[r].fate = gated                             ? RangeFate::kGated
@@ -260,10 +267,11 @@ std::vector<Eigen::Index> JointFilter::judge(const Eigen::MatrixXd& HPH, std::ve
                                                               : RangeFate::kUsed;
         row.variance += std::max(0.0, ratio / parameters_.huber_sigma - 1) * variance;
         row.variance += noise.whitenedVariance();
-        const int anchor = anchorOf(distance);
-        if (anchor >= 0)
-            noteAnchor(anchor, gated,
-                       std::abs(row.residual) > std::max(kMovedNoise_m, kOffSigma * std::sqrt(expected[0])));
+        const double off_m = std::max(kMovedNoise_m, kOffSigma * std::sqrt(expected[0]));
+        const bool is_off = std::abs(row.residual) > off_m;
+        // A body that is unsure does not tell that an anchor is back.
+        if (anchor >= 0 && (is_off || !isMoved(anchor) || off_m < 2 * kMovedNoise_m))
+            noteAnchor(anchor, gated, is_off);
         if (isMoved(anchor))
             decisions[r].fate = RangeFate::kNotTried;
         else if (!gated)
@@ -318,10 +326,12 @@ double JointFilter::clockSigma_s(size_t member) const {
 std::vector<int> JointFilter::movedAnchors() const {
     std::vector<int> moved;
     for (const auto& [anchor, tally] : anchors_) {
+        const bool seems_moved = tally.moved && tally.left_out_lately >= kTriedBefore;
+        const bool seemed_mostly = tally.left_out >= std::max(kTriedBefore, tally.tried);
         const bool contradicts =
             tally.tried >= kTriedBefore &&
             static_cast<double>(tally.gated) > kMovedShare * static_cast<double>(tally.tried);
-        if (tally.tried_while_moved >= kTriedBefore || contradicts)
+        if (seems_moved || seemed_mostly || contradicts)
             moved.push_back(anchor);
     }
     return moved;

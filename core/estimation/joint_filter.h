@@ -97,10 +97,10 @@ private:
         std::vector<TimedPose> poses{};
     };
     struct Tally {
-        int64_t tried = 0, gated = 0;
-        int64_t tried_while_moved = 0;  ///< since it seems so
-        double off_share = 0;           ///< of the last ranges, those that are plainly off
-        bool moved = false;             ///< it seems so, and is left out until its ranges fit again
+        int64_t tried = 0, gated = 0;               ///< ranges while it counted
+        int64_t left_out = 0, left_out_lately = 0;  ///< while it seemed moved; since it last did
+        double off_share = 0;                       ///< of the last ranges, those that are plainly off
+        bool moved = false;  ///< it seems so, and is left out until its ranges fit again
     };
 
     size_t room() const { return bodies_.size(); }

@@ -36,7 +36,7 @@ struct RestPlace {
 struct RestAlignment {
     std::vector<RestPlace> places;   ///< per member
     std::vector<ClockLine> clocks;   ///< corrected
-    std::vector<int> moved_anchors;  ///< boards of the room that contradict the others
+    std::vector<int> moved_anchors;  ///< boards of the room that contradict the others at rest
 };
 
 /// `uses_room`: the last member is the room, which fixes the world; else the first body stands at the origin.

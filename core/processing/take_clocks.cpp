@@ -141,11 +141,11 @@ Result<TakeClocks> joinClocks(const Take& take, const JobContext& job) {
             clocks.tracks[id] = tracks[i];
             clocks.lines[id] = lineOf(tracks[i]);
         } else {
-            clocks.warnings.push_back("The clock of suit " + std::to_string(id) +
-                                      " cannot be joined to that of suit " +
-                                      std::to_string(of.suits.front().id) +
-                                      ": no transceivers of both hear each other. It stands alone, at the "
-                                      "recorder's guess, which may be 5 ms off.");
+            clocks.warnings.push_back(
+                "The clock of suit " + std::to_string(id) + " cannot be joined to that of suit " +
+                std::to_string(of.suits.front().id) +
+                ": no transceivers of both hear each other well enough. It stands alone, at the "
+                "recorder's guess, which may be 5 ms off.");
         }
     }
     return clocks;

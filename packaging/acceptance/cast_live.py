@@ -57,7 +57,8 @@ def boxes(tape, started_s):
     finally:
         for box in running:
             box.send_signal(signal.SIGINT)
-            started_s.append(float(re.search(r"started at ([\d.]+) s", box.communicate()[0])[1]))
+        for box in running:
+            started_s += [float(found) for found in re.findall(r"started at ([\d.]+) s", box.communicate()[0])[-1:]]
 
 
 def recorded(tape, seconds):

@@ -15,6 +15,7 @@ SCENARIOS = ("nominal", "realistic")
 SUITS = ("suits/default.json", "casts/transceivers_13.json")
 MOTIONS = (studio.REAL_MOTIONS / "01_03.bvh", studio.MORE_MOTIONS / "pair_handshake" / "18_01.bvh")  # others were looked at
 ASTRAY_M = 0.3
+MOST_PLACES = 20  # tried for somebody who stays in the room
 
 
 def take_of(job):
@@ -23,15 +24,17 @@ def take_of(job):
     resources, drawn = studio.ROOT / "resources", random.Random(seed)
     motion = MOTIONS[seed % len(MOTIONS)]
     cast, take = folder / f"{scenario}_{seed}.json", folder / f"{scenario}_{seed}.noctule"
-    stays_inside = False
-    while not stays_inside:
+    for _ in range(MOST_PLACES):
         place = {"x_m": drawn.uniform(-0.8, 0.8), "z_m": drawn.uniform(-0.8, 0.8), "yaw_deg": drawn.uniform(-180, 180)}
         cast.write_text(json.dumps({"subjects": [{"name": "Ada", "motion": str(motion), "place": place,
                                                   "suit": str(resources / SUITS[seed // 2 % len(SUITS)])}],
                                     "room": str(resources / "casts" / "ceiling_4.json")}))
         made = studio.batch("simulate", "--cast", cast, "--out", take, "--level", "signal", "--scenario", scenario,
                             "--duration", SECONDS, "--seed", seed, "--overwrite", "--json")
-        stays_inside = not json.loads(made)["notes"]  # else somebody walks through the wall
+        if not json.loads(made)["notes"]:  # else somebody walks through the wall
+            break
+    else:
+        raise RuntimeError(f"{cast}: {json.loads(made)['notes'][0]}")
     try:
         told = json.loads(studio.batch("process", take, "--room", "on", "--json"))
         found = json.loads(studio.batch("evaluate", take, "--json"))["root_in_world"]
@@ -64,7 +67,7 @@ def figure(options):
                      studio.number(statistics.mean([yaw for _, yaw in placed] or [0]), 2)])
         if astray:
             missed.append(f"{scenario}: {len(astray)} of {len(takes)} performers stand elsewhere, up to {max(astray):.2f} m")
-    text = (f"Seeds from {FIRST_SEED} on, {SECONDS} s each, everybody at another place and heading, whole suits and suits of "
+    text = (f"Seeds from {FIRST_SEED} on, {SECONDS} s each, everybody at another place and heading that keeps them in the room, whole suits and suits of "
             "13 transceivers, on two motions that nobody looked at while the search was made. Refused: said with a remedy. "
             f"Astray: more than {ASTRAY_M} m off. Named: an anchor said to be moved though none is. Root in the room in mm, "
             "mean (largest); its yaw in degrees.\n\n" +

@@ -4681,8 +4681,8 @@
         <translation>Die Uhr des Anzugs %1 lässt sich aus dem Schall nicht finden: Er und die anderen hören einander nicht gut genug. Abstände zu ihm werden nicht benutzt.</translation>
     </message>
     <message>
-        <source>The clock of suit %1 cannot be joined to that of suit %2: no transceivers of both hear each other. It stands alone, at the recorder's guess, which may be 5 ms off.</source>
-        <translation>Die Uhr von Anzug %1 lässt sich nicht mit der von Anzug %2 verbinden: keine Sender und Empfänger beider hören einander. Sie steht für sich, nach der Schätzung des Rekorders, die um 5 ms abweichen kann.</translation>
+        <source>The clock of suit %1 cannot be joined to that of suit %2: no transceivers of both hear each other well enough. It stands alone, at the recorder's guess, which may be 5 ms off.</source>
+        <translation>Die Uhr von Anzug %1 lässt sich nicht mit der von Anzug %2 verbinden: keine Sender und Empfänger beider hören einander gut genug. Sie steht für sich, nach der Schätzung des Rekorders, die um 5 ms abweichen kann.</translation>
     </message>
     <message>
         <source>The figure in the file faces another way than the performer.</source>

@@ -16,6 +16,8 @@ constexpr double kSound_m_per_s = 344;
 struct World {
     std::mt19937 random{7};
     std::normal_distribution<double> normal{};
+    int steps = 4100;       ///< of 10 ms
+    double bend_per_s = 0;  ///< by which rates grow
     std::vector<ClockGuess> guesses;
     std::vector<double> true_rate;
     std::vector<std::vector<double>> true_offset_s;  ///< per suit, every 10 ms of suit time
@@ -57,9 +59,10 @@ struct World {
         const double rate = first ? 1 : 1 + 20e-6 * uniform(random);
         guess.offset_s = first ? 0 : offset + 0.005 * uniform(random);
         std::vector<double> offsets;
-        for (int i = 0; i < 4100; ++i) {
+        for (int i = 0; i < steps; ++i) {
             offsets.push_back(offset);
-            offset += (rate - 1) * 0.01 + (first ? 0 : 0.5e-6 * 0.1 * normal(random));
+            offset += (rate - 1 + (first ? 0 : bend_per_s * 0.01 * i)) * 0.01 +
+                      (first ? 0 : 0.5e-6 * 0.1 * normal(random));
         }
         guesses.push_back(guess);
         true_rate.push_back(rate);
@@ -182,6 +185,30 @@ TEST(ClockEstimator, SecondsInWhichOnlyEchoesAreHeardDoNotBendTheClock) {
                 << "from " << begin_s << " s, suit " << suit;
         }
     }
+}
+
+TEST(ClockEstimator, AClockThatWarmsUpForHalfAnHourIsFollowed) {
+    World world;
+    world.steps = 181'000;
+    world.bend_per_s = 4e-6 / 1800;  // off its best line by 0.6 ms
+    world.addSuit({-0.6, 1.2, 0}, 1, false);
+    world.addSuit({0, 2.5, 0}, 1, true);
+    ClockSettings settings;
+    settings.housing_s = 0;
+    const auto tracks = estimateClocks(world.flights(1800, 6e-6), world.guesses, settings);
+    ASSERT_TRUE(tracks[1].joined);
+    EXPECT_LT(errorsOf(world, tracks[1], 1).worst_offset_s, 6e-6);
+}
+
+TEST(ClockEstimator, WhereWindowsDoNotAgreeNothingIsJoined) {
+    World world;
+    world.addSuit({-0.6, 1.2, 0}, 4, false);
+    world.addSuit({0, 2.5, 0}, 4, true);
+    auto flights = world.flights(20, 6e-6);
+    for (TimedFlight& flight : flights)  // every second by another wall
+        if (flight.to_suit == 1)
+            flight.arrival_s += 2e-3 * std::floor(flight.emission_s);
+    EXPECT_FALSE(estimateClocks(flights, world.guesses)[1].joined);
 }
 
 TEST(ClockEstimator, OneDirectionAloneJoinsNothing) {
