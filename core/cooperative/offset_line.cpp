@@ -14,6 +14,18 @@ constexpr size_t kMostEnds = 100;    ///< of candidate lines, spread over all of
 
 }  // namespace
 
+std::optional<OffsetLine> lineThrough(const std::vector<ClockOffset>& offsets) {
+    double n = 0, t = 0, o = 0, tt = 0, to = 0;
+    for (const ClockOffset& one : offsets)
+        n += 1, t += one.take_s, o += one.offset_s, tt += one.take_s * one.take_s,
+            to += one.take_s * one.offset_s;
+    const double spread = n * tt - t * t;
+    if (!(spread > 0))
+        return std::nullopt;
+    const double slope = (n * to - t * o) / spread;
+    return OffsetLine{(o - slope * t) / n, slope};
+}
+
 OffsetLine lineThroughMost(std::vector<ClockOffset> offsets, double outlier_s) {
     require(!offsets.empty(), "lineThroughMost: no offset");
     const auto fits = [outlier_s](const OffsetLine& line, const ClockOffset& one) {
@@ -35,15 +47,8 @@ OffsetLine lineThroughMost(std::vector<ClockOffset> offsets, double outlier_s) {
                 most = count, best = candidate;
         }
     std::erase_if(offsets, [&](const ClockOffset& one) { return !fits(best, one); });
-    double n = 0, t = 0, o = 0, tt = 0, to = 0;
-    for (const ClockOffset& one : offsets)
-        n += 1, t += one.take_s, o += one.offset_s, tt += one.take_s * one.take_s,
-            to += one.take_s * one.offset_s;
-    const double spread = n * tt - t * t;
-    const double slope = spread > 0 ? (n * to - t * o) / spread : best.slope;
-    if (!(spread > 0) || std::abs(slope) > kMostRate)
-        return best;
-    return {(o - slope * t) / n, slope};
+    const auto line = lineThrough(offsets);
+    return line && std::abs(line->slope) <= kMostRate ? *line : best;
 }
 
 }  // namespace noctule::cooperative

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace noctule::cooperative {
@@ -16,6 +17,9 @@ struct OffsetLine {
     double at_0_s = 0, slope = 0;  ///< over take time
     double at(double take_s) const { return at_0_s + slope * take_s; }
 };
+
+/// Least squares; none where all lie at one instant.
+std::optional<OffsetLine> lineThrough(const std::vector<ClockOffset>& offsets);
 
 /// Through all that lie within `outlier_s` of the line through most of them. No steeper than two crystals
 /// allow, 60 parts per million; where no two offsets agree, level through the first. Needs one.

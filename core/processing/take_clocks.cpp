@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cooperative/offset_line.h"
 #include "core/processing/cross_clocks.h"
 
 namespace noctule {
@@ -101,14 +102,13 @@ private:
 };
 
 SuitClock lineOf(const cooperative::ClockTrack& track) {
-    double n = 0, sum_t = 0, sum_o = 0, sum_tt = 0, sum_to = 0;
-    for (const cooperative::ClockPoint& point : track.points) {
-        n += 1, sum_t += point.suit_s, sum_o += point.offset_s;
-        sum_tt += point.suit_s * point.suit_s, sum_to += point.suit_s * point.offset_s;
-    }
-    const double spread = n * sum_tt - sum_t * sum_t;
-    const double slope = spread > 0 ? (n * sum_to - sum_t * sum_o) / spread : track.points.front().rate - 1;
-    return {(sum_o - slope * sum_t) / n * 1e9, 1 + slope};
+    std::vector<cooperative::ClockOffset> offsets;
+    for (const cooperative::ClockPoint& point : track.points)
+        offsets.push_back({point.suit_s, point.offset_s});
+    const cooperative::ClockPoint& first = track.points.front();
+    const auto line = cooperative::lineThrough(offsets).value_or(
+        cooperative::OffsetLine{first.offset_s - (first.rate - 1) * first.suit_s, first.rate - 1});
+    return {line.at_0_s * 1e9, 1 + line.slope};
 }
 
 }  // namespace

@@ -20,9 +20,9 @@ MOST_PLACES = 20  # tried for somebody who stays in the room
 
 def take_of(job):
     """(scenario, "refused" or root in the room in metres, its yaw in degrees, what was warned of)"""
-    scenario, seed, folder = job
+    scenario, seed, folder, motions = job
     resources, drawn = studio.ROOT / "resources", random.Random(seed)
-    motion = MOTIONS[seed % len(MOTIONS)]
+    motion = motions[seed % len(motions)]
     cast, take = folder / f"{scenario}_{seed}.json", folder / f"{scenario}_{seed}.noctule"
     for _ in range(MOST_PLACES):
         place = {"x_m": drawn.uniform(-0.8, 0.8), "z_m": drawn.uniform(-0.8, 0.8), "yaw_deg": drawn.uniform(-180, 180)}
@@ -50,7 +50,8 @@ def take_of(job):
 def figure(options):
     folder = studio.OUT / "rooms"
     folder.mkdir(parents=True, exist_ok=True)
-    work = [(scenario, FIRST_SEED + k, folder) for scenario in SCENARIOS for k in range(options.room_seeds)]
+    motions = [motion for motion in MOTIONS if motion.exists()]
+    work = [(scenario, FIRST_SEED + k, folder, motions) for scenario in SCENARIOS for k in range(options.room_seeds)]
     seen = collections.defaultdict(list)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for scenario, *found in pool.map(take_of, work):

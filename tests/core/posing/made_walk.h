@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A person who stands, walks with a turn, bends the knees and stands again, by forward kinematics; and what
-// sensors on the segments read, mounted at random turns, each with a heading and a drift of its own.
+// sensors on the segments read, mounted at random turns, each with a heading and a drift of its own. A rate
+// is the mean since the reading before, as sensors tell it.
 #pragma once
 
 #include <cmath>
@@ -64,14 +65,15 @@ struct MadeSuit {
     std::vector<Pose> truth;
 };
 
-inline MadeSuit madeSuit(const Actor& actor, const std::vector<std::string>& segments, unsigned seed) {
+inline MadeSuit madeSuit(const Actor& actor, const std::vector<std::string>& segments, unsigned seed,
+                         double rate_hz = kRate_hz) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform(-1, 1);
     MadeSuit suit;
-    suit.tracks.rate_hz = kRate_hz;
-    constexpr double dt = 1 / kRate_hz;
-    const auto rows = size_t(kDuration_s * kRate_hz);
+    suit.tracks.rate_hz = rate_hz;
+    const double dt = 1 / rate_hz;
+    const auto rows = size_t(kDuration_s * rate_hz);
     std::vector<GlobalPose> bodies;
     for (size_t i = 0; i < rows + 2; ++i) {
         const Pose pose = walkAt(actor, (double(i) - 1) * dt);
@@ -94,12 +96,12 @@ inline MadeSuit madeSuit(const Actor& actor, const std::vector<std::string>& seg
         for (size_t i = 1; i <= rows; ++i) {
             const Quaterniond q = bodies[i].q_world_joint[j] * q_segment_sensor;
             const Vector3d accel = (at(i + 1) - 2 * at(i) + at(i - 1)) / (dt * dt);
-            const Quaterniond step =
-                bodies[i - 1].q_world_joint[j].conjugate() * bodies[i + 1].q_world_joint[j];
-            const auto noise = [&](double sigma) -> Vector3d {
-                return sigma * Vector3d(normal(random), normal(random), normal(random));
+            const Quaterniond step = bodies[i - 1].q_world_joint[j].conjugate() * bodies[i].q_world_joint[j];
+            const auto noise = [&](double sigma) -> Vector3d {  // as dense at every rate
+                return std::sqrt(rate_hz / kRate_hz) * sigma *
+                       Vector3d(normal(random), normal(random), normal(random));
             };
-            track.rate_rad_per_s.push_back(q_segment_sensor.conjugate() * (logQuaternion(step) / (2 * dt)) +
+            track.rate_rad_per_s.push_back(q_segment_sensor.conjugate() * (logQuaternion(step) / dt) +
                                            noise(0.005));
             track.accel_m_per_s2.push_back(
                 q.conjugate() * (accel + kStandardGravity_m_per_s2 * Vector3d::UnitY()) + noise(0.05));
