@@ -36,7 +36,7 @@ SIDED = ("clavicle", "shoulder", "upper arm", "elbow", "forearm", "wrist", "hand
          "foot", "toes", "arm", "leg")
 FATES = ("used", "rejected by the gate", "heard but unused", "hidden by the body", "missing")
 COMPOSED = (*GRADES, *MIDDLE, *(f"{side} {part}" for side in ("Left", "Right") for part in SIDED),
-            *(f"{fate} %1" for fate in FATES), "root given", "source %1")
+            *(f"{fate} %1" for fate in FATES), "root given", "source %1", "board %1")
 # text::plural(count, "frame", "frames") says "%1 frames".
 PLURAL = re.compile(r'\bplural\([^;]*?,\s*"([a-z][^"]*)",\s*"([a-z][^"]*)"\)')
 

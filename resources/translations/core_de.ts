@@ -382,6 +382,10 @@
         <translation>Halsansatz</translation>
     </message>
     <message>
+        <source>board %1</source>
+        <translation>Platine %1</translation>
+    </message>
+    <message>
         <source>foot talus</source>
         <translation>foot talus</translation>
     </message>

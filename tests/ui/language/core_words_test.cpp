@@ -78,6 +78,12 @@ TEST_F(CoreWords, ValuesHaveTheDecimalSignOfTheScreen) {
     EXPECT_EQ(patterns_.translated("lasts 3.25 s, version 1.2.3"), "dauert 3,25 s, Fassung 1.2.3");
 }
 
+TEST_F(CoreWords, BoardsOfFindingsAreGerman) {
+    EXPECT_EQ(
+        coreWords("Board 6, Left forearm, is silent in the rest pose and keeps its old values").toStdString(),
+        "Platine 6, Linker Unterarm, schweigt in der Ruhehaltung und behält ihre alten Werte");
+}
+
 TEST_F(CoreWords, TagsAndStylesOfADocumentStayTextsDoNot) {
     const std::string page =
         "<html lang=\"en\"><style>p{color:red}</style><p class=\"a\">Joint</p><b aria-label=\"Joint\">&lt;1 "
