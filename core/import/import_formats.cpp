@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "core/import/formats.h"
 #include "core/import/segment_names.h"
@@ -16,6 +17,7 @@ constexpr size_t kMostImportBytes = size_t{4} << 30;
 constexpr size_t kMostImportStreamBytes = size_t{256} << 20;
 constexpr size_t kMostImportFiles = 2000;
 constexpr int kFolderLevels = 2;
+constexpr size_t kMostNamed = 5;  ///< sensors in one warning
 
 std::filesystem::path pathOf(const ImportFile& file) {
     return std::filesystem::path(file.path);
@@ -56,6 +58,45 @@ Status checkNames(const ImportedRecording& recording) {
                              recording.name + ": two sensors are named " + recording.sensors[s].id,
                              "Give each sensor's file once, and the files of one recording only"};
     return Done{};
+}
+
+/// "Pelvis, T8 and 3 more", or "All 17 sensors".
+std::string namesOf(const std::vector<std::string>& ids, size_t sensors) {
+    if (ids.size() == sensors)
+        return "All " + std::to_string(sensors) + " sensors";
+    std::string names = ids.front();
+    const size_t named = ids.size() > kMostNamed ? kMostNamed - 1 : ids.size() - 1;
+    for (size_t i = 1; i < named; ++i)
+        names += ", " + ids[i];
+    return named + 1 == ids.size() ? names + " and " + ids.back()
+                                   : names + " and " + std::to_string(ids.size() - named) + " more";
+}
+
+/// One cause, one sentence: what is said of several sensors in the same words.
+void mergeAlike(ImportedRecording& recording) {
+    struct Alike {
+        size_t at = 0;  ///< among the warnings
+        std::vector<std::string> ids;
+    };
+    std::map<std::string, Alike> alike;  // by the words behind the sensor's name
+    std::vector<std::string> warnings;
+    for (const std::string& warning : recording.warnings) {
+        const auto sensor = std::ranges::find_if(
+            recording.sensors, [&](const ImportedSensor& one) { return warning.starts_with(one.id + ": "); });
+        if (sensor == recording.sensors.end()) {
+            warnings.push_back(warning);
+            continue;
+        }
+        const auto [same, is_new] =
+            alike.try_emplace(warning.substr(sensor->id.size() + 2), Alike{warnings.size(), {}});
+        if (is_new)
+            warnings.push_back(warning);
+        same->second.ids.push_back(sensor->id);
+    }
+    for (const auto& [words, of] : alike)
+        if (of.ids.size() > 1)
+            warnings[of.at] = namesOf(of.ids, recording.sensors.size()) + ": " + words;
+    recording.warnings = std::move(warnings);
 }
 
 }  // namespace
@@ -101,13 +142,16 @@ const ImportFormat* importFormatOf(const std::vector<ImportFile>& files) {
 
 Result<ImportedRecording> readImport(const ImportFormat& format, const std::vector<ImportFile>& files,
                                      const ImportChoice& choice, const JobContext& job) {
-    std::vector<ImportFile> known;
+    const auto is_known = [&](const ImportFile& file) { return files.size() == 1 || format.knows(file); };
+    std::vector<ImportFile> copies;  // of those known, where others stand between them: they may be large
     std::vector<std::string> others;
+    const bool all_known = std::ranges::all_of(files, is_known);
     for (const ImportFile& file : files)
-        if (files.size() == 1 || format.knows(file))
-            known.push_back(file);
-        else
+        if (!is_known(file))
             others.push_back(file.path);
+        else if (!all_known)
+            copies.push_back(file);
+    const std::vector<ImportFile>& known = all_known ? files : copies;
     if (known.empty() || (known.size() > 1 && !format.several_files))
         return Error{ErrorKind::kUsage,
                      known.empty()
@@ -124,6 +168,7 @@ Result<ImportedRecording> readImport(const ImportFormat& format, const std::vect
         recording->warnings.push_back(path + " is no file of this kind and was left out");
     convertToSi(*recording);
     checkReadings(*recording);
+    mergeAlike(*recording);
     guessSegments(*recording);
     return recording;
 }

@@ -2292,6 +2292,10 @@
 <context>
     <name>core/import</name>
     <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
         <source>%1 holds %2, which is no number</source>
         <translation>%1 enthält %2, was keine Zahl ist</translation>
     </message>
@@ -2490,6 +2494,10 @@
     <message>
         <source>A take lasts a week at most; check the rate</source>
         <translation>Eine Aufnahme dauert höchstens eine Woche; die Rate prüfen</translation>
+    </message>
+    <message>
+        <source>All %1 sensors</source>
+        <translation>Alle %1 Sensoren</translation>
     </message>
     <message>
         <source>Attitudes take frames to %1</source>
@@ -8932,10 +8940,6 @@
     <message>
         <source>%1 `noctule --batch recover` on it</source>
         <translation>%1 `noctule --batch recover` darauf ausführen</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 und %2</translation>
     </message>
     <message>
         <source>%1 and %2 are the same driver box, %3</source>

@@ -352,6 +352,26 @@ TEST(Readings, ImpossibleOnesBecomeMissingAndAreSaid) {
     EXPECT_TRUE(mentions(read->warnings, "beyond any sensor's range"));
 }
 
+TEST(Readings, WhatSeveralSensorsShareIsSaidOnce) {
+    std::vector<ImportFile> files;
+    for (const char* id : {"0001", "0002", "0003", "0004", "0005", "0006", "0007"})
+        files.push_back({std::string("a_") + id + ".txt", xsensExample({0, 1, 2, 3}, '\t', true, "\n", id)});
+    const auto all = readAs(files);
+    ASSERT_TRUE(all) << all.error().text();
+    const std::string repeated = "more than half of 4 accelerations repeat the one before";
+    EXPECT_TRUE(mentions(all->warnings, "All 7 sensors: " + repeated));
+    EXPECT_FALSE(mentions(all->warnings, "0001: "));
+    // One that moves is not among them.
+    int row = 0;
+    for (size_t at = 0; (at = files[6].bytes.find("9.81")) != std::string::npos; ++row)
+        files[6].bytes.replace(at, 4, "9.7" + std::to_string(row));
+    ASSERT_EQ(row, 4);
+    const auto most = readAs(files);
+    ASSERT_TRUE(most) << most.error().text();
+    EXPECT_TRUE(mentions(most->warnings, "0001, 0002, 0003, 0004 and 2 more: " + repeated));
+    EXPECT_FALSE(mentions(most->warnings, "0007: " + repeated));
+}
+
 TEST(Markers, SixKindsOfC3dAgree) {
     for (const int processor : {84, 85, 86})
         for (const bool floats : {false, true}) {
