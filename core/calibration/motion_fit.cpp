@@ -14,8 +14,6 @@ constexpr double kFirstAccel_m_per_s2 = 0.6, kFirstDistance_m = 0.03;
 constexpr double kLeastAccel_m_per_s2 = 0.02, kLeastDistanceNoise_m = 5e-4;
 constexpr double kLossScale = 2.5;  // in sigma: residuals beyond it pull less and less
 constexpr double kEachPair_s = 0.064;
-// Distances farther off came by way of the floor or a wall. The first trajectory is not good enough to tell.
-constexpr double kFirstEcho_m = 0.15, kLeastEcho_m = 0.03, kEchoShrinks = 0.5;
 constexpr double kTurnThatEnds_rad = radians(0.1);  // of the board that turns most
 constexpr int kFirstLearning = 1, kFewestIterations = 3;
 constexpr double kDamping = 1e-9;
@@ -23,11 +21,6 @@ constexpr double kDamping = 1e-9;
 /// Of one component, from the median of the absolute values.
 double robustSize(std::vector<double> values) {
     return 1.4826 * medianOf(std::move(values));
-}
-
-/// Of a squared residual in sigma.
-double robustCost(double square) {
-    return kLossScale * kLossScale * std::log1p(square / (kLossScale * kLossScale));
 }
 
 }  // namespace
@@ -80,7 +73,7 @@ double MotionFit::addData(ResidualBlock& block, double sigma, double copies, std
                           Round& round) const {
     const double square = block.residual.head(block.rows).squaredNorm() / (sigma * sigma * block.rows);
     const double scale_square = kLossScale * kLossScale;
-    const double cost = block.rows * robustCost(square) / copies;
+    const double cost = block.rows * scale_square * std::log1p(square / scale_square) / copies;
     round.cost += cost;
     block.weight.setConstant(1 / (sigma * sigma * copies * (1 + square / scale_square)));
     round.system.add(block);
@@ -117,15 +110,9 @@ void MotionFit::addReadings(const MotionUnknowns& unknowns, size_t index, Round&
             return;
         const auto board = static_cast<size_t>(heard.board);
         auto block = model_.distance(unknowns, heard, firstNode(index));
-        const double sigma_m = noise_.distance_m[board] / heard.confidence;
-        const double alike = std::max(1.0, settings_.correlation_s / kEachPair_s);
-        if (std::abs(block.residual[0]) > echo_m_) {  // counts as one at the bound, so that costs compare
-            const double cost = robustCost(std::pow(echo_m_ / sigma_m, 2)) / alike;
-            round.cost += cost;
-            round.board_cost[board] += cost;
-            continue;
-        }
-        round.board_cost[board] += addData(block, sigma_m, alike, round.sizes.distance[board], round);
+        round.board_cost[board] +=
+            addData(block, noise_.distance_m[board] / heard.confidence,
+                    std::max(1.0, settings_.correlation_s / kEachPair_s), round.sizes.distance[board], round);
     }
 }
 
@@ -183,7 +170,6 @@ Result<MotionFitResult> MotionFit::run(MotionUnknowns start, const JobContext& j
                      "Fitting the movement");
         if (job.cancelled())
             return JobContext::cancelledError();
-        echo_m_ = std::max(kLeastEcho_m, kFirstEcho_m * std::pow(kEchoShrinks, result.iterations));
         model_.freezeFlesh(result.unknowns, rest_of_node_);
         Round round{ArrowheadSystem(static_cast<int>(result.unknowns.nodes.size()), layout_.nodeSize(),
                                     layout_.borderSize()),

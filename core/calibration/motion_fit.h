@@ -64,7 +64,6 @@ private:
     const ExpectedConstants& expected_;
     MotionPriors priors_;
     MotionResidualSizes noise_;
-    double echo_m_ = 0;  ///< distances farther off than that tell nothing
     bool learns_noise_ = true;
     std::vector<int> first_node_, rest_of_node_, board_segments_;
 };

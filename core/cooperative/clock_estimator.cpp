@@ -262,18 +262,18 @@ private:
                     told.push_back({window.centre_s, *offset_s});
                     of.push_back(&window);
                 }
-            const auto from = [&](double take_s) {
-                return std::ranges::lower_bound(told, take_s, {}, &ClockOffset::take_s);
+            const auto from = [&](double time_s) {
+                return std::ranges::lower_bound(told, time_s, {}, &ClockOffset::time_s);
             };
             for (auto next = told.begin(); next != told.end();) {
-                const double begin_s = next->take_s, end_s = begin_s + kJudged_s;
+                const double begin_s = next->time_s, end_s = begin_s + kJudged_s;
                 const std::vector<ClockOffset> near(from(begin_s - kNear_s), from(end_s + kNear_s));
                 const OffsetLine line = lineThroughMost(near, kOffLine_s);
                 const auto fits = [&line](const ClockOffset& one) {
-                    return std::abs(one.offset_s - line.at(one.take_s)) < kOffLine_s;
+                    return std::abs(one.offset_s - line.at(one.time_s)) < kOffLine_s;
                 };
                 const bool agree = 2 * std::ranges::count_if(near, fits) >= std::ssize(near);
-                for (; next != told.end() && next->take_s < end_s; ++next)
+                for (; next != told.end() && next->time_s < end_s; ++next)
                     if (!agree || !fits(*next))
                         forget(*of[static_cast<size_t>(next - told.begin())], i);
             }

@@ -17,8 +17,8 @@ constexpr size_t kMostEnds = 100;    ///< of candidate lines, spread over all of
 std::optional<OffsetLine> lineThrough(const std::vector<ClockOffset>& offsets) {
     double n = 0, t = 0, o = 0, tt = 0, to = 0;
     for (const ClockOffset& one : offsets)
-        n += 1, t += one.take_s, o += one.offset_s, tt += one.take_s * one.take_s,
-            to += one.take_s * one.offset_s;
+        n += 1, t += one.time_s, o += one.offset_s, tt += one.time_s * one.time_s,
+            to += one.time_s * one.offset_s;
     const double spread = n * tt - t * t;
     if (!(spread > 0))
         return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<OffsetLine> lineThrough(const std::vector<ClockOffset>& offsets) {
 OffsetLine lineThroughMost(std::vector<ClockOffset> offsets, double outlier_s) {
     require(!offsets.empty(), "lineThroughMost: no offset");
     const auto fits = [outlier_s](const OffsetLine& line, const ClockOffset& one) {
-        return std::abs(one.offset_s - line.at(one.take_s)) < outlier_s;
+        return std::abs(one.offset_s - line.at(one.time_s)) < outlier_s;
     };
     OffsetLine best{offsets.front().offset_s, 0};
     const size_t step = 1 + (offsets.size() - 1) / kMostEnds;
@@ -37,10 +37,10 @@ OffsetLine lineThroughMost(std::vector<ClockOffset> offsets, double outlier_s) {
     for (size_t i = 0; i < offsets.size(); i += step)
         for (size_t k = i + step; k < offsets.size(); k += step) {
             const double slope =
-                (offsets[k].offset_s - offsets[i].offset_s) / (offsets[k].take_s - offsets[i].take_s);
+                (offsets[k].offset_s - offsets[i].offset_s) / (offsets[k].time_s - offsets[i].time_s);
             if (!(std::abs(slope) <= kMostRate))
                 continue;
-            const OffsetLine candidate{offsets[i].offset_s - slope * offsets[i].take_s, slope};
+            const OffsetLine candidate{offsets[i].offset_s - slope * offsets[i].time_s, slope};
             const auto count =
                 std::ranges::count_if(offsets, [&](const ClockOffset& one) { return fits(candidate, one); });
             if (count > most)

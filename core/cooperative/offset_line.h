@@ -10,12 +10,12 @@
 namespace noctule::cooperative {
 
 struct ClockOffset {
-    double take_s = 0, offset_s = 0;
+    double time_s = 0, offset_s = 0;  ///< on one clock, as its user says
 };
 
 struct OffsetLine {
-    double at_0_s = 0, slope = 0;  ///< over take time
-    double at(double take_s) const { return at_0_s + slope * take_s; }
+    double at_0_s = 0, slope = 0;  ///< over the same time
+    double at(double time_s) const { return at_0_s + slope * time_s; }
 };
 
 /// Least squares; none where all lie at one instant.

@@ -60,10 +60,10 @@ Status checkNames(const ImportedRecording& recording) {
     return Done{};
 }
 
-/// "Pelvis, T8 and 3 more", or "All 17 sensors".
+/// "Pelvis, T8 and 3 more", or "Each of 17 sensors".
 std::string namesOf(const std::vector<std::string>& ids, size_t sensors) {
     if (ids.size() == sensors)
-        return "All " + std::to_string(sensors) + " sensors";
+        return "Each of " + std::to_string(sensors) + " sensors";
     std::string names = ids.front();
     const size_t named = ids.size() > kMostNamed ? kMostNamed - 1 : ids.size() - 1;
     for (size_t i = 1; i < named; ++i)
@@ -72,7 +72,7 @@ std::string namesOf(const std::vector<std::string>& ids, size_t sensors) {
                                    : names + " and " + std::to_string(ids.size() - named) + " more";
 }
 
-/// One cause, one sentence: what is said of several sensors in the same words.
+/// What is said of several sensors in the same words is said once.
 void mergeAlike(ImportedRecording& recording) {
     struct Alike {
         size_t at = 0;  ///< among the warnings
@@ -81,9 +81,11 @@ void mergeAlike(ImportedRecording& recording) {
     std::map<std::string, Alike> alike;  // by the words behind the sensor's name
     std::vector<std::string> warnings;
     for (const std::string& warning : recording.warnings) {
-        const auto sensor = std::ranges::find_if(
-            recording.sensors, [&](const ImportedSensor& one) { return warning.starts_with(one.id + ": "); });
-        if (sensor == recording.sensors.end()) {
+        const ImportedSensor* sensor = nullptr;  // the longest name: "A" begins "A: left" too
+        for (const ImportedSensor& one : recording.sensors)
+            if (warning.starts_with(one.id + ": ") && (!sensor || one.id.size() > sensor->id.size()))
+                sensor = &one;
+        if (!sensor) {
             warnings.push_back(warning);
             continue;
         }
@@ -91,7 +93,8 @@ void mergeAlike(ImportedRecording& recording) {
             alike.try_emplace(warning.substr(sensor->id.size() + 2), Alike{warnings.size(), {}});
         if (is_new)
             warnings.push_back(warning);
-        same->second.ids.push_back(sensor->id);
+        if (same->second.ids.empty() || same->second.ids.back() != sensor->id)
+            same->second.ids.push_back(sensor->id);
     }
     for (const auto& [words, of] : alike)
         if (of.ids.size() > 1)

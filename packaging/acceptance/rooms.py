@@ -69,7 +69,8 @@ def figure(options):
         if astray:
             missed.append(f"{scenario}: {len(astray)} of {len(takes)} performers stand elsewhere, up to {max(astray):.2f} m")
     text = (f"Seeds from {FIRST_SEED} on, {SECONDS} s each, everybody at another place and heading that keeps them in the room, whole suits and suits of "
-            "13 transceivers, on two motions that nobody looked at while the search was made. Refused: said with a remedy. "
+            f"13 transceivers, on {' and '.join(motion.stem for motion in motions)}, which nobody looked at while the search was "
+            "made. Refused: said with a remedy. "
             f"Astray: more than {ASTRAY_M} m off. Named: an anchor said to be moved though none is. Root in the room in mm, "
             "mean (largest); its yaw in degrees.\n\n" +
             studio.markdown_table(["scenario", "takes", "refused", "astray", "named", "root", "yaw"], rows))

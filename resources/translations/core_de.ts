@@ -2496,10 +2496,6 @@
         <translation>Eine Aufnahme dauert höchstens eine Woche; die Rate prüfen</translation>
     </message>
     <message>
-        <source>All %1 sensors</source>
-        <translation>Alle %1 Sensoren</translation>
-    </message>
-    <message>
         <source>Attitudes take frames to %1</source>
         <translation>Lagen führen Koordinaten nach %1</translation>
     </message>
@@ -2558,6 +2554,10 @@
     <message>
         <source>ENU (X east, Y north, Z up)</source>
         <translation>ENU (X Osten, Y Norden, Z oben)</translation>
+    </message>
+    <message>
+        <source>Each of %1 sensors</source>
+        <translation>Jeder der %1 Sensoren</translation>
     </message>
     <message>
         <source>Export the markers again</source>

@@ -359,7 +359,7 @@ TEST(Readings, WhatSeveralSensorsShareIsSaidOnce) {
     const auto all = readAs(files);
     ASSERT_TRUE(all) << all.error().text();
     const std::string repeated = "more than half of 4 accelerations repeat the one before";
-    EXPECT_TRUE(mentions(all->warnings, "All 7 sensors: " + repeated));
+    EXPECT_TRUE(mentions(all->warnings, "Each of 7 sensors: " + repeated));
     EXPECT_FALSE(mentions(all->warnings, "0001: "));
     // One that moves is not among them.
     int row = 0;
@@ -370,6 +370,9 @@ TEST(Readings, WhatSeveralSensorsShareIsSaidOnce) {
     ASSERT_TRUE(most) << most.error().text();
     EXPECT_TRUE(mentions(most->warnings, "0001, 0002, 0003, 0004 and 2 more: " + repeated));
     EXPECT_FALSE(mentions(most->warnings, "0007: " + repeated));
+    const auto two = readAs({files[0], files[1], files[6]});
+    ASSERT_TRUE(two) << two.error().text();
+    EXPECT_TRUE(mentions(two->warnings, "0001 and 0002: " + repeated));
 }
 
 TEST(Markers, SixKindsOfC3dAgree) {

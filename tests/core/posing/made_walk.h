@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A person who stands, walks with a turn, bends the knees and stands again, by forward kinematics; and what
 // sensors on the segments read, mounted at random turns, each with a heading and a drift of its own. A rate
-// is the mean since the reading before, as sensors tell it.
+// is the mean since the reading before, as sensors that integrate tell it.
 #pragma once
 
 #include <cmath>
@@ -15,6 +15,11 @@
 namespace noctule::posing::test {
 
 inline constexpr double kRate_hz = 50, kDuration_s = 30;
+
+/// Segments of a whole suit.
+inline const std::vector<std::string> kWhole = {
+    "Hips",         "Spine",     "Chest",     "Head",    "LeftArm",  "LeftForeArm", "LeftHand", "RightArm",
+    "RightForeArm", "RightHand", "LeftUpLeg", "LeftLeg", "LeftFoot", "RightUpLeg",  "RightLeg", "RightFoot"};
 
 inline double between(double t, double from, double to) {
     const double x = std::clamp((t - from) / (to - from), 0.0, 1.0);

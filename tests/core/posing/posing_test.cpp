@@ -7,12 +7,10 @@
 namespace noctule::posing {
 namespace {
 
+using test::kWhole;
 using test::madeSuit;
 using test::MadeSuit;
 
-const std::vector<std::string> kWhole = {
-    "Hips",         "Spine",     "Chest",     "Head",    "LeftArm",  "LeftForeArm", "LeftHand", "RightArm",
-    "RightForeArm", "RightHand", "LeftUpLeg", "LeftLeg", "LeftFoot", "RightUpLeg",  "RightLeg", "RightFoot"};
 const std::vector<std::string> kLegs = {"Hips",       "LeftUpLeg", "LeftLeg",  "LeftFoot",
                                         "RightUpLeg", "RightLeg",  "RightFoot"};
 
