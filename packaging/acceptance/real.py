@@ -168,14 +168,14 @@ def largest_joint(score):
 
 
 def sudden_steps(missed):
-    take, rows = copied("sudden_steps"), []
+    take, rows, scores = copied("sudden_steps"), [], {}
     for sensors in ("GD", "AG", "AGD"):
         studio.process(take, sensors, sensors)
         score = studio.evaluate(take, sensors)
         rows.append([sensors, studio.number(score["mean_deg"]), studio.number(score.get("nees"))])
-    scores = {row[0]: float(row[1]) for row in rows}
+        scores[sensors] = score["mean_deg"]
     if scores["AGD"] > 4:
-        missed.append(f"sudden_steps: {scores['AGD']:.2f} degrees, not 4")
+        missed.append(f"sudden_steps: {scores['AGD']:.3f} degrees, not 4")
     nees = {row[0]: float(row[2]) for row in rows}["AGD"]
     if nees > 5:
         missed.append(f"sudden_steps: NEES of A+G+D {nees:.1f}, not 5")
