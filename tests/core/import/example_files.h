@@ -3,6 +3,7 @@
 // here was not written by what is tested.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -12,6 +13,11 @@
 #include <vector>
 
 namespace noctule::test {
+
+inline bool mentions(const std::vector<std::string>& sentences, const std::string& word) {
+    return std::any_of(sentences.begin(), sentences.end(),
+                       [&](const std::string& sentence) { return sentence.find(word) != std::string::npos; });
+}
 
 inline std::string numberText(double value) {
     char text[40];

@@ -7,7 +7,6 @@
 
 #include "core/import/import_format.h"
 #include "core/import/import_take.h"
-#include "core/import/markers.h"
 #include "core/import/segment_map.h"
 #include "core/import/segment_names.h"
 #include "core/recording/take.h"
@@ -21,11 +20,6 @@ Result<ImportedRecording> readAs(const std::vector<ImportFile>& files, const Imp
     const ImportFormat* format = importFormatOf(files);
     EXPECT_TRUE(format);
     return format ? readImport(*format, files, choice, {}) : Error{};
-}
-
-bool mentions(const std::vector<std::string>& sentences, const std::string& word) {
-    return std::any_of(sentences.begin(), sentences.end(),
-                       [&](const std::string& sentence) { return sentence.find(word) != std::string::npos; });
 }
 
 TEST(XsensText, EverySeparatorAndLineEndReadsAlike) {
@@ -373,39 +367,6 @@ TEST(Readings, WhatSeveralSensorsShareIsSaidOnce) {
     const auto two = readAs({files[0], files[1], files[6]});
     ASSERT_TRUE(two) << two.error().text();
     EXPECT_TRUE(mentions(two->warnings, "0001 and 0002: " + repeated));
-}
-
-TEST(Markers, SixKindsOfC3dAgree) {
-    for (const int processor : {84, 85, 86})
-        for (const bool floats : {false, true}) {
-            const auto read = parseC3d(C3dExample(processor, floats).bytes(), "x.c3d", {});
-            ASSERT_TRUE(read) << read.error().text();
-            EXPECT_EQ(read->names, (std::vector<std::string>{"LASI", "Hips"}));
-            EXPECT_EQ(read->rate_hz, 200);
-            EXPECT_EQ(read->up, "Z");
-            ASSERT_EQ(read->rows(), 3u);
-            EXPECT_LT((read->at(2, 0) - Vector3d(0.102, -0.2, 0.3)).norm(), 1e-6) << processor << floats;
-            EXPECT_FALSE(read->at(1, 1).allFinite());
-            EXPECT_TRUE(read->warnings.empty()) << read->warnings.front();
-        }
-}
-
-TEST(Markers, TrcKeepsRowsWhateverItsHeaderCounts) {
-    const auto read = parseTrc(trcExample(), "x.trc", {});
-    ASSERT_TRUE(read) << read.error().text();
-    EXPECT_EQ(read->names, (std::vector<std::string>{"Hips", "LASI"}));
-    ASSERT_EQ(read->rows(), 3u);
-    EXPECT_LT((read->at(2, 0) - Vector3d(1.002, 0.5, 0.25)).norm(), 1e-12);
-    EXPECT_FALSE(read->at(1, 1).allFinite());
-    EXPECT_TRUE(mentions(read->warnings, "states 99 rows"));
-    const auto unknown = jointsOfMarkers(*read, {}, "", "x.trc");
-    ASSERT_FALSE(unknown);
-    EXPECT_NE(unknown.error().text().find("--up"), std::string::npos);
-    const auto joints = jointsOfMarkers(*read, {{"Hips", {"Hips", "LASI"}}}, "Z", "x.trc");
-    ASSERT_TRUE(joints) << joints.error().text();
-    EXPECT_EQ(joints->time_s.size(), 2u) << "the row in which LASI is not seen is left out";
-    EXPECT_LT((joints->at(0, 0) - Vector3d(0.251, 0.1265, 0.5005)).norm(), 1e-9) << "Z up becomes Y up";
-    EXPECT_FALSE(jointsOfMarkers(*read, {{"Hips", {"RASI"}}}, "Z", "x.trc"));
 }
 
 TEST(ImportedTakes, HoldTheMakersAttitudesBesideTheReadings) {
