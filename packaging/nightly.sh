@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The slow checks, which .ci/run leaves out. Any of the names, or all:
-#   packaging/nightly.sh [debug|asan|tsan|clang|tidy|odr|package|busy]...
+#   packaging/nightly.sh [debug|asan|tsan|gcc|tidy|odr|package|busy]...
 # debug: Eigen's assertions, matrices begin as NaN. asan: address and undefined over core and devices. tsan: the threads
-# of devices and jobs. clang: another compiler. tidy: clang-tidy on what differs from the main branch (NOCTULE_BASE).
+# of devices and jobs. gcc: the other compiler. tidy: clang-tidy on what differs from the main branch (NOCTULE_BASE).
 # odr: one definition in the whole program, seen at link time. package: packaging/test_package.sh. busy: all tests beside
 # four loops that take the processors. What was run, with its result and time, ends in out/nightly/YYYY-MM-DD.md.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-all=(debug asan tsan clang tidy odr package busy)
+all=(debug asan tsan gcc tidy odr package busy)
 chosen=("${@:-all}")
 [ "${chosen[0]}" != all ] || chosen=("${all[@]}")
 jobs=$(nproc)
@@ -43,10 +43,9 @@ run_tsan() {
     cmake --preset tsan -D NOCTULE_STUDIO=OFF >/dev/null &&
         build_and_test build/tsan "(core_job|core_live|core_processing|devices_live)"
 }
-run_clang() {
-    cmake --preset release -B build/clang -D CMAKE_CXX_COMPILER=clang++ -D NOCTULE_WERROR=OFF -D NOCTULE_TESTS=OFF \
-        -D NOCTULE_BENCHMARKS=OFF >/dev/null &&
-        cmake --build build/clang --parallel "$jobs" --target noctule noctule-virtual-suit
+run_gcc() {
+    cmake --preset release -B build/gcc -D CMAKE_C_COMPILER=gcc -D CMAKE_CXX_COMPILER=g++ >/dev/null &&
+        cmake --build build/gcc --parallel "$jobs"
 }
 run_tidy() {
     local base=${NOCTULE_BASE:-origin/main}
@@ -56,7 +55,7 @@ run_tidy() {
     clang-tidy -p build/dev --warnings-as-errors='*' "${files[@]}"
 }
 run_odr() {
-    cmake --preset package -B build/odr -D CMAKE_CXX_FLAGS="-flto=auto -Wodr -Werror=odr" \
+    cmake --preset package -B build/odr -D CMAKE_C_COMPILER=gcc -D CMAKE_CXX_COMPILER=g++ -D CMAKE_CXX_FLAGS="-flto=auto -Wodr -Werror=odr" \
         -D CMAKE_AR="$(command -v gcc-ar)" -D CMAKE_RANLIB="$(command -v gcc-ranlib)" >/dev/null &&
         cmake --build build/odr --parallel "$jobs" --target noctule noctule-virtual-suit
 }

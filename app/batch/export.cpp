@@ -135,7 +135,7 @@ Status checkEndings(const ExportRequest& request) {
     return Done{};
 }
 
-/// One FBX file and nothing else.
+/// One FBX or GLB file and nothing else.
 Status checkOneFile(const Arguments& arguments, const std::vector<ExportRequest>& requests) {
     if (!goesIntoOneFile(arguments))
         return Done{};
@@ -149,10 +149,12 @@ Status checkOneFile(const Arguments& arguments, const std::vector<ExportRequest>
     if (together && arguments.operands().size() > 1)
         return Error{ErrorKind::kUsage, "--together puts the performers of one take into a file",
                      "Export the takes one by one"};
-    if (first.fbx_path.empty() || outputsOf(first).size() > 1)
-        return Error{ErrorKind::kUsage, option + " puts " + what + " into one FBX file, and nothing else",
-                     "Give --fbx F, and write other files without " + option};
-    if (first.fbx_path != requests.back().fbx_path)
+    const std::vector<std::string> paths = outputsOf(first);
+    if (paths.size() != 1 || !holdsSeveral(formatOf(first, paths[0])))
+        return Error{ErrorKind::kUsage,
+                     option + " puts " + what + " into one FBX or GLB file, and nothing else",
+                     "Give --fbx F or --glb F, and write other files without " + option};
+    if (outputsOf(requests.back()) != paths)
         return Error{ErrorKind::kUsage, "--stacks writes one file, and {name} in its path would make several",
                      "Leave {name} out"};
     for (const ExportRequest& request : requests)
@@ -316,21 +318,22 @@ Result<Outcome> runExport(const VerbContext& context) {
 }
 
 std::vector<Option> fileOptions() {
-    return {text("run", "NAME", "the run to write; the last one when not given"),
-            text("bvh", "F", "animation with its skeleton; {name} in F stands for the take's name"),
-            text("fbx", "F", "skeleton, motion and body as binary FBX 7.4"),
-            flag("stacks", "all takes in that one FBX file, each as an animation stack with its name"),
-            flag("together", "all performers of a take in that one FBX file, each as a character of its own"),
-            text("glb", "F", "the same as binary glTF"),
-            text("csv", "F", "world positions of all joints in metres"),
-            text("mot", "F", "joint angles for OpenSim, in degrees"),
-            text("sto", "F", "orientations of the segments for OpenSim's OpenSense"),
-            flag("angles", "adds the named degrees of freedom to the CSV, in degrees"),
-            choice("preset", {"blender", "motionbuilder", "unity", "unreal"},
-                   "who the files are for; motionbuilder is Maya too. Sets unit, names and frame rate"),
-            number("fps", "N", 1, 1000, "frames per second; 120, or what the preset's program likes"),
-            text("png", "F", "a picture of the second --from, else of the middle"),
-            text("video", "F", "a film, .mp4, .mkv or .avi; 30 frames per second unless --fps says so")};
+    return {
+        text("run", "NAME", "the run to write; the last one when not given"),
+        text("bvh", "F", "animation with its skeleton; {name} in F stands for the take's name"),
+        text("fbx", "F", "skeleton, motion and body as binary FBX 7.4"),
+        text("glb", "F", "the same as binary glTF"),
+        flag("stacks", "all takes in one FBX or GLB file, each as an animation with its name"),
+        flag("together", "all performers of a take in one FBX or GLB file, each as a character of its own"),
+        text("csv", "F", "world positions of all joints in metres"),
+        text("mot", "F", "joint angles for OpenSim, in degrees"),
+        text("sto", "F", "orientations of the segments for OpenSim's OpenSense"),
+        flag("angles", "adds the named degrees of freedom to the CSV, in degrees"),
+        choice("preset", {"blender", "motionbuilder", "unity", "unreal"},
+               "who the files are for; motionbuilder is Maya too. Sets unit, names and frame rate"),
+        number("fps", "N", 1, 1000, "frames per second; 120, or what the preset's program likes"),
+        text("png", "F", "a picture of the second --from, else of the middle"),
+        text("video", "F", "a film, .mp4, .mkv or .avi; 30 frames per second unless --fps says so")};
 }
 
 std::vector<Option> partOptions() {

@@ -20,6 +20,7 @@ constexpr int kPasses = 3;                       ///< the first guess is 5 ms of
 constexpr int kHuberRounds = 3;                  ///< of a window
 constexpr double kHuber = 2.5;                   ///< sigmas
 constexpr int kWayTerms = 4;                     ///< a cubic of time
+constexpr int kDriftTerms = 2;                   ///< a line of time: a constant leaves 5 us where people sway
 constexpr size_t kLeastFlights = kWayTerms + 2;  ///< of a pair of housings in a window
 constexpr double kJoined_s = 1e-4;               ///< an offset that stays less certain was never measured
 /// A window's clock further off the line of most windows near it tells of echoes. Within four minutes
@@ -29,7 +30,7 @@ constexpr double kOffLine_s = 5e-4, kJudged_s = 120, kNear_s = 60;
 using Pair = std::tuple<int, int, int, int>;  // suit, housing; the smaller suit first
 
 struct PairFlights {
-    Eigen::MatrixXd way;    ///< kWayTerms columns, then the drift of this pair of housings
+    Eigen::MatrixXd way;    ///< kWayTerms columns, then the drift of this pair of housings, kDriftTerms
     double drift_weight;    ///< 1 / sigma of that drift; 0: there is none
     Eigen::MatrixXd clock;  ///< offset and rate of each suit but the first, then drifts of pairs of suits
     Eigen::VectorXd flight_s, sigma_s;
@@ -86,7 +87,8 @@ private:
     int clockUnknowns() const { return 2 * static_cast<int>(guesses_.size() - 1); }
     int driftColumn(int a, int b) const {
         const auto found = pairs_of_suits_.find(std::minmax(a, b));
-        return clockUnknowns() + static_cast<int>(std::distance(pairs_of_suits_.begin(), found));
+        return clockUnknowns() +
+               kDriftTerms * static_cast<int>(std::distance(pairs_of_suits_.begin(), found));
     }
 
     double guessed(size_t suit, double suit_s) const {
@@ -147,8 +149,9 @@ private:
 
     PairFlights linearise(const std::vector<const TimedFlight*>& flights) const {
         const auto n = static_cast<Eigen::Index>(flights.size());
-        const Eigen::Index unknowns = clockUnknowns() + static_cast<Eigen::Index>(pairs_of_suits_.size());
-        PairFlights pair{Eigen::MatrixXd::Zero(n, kWayTerms + 1), 1 / settings_.drift_of_housings,
+        const Eigen::Index unknowns =
+            clockUnknowns() + kDriftTerms * static_cast<Eigen::Index>(pairs_of_suits_.size());
+        PairFlights pair{Eigen::MatrixXd::Zero(n, kWayTerms + kDriftTerms), 1 / settings_.drift_of_housings,
                          Eigen::MatrixXd::Zero(n, unknowns), Eigen::VectorXd(n), Eigen::VectorXd(n)};
         for (Eigen::Index k = 0; k < n; ++k) {
             const TimedFlight& flight = *flights[static_cast<size_t>(k)];
@@ -168,8 +171,11 @@ private:
             addClock(flight.from_suit, emission_s, 1);
             if (!guesses_[static_cast<size_t>(flight.from_suit)].stands_still &&
                 !guesses_[static_cast<size_t>(flight.to_suit)].stands_still)
-                pair.way(k, kWayTerms) = pair.clock(k, driftColumn(flight.from_suit, flight.to_suit)) =
-                    0.5 * (arrival_s - emission_s) * (flight.from_suit < flight.to_suit ? 1 : -1);
+                for (int term = 0; term < kDriftTerms; ++term)
+                    pair.way(k, kWayTerms + term) =
+                        pair.clock(k, driftColumn(flight.from_suit, flight.to_suit) + term) =
+                            0.5 * (arrival_s - emission_s) * (flight.from_suit < flight.to_suit ? 1 : -1) *
+                            std::pow(2 * u, term);
             pair.flight_s[k] = arrival_s - emission_s;
             pair.sigma_s[k] = flight.sigma_s;
         }
@@ -181,7 +187,8 @@ private:
         for (const auto& [pair, flights] : window)
             if (flights.size() >= kLeastFlights)
                 pairs.push_back(linearise(flights));
-        const Eigen::Index unknowns = clockUnknowns() + static_cast<Eigen::Index>(pairs_of_suits_.size());
+        const Eigen::Index unknowns =
+            clockUnknowns() + kDriftTerms * static_cast<Eigen::Index>(pairs_of_suits_.size());
         std::vector<Eigen::VectorXd> weights;
         for (const PairFlights& pair : pairs)
             weights.push_back(pair.sigma_s.cwiseInverse());
@@ -215,9 +222,10 @@ private:
 
     /// With a last row that keeps the drift small.
     static Eigen::MatrixXd wayEquations(const PairFlights& pair, const Eigen::VectorXd& weight) {
-        Eigen::MatrixXd A = Eigen::MatrixXd::Zero(weight.size() + 1, pair.way.cols());
+        Eigen::MatrixXd A = Eigen::MatrixXd::Zero(weight.size() + kDriftTerms, pair.way.cols());
         A.topRows(weight.size()) = weight.asDiagonal() * pair.way;
-        A(weight.size(), kWayTerms) = pair.drift_weight;
+        for (int term = 0; term < kDriftTerms; ++term)
+            A(weight.size() + term, kWayTerms + term) = pair.drift_weight;
         return A;
     }
 
@@ -229,7 +237,7 @@ private:
                         std::vector<Eigen::VectorXd>& weights) {
         for (size_t p = 0; p < pairs.size(); ++p) {
             const Eigen::VectorXd y = pairs[p].flight_s - pairs[p].clock * clocks;
-            Eigen::VectorXd target = Eigen::VectorXd::Zero(y.size() + 1);
+            Eigen::VectorXd target = Eigen::VectorXd::Zero(y.size() + kDriftTerms);
             target.head(y.size()) = weights[p].cwiseProduct(y);
             const Eigen::VectorXd way =
                 wayEquations(pairs[p], weights[p]).colPivHouseholderQr().solve(target);

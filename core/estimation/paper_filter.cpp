@@ -11,7 +11,7 @@
 namespace noctule {
 namespace {
 
-constexpr double kFrame_s = 1.0 / kInertialFramesPerSecond;
+constexpr double kStep_s = 1.0 / kInertialFramesPerSecond;
 
 }  // namespace
 
@@ -50,19 +50,19 @@ void PaperFilter::start(const Pose& rest_pose, const RestReadings& rest, const R
         Eigen::VectorXd::Constant(n, std::pow(parameters_.initial_rate_rad_per_s, 2)),
         Eigen::VectorXd::Constant(n, std::pow(parameters_.initial_accel_rad_per_s2, 2));
     P_ = Covariance(variance);
-    frame_ = static_cast<int64_t>(std::ceil(rest.end_s / kFrame_s - 1e-9));
+    frame_ = static_cast<int64_t>(std::ceil(rest.end_s / kStep_s - 1e-9));
 }
 
 void PaperFilter::advanceTo(double time_s) {
-    while (static_cast<double>(frame_ + 1) * kFrame_s <= time_s)
+    while (static_cast<double>(frame_ + 1) * kStep_s <= time_s)
         frame();
 }
 
 void PaperFilter::frame() {
     predict();
     ++frame_;
-    const double now_s = static_cast<double>(frame_) * kFrame_s;
-    const auto fresh = [&](double time_s) { return time_s > now_s - kFrame_s - 1e-9; };
+    const double now_s = static_cast<double>(frame_) * kStep_s;
+    const auto fresh = [&](double time_s) { return time_s > now_s - kStep_s - 1e-9; };
     std::vector<InertialMeasurement> readings = inertial_.takeUpTo(now_s);
     std::vector<DistanceMeasurement> distances = distances_.takeUpTo(now_s);
     std::vector<RootMeasurement> roots = roots_.takeUpTo(now_s);
@@ -88,14 +88,14 @@ void PaperFilter::frame() {
 void PaperFilter::predict() {
     const Eigen::Index n = tree_.freedoms();
     MotionState& motion = state_.motion;
-    tree_.retract(motion, kFrame_s * motion.rate);
-    motion.rate += kFrame_s * motion.accel;
+    tree_.retract(motion, kStep_s * motion.rate);
+    motion.rate += kStep_s * motion.accel;
     // A P A^T for A = [I dt 0; 0 I dt; 0 0 I]: rows, then columns.
     Eigen::MatrixXd& P = P_.dense();
-    P.topRows(n) += kFrame_s * P.middleRows(n, n);
-    P.middleRows(n, n) += kFrame_s * P.bottomRows(n);
-    P.leftCols(n) += kFrame_s * P.middleCols(n, n);
-    P.middleCols(n, n) += kFrame_s * P.rightCols(n);
+    P.topRows(n) += kStep_s * P.middleRows(n, n);
+    P.middleRows(n, n) += kStep_s * P.bottomRows(n);
+    P.leftCols(n) += kStep_s * P.middleCols(n, n);
+    P.middleCols(n, n) += kStep_s * P.rightCols(n);
     P.diagonal().tail(n).array() +=
         parameters_.process_sigma_rad_per_s2 * parameters_.process_sigma_rad_per_s2;
 }
@@ -150,7 +150,7 @@ void PaperFilter::correct(const Eigen::VectorXd& delta) {
 }
 
 void PaperFilter::emitPose() {
-    poses_.push_back({std::llround(static_cast<double>(frame_) * kFrame_s * 1e9),
+    poses_.push_back({std::llround(static_cast<double>(frame_) * kStep_s * 1e9),
                       tree_.poseFromState(state_.motion),
                       jointSigmas(tree_, skeleton_, state_.motion, P_.dense())});
 }

@@ -80,11 +80,11 @@ ObservationBlock lessTheOther(ObservationBlock one, const ObservationBlock& othe
 }
 
 void leaveHeadingUntold(ObservationBlock& block, const StateLayout& layout, const MotionState& motion) {
-    constexpr int kRotation = 3;  // of a free root, after its place
+    constexpr int kRootRotation = 3;  // of a free root, after its place
     const Vector3d up_root = motion.q_parent_link[0].conjugate() * Vector3d::UnitY();
     const Vector3d turned = Vector3d::UnitY().cross(Vector3d(block.residual));
     for (size_t k = 0; k < block.columns.size(); ++k)
-        if (const int axis = block.columns[k] - layout.theta(kRotation); axis >= 0 && axis < 3)
+        if (const int axis = block.columns[k] - layout.theta(kRootRotation); axis >= 0 && axis < 3)
             block.H.col(static_cast<Eigen::Index>(k)) += up_root[axis] * turned;
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 #include <utility>
 
+#include "core/formats/figures_in_file.h"
 #include "core/formats/scene_check.h"
 #include "core/job/atomic_file.h"
 
@@ -14,7 +14,6 @@ namespace noctule {
 namespace {
 
 constexpr const char* kCreator = "Noctule";
-constexpr double kSameJoint_m = 1e-6;
 
 /// The format's own number of a frame rate; 14 is any other, which then stands beside it.
 int32_t fbxTimeMode(double frames_per_second) {
@@ -91,29 +90,17 @@ FbxNode fbxTake(const MotionClip& clip) {
     return take;
 }
 
-bool areSameJoints(const Skeleton& a, const Skeleton& b) {
-    return std::equal(a.joints().begin(), a.joints().end(), b.joints().begin(), b.joints().end(),
-                      [](const Joint& joint, const Joint& other) {
-                          return joint.name == other.name && joint.parent == other.parent &&
-                                 (joint.offset_m - other.offset_m).norm() < kSameJoint_m;
-                      });
-}
-
 /// Takes figure after figure; keeps of each what stands in the file.
 class FbxCollector {
 public:
-    FbxCollector(const FbxOptions& options, const std::string& where) : options_(options), where_(where) {}
+    FbxCollector(const FbxOptions& options, const std::string& where)
+        : options_(options), where_(where), shared_(where) {}
 
     Status add(const Figure& figure) {
         const MotionClip& clip = figure.clip;
         const bool is_first = models_.empty(), is_character = !figure.character.empty();
-        if (is_first) {
-            first_.name = clip.name;
-            first_.skeleton = clip.skeleton;
-            first_.frame_time_s = clip.frame_time_s;
-        }
-        if (const Status together = checkTogether(figure); !together)
-            return together;
+        if (const Status fits = shared_.add(figure); !fits)
+            return fits;
         if (is_first || is_character) {
             models_ = addFbxSkeleton(scene_, figure, options_);
             addFbxBody(scene_, figure, options_, models_);
@@ -133,12 +120,12 @@ public:
         for (FbxNode& node : fbxFileIdentity())
             top.push_back(std::move(node));
         FbxNode takes("Takes");
-        takes.add(FbxNode("Current", first_.name));
+        takes.add(FbxNode("Current", shared_.first().name));
         for (FbxNode& take : takes_)
             takes.add(std::move(take));
         top.push_back(FbxNode("Creator", kCreator));
-        top.push_back(fbxSettings(1 / first_.frame_time_s, stop_, options_));
-        top.push_back(fbxDocuments(first_.name));
+        top.push_back(fbxSettings(1 / shared_.first().frame_time_s, stop_, options_));
+        top.push_back(fbxDocuments(shared_.first().name));
         top.push_back(FbxNode("References"));
         top.push_back(scene_.definitions());
         top.push_back(scene_.takeObjects());
@@ -148,30 +135,12 @@ public:
     }
 
 private:
-    /// Whether the motion can stand in one file with those before it.
-    Status checkTogether(const Figure& figure) {
-        const MotionClip& clip = figure.clip;
-        const bool is_character = !figure.character.empty();
-        const std::string& name = is_character ? figure.character : clip.name;
-        const auto refuse = [&](const std::string& why) {
-            return Error{ErrorKind::kUnusable, where_ + ": " + name + why, "Write it to a file of its own"};
-        };
-        if (!names_.insert(name).second)
-            return refuse(is_character ? " is the name of two performers" : " is the name of two motions");
-        if (!is_character && !areSameJoints(clip.skeleton, first_.skeleton))
-            return refuse(" has other bones than " + first_.name);
-        if (std::abs(clip.frame_time_s / first_.frame_time_s - 1) > 1e-9)
-            return refuse(" has another frame rate than " + first_.name);
-        return Done{};
-    }
-
     const FbxOptions& options_;
     const std::string& where_;
     FbxScene scene_;
-    MotionClip first_;  ///< without its frames
+    FiguresInFile shared_;
     std::vector<int64_t> models_;
     std::vector<FbxNode> takes_;
-    std::set<std::string> names_;
     int64_t layer_ = 0;  ///< of the last motion
     int64_t stop_ = 0;   ///< of the longest one
 };

@@ -14,6 +14,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "core/formats/figures_in_file.h"
+#include "core/formats/glb_file.h"
 #include "core/formats/scene_check.h"
 #include "core/job/atomic_file.h"
 
@@ -228,9 +230,11 @@ void addBody(aiScene& scene, const SkinnedMesh& mesh) {
 }
 
 /// The skinned mesh hangs on the root node itself: glTF wants skinned meshes at the root.
-std::unique_ptr<aiScene> sceneOf(const SkinnedMesh* mesh, const MotionClip& clip) {
+std::unique_ptr<aiScene> sceneOf(const SkinnedMesh* mesh, const Figure& figure) {
+    const MotionClip& clip = figure.clip;
     auto scene = std::make_unique<aiScene>();
-    scene->mRootNode = new aiNode(nameBesideJoints(clip.skeleton, "Mannequin"));
+    scene->mRootNode = new aiNode(figure.character.empty() ? nameBesideJoints(clip.skeleton, "Mannequin")
+                                                           : figure.character);
     if (mesh)
         addBody(*scene, *mesh);
     addBoneNodes(*scene->mRootNode, mesh ? mesh->bones : bonesOf(clip.skeleton), clip.skeleton);
@@ -257,66 +261,81 @@ void placeNodes(nlohmann::json& nodes, const aiNode& node) {
         placeNodes(nodes, *node.mChildren[c]);
 }
 
-/// The same GLB with every node in its place.
-std::string withPlaces(std::string_view glb, const aiNode& root) {
-    constexpr size_t kHeader = 12, kChunkHeader = 8;
-    const auto wordAt = [&](size_t at) {
-        uint32_t word = 0;
-        std::memcpy(&word, glb.data() + at, sizeof word);
-        return word;
-    };
-    const size_t length = wordAt(kHeader);
-    auto json = nlohmann::json::parse(glb.substr(kHeader + kChunkHeader, length));
-    const nlohmann::json before = json["nodes"];
-    placeNodes(json["nodes"], root);
-    if (json["nodes"] == before)
-        return std::string(glb);
-    std::string text = json.dump();
-    text.append((4 - text.size() % 4) % 4, ' ');
-    std::string placed(glb.substr(0, kHeader + kChunkHeader));
-    placed += text;
-    placed += glb.substr(kHeader + kChunkHeader + length);
-    const auto put = [&](size_t at, size_t word) {
-        const auto value = static_cast<uint32_t>(word);
-        std::memcpy(placed.data() + at, &value, sizeof value);
-    };
-    put(8, placed.size());
-    put(kHeader, text.size());
-    return placed;
-}
-
-Status writeScene(const std::string& path, const aiScene& scene, bool overwrite, const AsideCheck& check) {
+/// kInternal when assimp refuses the scene; `where` names the file.
+Result<GlbFile> exported(const std::string& where, const aiScene& scene) {
     Assimp::Exporter exporter;
     const aiExportDataBlob* blob = exporter.ExportToBlob(&scene, "glb2");
     if (!blob)
         return Error{ErrorKind::kInternal,
-                     path + ": the figure cannot be written as glTF: " + exporter.GetErrorString(),
+                     where + ": the figure cannot be written as glTF: " + exporter.GetErrorString(),
                      "Report this with the take"};
-    const std::string bytes =
-        withPlaces({static_cast<const char*>(blob->data), blob->size}, *scene.mRootNode);
-    const WrittenBytes written(bytes);
-    return writeFileAtomically(path, bytes, overwrite, [&](const std::string& aside) {
+    GlbFile file = GlbFile::of({static_cast<const char*>(blob->data), blob->size});
+    placeNodes(file.document["nodes"], *scene.mRootNode);
+    return file;
+}
+
+Status writeFile(const std::string& path, const GlbFile& file, bool overwrite, const AsideCheck& check) {
+    const auto bytes = file.bytes(path);
+    if (!bytes)
+        return bytes.error();
+    const WrittenBytes written(*bytes);
+    return writeFileAtomically(path, *bytes, overwrite, [&](const std::string& aside) {
         const Status kept = written.check(aside, path);
         return kept && check ? check(aside) : kept;
     });
 }
 
+/// Figure after figure in one file.
+class GlbCollector {
+public:
+    explicit GlbCollector(const std::string& where) : where_(where), shared_(where) {}
+
+    Status add(const Figure& figure) {
+        if (const Status fits = shared_.add(figure); !fits)
+            return fits;
+        const bool shows_body = figure.body && (!file_ || !figure.character.empty());
+        auto own = exported(where_, *sceneOf(shows_body ? &*figure.body : nullptr, figure));
+        if (!own)
+            return own.error();
+        if (!file_)
+            file_ = std::move(*own);
+        else if (figure.character.empty())
+            file_->addAnimations(std::move(*own));
+        else
+            file_->addScene(std::move(*own));
+        return Done{};
+    }
+    /// After the last figure; there must have been one.
+    const GlbFile& file() const { return file_.value(); }
+
+private:
+    const std::string& where_;
+    FiguresInFile shared_;
+    std::optional<GlbFile> file_;
+};
+
 }  // namespace
 
-Status writeGlb(const std::string& path, const Figure& figure, bool overwrite, const JobContext& job) {
+Status writeGlb(const std::string& path, const FigureSource& figures, bool overwrite, const JobContext& job) {
     if (Status free = checkOutputPath(path, overwrite); !free)
         return free;
-    const auto scene = sceneOf(figure.body ? &*figure.body : nullptr, figure.clip);
-    return writeScene(path, *scene, overwrite, [&](const std::string& aside) {
-        return checkScene(aside, path, SceneFormat::kGlb, figure, job);
+    GlbCollector collector(path);
+    const Status collected = figures([&](const Figure& figure) -> Status {
+        return job.cancelled() ? JobContext::cancelledError() : collector.add(figure);
+    });
+    if (!collected)
+        return collected;
+    return writeFile(path, collector.file(), overwrite, [&](const std::string& aside) {
+        return checkScene(aside, path, SceneFormat::kGlb, figures, job);
     });
 }
 
 Status writeSkinnedMesh(const std::string& path, const SkinnedMesh& mesh, const Skeleton& skeleton,
                         bool overwrite) {
-    MotionClip still;
-    still.skeleton = skeleton;
-    return writeScene(path, *sceneOf(&mesh, still), overwrite, {});
+    Figure still;
+    still.clip.skeleton = skeleton;
+    const auto file = exported(path, *sceneOf(&mesh, still));
+    return file ? writeFile(path, *file, overwrite, {}) : Status(file.error());
 }
 
 }  // namespace noctule

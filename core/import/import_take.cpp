@@ -74,13 +74,13 @@ public:
                 reading.board = static_cast<int>(s);
                 reading.frame = static_cast<int64_t>(i);
                 reading.sample = (sensor_offset_s(s) + double(i) / samples.rate_hz) * double(kClock_hz);
-                const bool whole = put(samples.gyro_rad_per_s[i], 0, reading.counts) &
-                                   put(samples.accel_m_per_s2[i], 3, reading.counts);
+                const bool turned = put(samples.gyro_rad_per_s[i], 0, reading.counts);
+                const bool pushed = put(samples.accel_m_per_s2[i], 3, reading.counts);
                 if (i < samples.mag.size())
                     put(samples.mag[i], 0, reading.magnetometer_counts);
                 if (hasAny(reading))
                     reading.corrected_bits = 0;
-                summary.missing += !whole;
+                summary.missing += !turned || !pushed;
                 if (Status added = take_.addInertial(kPrimaryRun, reading); !added)
                     return added;
                 if (i % 4096 == 0 && job_.cancelled())

@@ -3,10 +3,21 @@
 // for the whole run: results repeat to the bit.
 #pragma once
 
+/// Before a loop of which no pass depends on an earlier one, though the compiler cannot see it.
+#if defined(__clang__)
+#define NOCTULE_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define NOCTULE_INDEPENDENT _Pragma("GCC ivdep")
+#endif
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #define NOCTULE_AVX2 __attribute__((target("avx2,fma")))
+#if defined(__clang__)
+#define NOCTULE_AVX512 __attribute__((target("avx512f,avx2,fma")))
+#else
 #define NOCTULE_AVX512 __attribute__((target("avx512f,avx2,fma,prefer-vector-width=512")))
+#endif
 
 namespace noctule {
 

@@ -39,7 +39,7 @@ template <int kCount>
     const LinkColumns c = columns;
     const Factors<kCount> f(link);
     const double half = 0.5 * c.dt * c.dt;
-#pragma GCC ivdep
+    NOCTULE_INDEPENDENT
     for (long i = 0; i < c.rows; ++i) {
         double theta[kCount], gained[kCount];
         for (int k = 0; k < kCount; ++k)
@@ -69,7 +69,7 @@ template <int kCount>
     const LinkColumns c = columns;
     const Factors<kCount> f(link);
     const double half = 0.5 * c.dt * c.dt;
-#pragma GCC ivdep
+    NOCTULE_INDEPENDENT
     for (long i = 0; i < c.rows; ++i) {
         double theta[kCount], rate[kCount], accel[kCount];
         for (int k = 0; k < kCount; ++k) {

@@ -246,9 +246,10 @@ Result<std::vector<ExportCheck>> checkExport(const ExportRequest& request, const
 
 Result<std::vector<ExportCheck>> checkStacks(const std::vector<ExportRequest>& takes, const JobContext& job) {
     require(!takes.empty(), "checkStacks() needs a take");
-    const std::string& path = takes.front().fbx_path;
+    const std::string path = outputsOf(takes.front()).front();
     job.progress(0, "Reading " + path + " again");
-    const auto scene = SceneFile::open(path, path, SceneFormat::kFbx);
+    const bool is_fbx = formatOf(takes.front(), path) == ExportFormat::kFbx;
+    const auto scene = SceneFile::open(path, path, is_fbx ? SceneFormat::kFbx : SceneFormat::kGlb);
     std::vector<ExportCheck> checks;
     for (const ExportRequest& request : takes) {
         if (job.cancelled())

@@ -47,13 +47,13 @@ public:
             if (Status read = readSubject(subject); !read)
                 return read;
         }
-        for (const auto& [name, track] : table_)
+        for (const auto& entry : table_)
             if (std::ranges::none_of(devices_, [&](const TrueDevice& device) {
-                    return device.suit == name.first && device.device == name.second;
+                    return std::pair(device.suit, device.device) == entry.first;
                 }))
                 return Error{ErrorKind::kUnusable,
-                             take_.path() + ": the table's point '" + name.second + "' of suit " +
-                                 std::to_string(name.first) + " is no device of this take",
+                             take_.path() + ": the table's point '" + entry.first.second + "' of suit " +
+                                 std::to_string(entry.first.first) + " is no device of this take",
                              "Choose the table that was made of this take"};
         return Done{};
     }

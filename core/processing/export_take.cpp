@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/formats/fbx_writer.h"
+#include "core/formats/glb_writer.h"
 #include "core/job/atomic_file.h"
 #include "core/job/staged_progress.h"
 #include "core/processing/export_files.h"
@@ -34,6 +35,10 @@ bool isPicture(ExportFormat format) {
 
 bool showsBody(ExportFormat format) {
     return format == ExportFormat::kFbx || format == ExportFormat::kGlb || isPicture(format);
+}
+
+bool holdsSeveral(ExportFormat format) {
+    return format == ExportFormat::kFbx || format == ExportFormat::kGlb;
 }
 
 ExportFormat formatOf(const ExportRequest& request, const std::string& path) {
@@ -135,17 +140,22 @@ private:
 Result<ExportSummary> exportStacks(const std::vector<ExportRequest>& takes, const JobContext& job) {
     require(!takes.empty(), "exportStacks() needs a take");
     const ExportRequest& first = takes.front();
-    if (Status free = checkOutputPath(first.fbx_path, first.overwrite); !free)
+    const std::string path = outputsOf(first).front();
+    const ExportFormat format = formatOf(first, path);
+    require(holdsSeveral(format), "exportStacks() needs a file that holds several");
+    if (Status free = checkOutputPath(path, first.overwrite); !free)
         return free.error();
-    removeAbandoned(first.fbx_path);
+    removeAbandoned(path);
     StackedTakes stacked(takes, job);
-    const Status written = writeFbx(
-        first.fbx_path, [&](const FigureVisit& visitor) { return stacked.visit(visitor); },
-        {first.metres_per_unit, first.root_name}, first.overwrite, job);
+    const FigureSource figures = [&](const FigureVisit& visitor) { return stacked.visit(visitor); };
+    const Status written =
+        format == ExportFormat::kFbx
+            ? writeFbx(path, figures, {first.metres_per_unit, first.root_name}, first.overwrite, job)
+            : writeGlb(path, figures, first.overwrite, job);
     if (!written)
         return written.error();
     ExportSummary summary = stacked.summary();
-    summary.files.push_back(first.fbx_path);
+    summary.files.push_back(path);
     job.progress(1, "Done");
     return summary;
 }

@@ -70,6 +70,8 @@ const ExportFormatEntry& entryOf(ExportFormat format);
 bool isPicture(ExportFormat format);
 /// FBX, GLB and pictures.
 bool showsBody(ExportFormat format);
+/// FBX and GLB: several takes or performers in one file.
+bool holdsSeveral(ExportFormat format);
 /// Of a request's output; it must be one.
 ExportFormat formatOf(const ExportRequest& request, const std::string& path);
 
@@ -79,13 +81,13 @@ std::vector<std::string> outputsOf(const ExportRequest& request);
 /// Every file is written aside, read back where that is possible, and renamed.
 Result<ExportSummary> exportTake(const ExportRequest& request, const JobContext& job);
 
-/// Several takes in one FBX file, that of the first request: a stack for each under its motion's name, on the
-/// body of the first. Or the performers of one take, each a character of its own (requestsTogether()). Only
-/// FBX files are written; the requests differ in take, run, part, name and performer alone. Of the summary,
-/// frames and duration are sums, of performers those of one, and `run` is that of the last. kUnusable, and
-/// says of which, when a take's bones are longer or shorter or two motions have one name. Motions are read
-/// one after the other, twice; what is held is the file and one of them (writeFbx()). A cancel leaves no
-/// file.
+/// Several takes in one file, the first of outputsOf() the first request, which holdsSeveral(): a stack
+/// (glTF: an animation) for each under its motion's name, on the body of the first. Or the performers of one
+/// take, each a character of its own (requestsTogether()). The requests differ in take, run, part, name and
+/// performer alone. Of the summary, frames and duration are sums, of performers those of one, and `run` is
+/// that of the last. kUnusable, and says of which, when a take's bones are longer or shorter or two motions
+/// have one name. Motions are read one after the other, twice; what is held is the file and one of them
+/// (writeFbx(), writeGlb()). A cancel leaves no file.
 Result<ExportSummary> exportStacks(const std::vector<ExportRequest>& takes, const JobContext& job);
 
 }  // namespace noctule

@@ -413,7 +413,7 @@ Result<bool> processTogether(Take& take, const ProcessRequest& request, const Tr
         return joining.error();
     if (!joining->joins())
         return false;
-    results.summary.together.emplace();
+    results.summary.together = ProcessSummary::Together{};
     results.summary.together->between = joining->between;
     results.summary.together->room = joining->room.has_value();
     Together together(take, settings, subjects, std::move(*joining), results);

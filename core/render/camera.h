@@ -16,6 +16,7 @@ enum class CameraView { kFree, kFront, kSide, kTop };
 struct PictureSize {
     int width_px = 1, height_px = 1;
     double aspect() const { return static_cast<double>(width_px) / height_px; }
+    bool operator==(const PictureSize&) const = default;
 };
 
 /// A half-line from the eye into the scene.

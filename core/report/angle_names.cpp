@@ -15,7 +15,7 @@ struct AngleWords {
 };
 
 constexpr std::array<std::string_view, 3> kTrunk = {"bending to the right", "flexion", "turn to the left"};
-constexpr AngleWords kWords[] = {
+constexpr AngleWords kAngleWords[] = {
     {"Spine", kTrunk, kTrunk},
     {"Chest", kTrunk, kTrunk},
     {"Neck", kTrunk, kTrunk},
@@ -43,7 +43,7 @@ std::string anatomicalAngle(const std::string& joint, size_t angle) {
     const bool is_right = name.starts_with("Right");
     if (is_right || name.starts_with("Left"))
         name.remove_prefix(is_right ? 5 : 4);
-    for (const AngleWords& words : kWords)
+    for (const AngleWords& words : kAngleWords)
         if (words.joint == name)
             return std::string((is_right ? words.right : words.left)[angle]);
     return "";

@@ -53,8 +53,10 @@ std::vector<Eigen::Vector2d> slots(int count, Random& random) {
     const Eigen::Vector2d size(kJigWidth_m / columns, kJigHeight_m / std::max(1, rows));
     std::vector<Eigen::Vector2d> places;
     for (int i = 0; i < count; ++i) {
-        const Eigen::Vector2d play(random.uniform(-kJigSlotPlay, kJigSlotPlay),
-                                   random.uniform(-kJigSlotPlay, kJigSlotPlay));
+        // Drawn one by one: compilers evaluate arguments in different orders.
+        const double play_y = random.uniform(-kJigSlotPlay, kJigSlotPlay),
+                     play_x = random.uniform(-kJigSlotPlay, kJigSlotPlay);
+        const Eigen::Vector2d play(play_x, play_y);
         const Eigen::Vector2d slot(i % columns + 0.5, i / columns + 0.5);
         places.push_back((slot + play).cwiseProduct(size) - Eigen::Vector2d(kJigWidth_m, kJigHeight_m) / 2);
         std::swap(places.back(), places[random.below(i + 1)]);

@@ -65,7 +65,7 @@ void BoxConversation::tick(int64_t now_ns) {
 }
 
 void BoxConversation::dropClient(const std::string& why, int64_t now_ns) {
-    events_.emplace_back(std::in_place_type<ClientDropped>, why);
+    events_.push_back(ClientDropped{why});
     disconnected(now_ns);
 }
 
@@ -121,13 +121,13 @@ Code BoxConversation::start(ByteView payload) {
     queue_.allowData(true);
     streaming_ = started_by_this_client_ = true;
     next_sample_ = dropped_samples_ = 0;
-    events_.emplace_back(std::in_place_type<StartWanted>);
+    events_.push_back(StartWanted{});
     return Code::kOk;
 }
 
 void BoxConversation::stopStreaming() {
     streaming_ = started_by_this_client_ = false;
-    events_.emplace_back(std::in_place_type<StopWanted>);
+    events_.push_back(StopWanted{});
 }
 
 void BoxConversation::stop(uint32_t request) {
@@ -149,7 +149,7 @@ Code BoxConversation::identify(ByteView payload) {
     const auto wish = readIdentify(payload);
     if (!wish || (wish->board != kAllBoardsOff && wish->board >= hello_.boardCount()))
         return Code::kBadPayload;
-    events_.emplace_back(std::in_place_type<IdentifyWanted>, *wish);
+    events_.push_back(IdentifyWanted{*wish});
     return Code::kOk;
 }
 
@@ -169,7 +169,7 @@ Code BoxConversation::set(ByteView payload) {
     hello_.pulse_interval_samples = wish.pulse_interval_samples.value_or(hello_.pulse_interval_samples);
     hello_.pulse_cycles = wish.pulse_cycles.value_or(hello_.pulse_cycles);
     hello_.name = wish.name.value_or(hello_.name);
-    events_.emplace_back(std::in_place_type<SettingsWanted>, wish);
+    events_.push_back(SettingsWanted{wish});
     return Code::kOk;
 }
 

@@ -1829,6 +1829,10 @@
         <translation>%1, Zeile %2: %3 steigt nicht (%4)%5</translation>
     </message>
     <message>
+        <source>%1: a GLB file holds 4 GiB at most</source>
+        <translation>%1: Eine GLB-Datei fasst höchstens 4 GiB</translation>
+    </message>
+    <message>
         <source>%1: frame %2 is not a finite number</source>
         <translation>%1: Bild %2 ist keine endliche Zahl</translation>
     </message>
@@ -1907,6 +1911,10 @@
     <message>
         <source>Cut it into parts</source>
         <translation>In Teile schneiden</translation>
+    </message>
+    <message>
+        <source>Export fewer takes or performers into one file, or a part of the time</source>
+        <translation>Weniger Aufnahmen oder Personen in eine Datei exportieren, oder einen Teil der Zeit</translation>
     </message>
     <message>
         <source>Export it in parts, or at fewer frames per second</source>

@@ -3315,8 +3315,8 @@
         <translation>Eine Datei mit allen Aufnahmen oder Personen</translation>
     </message>
     <message>
-        <source>Each take is an animation stack under its name; {take} in the file name becomes the session’s name. Of one take, each performer is a character of its own.</source>
-        <translation>Jede Aufnahme ist ein Animationsstapel unter ihrem Namen; {take} im Dateinamen wird zum Namen der Sitzung. Aus einer Aufnahme wird jede Person eine eigene Figur.</translation>
+        <source>Each take is an animation under its name; {take} in the file name becomes the session’s name. Of one take, each performer is a character of its own.</source>
+        <translation>Jede Aufnahme ist eine Animation unter ihrem Namen; {take} im Dateinamen wird zum Namen der Sitzung. Aus einer Aufnahme wird jede Person eine eigene Figur.</translation>
     </message>
 </context>
 <context>

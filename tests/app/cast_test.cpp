@@ -25,6 +25,30 @@ private:
 
 const std::string kAnchors = std::string(NOCTULE_SOURCE_DIR) + "/resources/casts/ceiling_4.json";
 
+/// The file holds A and Bea where each alone is, by each_A.csv and each_Bea.csv.
+void expectBoth(const CastOfTwo& two, const std::string& file, SceneFormat format) {
+    const auto scene = SceneFile::open(two.file(file), file, format);
+    ASSERT_TRUE(scene) << scene.error().text();
+    std::vector<Vector3d> hips_m;
+    for (const std::string name : {"A", "Bea"}) {
+        const auto table = readPositionsCsv(two.file("each_" + name + ".csv"));
+        ASSERT_TRUE(table) << table.error().text();
+        std::vector<std::string> joints;
+        for (const std::string& joint : table->joints)
+            joints.push_back(name + ":" + joint);
+        const auto motion = scene->read(joints, {});
+        ASSERT_TRUE(motion) << motion.error().text();
+        ASSERT_EQ(motion->clip.frames.size(), 61U);
+        for (const size_t frame : {0U, 30U, 60U})
+            for (size_t j = 0; j < joints.size(); ++j)
+                EXPECT_LT((globalPose(motion->clip, frame).p_world_joint[j] - table->at(frame, j)).norm(),
+                          1e-5)
+                    << joints[j];
+        hips_m.push_back(motion->clip.frames[0].p_world_root);
+    }
+    EXPECT_GT((hips_m[0] - hips_m[1]).norm(), 0.5) << "they stand apart";
+}
+
 TEST(CastProgram, ATakeOfTwoGoesAllTheWay) {
     SKIP_WITHOUT_MOTION();
     const CastOfTwo two(R"(,"room":")" + kAnchors + "\"");
@@ -57,31 +81,15 @@ TEST(CastProgram, ATakeOfTwoGoesAllTheWay) {
         what.insert(what.end(), part.begin(), part.end());
         return batch(what);
     };
-    const Ran together = exported({"--fbx", two.file("both.fbx"), "--together", "--mesh", "none"});
-    ASSERT_EQ(together.exit_code, 0) << together.err;
-    EXPECT_EQ(together.json()["performers"], 2);
-    EXPECT_EQ(together.json()["frames"], 61);
     ASSERT_EQ(exported({"--csv", two.file("each.csv")}).exit_code, 0);
-    const auto scene = SceneFile::open(two.file("both.fbx"), "both.fbx", SceneFormat::kFbx);
-    ASSERT_TRUE(scene) << scene.error().text();
-    std::vector<Vector3d> hips_m;
-    for (const std::string name : {"A", "Bea"}) {
-        const auto table = readPositionsCsv(two.file("each_" + name + ".csv"));
-        ASSERT_TRUE(table) << table.error().text();
-        std::vector<std::string> joints;
-        for (const std::string& joint : table->joints)
-            joints.push_back(name + ":" + joint);
-        const auto motion = scene->read(joints, {});
-        ASSERT_TRUE(motion) << motion.error().text();
-        ASSERT_EQ(motion->clip.frames.size(), 61U);
-        for (const size_t frame : {0U, 30U, 60U})
-            for (size_t j = 0; j < joints.size(); ++j)
-                EXPECT_LT((globalPose(motion->clip, frame).p_world_joint[j] - table->at(frame, j)).norm(),
-                          1e-5)
-                    << joints[j];
-        hips_m.push_back(motion->clip.frames[0].p_world_root);
+    for (const SceneFormat format : {SceneFormat::kFbx, SceneFormat::kGlb}) {
+        const std::string ending = format == SceneFormat::kFbx ? "fbx" : "glb", file = "both." + ending;
+        const Ran together = exported({"--" + ending, two.file(file), "--together", "--mesh", "none"});
+        ASSERT_EQ(together.exit_code, 0) << together.err;
+        EXPECT_EQ(together.json()["performers"], 2);
+        EXPECT_EQ(together.json()["frames"], 61);
+        expectBoth(two, file, format);
     }
-    EXPECT_GT((hips_m[0] - hips_m[1]).norm(), 0.5) << "they stand apart";
     expectRefusal({"export", take, "--fbx", two.file("no.fbx"), "--stacks"}, 4,
                   {"several performers", "--together"});
     expectRefusal({"export", take, "--bvh", two.file("no.bvh"), "--together"}, 2, {"--together", "--fbx"});

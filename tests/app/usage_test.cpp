@@ -121,7 +121,7 @@ TEST(Usage, ValuesAreChecked) {
     expectRefusal({"export", "t", "--bvh", "x", "--mesh", "none"}, 2, {"--mesh", "--glb"});
     expectRefusal({"export", "t", "u", "--fbx", "{name}.fbx", "--stacks"}, 2, {"--stacks", "{name}"});
     expectRefusal({"export", "t", "u", "--fbx", "x.fbx", "--bvh", "x", "--stacks"}, 2, {"--stacks"});
-    expectRefusal({"export", "t", "u", "--glb", "x", "--stacks"}, 2, {"--stacks", "--fbx"});
+    expectRefusal({"export", "t", "u", "--bvh", "x", "--stacks"}, 2, {"--stacks", "--fbx", "--glb"});
     expectRefusal({"export", "t", "--glb", "x", "--bones", "b"}, 2, {"--bones", "--mesh FILE"});
     expectRefusal({"export", "t", "--glb", "x", "--feet", "free"}, 2, {"--feet", "--mesh FILE"});
     expectRefusal({"export", "t", "--png", "x", "--size", "640"}, 2, {"640", "1280x720"});

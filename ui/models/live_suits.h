@@ -99,7 +99,7 @@ public:
     /// Connects to a signal of whichever suit is looked at; `slot` is called, too, when another one is.
     template <class Source, class Receiver, class Slot>
     void follow(void (Source::*signal)(), Receiver* receiver, Slot slot) {
-        const auto call = [receiver, slot] {
+        const auto call = [=] {
             if constexpr (std::is_member_function_pointer_v<Slot>)
                 (receiver->*slot)();
             else

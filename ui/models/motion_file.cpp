@@ -64,13 +64,11 @@ std::optional<figure::MotionHints> KeptCorrections::find(const BvhDocument& docu
         if (const auto axis = figure::upAxisFromText(up->get<std::string>()))
             hints.up = *axis;
     if (const auto bones = kept.find(kBones); bones != kept.end() && bones->is_object())
-        for (const auto& [joint, name] : bones->items()) {
-            const bool is_there =
-                name.is_string() && std::ranges::any_of(document.joints, [&](const auto& j) {
-                    return j.name == name.template get<std::string>();
-                });
-            if (is_there && std::ranges::count(canonicalJointNames(), joint) > 0)
-                hints.joints[joint] = name.get<std::string>();
+        for (const auto& [joint, kept_name] : bones->items()) {
+            const std::string name = kept_name.is_string() ? kept_name.get<std::string>() : "";
+            if (std::ranges::count(document.joints, name, &BvhJoint::name) > 0 &&
+                std::ranges::count(canonicalJointNames(), joint) > 0)
+                hints.joints[joint] = name;
         }
     return hints;
 }

@@ -39,7 +39,7 @@ void TakeDocument::accept(Parts<Key, T>& parts, const Key& key, uint64_t ticket,
         found->second.value = std::make_shared<const T>(std::move(*result));
     else
         problem_ = coreWords(result.error());
-    emit(this->*changed)();
+    (this->*changed)();  // a signal
 }
 
 template <class Key, class T, class Unwanted>

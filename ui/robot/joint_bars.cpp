@@ -141,7 +141,7 @@ void JointBars::paintBar(QPainter& painter, size_t joint, const QRect& bar) cons
         painter.fillRect(bar.left(), bar.top(), tinted, bar.height(), tint);
         painter.fillRect(bar.right() - tinted + 1, bar.top(), tinted, bar.height(), tint);
     }
-    const auto xOf = [&](double value) {
+    const auto xOf = [&, lower = lower, upper = upper](double value) {
         return bar.left() + std::clamp((value - lower) / (upper - lower), 0.0, 1.0) * bar.width();
     };
     const double half = theme.px(3), above = theme.px(2);

@@ -29,7 +29,7 @@ SceneTools::SceneTools(QWidget* parent) : QWidget(parent) {
     addLayers();
     addFollowAndCamera();
     addViews();
-    const auto restyle = [this, row] {
+    const auto restyle = [row] {
         const Theme& theme = Theme::get();
         row->setContentsMargins(theme.px(2), theme.px(2), theme.px(2), theme.px(2));
         row->setSpacing(theme.px(2));

@@ -140,7 +140,7 @@ void ExportForm::addMotionRows(FormRows& rows) {
     rows.addRow(tr("Also as"), makeAlso());
     rows.addControl(one_file);
     one_file->setToolTip(
-        tr("Each take is an animation stack under its name; {take} in the file name becomes the session’s "
+        tr("Each take is an animation under its name; {take} in the file name becomes the session’s "
            "name. Of one take, each performer is a character of its own."));
     for (const double rate : kRates)
         frames->addItem(tr("%1 per second").arg(numberText(rate, 0)), rate);
@@ -286,7 +286,7 @@ void ExportForm::refresh() {
         box.value()->setDisabled(box.key() == settings_.format);
     angles->setVisible(settings_.format == ExportFormat::kCsv);
     lock_feet->setVisible(offers(showsBody) && settings_.body == ExportBody::kSessions);
-    one_file->setVisible(offers(holdsTakes));
+    one_file->setVisible(offers(holdsSeveral));
     pictures_->setVisible(isPicture(settings_.format));
     for (QWidget* part : not_of_pictures_)
         part->setVisible(!isPicture(settings_.format));

@@ -225,10 +225,6 @@ bool hasNames(ExportFormat format) {
     return hasUnit(format) || format == ExportFormat::kGlb;
 }
 
-bool holdsTakes(ExportFormat format) {
-    return format == ExportFormat::kFbx;
-}
-
 QString settingsInWords(const ExportSettings& settings) {
     const QString frames = numberText(settings.frames_per_second, 0), format = formatName(settings.format);
     const QString size = SettingsWords::tr("%1 × %2").arg(settings.width_px).arg(settings.height_px);
@@ -306,7 +302,7 @@ Result<ExportJob> exportJob(const ExportSurroundings& surroundings, const Sessio
     setRange(request, take, settings);
     if (const Status look = setLook(request, surroundings, settings); !look)
         return look.error();
-    job.in_one_file = settings.one_file && holdsTakes(settings.format);
+    job.in_one_file = settings.one_file && holdsSeveral(settings.format);
     if (job.in_one_file)
         request.motion_name = run.isEmpty() ? take.name : take.name + " " + run.toStdString();
     const auto name =

@@ -34,7 +34,7 @@ struct ExportSettings {
     int width_px = 1280, height_px = 720;  ///< pictures and films
     CameraMove camera = CameraMove::kFront;
     QString root_name = "Reference";  ///< FBX
-    bool one_file = false;            ///< FBX: all takes in it, a stack for each
+    bool one_file = false;            ///< FBX and GLB: all takes in it, an animation for each
     bool angles = false;              ///< CSV
     QString folder;                   ///< empty: exports/ of the session
     QString name_pattern = "{take}_{fps}";
@@ -72,9 +72,8 @@ private:
 
 /// "FBX", "OpenSim angles"
 QString formatName(ExportFormat format);
-bool hasUnit(ExportFormat format);     ///< of its own choice
-bool hasNames(ExportFormat format);    ///< of joints
-bool holdsTakes(ExportFormat format);  ///< several in one file
+bool hasUnit(ExportFormat format);   ///< of its own choice
+bool hasNames(ExportFormat format);  ///< of joints
 /// "BVH, centimetres, 120 frames"
 QString settingsInWords(const ExportSettings& settings);
 

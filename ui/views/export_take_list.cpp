@@ -14,7 +14,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kName = Qt::UserRole, kRowHeight = 28, kFewestRows = 2, kMostRows = 6, kResults = 280;
+constexpr int kTakeName = Qt::UserRole, kRowHeight = 28, kFewestRows = 2, kMostRows = 6, kResults = 280;
 
 }  // namespace
 
@@ -86,7 +86,7 @@ void ExportTakeList::addTake(const SessionTake& take, bool is_ticked) {
     const QString name = QString::fromStdString(take.name);
     auto* item = new QTreeWidgetItem(this);
     item->setText(0, tr("%1   %2").arg(name, timeText(take.duration_s, 0)));
-    item->setData(0, kName, name);
+    item->setData(0, kTakeName, name);
     item->setSizeHint(0, QSize(0, Theme::get().px(kRowHeight)));
     item->setToolTip(0, take.processed ? TakeListModel::stateInWords(take)
                                        : tr("Not processed yet: there is no motion to export."));
@@ -98,7 +98,7 @@ void ExportTakeList::addTake(const SessionTake& take, bool is_ticked) {
 }
 
 void ExportTakeList::addResults(QTreeWidgetItem* item) {
-    const QString take = item->data(0, kName).toString();
+    const QString take = item->data(0, kTakeName).toString();
     const auto found = results_.find(take);
     if (found == results_.end() || found->second.runs.empty())
         return;
@@ -168,8 +168,8 @@ void ExportTakeList::followRename(const QString& old_path, const QString& new_pa
                   now = QFileInfo(new_path).completeBaseName();
     const QSignalBlocker quiet(this);
     for (int row = 0; row < topLevelItemCount(); ++row)
-        if (topLevelItem(row)->data(0, kName) == before)
-            topLevelItem(row)->setData(0, kName, now);  // stays ticked
+        if (topLevelItem(row)->data(0, kTakeName) == before)
+            topLevelItem(row)->setData(0, kTakeName, now);  // stays ticked
     if (chosen_.contains(before))
         chosen_[now] = chosen_.take(before);
     if (auto moved = results_.extract(before)) {
@@ -182,7 +182,7 @@ QStringList ExportTakeList::ticked() const {
     QStringList names;
     for (int row = 0; row < topLevelItemCount(); ++row)
         if (topLevelItem(row)->checkState(0) == Qt::Checked)
-            names += topLevelItem(row)->data(0, kName).toString();
+            names += topLevelItem(row)->data(0, kTakeName).toString();
     return names;
 }
 
@@ -191,13 +191,13 @@ void ExportTakeList::tick(const QStringList& names) {
         QTreeWidgetItem* item = topLevelItem(row);
         if (item->flags() & Qt::ItemIsEnabled)
             item->setCheckState(
-                0, names.contains(item->data(0, kName).toString()) ? Qt::Checked : Qt::Unchecked);
+                0, names.contains(item->data(0, kTakeName).toString()) ? Qt::Checked : Qt::Unchecked);
     }
 }
 
 QComboBox* ExportTakeList::resultsOf(const QString& take) const {
     for (int row = 0; row < topLevelItemCount(); ++row)
-        if (topLevelItem(row)->data(0, kName) == take)
+        if (topLevelItem(row)->data(0, kTakeName) == take)
             return qobject_cast<QComboBox*>(itemWidget(topLevelItem(row), 1));
     return nullptr;
 }

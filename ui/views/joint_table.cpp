@@ -18,7 +18,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kTableRow = 28, kTableInset = 12, kNumber = 46, kRanges = 64, kShare = 44, kBar = 24;
+constexpr int kTableRow = 28, kTableInset = 12, kNumberColumn = 46, kRanges = 64, kShare = 44, kBar = 24;
 constexpr int kNarrow = 272;  ///< the bar is left out below
 
 /// Rows with a hairline below, numbers at the right, the share of ranges as a bar with its number.
@@ -126,7 +126,7 @@ void JointTable::fitColumns() {
     horizontalHeader()->setMinimumSectionSize(theme.px(20));
     horizontalHeader()->setFixedHeight(theme.px(kTableRow));
     const bool narrow = viewport()->width() < theme.px(kNarrow);
-    const int ranges = theme.px((narrow ? kShare : kRanges) + kTableInset), number = theme.px(kNumber);
+    const int ranges = theme.px((narrow ? kShare : kRanges) + kTableInset), number = theme.px(kNumberColumn);
     setColumnWidth(JointTableModel::kMean, number);
     setColumnWidth(JointTableModel::kWorst, number);
     setColumnWidth(JointTableModel::kRanges, ranges);

@@ -24,7 +24,7 @@ protected:
         return {train, boards, detector->windowSamples(), seed};
     }
 
-    const PulseTrain train;
+    const PulseTrain train{};
     const std::unique_ptr<PulseDetector> detector =
         std::move(makeDetector(Detector::kInflection, train).value());
     const int margin = detector->marginSamples();

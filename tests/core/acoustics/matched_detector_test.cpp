@@ -51,7 +51,7 @@ struct Scene {
 
 Errors errorsOf(const Scene& scene, PulseShape assumed) {
     constexpr int kBoards = 32;
-    const PulseTrain train;
+    const PulseTrain train{};
     auto detector = std::move(makeDetector(Detector::kMatched, train, {assumed}).value());
     const double to_mm = kSoundSpeed_mm_per_s / train.sample_rate_hz,
                  cycle = train.sample_rate_hz / train.drive_hz;
@@ -192,7 +192,7 @@ TEST(Matched, ALouderEchoIsNotTheDirectPulse) {
 }
 
 TEST(Matched, SilenceNoiseAndClipping) {
-    const PulseTrain train;
+    const PulseTrain train{};
     auto detector = std::move(makeDetector(Detector::kMatched, train, {PulseShape{40000, 25}}).value());
     SyntheticSound sound(train, 32, detector->windowSamples(), 3);
     sound.addPulse(0, detector->marginSamples() + 300, 90000);
@@ -216,7 +216,7 @@ TEST(Matched, SilenceNoiseAndClipping) {
 
 TEST(Matched, ShapesAreLearntFromSoundWithEchoes) {
     constexpr int kBoards = 18;
-    const PulseTrain train;
+    const PulseTrain train{};
     const std::vector<PulseShape> truth{{39650, 17}, {40000, 25}, {40450, 33}};
     PulseShapeLearner learner(train, 4);
     std::mt19937_64 random(5);

@@ -53,7 +53,7 @@ protected:
         return detection;
     }
 
-    const PulseTrain train;
+    const PulseTrain train{};
     Suit suit;
     Calibration calibration;
 };

@@ -122,15 +122,21 @@ TEST_F(ExportFormats, EveryFileIsHeldAgainstItsTake) {
     }
 }
 
-TEST_F(ExportFormats, TakesInOneFileAreEachHeldAgainstTheirs) {
+class ExportStacks : public ExportFormats, public testing::WithParamInterface<ExportFormat> {};
+INSTANTIATE_TEST_SUITE_P(Formats, ExportStacks, testing::Values(ExportFormat::kFbx, ExportFormat::kGlb),
+                         [](const auto& name) { return std::string(entryOf(name.param).option); });
+
+TEST_P(ExportStacks, TakesInOneFileAreEachHeldAgainstTheirs) {
     ExportRequest first = request_, second = request_;
-    first.fbx_path = second.fbx_path = file("both.fbx");
+    const ExportFormatEntry& entry = entryOf(GetParam());
+    const std::string path = first.*entry.path = second.*entry.path =
+                                                     file(std::string("both.") + entry.extension);
     first.motion_name = "early";
     second.motion_name = "late";
     second.from_s = 0.9;
     const auto summary = exportStacks({first, second}, {});
     ASSERT_TRUE(summary) << summary.error().text();
-    EXPECT_EQ(summary->files, std::vector{first.fbx_path});
+    EXPECT_EQ(summary->files, std::vector{path});
     EXPECT_EQ(summary->frames, 55U + 32U);
     for (const ExportRequest& take : {first, second}) {
         const auto checks = checkExport(take, {});

@@ -2,7 +2,10 @@
 // Performers of one take in one file: only where all of them are seen, and never fewer than all.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/formats/scene_reader.h"
+#include "core/mesh/gltf_document.h"
 #include "core/processing/check_export.h"
 #include "core/processing/run_subjects.h"
 #include "core/recording/database.h"
@@ -52,6 +55,41 @@ TEST_F(ExportTogether, OnlyWhereBothAreSeen) {
         EXPECT_TRUE(check.ok()) << check.faults.front();
         EXPECT_EQ(check.frames, summary->frames);
     }
+}
+
+TEST_F(ExportTogether, GlbHoldsEachWithASkinOfItsOwnInOneAnimation) {
+    request_.fbx_path.clear();
+    request_.glb_path = folder_.file("both.glb");
+    request_.with_body = true;
+    const auto requests = requestsTogether(request_);
+    ASSERT_TRUE(requests) << requests.error().text();
+    ASSERT_EQ(requests->size(), 2U);
+    const auto summary = exportStacks(*requests, {});
+    ASSERT_TRUE(summary) << summary.error().text();
+    EXPECT_EQ(summary->files, std::vector{request_.glb_path});
+    const auto checks = checkStacks(*requests, {});
+    ASSERT_TRUE(checks) << checks.error().text();
+    ASSERT_EQ(checks->size(), 2U);
+    for (const ExportCheck& check : *checks)
+        EXPECT_TRUE(check.ok()) << check.faults.front();
+    EXPECT_GT(((*checks)[0].height_m), 1);
+
+    const auto file = GltfDocument::open(request_.glb_path);
+    ASSERT_TRUE(file) << file.error().text();
+    EXPECT_EQ(file->count("animations"), 1U);
+    ASSERT_EQ(file->count("skins"), 2U);
+    std::set<std::string> tops, characters;
+    for (const auto& top : file->item("scenes", 0)["nodes"])
+        tops.insert(file->item("nodes", top.get<size_t>())["name"].get<std::string>());
+    for (const size_t skin : {0U, 1U}) {
+        std::set<std::string> own;
+        for (const auto& joint : file->item("skins", skin)["joints"])
+            own.insert(std::string(
+                characterOf(file->item("nodes", joint.get<size_t>())["name"].get<std::string>())));
+        ASSERT_EQ(own.size(), 1U) << "a skin hangs on the joints of one performer";
+        characters.insert(*own.begin());
+    }
+    EXPECT_EQ(characters, tops);
 }
 
 TEST_F(ExportTogether, WhoAreNeverSeenAtOneTimeAreRefused) {

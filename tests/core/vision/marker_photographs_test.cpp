@@ -166,6 +166,7 @@ TEST_F(MarkerPhotographs, ADoubleMarkerIsNamedAndNotUsed) {
     takeCorners(2, 3, 0.1);
     auto& markers = photographs_[1].photograph.markers;
     const auto source = std::ranges::find(markers, 3, &SeenMarker::number);
+    ASSERT_NE(source, markers.end());
     SeenMarker copy = *source;
     for (auto& corner : copy.corners_px)
         corner += Eigen::Vector2d(200, 50);

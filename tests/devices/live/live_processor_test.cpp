@@ -15,14 +15,14 @@ LivePlan planOfTinyTake() {
     return plan;
 }
 
-struct NoText {
-    operator std::string() const { throw std::runtime_error("no text"); }
+struct NoNote {
+    operator NoteRow() const { throw std::runtime_error("no note"); }
 };
 
 /// What no device sends and no promise allows: it holds none of its alternatives.
 LiveItem brokenItem() {
     LiveItem item = NoteRow{};
-    EXPECT_THROW(item.emplace<NoteRow>(NoText{}, std::string()), std::runtime_error);
+    EXPECT_THROW(item.emplace<NoteRow>(NoNote{}), std::runtime_error);
     EXPECT_TRUE(item.valueless_by_exception());
     return item;
 }

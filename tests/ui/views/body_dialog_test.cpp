@@ -94,7 +94,7 @@ TEST_F(BodyDialogTest, ListsTakeTheRoomThatThereIsInWholeRows) {
         dialog.setMaximumHeight(kScreen - kTitleBar);
         dialog.show();
         dialog.setMesh(bare ? writtenSurface(*studio_->look().ours, outsideFile("rows.obj")) : mesh_);
-        ASSERT_TRUE(waitFor([&] { return (bare ? dialog.landmarks() : nullptr) || dialog.boneOf("Hips"); }));
+        ASSERT_TRUE(waitFor([&] { return (bare && dialog.landmarks()) || dialog.boneOf("Hips"); }));
         ASSERT_TRUE(waitFor([this] { return jobsAreDone(); }));
         QTest::qWait(50);
         EXPECT_LE(dialog.height(), kScreen - kTitleBar);

@@ -131,8 +131,12 @@ TEST_F(ExportPageTest, AllTakesGoIntoOneFile) {
     }
     EXPECT_EQ(page_->resultsPanel().cardCount(), 2);
     page_->choosePreset("web");
+    page_->form().one_file->setChecked(true);
+    EXPECT_FALSE(page_->form().one_file->isHidden());
+    EXPECT_EQ(fileCount(*page_->plan()), 1) << "glTF holds several too";
+    page_->choosePreset("bvh");
     EXPECT_TRUE(page_->form().one_file->isHidden());
-    EXPECT_EQ(fileCount(*page_->plan()), 2) << "glTF takes none";
+    EXPECT_EQ(fileCount(*page_->plan()), 2) << "BVH holds one";
 }
 
 TEST_F(ExportPageTest, AnyChangeBringsWriteBackAndReturnOpensNoFolder) {

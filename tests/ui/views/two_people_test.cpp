@@ -220,6 +220,10 @@ TEST_F(TwoPeopleTest, ExportWritesAFileOfEach) {
     ASSERT_EQ(page.results()->outcomes.size(), 2U) << "each character is checked";
     EXPECT_TRUE(page.results()->outcomes[1].take.contains("Bea"));
     EXPECT_EQ(page.results()->written(), 1);
+    page.choosePreset("web");
+    page.form().one_file->setChecked(true);
+    EXPECT_EQ(written().size(), 1U) << "and in one GLB file";
+    ASSERT_EQ(page.results()->outcomes.size(), 2U);
 }
 
 }  // namespace
