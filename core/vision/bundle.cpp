@@ -20,7 +20,7 @@ constexpr double kHuberSigmas = 3, kFirstSigma_px = 1, kSmallestSigma_px = 0.02;
 constexpr int kSigmaRounds = 3, kMostIterations = 100;
 constexpr double kConvergedDecrease = 1e-9;  ///< of the cost
 /// The scale hangs on little once edges may move; more damping than this holds it where it began.
-constexpr double kHardlyDamped = 1e-8;
+constexpr double kHardlyDamped = 1e-8, kFirstDamping = 1e-3, kRounding = 1e-12;
 
 /// One corner and its derivatives by lens, camera (rotation, position) and marker (rotation, position).
 struct CornerTerm {
@@ -227,7 +227,7 @@ struct Descent {
 
 Descent descend(Bundle& bundle, double sigma_px, const JobContext& job) {
     Descent descent;
-    double damping = 1e-3, cost = costOf(bundle, sigma_px);
+    double damping = kFirstDamping, cost = costOf(bundle, sigma_px);
     NormalEquations sum = normalEquations(bundle, sigma_px);
     for (; descent.iterations < kMostIterations && !descent.converged; ++descent.iterations) {
         if (job.cancelled()) {
@@ -243,8 +243,10 @@ Descent descend(Bundle& bundle, double sigma_px, const JobContext& job) {
             sum = normalEquations(bundle, sigma_px);
             damping = std::max(damping / 10, 1e-12);
         } else {
+            // At the bottom a whole step changes the cost by its rounding; else no way leads down.
+            descent.converged =
+                (damping < kFirstDamping && next_cost - cost < kRounding * cost) || damping > 1e6;
             damping *= 5;
-            descent.converged = damping > 1e6;  // no way leads down
         }
     }
     return descent;

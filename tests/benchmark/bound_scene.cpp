@@ -163,7 +163,7 @@ std::vector<Instant> drawnInstants(const Scene& scene, const Scene& flawless, ui
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
     const auto draw3 = [&](double sigma) {
-        return Vector3d(sigma * normal(random), sigma * normal(random), sigma * normal(random));
+        return Vector3d{sigma * normal(random), sigma * normal(random), sigma * normal(random)};
     };
     BodyState errors;
     for (size_t b = 0; b < scene.model.boards.size(); ++b) {

@@ -176,7 +176,7 @@ inline Photograph seenCorners(const TestCamera& camera, const std::vector<StuckM
         for (size_t k = 0; k < 4; ++k) {
             seen.corners_px[k] = camera.pixel(marker.p_m + marker.side_m * marker.R * corners[k]);
             if (sigma_px > 0)
-                seen.corners_px[k] += Eigen::Vector2d(error_px(random), error_px(random));
+                seen.corners_px[k] += Eigen::Vector2d{error_px(random), error_px(random)};
         }
         photograph.markers.push_back(seen);
     }

@@ -35,7 +35,7 @@ NamedSensors disguised(const NamedSensors& given, unsigned seed) {
     NamedSensors out;
     for (const size_t i : order) {
         const Quaterniond mount =
-            Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
+            Quaterniond{normal(random), normal(random), normal(random), normal(random)}.normalized();
         ImuSamples samples = given.sensors[i];
         for (auto* list : {&samples.gyro_rad_per_s, &samples.accel_m_per_s2})
             for (Vector3d& reading : *list)
@@ -126,7 +126,7 @@ NamedSensors simulatedBody(const std::string& path) {
         const auto name = names.find(clip.skeleton.joint(j).name);
         if (name == names.end())
             continue;
-        Vector3d offset_m = Vector3d(normal(random), normal(random), normal(random)) * 0.02;
+        Vector3d offset_m = Vector3d{normal(random), normal(random), normal(random)} * 0.02;
         for (const Joint& child : clip.skeleton.joints())
             if (child.parent == j) {
                 offset_m += child.offset_m / 2;

@@ -192,8 +192,8 @@ CastScene drawnScene(int users, int points_each, int steps, double q_m2_per_s3, 
     std::vector<Vector3d> p, v;
     for (int i = 0; i < users * points_each; ++i) {
         scene.user_of_point.push_back(i / points_each);
-        p.push_back(Vector3d(normal(random), 1 + 0.5 * normal(random), normal(random)));
-        v.push_back(0.3 * Vector3d(normal(random), normal(random), normal(random)));
+        p.push_back(Vector3d{normal(random), 1 + 0.5 * normal(random), normal(random)});
+        v.push_back(0.3 * Vector3d{normal(random), normal(random), normal(random)});
     }
     for (int step = 0; step < steps; ++step) {
         scene.places_m.push_back(p);

@@ -64,7 +64,7 @@ protected:
     }
     static inline const Vector3d kEarth{20, -43.6, 0};
     Vector3d anyDirection() {
-        return 48 * Vector3d(normal_(random_), normal_(random_), normal_(random_)).normalized();
+        return 48 * Vector3d{normal_(random_), normal_(random_), normal_(random_)}.normalized();
     }
 
     Suit suit_;

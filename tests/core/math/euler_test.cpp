@@ -15,7 +15,7 @@ const EulerOrder kAllOrders[] = {kEulerXYZ, kEulerXZY, kEulerYXZ, kEulerYZX, kEu
 
 Quaterniond randomRotation(std::mt19937& random) {
     std::normal_distribution<double> normal;
-    return Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
+    return Quaterniond{normal(random), normal(random), normal(random), normal(random)}.normalized();
 }
 
 TEST(Euler, TheFirstAngleIsTheOutermost) {

@@ -39,8 +39,8 @@ TEST(Skinning, OneBoneMovesRigidlyWithBoth) {
     for (SkinnedVertex& vertex : mesh.vertices)
         vertex.weights = {1, 0, 0, 0};
     for (int i = 0; i < 50; ++i) {
-        const Quaterniond q = expQuaternion(2 * Vector3d(normal(random), normal(random), normal(random)));
-        const Vector3d t_m(normal(random), normal(random), normal(random));
+        const Quaterniond q = expQuaternion(2 * Vector3d{normal(random), normal(random), normal(random)});
+        const Vector3d t_m{normal(random), normal(random), normal(random)};
         const double scale = i % 2 ? 1 : 0.4;
         const std::vector<Eigen::Matrix4f> matrices = {moved(q, t_m, scale), Eigen::Matrix4f::Identity()};
         for (const Blending blending : {Blending::kLinear, Blending::kDualQuaternion}) {

@@ -117,7 +117,7 @@ TimedMotion asEstimated(const std::vector<TimedMotion>& late, unsigned seed) {
     for (size_t j = 1; j < motion.skeleton.joints().size(); ++j) {
         const int steps = std::clamp(static_cast<int>(std::lround(2 * normal(random))), -middle, middle);
         const TimedMotion& lagging = late[static_cast<size_t>(middle + steps)];
-        const Vector3d axis = Vector3d(normal(random), normal(random), normal(random)).normalized();
+        const Vector3d axis = Vector3d{normal(random), normal(random), normal(random)}.normalized();
         const double size = 0.06 * std::abs(normal(random)), rate = 2 + 3 * std::abs(normal(random)),
                      phase = 6 * normal(random);
         if (motion.skeleton.joint(static_cast<int>(j)).type == JointType::kFixed)

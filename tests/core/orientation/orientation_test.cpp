@@ -41,7 +41,7 @@ Waved wave(int seed, double seconds, double rate_hz, const WavedErrors& errors) 
     std::mt19937 random(static_cast<unsigned>(seed));
     std::normal_distribution<double> normal;
     const auto noise = [&](double sigma) {
-        return Vector3d(errors.noise * sigma * Vector3d(normal(random), normal(random), normal(random)));
+        return Vector3d{errors.noise * sigma * Vector3d{normal(random), normal(random), normal(random)}};
     };
     const double phase = 0.7 * seed, dt = 1 / rate_hz, h = 1e-4;
     const Vector3d field(0, -45 * std::sin(1.15), 45 * std::cos(1.15));
@@ -217,7 +217,7 @@ TEST(OrientationFilter, RestShowsTheGyroscopesBiasAboutTheVerticalToo) {
     samples.rate_hz = 100;
     for (int i = 0; i < 2000; ++i) {
         const auto noise = [&](double sigma) {
-            return Vector3d(sigma * Vector3d(normal(random), normal(random), normal(random)));
+            return Vector3d{sigma * Vector3d{normal(random), normal(random), normal(random)}};
         };
         samples.gyro_rad_per_s.push_back(bias + noise(0.005));
         samples.accel_m_per_s2.push_back(Vector3d(0, kStandardGravity_m_per_s2, 0) + noise(0.05));

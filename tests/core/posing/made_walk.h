@@ -92,8 +92,8 @@ inline MadeSuit madeSuit(const Actor& actor, const std::vector<std::string>& seg
         track.id = "on " + segment;
         track.segment = segment;
         const Quaterniond q_segment_sensor =
-            Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
-        const Vector3d place_m = 0.06 * Vector3d(uniform(random), uniform(random), uniform(random));
+            Quaterniond{normal(random), normal(random), normal(random), normal(random)}.normalized();
+        const Vector3d place_m = 0.06 * Vector3d{uniform(random), uniform(random), uniform(random)};
         const double heading = 3.1 * uniform(random), drift = 0.003 * uniform(random);
         const auto at = [&](size_t i) -> Vector3d {
             return bodies[i].p_world_joint[j] + bodies[i].q_world_joint[j] * place_m;
@@ -104,7 +104,7 @@ inline MadeSuit madeSuit(const Actor& actor, const std::vector<std::string>& seg
             const Quaterniond step = bodies[i - 1].q_world_joint[j].conjugate() * bodies[i].q_world_joint[j];
             const auto noise = [&](double sigma) -> Vector3d {  // as dense at every rate
                 return std::sqrt(rate_hz / kRate_hz) * sigma *
-                       Vector3d(normal(random), normal(random), normal(random));
+                       Vector3d{normal(random), normal(random), normal(random)};
             };
             track.rate_rad_per_s.push_back(q_segment_sensor.conjugate() * (logQuaternion(step) / dt) +
                                            noise(0.005));

@@ -48,7 +48,7 @@ std::string turnedTake(const Folder& folder, bool all_directions) {
                               Quaterniond(Eigen::AngleAxisd(all_directions ? b * 3 : 0, Vector3d::UnitY())) *
                               Quaterniond(Eigen::AngleAxisd(b, Vector3d::UnitZ()));
         const Vector3d field = q.conjugate() * Vector3d(0, -40, 25) + kHardIron +
-                               Vector3d(noise(random), noise(random), noise(random));
+                               Vector3d{noise(random), noise(random), noise(random)};
         const Vector3d up = q.conjugate() * Vector3d(0, kStandardGravity_m_per_s2, 0);
         InertialReading reading;
         reading.board = 0;
@@ -113,9 +113,9 @@ FieldRecord turnedRecord(int boards_turned) {
     std::normal_distribution<double> normal;
     for (int board = 0; board < boards_turned; ++board)
         for (int i = 0; i < 1500; ++i) {
-            const Vector3d direction = Vector3d(normal(random), normal(random), normal(random)).normalized();
+            const Vector3d direction = Vector3d{normal(random), normal(random), normal(random)}.normalized();
             const Vector3d field_ut =
-                48 * direction + magnetOf(board) + 0.2 * Vector3d(normal(random), normal(random), 0);
+                48 * direction + magnetOf(board) + 0.2 * Vector3d{normal(random), normal(random), 0};
             const Vector3d counts = field_ut.array() * 2048 / 100 + 2048;
             record.readings[size_t(board)].push_back({1000.0 + i * 150000 / 7.0, counts.array().round()});
         }

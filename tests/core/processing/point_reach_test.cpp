@@ -19,7 +19,7 @@ TEST(PointReach, HoldsInEveryPose) {
     std::vector<Vector3d> local_m;
     for (const std::string& segment : segments) {
         const auto joint = static_cast<size_t>(actor.skeleton.find(segment));
-        local_m.push_back(0.1 * Vector3d(normal(random), normal(random), normal(random)));
+        local_m.push_back(0.1 * Vector3d{normal(random), normal(random), normal(random)});
         worn.push_back({segment, rest.p_world_joint[joint] + rest.q_world_joint[joint] * local_m.back()});
     }
     const auto reaches = pointReaches(actor, worn);
@@ -31,7 +31,7 @@ TEST(PointReach, HoldsInEveryPose) {
     for (int trial = 0; trial < 500; ++trial) {
         Pose pose = actor.restPose();
         for (Quaterniond& q : pose.q_parent_joint)
-            q = Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
+            q = Quaterniond{normal(random), normal(random), normal(random), normal(random)}.normalized();
         const GlobalPose posed = globalPose(actor.skeleton, pose);
         std::vector<Vector3d> p_m;
         for (size_t i = 0; i < segments.size(); ++i) {

@@ -47,7 +47,7 @@ TEST(Camera, MatricesAgreeWithProject) {
             camera.parallel = parallel;
             camera.azimuth_rad = 3 * uniform(random);
             camera.elevation_rad = 1.5 * uniform(random);
-            const Vector3d p = camera.target_m + Vector3d(uniform(random), uniform(random), uniform(random));
+            const Vector3d p = camera.target_m + Vector3d{uniform(random), uniform(random), uniform(random)};
             const Eigen::Vector4d clip =
                 camera.projectionMatrix(kSize) * camera.viewMatrix() * p.homogeneous();
             const auto px = camera.project(p, kSize);

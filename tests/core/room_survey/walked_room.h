@@ -35,7 +35,7 @@ inline Evidence evidenceOf(const WalkedRoom& room, unsigned seed) {
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform;
     const auto vector = [&](double sigma) {
-        return Vector3d(sigma * normal(random), sigma * normal(random), sigma * normal(random));
+        return Vector3d{sigma * normal(random), sigma * normal(random), sigma * normal(random)};
     };
     Evidence evidence;
     evidence.performer = "A";

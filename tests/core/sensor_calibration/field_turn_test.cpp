@@ -35,7 +35,7 @@ struct Iron {
 Iron usualIron(unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
-    const auto vector = [&] { return Vector3d(normal(random), normal(random), normal(random)); };
+    const auto vector = [&] { return Vector3d{normal(random), normal(random), normal(random)}; };
     Iron iron{12 * vector(), {}};
     for (const double gain : {0.06, -0.04})
         iron.plates.push_back({vector().normalized(), gain});
@@ -50,7 +50,7 @@ std::vector<Quaterniond> rolled(unsigned seed, int readings) {
     Quaterniond now = Quaterniond::Identity();
     Vector3d rate(0, 0, 0);
     for (int i = 0; i < readings; ++i) {
-        rate = 0.9 * rate + 0.5 * Vector3d(normal(random), normal(random), normal(random));
+        rate = 0.9 * rate + 0.5 * Vector3d{normal(random), normal(random), normal(random)};
         const double angle = rate.norm() / 7;
         if (angle > 0)
             now = (Quaterniond(Eigen::AngleAxisd(angle, rate.normalized())) * now).normalized();
@@ -69,7 +69,7 @@ FieldTurn turned(
     FieldTurn turn;
     for (size_t i = 0; i < attitudes.size(); ++i)
         turn.add(iron.apply(attitudes[i].conjugate() * world(static_cast<int>(i))) +
-                 Vector3d(noise(random), noise(random), noise(random)));
+                 Vector3d{noise(random), noise(random), noise(random)});
     turn.judge();
     return turn;
 }

@@ -27,7 +27,7 @@ class Simulator {
 public:
     explicit Simulator(unsigned seed) : random_(seed) {}
     Vector3d noise(double sigma) {
-        return sigma * Vector3d(normal_(random_), normal_(random_), normal_(random_));
+        return sigma * Vector3d{normal_(random_), normal_(random_), normal_(random_)};
     }
     Vector3d direction() { return noise(1).normalized(); }
     double uniform() { return std::uniform_real_distribution<double>(0, 1)(random_); }

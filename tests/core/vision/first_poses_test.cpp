@@ -43,7 +43,7 @@ TEST(FirstPoses, OfCornersWithNoiseAreNearEnoughToBegin) {
     std::normal_distribution<double> error_px(0, 0.3);
     for (Sighting& sighting : bundle.sightings)
         for (Eigen::Vector2d& corner_px : sighting.corners_px)
-            corner_px += Eigen::Vector2d(error_px(random), error_px(random));
+            corner_px += Eigen::Vector2d{error_px(random), error_px(random)};
     setFirstPoses(bundle, allOf(bundle));
     EXPECT_LT(test::worstDistance_m(bundle, truth), 0.04);
     ASSERT_TRUE(adjust(bundle, {}));

@@ -88,9 +88,9 @@ TEST(Photograph, DistancesOnTheJigAreRightToATenthOfAMillimetre) {
     EXPECT_EQ(errors.distances, 2 * 18 * 8);
     EXPECT_LT(errors.rms_m, 1e-4);
     EXPECT_LT(errors.worst_m, 3e-4);
-    // One draw; SigmasAreHonestOverManyRuns judges them.
+    // One draw, in which all distances share the error of the scale: it may be any small number.
+    // SigmasAreHonestOverManyRuns judges the mean.
     EXPECT_LT(errors.chi_square, 3);
-    EXPECT_GT(errors.chi_square, 0.1);
 }
 
 TEST(Photograph, ALensThatBendsAndANoisySoftPictureStayBelowAMillimetre) {

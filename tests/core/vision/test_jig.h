@@ -46,7 +46,7 @@ inline std::vector<StuckMarker> stickMarkers(const Suit& suit, int placement, do
             marker.p_m = {0.34, -0.18, 0.1};
             normal = Vector3d(-0.3, 0.3, 1).normalized();
         }
-        marker.p_m += Vector3d(play(random), play(random), play(random));
+        marker.p_m += Vector3d{play(random), play(random), play(random)};
         marker.R = facing(normal, random);
         markers.push_back(marker);
     }
@@ -63,8 +63,10 @@ inline TestCamera cameraOf(int placement, int photograph, const TestCamera& lens
     const Vector3d towards(std::sin(azimuth[k]) * std::cos(elevation[k]), std::sin(elevation[k]),
                            std::cos(azimuth[k]) * std::cos(elevation[k]));
     TestCamera camera = lens;
-    camera.look(kJigMiddle + (1.05 + play(random)) * towards,
-                kJigMiddle + Vector3d(play(random), play(random), play(random)), roll[k] + play(random));
+    // Drawn one by one: compilers evaluate arguments in different orders.
+    const Vector3d from = kJigMiddle + (1.05 + play(random)) * towards,
+                   at = kJigMiddle + Vector3d{play(random), play(random), play(random)};
+    camera.look(from, at, roll[k] + play(random));
     return camera;
 }
 

@@ -66,12 +66,12 @@ protected:
         for (int board = 0; board < kBoards; ++board) {
             auto& readings = record.readings.emplace_back();
             while (readings.size() < 900) {
-                const Vector3d at = Vector3d(normal(random), normal(random), normal(random)).normalized();
+                const Vector3d at = Vector3d{normal(random), normal(random), normal(random)}.normalized();
                 if (at.y() < 1 - 2 * share)
                     continue;
                 const double loose = board == kBoards - 1 ? 5 : 0.3;
                 const Vector3d field_ut = 48 * at + Vector3d(9, -6, 3 * board) +
-                                          loose * Vector3d(normal(random), 0, normal(random));
+                                          loose * Vector3d{normal(random), 0, normal(random)};
                 readings.push_back({1000.0 + 20'000.0 * static_cast<double>(readings.size()),
                                     (field_ut.array() * 2048 / 100 + 2048).round()});
             }
