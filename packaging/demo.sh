@@ -30,7 +30,7 @@ preset=jobs
 [ ! -e build/release/CMakeCache.txt ] || preset=release
 ! grep -qs '^NOCTULE_STUDIO:BOOL=OFF' build/release/CMakeCache.txt || preset=jobs
 build() {
-    [ -e build/release/bin/noctule ] || echo "Building for the first time: about twenty minutes of one core."
+    [ -e build/release/bin/noctule ] || echo "Building for the first time: about fifteen minutes of one core."
     cmake --preset "$preset" >/dev/null
     cmake --build build/release --parallel "$(nproc)" --target noctule
 }

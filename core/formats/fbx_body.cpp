@@ -183,7 +183,7 @@ void addFbxBody(FbxScene& scene, const Figure& figure, const FbxOptions& options
         return;
     const SkinnedMesh& body = *figure.body;
     const int64_t geometry = scene.add("Geometry", "Body", "Geometry", "Mesh", fbxGeometry(body, options));
-    const std::string name = (figure.character.empty() ? "" : figure.character + ":") + "Body";
+    const std::string name = bodyName(figure);
     const int64_t mesh = scene.add("Model", nameBesideJoints(figure.clip.skeleton, name), "Model", "Mesh",
                                    {FbxNode("Version", int32_t{232}), fbxProperties({}),
                                     FbxNode("Shading", true), FbxNode("Culling", "CullingOff")});

@@ -96,6 +96,10 @@ std::string textureEnding(const SurfaceTexture& texture) {
     return texture.file.starts_with("\x89PNG") ? "png" : "jpg";
 }
 
+std::string bodyName(const Figure& figure) {
+    return (figure.character.empty() ? "" : figure.character + kCharacterEnd) + "Body";
+}
+
 std::string surfaceName(size_t index) {
     return index == 0 ? "Body" : "Body_" + std::to_string(index + 1);
 }

@@ -63,6 +63,9 @@ Result<Figure> makeFigure(MotionClip clip, std::optional<SkinnedMesh> body, Join
 /// "png" or "jpg".
 std::string textureEnding(const SurfaceTexture& texture);
 
+/// Of the mesh: "Body", as one of several "A:Body".
+std::string bodyName(const Figure& figure);
+
 /// Of the body's first, second... material or texture: "Body", "Body_2". Programs that put textures beside
 /// the file need one name for each.
 std::string surfaceName(size_t index);

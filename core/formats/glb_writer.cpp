@@ -75,9 +75,10 @@ Eigen::Vector3f ownNormal(const SkinnedVertex& vertex) {
     return (vertex.normal + kTilt * Eigen::Vector3f(part(0), part(11), part(22))).normalized();
 }
 
-std::unique_ptr<aiMesh> meshOf(const SkinnedMesh& mesh, bool is_textured, unsigned material) {
+std::unique_ptr<aiMesh> meshOf(const std::string& name, const SkinnedMesh& mesh, bool is_textured,
+                               unsigned material) {
     auto result = std::make_unique<aiMesh>();
-    result->mName = "Body";
+    result->mName = name;
     result->mMaterialIndex = material;
     result->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
     result->mNumVertices = static_cast<unsigned>(mesh.vertices.size());
@@ -205,7 +206,7 @@ SkinnedMesh meshOfPart(const SkinnedMesh& mesh, const SurfacePart& part) {
 
 /// Each part of the surface is a mesh with a material of its own: the exporter makes primitives of those
 /// that one node shows.
-void addBody(aiScene& scene, const SkinnedMesh& mesh) {
+void addBody(aiScene& scene, const std::string& name, const SkinnedMesh& mesh) {
     const std::vector<SurfacePart> surface = surfaceParts(mesh);
     const auto textures = texturesOf(surface);
     const auto count = static_cast<unsigned>(surface.size());
@@ -217,10 +218,10 @@ void addBody(aiScene& scene, const SkinnedMesh& mesh) {
         const SurfacePart& part = surface[p];
         const auto texture = textureIndex(part, textures);
         scene.mMaterials[p] = skinMaterial(part.look.value_or(SurfaceLook()), texture).release();
-        const aiString name(surfaceName(p));
-        scene.mMaterials[p]->AddProperty(&name, AI_MATKEY_NAME);
+        const aiString material(surfaceName(p));
+        scene.mMaterials[p]->AddProperty(&material, AI_MATKEY_NAME);
         const SkinnedMesh own = count == 1 ? mesh : meshOfPart(mesh, part);
-        scene.mMeshes[p] = meshOf(own, texture.has_value(), p).release();
+        scene.mMeshes[p] = meshOf(name, own, texture.has_value(), p).release();
         scene.mRootNode->mMeshes[p] = p;
     }
     scene.mNumTextures = static_cast<unsigned>(textures.size());
@@ -236,7 +237,7 @@ std::unique_ptr<aiScene> sceneOf(const SkinnedMesh* mesh, const Figure& figure) 
     scene->mRootNode = new aiNode(figure.character.empty() ? nameBesideJoints(clip.skeleton, "Mannequin")
                                                            : figure.character);
     if (mesh)
-        addBody(*scene, *mesh);
+        addBody(*scene, bodyName(figure), *mesh);
     addBoneNodes(*scene->mRootNode, mesh ? mesh->bones : bonesOf(clip.skeleton), clip.skeleton);
     if (!clip.frames.empty()) {
         scene->mNumAnimations = 1;
