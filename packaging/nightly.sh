@@ -3,7 +3,7 @@
 # The slow checks, which .ci/run leaves out. Any of the names, or all:
 #   packaging/nightly.sh [debug|asan|tsan|gcc|tidy|odr|package|busy]...
 # debug: Eigen's assertions, matrices begin as NaN. asan: address and undefined over core and devices. tsan: the threads
-# of devices and jobs. gcc: the other compiler. tidy: clang-tidy on what differs from the main branch (NOCTULE_BASE).
+# of devices and jobs. gcc: all tests with the other compiler. tidy: clang-tidy on what differs from the main branch (NOCTULE_BASE).
 # odr: one definition in the whole program, seen at link time. package: packaging/test_package.sh. busy: all tests beside
 # four loops that take the processors. What was run, with its result and time, ends in out/nightly/YYYY-MM-DD.md.
 set -uo pipefail
@@ -45,7 +45,8 @@ run_tsan() {
 }
 run_gcc() {
     cmake --preset release -B build/gcc -D CMAKE_C_COMPILER=gcc -D CMAKE_CXX_COMPILER=g++ >/dev/null &&
-        cmake --build build/gcc --parallel "$jobs"
+        cmake --build build/gcc --parallel "$jobs" &&
+        ctest --test-dir build/gcc --parallel "$jobs" --no-tests=error --output-on-failure
 }
 run_tidy() {
     local base=${NOCTULE_BASE:-origin/main}
@@ -55,7 +56,8 @@ run_tidy() {
     clang-tidy -p build/dev --warnings-as-errors='*' "${files[@]}"
 }
 run_odr() {
-    cmake --preset package -B build/odr -D CMAKE_C_COMPILER=gcc -D CMAKE_CXX_COMPILER=g++ -D CMAKE_CXX_FLAGS="-flto=auto -Wodr -Werror=odr" \
+    cmake --fresh --preset package -B build/odr -D CMAKE_C_COMPILER=gcc -D CMAKE_CXX_COMPILER=g++ \
+        -D CMAKE_CXX_FLAGS="-flto=auto -Wodr -Werror=odr" \
         -D CMAKE_AR="$(command -v gcc-ar)" -D CMAKE_RANLIB="$(command -v gcc-ranlib)" >/dev/null &&
         cmake --build build/odr --parallel "$jobs" --target noctule noctule-virtual-suit
 }

@@ -379,7 +379,7 @@ Verb exportVerb() {
         verb.options.insert(verb.options.end(), more.begin(), more.end());
     verb.remarks = {
         "Every file is written aside and read again before it gets its name. With several takes "
-        "the paths must contain {name}, unless --stacks puts them into one FBX file."};
+        "the paths must contain {name}, unless --stacks puts them into one FBX or GLB file."};
     verb.run = runExport;
     return verb;
 }

@@ -220,7 +220,7 @@ private:
         g += B_left.transpose() * (y - A * qr.solve(y));
     }
 
-    /// With a last row that keeps the drift small.
+    /// With last rows that keep the drift small.
     static Eigen::MatrixXd wayEquations(const PairFlights& pair, const Eigen::VectorXd& weight) {
         Eigen::MatrixXd A = Eigen::MatrixXd::Zero(weight.size() + kDriftTerms, pair.way.cols());
         A.topRows(weight.size()) = weight.asDiagonal() * pair.way;

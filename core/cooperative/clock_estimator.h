@@ -31,7 +31,8 @@ struct ClockSettings {
     double rate_wander = 0.01e-6;     ///< per sqrt(s); larger: the rate follows faster and is less certain
     double guess_sigma_s = 0.01, guess_rate_sigma = 50e-6;
     /// Two people who move along with their line make sound's way longer in one direction than the other. In
-    /// units of the speed of sound: 0.5 m/s that lasts for a second, as if drawn anew in each window.
+    /// units of the speed of sound: 0.5 m/s that lasts for a second, as if drawn anew in each window. Within
+    /// a window it is a line of time; the same bound holds for what it changes by in half a window.
     double drift_of_pair = 0.85 / 344;
     double drift_of_housings = 0.3 / 344;  ///< the same, of one pair of housings against its bodies
     /// Microphone and source of a housing are 10 mm apart: half of that, along a line of sight in any

@@ -14,8 +14,8 @@ public:
     /// `where` names the file in errors.
     explicit FiguresInFile(std::string where) : where_(std::move(where)) {}
 
-    /// One after the other. kUnusable, and names it, when its frame rate is not that of the first, when two
-    /// have one name, or when a motion of the same body has other joints or places of joints.
+    /// One after the other. kUnusable, and names it, when its frame rate is not that of the first, or when
+    /// two have one name. So is a motion of the same body that has other joints, or the same ones elsewhere.
     Status add(const Figure& figure);
     /// Without its frames.
     const MotionClip& first() const { return first_; }

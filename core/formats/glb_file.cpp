@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/formats/glb_file.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -66,11 +67,13 @@ void shiftMesh(json& mesh, size_t accessors, size_t materials) {
 }  // namespace
 
 GlbFile GlbFile::of(std::string_view bytes) {
-    require(bytes.size() >= kFileHeader + 2 * kChunkHeader, "GlbFile::of() needs a whole file");
-    const size_t length = glbWord(bytes, kFileHeader), chunk = kFileHeader + kChunkHeader + length;
+    constexpr size_t kText = kFileHeader + kChunkHeader;
+    require(bytes.size() >= kText, "GlbFile::of() needs a whole file");
+    const size_t length = glbWord(bytes, kFileHeader), chunk = kText + length;
     GlbFile file;
-    file.document = json::parse(bytes.substr(kFileHeader + kChunkHeader, length));
-    file.buffer = bytes.substr(chunk + kChunkHeader, glbWord(bytes, chunk));
+    file.document = json::parse(bytes.substr(kText, length));
+    if (bytes.size() >= chunk + kChunkHeader)  // none where there is nothing to put into it
+        file.buffer = bytes.substr(chunk + kChunkHeader, glbWord(bytes, chunk));
     file.buffer.resize((file.buffer.size() + kWord - 1) / kWord * kWord);
     return file;
 }
@@ -89,7 +92,8 @@ Result<std::string> GlbFile::bytes(const std::string& where) const {
     bytes += "JSON" + text;
     addGlbWord(bytes, buffer.size());
     bytes.append("BIN\0", kWord);
-    return bytes + buffer;
+    bytes += buffer;
+    return bytes;
 }
 
 void GlbFile::addScene(GlbFile other) {
@@ -123,6 +127,11 @@ void GlbFile::addScene(GlbFile other) {
         if (document[name].empty())
             document.erase(name);
     }
+    for (json& used : listOf(from, "extensionsUsed"))
+        if (json& known = listOf(document, "extensionsUsed"); std::ranges::find(known, used) == known.end())
+            known.push_back(used);
+    if (document["extensionsUsed"].empty())
+        document.erase("extensionsUsed");
     for (json& scene : listOf(from, "scenes"))
         for (const json& node : scene["nodes"])
             document["scenes"][0]["nodes"].push_back(node.get<size_t>() + shift["nodes"]);

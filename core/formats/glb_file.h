@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The container of binary glTF 2.0 as our exporter writes it: a JSON document and one buffer. Two of them
-// become one by moving what the second refers to behind what the first holds.
+// The container of binary glTF 2.0 as our exporter writes it: a JSON document and one buffer. Of two files
+// one is made: the lists and the buffer of the second follow those of the first, and its indices are shifted.
 #pragma once
 
 #include <nlohmann/json.hpp>

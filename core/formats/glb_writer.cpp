@@ -275,12 +275,13 @@ Result<GlbFile> exported(const std::string& where, const aiScene& scene) {
     return file;
 }
 
-Status writeFile(const std::string& path, const GlbFile& file, bool overwrite, const AsideCheck& check) {
-    const auto bytes = file.bytes(path);
+Status writeFile(const std::string& path, Result<std::string> bytes, bool overwrite,
+                 const AsideCheck& check) {
     if (!bytes)
         return bytes.error();
     const WrittenBytes written(*bytes);
     return writeFileAtomically(path, *bytes, overwrite, [&](const std::string& aside) {
+        *bytes = {};  // they stand on the disk, and reading them back takes memory of its own
         const Status kept = written.check(aside, path);
         return kept && check ? check(aside) : kept;
     });
@@ -306,8 +307,11 @@ public:
             file_->addScene(std::move(*own));
         return Done{};
     }
-    /// After the last figure; there must have been one.
-    const GlbFile& file() const { return file_.value(); }
+    /// Once, after the last figure; there must have been one.
+    Result<std::string> bytes() {
+        const GlbFile file = std::move(file_.value());
+        return file.bytes(where_);
+    }
 
 private:
     const std::string& where_;
@@ -326,7 +330,7 @@ Status writeGlb(const std::string& path, const FigureSource& figures, bool overw
     });
     if (!collected)
         return collected;
-    return writeFile(path, collector.file(), overwrite, [&](const std::string& aside) {
+    return writeFile(path, collector.bytes(), overwrite, [&](const std::string& aside) {
         return checkScene(aside, path, SceneFormat::kGlb, figures, job);
     });
 }
@@ -336,7 +340,7 @@ Status writeSkinnedMesh(const std::string& path, const SkinnedMesh& mesh, const 
     Figure still;
     still.clip.skeleton = skeleton;
     const auto file = exported(path, *sceneOf(&mesh, still));
-    return file ? writeFile(path, *file, overwrite, {}) : Status(file.error());
+    return file ? writeFile(path, file->bytes(path), overwrite, {}) : Status(file.error());
 }
 
 }  // namespace noctule

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figures as binary glTF 2.0, through assimp: one mesh with its skin, a primitive and a material for each
-// look of its surface, the joints as nodes under it in the bind pose, and the motion as one animation with
-// the clip's name (or several, one for each take); or several such characters, each under a node with its
-// name, that share the animation. Metres and seconds, as glTF has them.
+// Figures as binary glTF 2.0, through assimp. Each is one mesh with its skin, and has a primitive and a
+// material for each look of its surface. Its joints are nodes in the bind pose. A motion is an animation with
+// the clip's name; several takes are several animations. Several characters each stand under a node with
+// their name and share one animation. Metres and seconds, as glTF has them.
 #pragma once
 
 #include <string>
@@ -12,9 +12,10 @@
 
 namespace noctule {
 
-/// Figures share a file as in writeFbx(), and for the same reasons are kUnusable (figures_in_file.h). Written
-/// aside, read back through assimp, compared (scene_check.h), and only then given its name. In memory at
-/// once: the file twice and one figure.
+/// Figures share a file as in writeFbx(); those that cannot are kUnusable (figures_in_file.h), and so is a
+/// file beyond 4 GiB. Written aside, read back through assimp, compared (scene_check.h), and only then given
+/// its name. In memory at once: the file twice and one figure; while it is read back, what assimp makes of
+/// it.
 Status writeGlb(const std::string& path, const FigureSource& figures, bool overwrite,
                 const JobContext& job = {});
 /// A file of one motion.

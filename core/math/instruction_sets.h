@@ -13,7 +13,7 @@
 #if defined(__x86_64__)
 #include <immintrin.h>
 #define NOCTULE_AVX2 __attribute__((target("avx2,fma")))
-#if defined(__clang__)
+#if defined(__clang__)  // clang does not know a wish for a width
 #define NOCTULE_AVX512 __attribute__((target("avx512f,avx2,fma")))
 #else
 #define NOCTULE_AVX512 __attribute__((target("avx512f,avx2,fma,prefer-vector-width=512")))

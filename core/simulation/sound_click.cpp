@@ -35,7 +35,10 @@ std::optional<Click> ClickProcess::nextBefore(double t_s) {
     if (clicks_per_s_ <= 0 || next_s_ >= t_s)
         return std::nullopt;
     Random random(seed_, "click", index_++);
-    Click click{next_s_, random.direction() * random.uniform(0.5, 3), drawTones(random)};
+    // Drawn one by one: compilers evaluate operands in different orders.
+    const double distance_m = random.uniform(0.5, 3);
+    const Vector3d direction = random.direction();
+    Click click{next_s_, distance_m * direction, drawTones(random)};
     next_s_ += waiting_.exponential() / clicks_per_s_;
     return click;
 }

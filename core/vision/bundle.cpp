@@ -18,9 +18,10 @@ using Vector6d = Eigen::Vector<double, 6>;
 constexpr double kNearest_m = 1e-3;  ///< before a camera
 constexpr double kHuberSigmas = 3, kFirstSigma_px = 1, kSmallestSigma_px = 0.02;
 constexpr int kSigmaRounds = 3, kMostIterations = 100;
-constexpr double kConvergedDecrease = 1e-9;  ///< of the cost
+constexpr double kConvergedDecrease = 1e-9, kRounding = 1e-12;  ///< of the cost, or of 1
+constexpr double kFirstDamping = 1e-3;
 /// The scale hangs on little once edges may move; more damping than this holds it where it began.
-constexpr double kHardlyDamped = 1e-8, kFirstDamping = 1e-3, kRounding = 1e-12;
+constexpr double kHardlyDamped = 1e-8;
 
 /// One corner and its derivatives by lens, camera (rotation, position) and marker (rotation, position).
 struct CornerTerm {
@@ -235,18 +236,18 @@ Descent descend(Bundle& bundle, double sigma_px, const JobContext& job) {
             break;
         }
         Bundle next = stepped(bundle, sum, damping);
-        const double next_cost = costOf(next, sigma_px);
+        const double next_cost = costOf(next, sigma_px), whole = std::max(1.0, cost);
         if (next_cost < cost) {
-            descent.converged = damping <= kHardlyDamped && cost - next_cost < kConvergedDecrease * cost;
+            descent.converged = damping <= kHardlyDamped && cost - next_cost < kConvergedDecrease * whole;
             bundle = std::move(next);
             cost = next_cost;
             sum = normalEquations(bundle, sigma_px);
             damping = std::max(damping / 10, 1e-12);
         } else {
-            // At the bottom a whole step changes the cost by its rounding; else no way leads down.
-            descent.converged =
-                (damping < kFirstDamping && next_cost - cost < kRounding * cost) || damping > 1e6;
-            damping *= 5;
+            // At the bottom rounding alone tells steps apart: one more with hardly any damping, then enough.
+            const bool is_level = next_cost - cost < kRounding * whole;
+            descent.converged = (is_level && damping <= kHardlyDamped) || damping > 1e6;
+            damping = is_level ? std::min(damping, kHardlyDamped) : 5 * damping;
         }
     }
     return descent;

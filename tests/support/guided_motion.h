@@ -44,7 +44,7 @@ private:
                 const Joint& joint = actor_.skeleton.joint(j);
                 Vector3d turn = Vector3d::Zero();
                 if (j > 0 && joint.type == JointType::kBall)
-                    turn = plan.held_rad * Vector3d(off(random), off(random), off(random));
+                    turn = plan.held_rad * Vector3d{off(random), off(random), off(random)};
                 else if (j > 0)
                     for (const DegreeOfFreedom& freedom : joint.dof)
                         turn += plan.held_rad * off(random) * freedom.axis;

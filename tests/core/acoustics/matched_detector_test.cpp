@@ -232,7 +232,8 @@ TEST(Matched, ShapesAreLearntFromSoundWithEchoes) {
             };
             const double amplitude = 1000 + 3000 * any(random);
             add(at, amplitude);
-            add(at + 30 + 300 * any(random), 0.3 * amplitude * any(random));
+            const double later = 30 + 300 * any(random), share = 0.3 * any(random);
+            add(at + later, share * amplitude);
         }
         std::vector<PulseArrival> unused(kBoards);
         learner.detect(sound.counts(), unused, {window, window * 1200, static_cast<int>(source)});

@@ -75,9 +75,10 @@ private:
         for (int b = 0; b < static_cast<int>(priors.boards.size()); ++b) {
             const BoardPrior& board = priors.boards[static_cast<size_t>(b)];
             const auto joint = static_cast<size_t>(board.joint);
+            const Vector3d worn_rad = random.gaussianVector(share * kTurn_rad),
+                           glued_rad = random.gaussianVector(share * kSensor_rad);
             const Quaterniond q_world_board = stands.q_world_joint[joint] * board.q_segment_board *
-                                              expQuaternion(random.gaussianVector(share * kTurn_rad)) *
-                                              expQuaternion(random.gaussianVector(share * kSensor_rad));
+                                              expQuaternion(worn_rad) * expQuaternion(glued_rad);
             evidence.ups.push_back({b, q_world_board.conjugate() * Vector3d::UnitY(), kSensor_rad});
             mics_m.push_back(stands.p_world_joint[joint] +
                              stands.q_world_joint[joint] *

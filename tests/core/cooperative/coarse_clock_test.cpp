@@ -153,7 +153,7 @@ TEST(CoarseClock, OfARoomFindsTheBodyWhereverItStands) {
     std::uniform_real_distribution<double> place_m(-2, 2), turn_rad(-3.1, 3.1);
     constexpr double kQuarterSlot_m = 0.7;  // of half a slot an arrival may be early or late
     for (int trial = 0; trial < 40; ++trial) {
-        const Vector3d stands_m(place_m(random), 0, place_m(random));
+        const Vector3d stands_m{place_m(random), 0, place_m(random)};
         const double turn = turn_rad(random);
         std::vector<Vector3d> worn_m;
         for (const Vector3d& place : pair.first_m)

@@ -23,7 +23,7 @@ MotionClip tumbling(size_t frames) {
     std::uniform_real_distribution<double> rate(-4, 4);
     std::vector<Vector3d> spin_rad_per_s;
     for (int j = 0; j < clip.skeleton.size(); ++j)
-        spin_rad_per_s.emplace_back(rate(random), rate(random), rate(random));
+        spin_rad_per_s.push_back(Vector3d{rate(random), rate(random), rate(random)});
     for (size_t f = 0; f < frames; ++f) {
         const double t_s = static_cast<double>(f) * clip.frame_time_s;
         Pose pose{Vector3d(0.3 * t_s, 0.95 + 0.01 * std::sin(t_s), -1.234567), {}};

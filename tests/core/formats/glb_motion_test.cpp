@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "core/formats/glb_writer.h"
 #include "core/formats/scene_check.h"
@@ -69,6 +70,39 @@ TEST_F(GlbMotion, HoldsASkeletonAlone) {
     const Status written = writeGlb(path(), figure, false);
     ASSERT_TRUE(written) << written.error().text();
     EXPECT_LT(differenceTo(figure)->joint_m, 5e-6);
+}
+
+TEST_F(GlbMotion, HoldsPaintedCharactersAndSeveralMotionsAndKhronosAgrees) {
+    Figure painted = test::sampleFigure(true);
+    test::paint(*painted.body);
+    const std::vector<Figure> pair{asCharacter(painted, "Ada"), asCharacter(painted, "Bea")};
+    Figure again = test::sampleFigure(false);
+    again.clip.name = "again";
+    const std::vector<Figure> motions{painted, again};
+    for (const std::vector<Figure>& figures : {pair, motions}) {
+        const Status written = writeGlb(path(), sourceOf(figures), true);
+        ASSERT_TRUE(written) << written.error().text();
+        for (const Figure& figure : figures)
+            EXPECT_LT(differenceTo(figure)->joint_m, 5e-6) << "colours and textures are compared too";
+        int exit_code = 0;
+        if (const auto said = verdict(exit_code))
+            EXPECT_NE(said->find("walk.glb: 0 errors, 0 warnings"), std::string::npos) << *said;
+    }
+}
+
+TEST_F(GlbMotion, OfTwoThatCannotShareAFileNothingIsWritten) {
+    const Figure figure = test::sampleFigure(false);
+    Figure slower = figure;
+    slower.clip.name = "slower";
+    slower.clip.frame_time_s *= 2;
+    for (const auto& figures : {std::vector{figure, figure},
+                                {figure, slower},
+                                {asCharacter(figure, "Ada"), asCharacter(figure, "Ada")}}) {
+        const Status written = writeGlb(path(), sourceOf(figures), false);
+        ASSERT_FALSE(written);
+        EXPECT_EQ(written.error().kind, ErrorKind::kUnusable);
+        EXPECT_FALSE(std::filesystem::exists(path()));
+    }
 }
 
 TEST_F(GlbMotion, KhronosFindsNoErrors) {

@@ -27,14 +27,14 @@ TEST(EulerSequence, AnglesGiveTheRotationBackAndFollowThoseBefore) {
     for (const std::string& name : eulerSequenceNames()) {
         const EulerSequence sequence = *eulerSequenceNamed(name);
         for (int trial = 0; trial < 200; ++trial) {
-            const Vector3d angles(any(random), any(random), any(random));
+            const Vector3d angles{any(random), any(random), any(random)};
             const Quaterniond q = rotationFromAngles(sequence, angles);
-            const Vector3d other(any(random), any(random), any(random));
+            const Vector3d other{any(random), any(random), any(random)};
             EXPECT_LT(angleBetween(rotationFromAngles(sequence, anglesFromRotation(sequence, q, other)), q),
                       1e-7)
                 << name;
             const double middle = sequence.isProper() ? std::sin(angles[1]) : std::cos(angles[1]);
-            const Vector3d near = angles + Vector3d(small(random), small(random), small(random));
+            const Vector3d near = angles + Vector3d{small(random), small(random), small(random)};
             if (std::abs(middle) > 0.3) {
                 EXPECT_LT((anglesFromRotation(sequence, q, near) - angles).norm(), 1e-7) << name;
             }

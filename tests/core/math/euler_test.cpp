@@ -29,7 +29,7 @@ TEST(Euler, ComposesAsTheProductOfItsTurns) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> angle(-7, 7);
     for (const EulerOrder& order : kAllOrders) {
-        const Vector3d e(angle(random), angle(random), angle(random));
+        const Vector3d e{angle(random), angle(random), angle(random)};
         Matrix3d R = Matrix3d::Identity();
         for (int n = 0; n < 3; ++n)
             R = R * Eigen::AngleAxisd(e[n], Vector3d::Unit(order[static_cast<size_t>(n)])).toRotationMatrix();

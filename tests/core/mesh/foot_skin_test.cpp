@@ -20,7 +20,7 @@ RiggedMesh ballOnAFoot() {
     std::mt19937 random(7);
     std::normal_distribution<float> anywhere;
     for (int i = 0; i < 4000; ++i) {
-        const Eigen::Vector3f p(anywhere(random), anywhere(random), anywhere(random));
+        const Eigen::Vector3f p{anywhere(random), anywhere(random), anywhere(random)};
         mesh.skin.vertices.push_back({0.1F * p.normalized(), p.normalized(), {1, 0}, {1, 0}});
     }
     mesh.skin.vertices.push_back({{0, -5, 0}, Eigen::Vector3f::UnitY(), {0, 1}, {1, 0}});

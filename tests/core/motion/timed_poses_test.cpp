@@ -59,7 +59,7 @@ TEST(JointAngles, ComposeBackToTheRotationAndStayNear) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> angle(-1.5, 1.5);
     for (int i = 0; i < 200; ++i) {
-        const Vector3d zxy(2 * angle(random), angle(random), 2 * angle(random));
+        const Vector3d zxy{2 * angle(random), angle(random), 2 * angle(random)};
         const Quaterniond q = axisAngle(Vector3d::UnitZ(), zxy[0]) * axisAngle(Vector3d::UnitX(), zxy[1]) *
                               axisAngle(Vector3d::UnitY(), zxy[2]);
         ASSERT_LT((anglesZxy(q) - zxy).norm(), 1e-9);

@@ -50,8 +50,8 @@ inline Evidence evidenceOf(const WalkedRoom& room, unsigned seed) {
     }
     std::vector<Vector3d> devices_m, errors_m, flesh_m(static_cast<size_t>(room.devices), Vector3d::Zero());
     for (int d = 0; d < room.devices; ++d) {
-        devices_m.emplace_back(0.7 * (uniform(random) - 0.5), 1.6 * uniform(random) - 0.9,
-                               0.4 * (uniform(random) - 0.5));
+        devices_m.push_back(Vector3d{0.7 * (uniform(random) - 0.5), 1.6 * uniform(random) - 0.9,
+                                     0.4 * (uniform(random) - 0.5)});
         errors_m.push_back(vector(room.device_m));
     }
     constexpr double kStep_s = 0.02, kFlesh_s = 0.5, kRadius_m = 1.1, kSpeed_rad_per_s = 0.6;

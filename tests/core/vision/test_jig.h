@@ -14,9 +14,9 @@ inline const Vector3d kJigMiddle(0.25, 0, 0.12);
 
 inline Matrix3d facing(const Vector3d& normal, std::mt19937& random) {
     std::uniform_real_distribution<double> tilt(-0.3, 0.3), turn(-3, 3);
-    const Quaterniond q = smallestRotation(Vector3d::UnitZ(), normal) *
-                          expQuaternion({tilt(random), tilt(random), 0}) *
-                          axisAngle(Vector3d::UnitZ(), turn(random));
+    const Quaterniond tilted = expQuaternion({tilt(random), tilt(random), 0});
+    const Quaterniond q =
+        smallestRotation(Vector3d::UnitZ(), normal) * tilted * axisAngle(Vector3d::UnitZ(), turn(random));
     return q.toRotationMatrix();
 }
 
