@@ -9,6 +9,6 @@ cd "$(dirname "$0")/.."
 
 packaging/dependencies.sh
 python3 -B packaging/acceptance --check "$@"
-cmake --preset release >/dev/null
+packaging/configure.sh release
 cmake --build --preset release --parallel "$(nproc)" --target all benchmarks
 exec python3 -B packaging/acceptance "$@"

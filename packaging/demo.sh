@@ -31,7 +31,7 @@ preset=jobs
 ! grep -qs '^NOCTULE_STUDIO:BOOL=OFF' build/release/CMakeCache.txt || preset=jobs
 build() {
     [ -e build/release/bin/noctule ] || echo "Building for the first time: about fifteen minutes of one core."
-    cmake --preset "$preset" >/dev/null
+    packaging/configure.sh "$preset"
     cmake --build build/release --parallel "$(nproc)" --target noctule
 }
 step "packages" packaging/dependencies.sh jobs

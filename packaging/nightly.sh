@@ -65,7 +65,7 @@ run_package() { packaging/test_package.sh; }
 run_busy() {
     local loops=()
     for _ in 1 2 3 4; do (while :; do :; done) & loops+=($!); done
-    cmake --preset release >/dev/null && cmake --build --preset release --parallel "$jobs" &&
+    packaging/configure.sh release && cmake --build --preset release --parallel "$jobs" &&
         ctest --preset release --parallel "$jobs" --no-tests=error
     local result=$?
     kill "${loops[@]}"

@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 packaging/dependencies.sh package
 build=${1:-build/package}
 if [ $# -eq 0 ]; then
-    cmake --preset package >/dev/null
+    packaging/configure.sh package
 else
     cmake "$build" >/dev/null    # asks for the version again
 fi

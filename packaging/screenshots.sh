@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 
 out=$PWD/out/screenshots
 packaging/dependencies.sh
-cmake --preset release >/dev/null
+packaging/configure.sh release
 cmake --build --preset release --parallel "$(nproc)" --target test_ui_main_window noctule
 rm -rf "$out"
 mkdir -p "$out"

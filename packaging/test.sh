@@ -23,7 +23,7 @@ sanitizers+=,signed-integer-overflow,unreachable
 sanitized_build=build/sanitized
 
 build_release() {
-    cmake --preset release >/dev/null
+    packaging/configure.sh release
     cmake --build --preset release --parallel "$jobs"
 }
 
