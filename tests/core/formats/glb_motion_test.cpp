@@ -85,8 +85,9 @@ TEST_F(GlbMotion, HoldsPaintedCharactersAndSeveralMotionsAndKhronosAgrees) {
         for (const Figure& figure : figures)
             EXPECT_LT(differenceTo(figure)->joint_m, 5e-6) << "colours and textures are compared too";
         int exit_code = 0;
-        if (const auto said = verdict(exit_code))
+        if (const auto said = verdict(exit_code)) {
             EXPECT_NE(said->find("walk.glb: 0 errors, 0 warnings"), std::string::npos) << *said;
+        }
     }
 }
 
