@@ -85,6 +85,8 @@ public:
 
 private:
     int clockUnknowns() const { return 2 * static_cast<int>(guesses_.size() - 1); }
+    /// Offset and rate of each suit but the first, then the drifts of pairs of suits.
+    int unknowns() const { return clockUnknowns() + kDriftTerms * static_cast<int>(pairs_of_suits_.size()); }
     int driftColumn(int a, int b) const {
         const auto found = pairs_of_suits_.find(std::minmax(a, b));
         return clockUnknowns() +
@@ -149,10 +151,8 @@ private:
 
     PairFlights linearise(const std::vector<const TimedFlight*>& flights) const {
         const auto n = static_cast<Eigen::Index>(flights.size());
-        const Eigen::Index unknowns =
-            clockUnknowns() + kDriftTerms * static_cast<Eigen::Index>(pairs_of_suits_.size());
         PairFlights pair{Eigen::MatrixXd::Zero(n, kWayTerms + kDriftTerms), 1 / settings_.drift_of_housings,
-                         Eigen::MatrixXd::Zero(n, unknowns), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+                         Eigen::MatrixXd::Zero(n, unknowns()), Eigen::VectorXd(n), Eigen::VectorXd(n)};
         for (Eigen::Index k = 0; k < n; ++k) {
             const TimedFlight& flight = *flights[static_cast<size_t>(k)];
             const double emission_s = lines_[static_cast<size_t>(flight.from_suit)].toTake(flight.emission_s);
@@ -187,17 +187,15 @@ private:
         for (const auto& [pair, flights] : window)
             if (flights.size() >= kLeastFlights)
                 pairs.push_back(linearise(flights));
-        const Eigen::Index unknowns =
-            clockUnknowns() + kDriftTerms * static_cast<Eigen::Index>(pairs_of_suits_.size());
         std::vector<Eigen::VectorXd> weights;
         for (const PairFlights& pair : pairs)
             weights.push_back(pair.sigma_s.cwiseInverse());
         Eigen::MatrixXd N;
         Eigen::VectorXd g;
         for (int round = 0; round < kHuberRounds; ++round) {
-            N = Eigen::MatrixXd::Zero(unknowns, unknowns);
-            g = Eigen::VectorXd::Zero(unknowns);
-            for (int k = clockUnknowns(); k < unknowns; ++k)
+            N = Eigen::MatrixXd::Zero(unknowns(), unknowns());
+            g = Eigen::VectorXd::Zero(unknowns());
+            for (int k = clockUnknowns(); k < unknowns(); ++k)
                 N(k, k) = 1 / (settings_.drift_of_pair * settings_.drift_of_pair);
             for (size_t p = 0; p < pairs.size(); ++p)
                 addWithoutWay(pairs[p], weights[p], N, g);

@@ -117,9 +117,8 @@ void GlbFile::addScene(GlbFile other) {
     for (json& node : listOf(from, "nodes")) {
         shiftIndex(node, "mesh", shift["meshes"]);
         shiftIndex(node, "skin", shift["skins"]);
-        shiftIndices(listOf(node, "children"), shift["nodes"]);
-        if (node["children"].empty())
-            node.erase("children");
+        if (node.contains("children"))
+            shiftIndices(node["children"], shift["nodes"]);
     }
     for (const auto& [name, count] : shift) {
         for (json& item : listOf(from, name.c_str()))
@@ -127,11 +126,9 @@ void GlbFile::addScene(GlbFile other) {
         if (document[name].empty())
             document.erase(name);
     }
-    for (json& used : listOf(from, "extensionsUsed"))
+    for (const json& used : from.value("extensionsUsed", json::array()))
         if (json& known = listOf(document, "extensionsUsed"); std::ranges::find(known, used) == known.end())
             known.push_back(used);
-    if (document["extensionsUsed"].empty())
-        document.erase("extensionsUsed");
     for (json& scene : listOf(from, "scenes"))
         for (const json& node : scene["nodes"])
             document["scenes"][0]["nodes"].push_back(node.get<size_t>() + shift["nodes"]);

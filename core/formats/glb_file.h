@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The container of binary glTF 2.0 as our exporter writes it: a JSON document and one buffer. Of two files
-// one is made: the lists and the buffer of the second follow those of the first, and its indices are shifted.
+// The container of binary glTF 2.0 as our exporter writes it: a JSON document and one buffer. Two files
+// become one: what the second holds follows what the first holds, and its indices are shifted.
 #pragma once
 
 #include <nlohmann/json.hpp>

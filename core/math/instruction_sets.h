@@ -3,7 +3,7 @@
 // for the whole run: results repeat to the bit.
 #pragma once
 
-/// Before a loop of which no pass depends on an earlier one, though the compiler cannot see it.
+/// Stands before a loop in which no pass depends on an earlier one; the compiler cannot see that by itself.
 #if defined(__clang__)
 #define NOCTULE_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
 #else

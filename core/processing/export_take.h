@@ -81,12 +81,12 @@ std::vector<std::string> outputsOf(const ExportRequest& request);
 /// Every file is written aside, read back where that is possible, and renamed.
 Result<ExportSummary> exportTake(const ExportRequest& request, const JobContext& job);
 
-/// Several takes in one file, the first of outputsOf() the first request, which holdsSeveral(): a stack
-/// (glTF: an animation) for each under its motion's name, on the body of the first. Or the performers of one
+/// Several takes in one file: the first of outputsOf() the first request, which holdsSeveral(). Each is a
+/// stack (in glTF an animation) under its motion's name, on the body of the first. Or the performers of one
 /// take, each a character of its own (requestsTogether()). The requests differ in take, run, part, name and
-/// performer alone. Of the summary, frames and duration are sums, of performers those of one, and `run` is
-/// that of the last. kUnusable, and says of which, when a take's bones are longer or shorter or two motions
-/// have one name. Motions are read one after the other, twice; what is held is the file and one of them
+/// performer alone. Of the summary, frames and duration are sums, of performers those of one; `run` is that
+/// of the last. kUnusable, and says of which, when a take's bones are longer or shorter, or two motions have
+/// one name. Motions are read one after the other, twice; what is held is the file and one of them
 /// (writeFbx(), writeGlb()). A cancel leaves no file.
 Result<ExportSummary> exportStacks(const std::vector<ExportRequest>& takes, const JobContext& job);
 

@@ -15,9 +15,8 @@ Result<std::vector<TakeSubject>> subjectsOfRun(const std::string& take_path, con
 /// instead of "walk.bvh". What a file's name cannot hold becomes an underscore.
 Result<std::vector<ExportRequest>> requestsOfSubjects(const ExportRequest& request);
 
-/// The same export with all subjects of its run as characters of one FBX or GLB file, in the part of the take
-/// in which all of them have poses (exportStacks()). A single subject gives the request as it is. kUnusable
-/// when there is no such part.
+/// The same export with all subjects of its run as characters of one FBX or GLB file (exportStacks()), while
+/// all of them have poses. A single subject gives the request as it is. kUnusable when they never do.
 Result<std::vector<ExportRequest>> requestsTogether(const ExportRequest& request);
 
 }  // namespace noctule

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <random>
 
@@ -114,21 +116,30 @@ ClockErrors errorsOf(const World& world, const ClockTrack& track, size_t suit) {
     return errors;
 }
 
+/// Two suits that sway, with or without the room; microphone and source of a housing are at one place.
+struct SwayingPair {
+    SwayingPair(unsigned seed, bool with_room) {
+        world.random.seed(seed);
+        world.addSuit({-0.6, 1.2, 0}, 4, false);
+        world.addSuit({0.6, 1.2, 0}, 4, false);
+        if (with_room)
+            world.addSuit({0, 2.5, 0}, 4, true);
+        ClockSettings settings;
+        settings.housing_s = 0;
+        tracks = estimateClocks(world.flights(30, 6e-6), world.guesses, settings);
+    }
+    World world;
+    std::vector<ClockTrack> tracks;
+};
+
 TEST(ClockEstimator, OffsetAndRateAfter30Seconds) {
     double square = 0, nees = 0;
     constexpr int kWorlds = 6;
     for (unsigned seed = 1; seed <= kWorlds; ++seed) {
-        World world;
-        world.random.seed(seed);
-        world.addSuit({-0.6, 1.2, 0}, 4, false);
-        world.addSuit({0.6, 1.2, 0}, 4, false);
-        world.addSuit({0, 2.5, 0}, 4, true);
-        ClockSettings settings;
-        settings.housing_s = 0;  // microphone and source are at one place here
-        const auto tracks = estimateClocks(world.flights(30, 6e-6), world.guesses, settings);
+        const SwayingPair pair(seed, true);
         for (const size_t suit : {1u, 2u}) {
-            ASSERT_TRUE(tracks[suit].joined);
-            const ClockErrors errors = errorsOf(world, tracks[suit], suit);
+            ASSERT_TRUE(pair.tracks[suit].joined);
+            const ClockErrors errors = errorsOf(pair.world, pair.tracks[suit], suit);
             EXPECT_LT(errors.worst_offset_s, 2e-6) << "seed " << seed << " suit " << suit;
             square += errors.rate * errors.rate;
             nees += errors.nees;
@@ -140,21 +151,18 @@ TEST(ClockEstimator, OffsetAndRateAfter30Seconds) {
 }
 
 TEST(ClockEstimator, WithoutTheRoomMotionOfBothIsAllowedFor) {
-    double nees = 0;
+    double nees = 0, worst_s = 0;
     constexpr int kWorlds = 24;
     for (unsigned seed = 1; seed <= kWorlds; ++seed) {
-        World world;
-        world.random.seed(seed);
-        world.addSuit({-0.6, 1.2, 0}, 4, false);
-        world.addSuit({0.6, 1.2, 0}, 4, false);
-        ClockSettings settings;
-        settings.housing_s = 0;
-        const auto tracks = estimateClocks(world.flights(30, 6e-6), world.guesses, settings);
-        ASSERT_TRUE(tracks[1].joined);
-        const ClockErrors errors = errorsOf(world, tracks[1], 1);
-        EXPECT_LT(errors.worst_offset_s, 4e-6) << "seed " << seed;
+        const SwayingPair pair(seed, false);
+        ASSERT_TRUE(pair.tracks[1].joined);
+        const ClockErrors errors = errorsOf(pair.world, pair.tracks[1], 1);
+        EXPECT_LT(errors.worst_offset_s, 3e-6) << "seed " << seed;
+        worst_s = std::max(worst_s, errors.worst_offset_s);
         nees += errors.nees / kWorlds;
     }
+    std::printf("clocks of two that sway, %d worlds: worst offset %.2f us, NEES %.2f\n", kWorlds,
+                1e6 * worst_s, nees);
     EXPECT_GT(nees, 0.4);
     EXPECT_LT(nees, 1.6);
 }

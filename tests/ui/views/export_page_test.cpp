@@ -134,6 +134,12 @@ TEST_F(ExportPageTest, AllTakesGoIntoOneFile) {
     page_->form().one_file->setChecked(true);
     EXPECT_FALSE(page_->form().one_file->isHidden());
     EXPECT_EQ(fileCount(*page_->plan()), 1) << "glTF holds several too";
+    page_->form().also[ExportFormat::kFbx]->setChecked(true);
+    EXPECT_EQ(fileCount(*page_->plan()), 2) << "one of each kind";
+    write();
+    ASSERT_EQ(page_->results()->outcomes.size(), 4U);
+    EXPECT_EQ(page_->results()->written(), 2);
+    EXPECT_EQ(page_->results()->faulty(), 0);
     page_->choosePreset("bvh");
     EXPECT_TRUE(page_->form().one_file->isHidden());
     EXPECT_EQ(fileCount(*page_->plan()), 2) << "BVH holds one";
