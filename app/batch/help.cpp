@@ -45,17 +45,17 @@ std::string optionEntry(const Option& option) {
     return entry(head, words);
 }
 
-std::string verbList(bool later) {
+std::string verbList(bool left_out) {
     std::string text;
     for (const Verb& verb : verbs())
-        if ((verb.run == nullptr) == later)
+        if ((verb.run == nullptr) == left_out)
             text += entry(verb.name, verb.summary);
     return text;
 }
 
-std::string laterVerbs() {
-    const std::string later = verbList(true);
-    return later.empty() ? "" : "\nnot yet available:\n" + later;
+std::string verbsLeftOut() {
+    const std::string verbs = verbList(true);
+    return verbs.empty() ? "" : "\nnot in this build (" + std::string(kLeftOutRemedy) + "):\n" + verbs;
 }
 
 }  // namespace
@@ -103,16 +103,14 @@ std::string programHelp() {
            "       noctule --batch VERB [ARGUMENTS]\n"
            "       noctule --batch VERB --help\n"
            "       noctule --help | --version\n\nverbs:\n" +
-           verbList(false) + laterVerbs() + "\nafter every verb:\n" + optionList(commonOptions()) + "\n" +
+           verbList(false) + verbsLeftOut() + "\nafter every verb:\n" + optionList(commonOptions()) + "\n" +
            exitCodeLine(exitCodes()) + "\nexample: " + verbs().front().example + "\n";
 }
 
 std::string verbHelp(const Verb& verb) {
     std::string text = "noctule --batch " + verb.name + ": " + verb.summary + ".\n";
     if (!verb.run)
-        return text +
-               "\nNot yet available: it comes with a later version.\n\nexample: " + verbs().front().example +
-               "\n";
+        return text + "\nNot in this build: " + std::string(kLeftOutRemedy) + ".\n";
     text += "\nusage: noctule --batch " + verb.name + (verb.operands.empty() ? "" : " " + verb.operands) +
             " [OPTIONS]\n";
     for (const Option& option : verb.options)

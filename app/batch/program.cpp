@@ -162,9 +162,9 @@ int runBatch(const std::vector<std::string>& words, const CancelFlag& cancel) {
     if (!verb)
         return report(unknownVerb(name), console);
     if (!verb->run)
-        return report(
-            Error{ErrorKind::kUsage, name + " is not available yet", "It comes with a later version"},
-            console);
+        return report(Error{ErrorKind::kUsage, name + " was left out of this build of noctule",
+                            std::string(kLeftOutRemedy)},
+                      console);
     try {
         const ptrdiff_t own_words = 1 + std::ranges::count(name, ' ');
         return report(runVerb(*verb, {words.begin() + own_words, words.end()}, console, cancel), console);

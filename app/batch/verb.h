@@ -37,12 +37,12 @@ struct Verb {
     std::vector<Option> options;  ///< without the common ones
     std::vector<std::string> remarks;
     std::string alone;  ///< an option with which the verb needs neither operands nor required options
-    Result<Outcome> (*run)(const VerbContext&) = nullptr;  ///< null: comes with a later version
+    Result<Outcome> (*run)(const VerbContext&) = nullptr;  ///< null: left out of this build
 };
 
 inline constexpr size_t kAnyNumber = 1'000'000;
 
-// app/batch/<name>.cpp each
+// app/batch/<name>.cpp each; devices, record and drive: app/batch/devices/
 Verb simulateVerb();
 Verb processVerb();
 Verb estimatorsVerb();
@@ -71,7 +71,11 @@ Verb checkVerb();
 /// {"exit_code", "message", "remedy"}
 nlohmann::json errorJson(const Error& error);
 
-/// All verbs, those of later versions too, in the order in which they are used.
+/// What brings back verbs that were left out.
+inline constexpr std::string_view kLeftOutRemedy =
+    "build all of it: cmake --preset release && cmake --build --preset release";
+
+/// All verbs, those left out too, in the order in which they are used.
 const std::vector<Verb>& verbs();
 
 }  // namespace noctule::batch

@@ -5,13 +5,14 @@
 // which the shoulders' joints lie left and right.
 #include "core/assignment/assign_segments.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "core/assignment/joint_evidence.h"
+#include "core/math/linear_solvers.h"
+#include "core/math/rotation_fit.h"
 
 namespace noctule::assignment {
 
@@ -164,7 +165,7 @@ std::vector<double> swingOf(const ImuSamples& samples) {
     Matrix3d scatter = Matrix3d::Zero();
     for (const Vector3d& rate : rates)
         scatter += rate * rate.transpose();
-    const Vector3d axis = Eigen::SelfAdjointEigenSolver<Matrix3d>(scatter).eigenvectors().col(2);
+    const Vector3d axis = eigensystemOf(scatter).vectors.col(2);
     std::vector<double> swing;
     double third = 0;
     for (const Vector3d& rate : rates) {
@@ -212,10 +213,7 @@ Matrix3d commonTurn(const ImuSamples& to, const ImuSamples& from) {
     Matrix3d M = Matrix3d::Zero();
     for (size_t i = 0; i < a.size(); ++i)
         M += a[i] * b[i].transpose();
-    const Eigen::JacobiSVD<Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Matrix3d sign = Matrix3d::Identity();
-    sign(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-    return svd.matrixU() * sign * svd.matrixV().transpose();
+    return nearestRotation(M);
 }
 
 Vector3d upOf(const ImuSamples& samples) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/assignment/joint_evidence.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+
+#include "core/math/linear_solvers.h"
 
 namespace noctule::assignment {
 
@@ -98,7 +99,7 @@ JointEvidence jointEvidence(const SmoothMotion& first, const SmoothMotion& secon
             right -= weight * e * g;
         }
         evidence = {sum / double(std::max<size_t>(rows, 1)), x.head<3>(), x.tail<3>()};
-        x += N.ldlt().solve(right);
+        x += solveSymmetric(N, right);
     }
     return evidence;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/calibration/accelerometer_fit.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <cmath>
+
+#include "core/math/linear_solvers.h"
 
 namespace noctule {
 namespace {
@@ -93,13 +93,13 @@ AccelerometerFit fitAccelerometer(const std::vector<StillPosition>& positions, c
     AccelerometerFit fit;
     while (!fit.converged && fit.iterations < kMostFitSteps) {
         problem.gather(x, information, gradient);
-        const AccelUnknowns step = -information.ldlt().solve(gradient);
+        const AccelUnknowns step = -solveSymmetric(information, gradient);
         x += step;
         ++fit.iterations;
         fit.converged = step.norm() < kSmallFitStep;
     }
     problem.gather(x, information, gradient);
-    const AccelUnknowns sigma = information.inverse().diagonal().cwiseSqrt();
+    const AccelUnknowns sigma = inverseOf(information).diagonal().cwiseSqrt();
     const Vector3d slopes = start.matrix.diagonal();
     fit.axes = problem.axes(x);
     fit.axes.sigma_zero_counts = sigma.head<3>().cwiseQuotient(slopes);

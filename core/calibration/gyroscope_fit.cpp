@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/calibration/gyroscope_fit.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
+
+#include "core/math/linear_solvers.h"
 
 namespace noctule {
 namespace {
@@ -41,8 +42,8 @@ GyroRow fitRow(const std::vector<KnownRate>& stretches, int axis, double wander_
         rows(count + k - 1, 2 + k) = -1 / step;
     }
     GyroRow row;
-    row.covariance = (rows.transpose() * rows).inverse();
-    row.x = rows.colPivHouseholderQr().solve(right);
+    row.covariance = inverseOf(rows.transpose() * rows);
+    row.x = solveLeastSquares(rows, right);
     row.chi_square = (rows * row.x - right).squaredNorm();
     return row;
 }

@@ -16,8 +16,8 @@ Calibration MotionReport::applied(const Calibration& base, const Suit& suit) con
         known.p_segment_board_m = board.p_segment_board_m;
         known.flesh = board.flesh;
         known.gyro.zero_counts =
-            board.gyro_zero_counts + known.gyro.matrix.partialPivLu().solve(board.gyro_zero_rad_per_s);
-        known.accel.zero_counts += known.accel.matrix.partialPivLu().solve(board.accel_zero_m_per_s2);
+            board.gyro_zero_counts + known.gyro.matrix.inverse() * board.gyro_zero_rad_per_s;
+        known.accel.zero_counts += known.accel.matrix.inverse() * board.accel_zero_m_per_s2;
     }
     for (size_t s = 0; s < sources.size(); ++s) {
         SourceCalibration& known = entryOf(calibration, suit.sources[s]);

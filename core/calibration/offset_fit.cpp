@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/calibration/offset_fit.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/math/linear_solvers.h"
 #include "core/math/order_statistics.h"
 
 namespace noctule {
@@ -118,9 +118,8 @@ private:
                     information(column, other) += weight * value * factor;
             }
         }
-        const Eigen::LDLT<Eigen::MatrixXd> factors(information);
-        state_ = factors.solve(pull);
-        covariance_ = factors.solve(Eigen::MatrixXd::Identity(size_, size_));
+        covariance_ = solveSymmetric(information, Eigen::MatrixXd::Identity(size_, size_));
+        state_ = solveSymmetric(information, pull);
     }
 
     void addPriors(double stretch_sigma, Eigen::MatrixXd& information, Eigen::VectorXd& pull) const {

@@ -22,7 +22,7 @@ bool takesPart(const RestExplanation& explained, int board) {
 Vector3d zerosForGravity(const AxisCalibration& accel, const Vector3d& mean_m_per_s2,
                          double above_g_m_per_s2) {
     const Vector3d zero_counts =
-        accel.zero_counts + accel.matrix.partialPivLu().solve(mean_m_per_s2.normalized() * above_g_m_per_s2);
+        accel.zero_counts + accel.matrix.inverse() * mean_m_per_s2.normalized() * above_g_m_per_s2;
     return zero_counts.allFinite() ? zero_counts : accel.zero_counts;
 }
 

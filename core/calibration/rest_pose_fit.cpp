@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/calibration/rest_pose_fit.h"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 
+#include "core/math/linear_solvers.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
@@ -200,7 +200,7 @@ RestFit RestPoseFit::fit(const RestPriors& priors, const RestEvidence& evidence,
     while (fit.iterations < most_iterations && !fit.converged) {
         Equations equations(size);
         assemble(priors, evidence, fit, &equations);
-        Eigen::VectorXd step = -equations.JtJ.selfadjointView<Eigen::Lower>().llt().solve(equations.Jtr);
+        Eigen::VectorXd step = -solvePositive(equations.JtJ, equations.Jtr);
         RestFit next = moved(fit, step);
         assemble(priors, evidence, next, nullptr);
         for (int halving = 0; next.cost > fit.cost && halving < kMostHalvings; ++halving) {
@@ -225,10 +225,7 @@ void RestPoseFit::addCovariance(const RestPriors& priors, const RestEvidence& ev
     Equations equations(freedoms + 3 * static_cast<int>(priors.boards.size() + priors.sources.size()));
     assemble(priors, evidence, fit, &equations);
     const auto size = equations.Jtr.size();
-    fit.cov_pose = equations.JtJ.selfadjointView<Eigen::Lower>()
-                       .llt()
-                       .solve(Eigen::MatrixXd::Identity(size, freedoms))
-                       .topRows(freedoms);
+    fit.cov_pose = solvePositive(equations.JtJ, Eigen::MatrixXd::Identity(size, freedoms)).topRows(freedoms);
 }
 
 Quaterniond RestPoseFit::boardOrientation(const BoardPrior& board, const UpEvidence& up,

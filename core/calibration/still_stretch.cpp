@@ -178,16 +178,14 @@ StillBoard averageBoard(const Observations& take, size_t board, const Stretch& s
         (accel_square - still.accel_counts.cwiseAbs2()).unaryExpr(&roundingOfMean_counts);
     const AxisCalibration gyro = scaleOf(take, board, true), accel = scaleOf(take, board, false);
     const double lasts_s = std::prev(last)->time_s - first->time_s;
-    const Eigen::PartialPivLU<Matrix3d> counts_of_rate(gyro.matrix);
+    const Matrix3d counts_of_rate = gyro.matrix.inverse();
     for (int round = 0; round < 3; ++round)  // the first step is exact but for the order of small rotations
-        still.gyro_counts +=
-            counts_of_rate.solve(netRotation(first, last, gyro, still.gyro_counts)) / lasts_s;
+        still.gyro_counts += counts_of_rate * netRotation(first, last, gyro, still.gyro_counts) / lasts_s;
     const PartMeans parts = partMeans(first, last);
     const Vector3d begins = accel.apply(parts.accel.front()), ends = accel.apply(parts.accel.back());
     if (begins.norm() > 0 && ends.norm() > 0)
         still.sway_rad = std::atan2(begins.cross(ends).norm(), begins.dot(ends));
-    const Vector3d sway_counts =
-        counts_of_rate.solve(Vector3d::Constant(still.sway_rad / lasts_s)).cwiseAbs();
+    const Vector3d sway_counts = (counts_of_rate * Vector3d::Constant(still.sway_rad / lasts_s)).cwiseAbs();
     still.sigma_gyro_counts =
         (sigmaOfMean(parts.gyro).cwiseAbs2() + sway_counts.cwiseAbs2() + gyro_rounding.cwiseAbs2())
             .cwiseSqrt();

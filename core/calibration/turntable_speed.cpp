@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/calibration/turntable_speed.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <complex>
 #include <map>
@@ -100,28 +99,48 @@ std::vector<RipplePhase> phasesOf(std::span<const Attitude> turn, const Vector3d
     const Vector3d first = up_board.unitOrthogonal(), second = up_board.cross(first);
     const Vector3d east = up_run.unitOrthogonal(), north = up_run.cross(east);
     const double begin_s = turn.front().time_s, length_s = turn.back().time_s - begin_s;
-    const auto count = static_cast<Eigen::Index>(turn.size());
-    const auto windows = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(length_s / kPhaseWindow_s));
-    Eigen::MatrixXcd rows = Eigen::MatrixXcd::Zero(count, 1 + windows);
-    Eigen::VectorXcd horizontal(count);
-    Eigen::VectorXd turned = Eigen::VectorXd::Zero(windows), members = Eigen::VectorXd::Zero(windows);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const Attitude& at = turn[static_cast<size_t>(i)];
-        const double place = (at.time_s - begin_s) / length_s * static_cast<double>(windows);
-        const auto window = std::min(windows - 1, static_cast<Eigen::Index>(place));
+    struct Window {
+        double members = 0, turned_rad = 0;
+        Complex reading, turn, along;  ///< sums; along: of conj(turn) reading
+    };
+    std::vector<Window> windows(std::max<size_t>(1, static_cast<size_t>(length_s / kPhaseWindow_s)));
+    double squares = 0;
+    for (const Attitude& at : turn) {
+        const double place = (at.time_s - begin_s) / length_s * static_cast<double>(windows.size());
+        Window& window = windows[std::min(windows.size() - 1, static_cast<size_t>(place))];
         const Vector3d forward = at.q_run_board * first;
-        horizontal[i] = Complex(at.accel_m_per_s2.dot(first), at.accel_m_per_s2.dot(second));
-        rows(i, 0) = 1;
-        rows(i, 1 + window) = std::polar(1.0, -std::atan2(forward.dot(north), forward.dot(east)));
-        turned[window] += at.turned_rad;
-        ++members[window];
+        const Complex reading(at.accel_m_per_s2.dot(first), at.accel_m_per_s2.dot(second));
+        const Complex towards = std::polar(1.0, -std::atan2(forward.dot(north), forward.dot(east)));
+        ++window.members;
+        window.turned_rad += at.turned_rad;
+        window.reading += reading;
+        window.turn += towards;
+        window.along += std::conj(towards) * reading;
+        squares += std::norm(reading);
     }
-    const Eigen::VectorXcd x = (rows.adjoint() * rows).ldlt().solve(rows.adjoint() * horizontal);
-    const double variance = (horizontal - rows * x).squaredNorm() / (2.0 * static_cast<double>(count));
+    std::erase_if(windows, [](const Window& window) { return window.members == 0; });
+    // Least squares; with a constant given, a window's ripple is the mean of conj(turn) (reading - constant).
+    Complex right, readings;
+    double left = 0;
+    for (const Window& window : windows) {
+        right += window.reading - window.turn * window.along / window.members;
+        left += window.members - std::norm(window.turn) / window.members;
+        readings += window.reading;
+    }
+    const Complex constant = right / left;
+    const auto rippleIn = [&](const Window& window) {
+        return (window.along - std::conj(window.turn) * constant) / window.members;
+    };
+    double unexplained = squares - std::real(std::conj(constant) * readings);
+    for (const Window& window : windows)
+        unexplained -= std::real(std::conj(rippleIn(window)) * window.along);
+    const double variance = std::max(0.0, unexplained) / (2.0 * static_cast<double>(turn.size()));
     std::vector<RipplePhase> phases;
-    for (Eigen::Index w = 0; w < windows; ++w)
-        phases.push_back({0, 0, turned[w] / members[w], std::arg(x[1 + w]),
-                          std::sqrt(variance / members[w]) / std::abs(x[1 + w]), std::abs(x[1 + w])});
+    for (const Window& window : windows) {
+        const Complex ripple = rippleIn(window);
+        phases.push_back({0, 0, window.turned_rad / window.members, std::arg(ripple),
+                          std::sqrt(variance / window.members) / std::abs(ripple), std::abs(ripple)});
+    }
     return phases;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cooperative/clock_estimator.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,6 +10,7 @@
 
 #include "core/cooperative/offset_line.h"
 #include "core/job/contract.h"
+#include "core/math/linear_solvers.h"
 
 namespace noctule::cooperative {
 namespace {
@@ -212,10 +211,12 @@ private:
         B.topRows(weight.size()) = weight.asDiagonal() * pair.clock;
         Eigen::VectorXd y = Eigen::VectorXd::Zero(A.rows());
         y.head(weight.size()) = weight.cwiseProduct(pair.flight_s);
-        const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
-        const Eigen::MatrixXd B_left = B - A * qr.solve(B);
+        Eigen::MatrixXd all(A.rows(), B.cols() + 1);
+        all << B, y;
+        const Eigen::MatrixXd left = all - A * solveLeastSquares(A, all);
+        const auto B_left = left.leftCols(B.cols());
         N += B_left.transpose() * B_left;
-        g += B_left.transpose() * (y - A * qr.solve(y));
+        g += B_left.transpose() * left.rightCols<1>();
     }
 
     /// With last rows that keep the drift small.
@@ -228,7 +229,7 @@ private:
     }
 
     static Eigen::VectorXd solved(const Eigen::MatrixXd& N, const Eigen::VectorXd& g) {
-        return N.completeOrthogonalDecomposition().solve(g);
+        return solveLeastSquares(N, g);
     }
 
     static void reweigh(const std::vector<PairFlights>& pairs, const Eigen::VectorXd& clocks,
@@ -237,8 +238,7 @@ private:
             const Eigen::VectorXd y = pairs[p].flight_s - pairs[p].clock * clocks;
             Eigen::VectorXd target = Eigen::VectorXd::Zero(y.size() + kDriftTerms);
             target.head(y.size()) = weights[p].cwiseProduct(y);
-            const Eigen::VectorXd way =
-                wayEquations(pairs[p], weights[p]).colPivHouseholderQr().solve(target);
+            const Eigen::VectorXd way = solveLeastSquares(wayEquations(pairs[p], weights[p]), target);
             const Eigen::VectorXd residual = y - pairs[p].way * way;
             for (Eigen::Index k = 0; k < residual.size(); ++k) {
                 const double sigmas = std::abs(residual[k]) / pairs[p].sigma_s[k];
@@ -252,9 +252,10 @@ private:
         const int n = clockUnknowns();
         const Eigen::Index d = N.rows() - n;
         const Eigen::MatrixXd to_drift = N.topRightCorner(n, d);
-        const Eigen::LDLT<Eigen::MatrixXd> drift(N.bottomRightCorner(d, d));
-        return {centre_s_, N.topLeftCorner(n, n) - to_drift * drift.solve(to_drift.transpose()),
-                g.head(n) - to_drift * drift.solve(g.tail(d))};
+        const Eigen::MatrixXd by_drift =
+            solveSymmetric(N.bottomRightCorner(d, d), to_drift.transpose()).transpose();
+        return {centre_s_, N.topLeftCorner(n, n) - by_drift * to_drift.transpose(),
+                g.head(n) - by_drift * g.tail(d)};
     }
 
     /// Where somebody is heard by way of walls alone, all pairs of housings agree on a wrong clock. Such a
@@ -288,7 +289,7 @@ private:
 
     /// The offset of a suit from its guess by one window alone, where that makes it certain.
     std::optional<double> toldAlone(const WindowInformation& window, Eigen::Index i) const {
-        const Eigen::MatrixXd P = (window.matrix + guessCovariance().inverse()).inverse();
+        const Eigen::MatrixXd P = inverseOf(window.matrix + inverseOf(guessCovariance()));
         if (!(P(i, i) < kJoined_s * kJoined_s))
             return std::nullopt;
         return P.row(i).dot(window.vector);
@@ -296,8 +297,7 @@ private:
 
     static void forget(WindowInformation& window, Eigen::Index i) {
         const Eigen::MatrixXd to_suit = window.matrix.middleCols(i, 2);
-        const Eigen::Matrix2d of_suit = to_suit.middleRows(i, 2);
-        const Eigen::MatrixXd left = of_suit.completeOrthogonalDecomposition().solve(to_suit.transpose());
+        const Eigen::MatrixXd left = solveLeastSquares(to_suit.middleRows(i, 2), to_suit.transpose());
         window.vector -= left.transpose() * window.vector.segment(i, 2).eval();
         window.matrix -= to_suit * left;
     }
@@ -332,7 +332,7 @@ private:
             state.x_predicted = state.x;
             state.P_predicted = state.P;
             const Eigen::MatrixXd gain =
-                (Eigen::MatrixXd::Identity(n, n) + state.P * window.matrix).partialPivLu().solve(state.P);
+                solveSquare(Eigen::MatrixXd::Identity(n, n) + state.P * window.matrix, state.P);
             state.x += gain * (window.vector - window.matrix * state.x);
             state.P = 0.5 * (gain + gain.transpose());
             states.push_back(std::move(state));
@@ -340,7 +340,7 @@ private:
         for (size_t k = states.size(); k-- > 1;) {
             ClockState& before = states[k - 1];
             const ClockState& after = states[k];
-            const Eigen::MatrixXd C = after.P_predicted.ldlt().solve(after.F * before.P).transpose();
+            const Eigen::MatrixXd C = solveSymmetric(after.P_predicted, after.F * before.P).transpose();
             before.x += C * (after.x - after.x_predicted);
             before.P += C * (after.P - after.P_predicted) * C.transpose();
         }

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/math/linear_solvers.h"
 #include "core/math/order_statistics.h"
 
 namespace noctule::cooperative {
@@ -292,7 +293,7 @@ private:
             damping = cost < error ? damping / 3 : damping * 10;
             if (cost < error)
                 error = cost, best = at;
-            at -= (normal + damping * Eigen::Matrix4d::Identity()).ldlt().solve(gradient);
+            at -= solveSymmetric(normal + damping * Eigen::Matrix4d::Identity(), gradient);
         }
         return {best, described(best)};
     }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/cooperative/clock_of_room.h"
+#include "core/math/linear_solvers.h"
 #include "core/math/order_statistics.h"
 
 namespace noctule::cooperative {
@@ -122,7 +123,8 @@ double misfitOf(const std::vector<Vector3d>& places_m, const std::vector<double>
             damping = residual.squaredNorm() < error ? damping / 3 : damping * 10;
             error = std::min(error, residual.squaredNorm());
             const Eigen::Matrix4d normal = slope.transpose() * slope;
-            at -= (normal + damping * Eigen::Matrix4d::Identity()).ldlt().solve(slope.transpose() * residual);
+            at -=
+                solveSymmetric(normal + damping * Eigen::Matrix4d::Identity(), slope.transpose() * residual);
         }
         best_s = std::min(best_s, std::sqrt(error / static_cast<double>(n - 4)) / kSupposedSound_m_per_s);
     }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cooperative/free_points.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-
 #include "core/job/contract.h"
+#include "core/math/linear_solvers.h"
 
 namespace noctule::cooperative {
 namespace {
@@ -97,7 +95,7 @@ void correct(FreePoints& points, const std::vector<RangeRow>& rows) {
     const Information sum = informationOf(rows, n);
     Eigen::MatrixXd inverse_of_M = sum.matrix * points.cov_pp;
     inverse_of_M.diagonal().array() += 1;
-    const Eigen::MatrixXd M = inverse_of_M.partialPivLu().inverse();
+    const Eigen::MatrixXd M = inverseOf(inverse_of_M);
     const Eigen::MatrixXd M_L_cov_pv = M * (sum.matrix * points.cov_pv);
     points.cov_vv -= points.cov_pv.transpose() * M_L_cov_pv;
     points.cov_pp = points.cov_pp * M;
@@ -125,8 +123,8 @@ void correctByGain(FreePoints& points, const std::vector<RangeRow>& rows) {
     const Eigen::MatrixXd P = points.covariance();
     Eigen::MatrixXd S = H * P * H.transpose();
     S.diagonal() += variance;
-    const Eigen::MatrixXd K = S.ldlt().solve(H * P).transpose();  // equation 1.11 of WB95
-    const Eigen::VectorXd correction = K * innovation;            // equation 1.12
+    const Eigen::MatrixXd K = solveSymmetric(S, H * P).transpose();  // equation 1.11 of WB95
+    const Eigen::VectorXd correction = K * innovation;               // equation 1.12
     points.p_m += correction.head(n);
     points.v_m_per_s += correction.tail(n);
     Eigen::MatrixXd after = P - K * (H * P);  // equation 1.13

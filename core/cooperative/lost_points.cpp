@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cooperative/lost_points.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "core/math/linear_solvers.h"
 
 namespace noctule::cooperative {
 namespace {
@@ -13,8 +14,7 @@ constexpr double kGateMemory = 20;  ///< ranges
 
 double worstSigma_m(const FreePoints& points, int point) {
     const Matrix3d P = points.cov_pp.block<3, 3>(3 * point, 3 * point);
-    return std::sqrt(
-        std::max(0.0, Eigen::SelfAdjointEigenSolver<Matrix3d>(P, Eigen::EigenvaluesOnly).eigenvalues()[2]));
+    return std::sqrt(std::max(0.0, eigenvaluesOf(P)[2]));
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cooperative/point_fit.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "core/math/linear_solvers.h"
 
 namespace noctule::cooperative {
 namespace {
@@ -41,7 +41,7 @@ public:
         for (const LostRange& range : ranges)
             ++count_of_end_[range.known];
         prior_mean_ << prior.p_m, prior.v_m_per_s;
-        prior_information_ = prior.covariance.inverse();
+        prior_information_ = inverseOf(prior.covariance);
     }
 
     /// The different ones, best first.
@@ -119,7 +119,7 @@ private:
         for (int step = 0; step < kFitSteps; ++step) {
             Matrix6 damped = best.information;
             damped.diagonal() *= 1 + damping;
-            const Vector6 change = damped.ldlt().solve(best.slope);
+            const Vector6 change = solveSymmetric(damped, best.slope);
             Fit next = evaluate(best.x + change);
             if (next.cost >= best.cost) {
                 damping *= 10;
@@ -141,7 +141,7 @@ private:
         Matrix3d spread = Matrix3d::Zero();
         for (const LostRange& range : ranges_)
             spread += (range.known_m - middle) * (range.known_m - middle).transpose();
-        const Vector3d normal = Eigen::SelfAdjointEigenSolver<Matrix3d>(spread).eigenvectors().col(0);
+        const Vector3d normal = eigensystemOf(spread).vectors.col(0);
         std::vector<Vector3d> starts{prior_mean_.head<3>()};
         for (int axis = 0; axis < 3; ++axis)
             for (const double sign : {1.0, -1.0})
@@ -177,17 +177,17 @@ PointFit fitPoint(const std::deque<LostRange>& ranges, double time_s, const Poin
     Matrix6 covariance = Matrix6::Zero();
     for (size_t k = 0; k < minima.size(); ++k)
         covariance += weights[k] / sum *
-                      (scale * minima[k].information.inverse() +
+                      (scale * inverseOf(minima[k].information) +
                        (minima[k].x - mean) * (minima[k].x - mean).transpose());
     PointFit found{{mean.head<3>(), mean.tail<3>(), covariance}, false};
     std::map<int, int> heard;
     for (const LostRange& range : ranges)
         ++heard[range.known];
     const auto ends = std::ranges::count_if(heard, [](const auto& end) { return end.second > 1; });
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(covariance.topLeftCorner<3, 3>());
-    found.is_certain = ranges.size() >= kLeastRanges && ends >= kLeastEnds &&
-                       best.mean_square < settings.explained && weights.front() / sum > 1 - kRivalWeight &&
-                       axes.eigenvalues()[2] < settings.found_m * settings.found_m;
+    found.is_certain =
+        ranges.size() >= kLeastRanges && ends >= kLeastEnds && best.mean_square < settings.explained &&
+        weights.front() / sum > 1 - kRivalWeight &&
+        eigenvaluesOf(covariance.topLeftCorner<3, 3>())[2] < settings.found_m * settings.found_m;
     return found;
 }
 

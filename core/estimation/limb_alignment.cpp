@@ -8,18 +8,10 @@
 #include <utility>
 
 #include "core/math/rotation.h"
+#include "core/math/rotation_fit.h"
 
 namespace noctule {
-namespace {
-
-/// The rotation nearest to a matrix.
-Matrix3d nearestRotation(const Matrix3d& matrix) {
-    const Eigen::JacobiSVD<Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-    return svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
-}
-
-}  // namespace
+namespace {}  // namespace
 
 void LimbAlignment::breakOff(double time_s) {
     *this = LimbAlignment(parameters_);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/limb_ranging.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "core/math/linear_solvers.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
@@ -116,7 +115,7 @@ LimbRanging::Fit LimbRanging::fitFrom(const Quaterniond& start, const std::vecto
     for (int step = 0; step < kSteps; ++step) {
         Matrix3d damped = best.information;
         damped.diagonal() *= 1 + damping;
-        const Vector3d turn = damped.ldlt().solve(best.slope);
+        const Vector3d turn = solveSymmetric(damped, best.slope);
         const Fit next = evaluate((best.error * expQuaternion(turn)).normalized(), held);
         if (next.cost >= best.cost) {
             damping *= 10;
@@ -156,11 +155,11 @@ std::optional<LimbRanging::Found> LimbRanging::contradict(const std::vector<Held
         believed.cost - best.cost < scale * parameters_.lost_sigma * parameters_.lost_sigma ||
         logQuaternion(best.error).norm() < parameters_.lost_rad)
         return std::nullopt;
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> principal(best.information);
-    Matrix3d axes = principal.eigenvectors();
+    const Eigensystem principal = eigensystemOf(best.information);
+    Matrix3d axes = principal.vectors;
     if (axes.determinant() < 0)
         axes.col(0) *= -1;
-    return Found{best.error, Quaterniond(axes), scale * principal.eigenvalues().cwiseInverse()};
+    return Found{best.error, Quaterniond(axes), scale * principal.values.cwiseInverse()};
 }
 
 }  // namespace noctule

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/rest_alignment.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "core/math/linear_solvers.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
@@ -83,7 +83,7 @@ public:
                 A += w * d * d.transpose();
                 g += w * r * d;
             }
-            Vector5 step = A.ldlt().solve(g);
+            Vector5 step = solveSymmetric(A, g);
             step.head<3>() *= std::min(1.0, 0.5 / std::max(1e-9, step.head<3>().norm()));
             u += step;
             if (step.norm() < 1e-7)

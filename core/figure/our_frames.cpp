@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/figure/our_frames.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 
 #include "core/body/actor.h"
 #include "core/body/bone_names.h"
 #include "core/body/joint_names.h"
 #include "core/figure/alignment.h"
+#include "core/math/rotation_fit.h"
 
 namespace noctule::figure {
 namespace {
-
-Quaterniond nearestTo(const Matrix3d& sum) {
-    const Eigen::JacobiSVD<Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Matrix3d U = svd.matrixU();
-    if ((U * svd.matrixV().transpose()).determinant() < 0)
-        U.col(2) *= -1;
-    return Quaterniond(Matrix3d(U * svd.matrixV().transpose())).normalized();
-}
 
 /// Per joint of the file q_source_ours. A joint that is not mapped gets, on the mean, the frame of the mapped
 /// joint above it, or else of the one below.
@@ -57,7 +49,7 @@ private:
             sum += (pose.q_world_joint[static_cast<size_t>(joint)].conjugate() *
                     pose.q_world_joint[static_cast<size_t>(other)] * frames_[static_cast<size_t>(other)])
                        .toRotationMatrix();
-        frames_[static_cast<size_t>(joint)] = nearestTo(sum);
+        frames_[static_cast<size_t>(joint)] = Quaterniond(nearestRotation(sum));
         known[static_cast<size_t>(joint)] = true;
     }
 

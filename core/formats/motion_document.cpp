@@ -8,6 +8,7 @@
 
 #include "core/job/limits.h"
 #include "core/math/rotation.h"
+#include "core/math/rotation_fit.h"
 #include "core/mesh/mesh_reader.h"
 
 namespace noctule {
@@ -85,7 +86,7 @@ std::vector<int> skeletonNodes(const RiggedMesh& mesh, const RigClip& clip) {
 
 /// Without the scale that a node's transform may hold.
 Quaterniond turnOf(const Eigen::Affine3d& T) {
-    return Quaterniond(T.rotation()).normalized();
+    return Quaterniond(nearestRotation(T.linear())).normalized();
 }
 
 struct Skeletal {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/body/joint_names.h"
+#include "core/math/rotation_fit.h"
 #include "core/mesh/moving_body.h"
 #include "core/mesh/rig_tree.h"
 #include "core/mesh/skinning.h"
@@ -56,7 +57,7 @@ public:
         for (const int node : chosen_.nodes) {
             const Eigen::Affine3d& T = mesh_.nodes[static_cast<size_t>(node)].T_world_rest;
             Eigen::Isometry3d rest = Eigen::Isometry3d::Identity();
-            rest.linear() = retargeter.upright() * T.rotation();
+            rest.linear() = retargeter.upright() * nearestRotation(T.linear());
             rest.translation() = retargeter.upright() * T.translation();
             rest_.push_back(rest);
         }

@@ -68,7 +68,19 @@ Quaterniond mirroredInX(const Quaterniond& q) {
 }
 
 Quaterniond smallestRotation(const Vector3d& from, const Vector3d& to) {
-    return Quaterniond::FromTwoVectors(from, to);
+    const Vector3d a = from.normalized(), b = to.normalized();
+    const double cosine = a.dot(b);
+    constexpr double kOpposite = -1 + 1e-12;
+    Quaterniond q;
+    if (cosine < kOpposite) {
+        q.w() = 0;
+        q.vec() = a.unitOrthogonal();
+        return q;
+    }
+    const double twice_w = std::sqrt(2 * (1 + cosine));
+    q.w() = twice_w / 2;
+    q.vec() = a.cross(b) * (1 / twice_w);
+    return q;
 }
 
 }  // namespace noctule

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/math/rotation.h"
+#include "core/math/rotation_fit.h"
 #include "core/mesh/gltf_scene.h"
 
 namespace noctule {
@@ -56,7 +57,7 @@ Eigen::Affine3d nearestSimilarity(const std::vector<Eigen::Affine3d>& T_bind,
         from.col(j) = T_bind[static_cast<size_t>(j)].translation();
         to.col(j) = T_file[static_cast<size_t>(j)].translation();
     }
-    return Eigen::Affine3d(Eigen::umeyama(from, to, true));
+    return similarityFit(from, to);
 }
 
 bool isOrdinary(const Eigen::Affine3d& T) {

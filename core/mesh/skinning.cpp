@@ -4,6 +4,8 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "core/math/rotation_fit.h"
+
 namespace noctule {
 namespace {
 
@@ -65,10 +67,7 @@ PosedSurface blended(const SkinnedMesh& mesh, const Blend& blend) {
 
 DualBone dualBoneOf(const Eigen::Matrix4f& matrix) {
     const Eigen::Matrix3d linear = matrix.topLeftCorner<3, 3>().cast<double>();
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(linear, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Eigen::Matrix3d turn = svd.matrixU() * svd.matrixV().transpose();
-    if (turn.determinant() < 0)
-        turn = -turn;
+    const Matrix3d turn = nearestRotation(linear.determinant() < 0 ? Matrix3d(-linear) : linear);
     DualBone bone;
     const Eigen::Quaternionf q(Eigen::Quaterniond(turn).cast<float>());
     const Eigen::Vector3f t = matrix.topRightCorner<3, 1>();

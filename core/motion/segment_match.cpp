@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/math/rotation.h"
+#include "core/math/rotation_fit.h"
 
 namespace noctule {
 namespace {
@@ -108,15 +109,6 @@ bool limbsMirror(const CommonFigure& figure, const Matrix3d& axes) {
     return true;
 }
 
-/// The rotation nearest to a sum of rotations.
-Quaterniond nearestRotation(const Matrix3d& sum) {
-    const Eigen::JacobiSVD<Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Matrix3d U = svd.matrixU();
-    if ((U * svd.matrixV().transpose()).determinant() < 0)
-        U.col(2) *= -1;
-    return Quaterniond(Matrix3d(U * svd.matrixV().transpose())).normalized();
-}
-
 /// The rotation that takes `axis_first` exactly to `axis_second` and fits `sum` best otherwise.
 Quaterniond nearestAbout(const Vector3d& axis_first, const Vector3d& axis_second, const Matrix3d& sum) {
     const Quaterniond straight = smallestRotation(axis_first, axis_second);
@@ -158,7 +150,7 @@ public:
                 (q_second(second, 0) * q_second_root).conjugate() * q_second(second, i);
             sum += (in_second.conjugate() * in_first).toRotationMatrix();
         }
-        const Quaterniond free = nearestRotation(sum);
+        const Quaterniond free(nearestRotation(sum));
         taken_off_rad = known ? angleBetween(known->q_second_first, free) : 0;
         if (known && taken_off_rad < kBelievable_rad)
             return known->q_second_first;

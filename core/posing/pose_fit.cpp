@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/posing/pose_fit.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/body/usual_pose.h"
 #include "core/estimation/prediction.h"
+#include "core/math/linear_solvers.h"
 #include "core/math/rotation.h"
 
 namespace noctule::posing {
@@ -155,14 +155,12 @@ FittedPose PoseFit::next(const std::vector<SegmentAttitude>& attitudes, double d
     const auto usual_share = untold(attitudes);
     const int steps = started_ ? kSteps : kFirstSteps;
     const double dt = started_ ? dt_s : 10;
-    Eigen::LLT<Eigen::MatrixXd> solved;
     for (int step = 0; step < steps; ++step) {
         System system(tree_.freedoms());
         addAttitudes(attitudes, system);
         addUsual(usual_share, system);
         addSteps(before, dt, system);
-        solved.compute(system.N);
-        const Eigen::VectorXd change = solved.solve(system.right);
+        const Eigen::VectorXd change = solvePositive(system.N, system.right);
         tree_.retract(now_, change);
         if (change.norm() < 1e-4)
             break;
@@ -175,7 +173,7 @@ FittedPose PoseFit::next(const std::vector<SegmentAttitude>& attitudes, double d
     for (int i = 0; i < tree_.freedoms(); ++i)
         told.add(i, 0, kUntold_rad);
     const Eigen::MatrixXd P =
-        told.N.llt().solve(Eigen::MatrixXd::Identity(tree_.freedoms(), tree_.freedoms()));
+        solvePositive(told.N, Eigen::MatrixXd::Identity(tree_.freedoms(), tree_.freedoms()));
     return {tree_.poseFromState(now_), jointSigmas(tree_, skeleton_, now_, P)};
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/posing/standing.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "core/assignment/joint_evidence.h"
+#include "core/math/linear_solvers.h"
 #include "core/math/rotation.h"
 
 namespace noctule::posing {
@@ -170,12 +170,12 @@ public:
         Eigen::Matrix2d scatter = scatterOf([](const std::string& segment) { return isLeg(segment); });
         if (scatter.trace() <= 0)
             scatter = scatterOf([](const std::string&) { return true; });
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(scatter);
-        Vector3d left(axes.eigenvectors()(0, 1), 0, axes.eigenvectors()(1, 1));
+        const Eigensystem axes = eigensystemOf(scatter);
+        Vector3d left(axes.vectors(0, 1), 0, axes.vectors(1, 1));
         if (scatter.trace() <= 0)
             left = Vector3d::UnitX();
         const double bend = bendAbout(left);
-        if (std::abs(bend) < kClearVote_rad || axes.eigenvalues()[1] < 1.5 * axes.eigenvalues()[0])
+        if (std::abs(bend) < kClearVote_rad || axes.values[1] < 1.5 * axes.values[0])
             warnings.push_back(
                 "Which way the body faces is hardly known: record ten seconds of walking, or bend the knees");
         if (bend < 0)

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/processing/attach_reference.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 
+#include "core/math/linear_solvers.h"
+#include "core/math/rotation_fit.h"
 #include "core/motion/common_joints.h"
 #include "core/motion/time_offset.h"
 #include "core/processing/pose_runs.h"
@@ -107,14 +108,12 @@ public:
             from.col(static_cast<Eigen::Index>(i)) = p_root_m_[i];
             to.col(static_cast<Eigen::Index>(i)) = table.at(row, columns_[i]);
         }
-        const Eigen::Matrix4d fitted = Eigen::umeyama(from, to, false);
+        const Eigen::Isometry3d fitted = rigidFit(from, to);
         const Eigen::Matrix3Xd centred = to.colwise() - to.rowwise().mean();
-        const Eigen::SelfAdjointEigenSolver<Matrix3d> scatter(centred * centred.transpose(),
-                                                              Eigen::EigenvaluesOnly);
-        if (!fitted.allFinite() || scatter.eigenvalues()[1] < kLeastSpread_m * kLeastSpread_m)
+        const double across_m2 = eigenvaluesOf(centred * centred.transpose())[1];
+        if (!fitted.matrix().allFinite() || across_m2 < kLeastSpread_m * kLeastSpread_m)
             return std::nullopt;
-        return Pose{fitted.topRightCorner<3, 1>(),
-                    {Quaterniond(Matrix3d(fitted.topLeftCorner<3, 3>())).normalized()}};
+        return Pose{fitted.translation(), {Quaterniond(fitted.linear()).normalized()}};
     }
 
 private:

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/processing/evaluate_between.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "core/math/linear_solvers.h"
 #include "core/math/rotation.h"
 #include "core/processing/cross_clocks.h"
 #include "core/processing/pose_runs.h"
@@ -77,11 +77,10 @@ public:
         };
         const auto found = seen(a.estimate.skeleton, poses[0], b.estimate.skeleton, poses[1]),
                    truth = seen(a.reference.skeleton, poses[2], b.reference.skeleton, poses[3]);
-        const Eigen::LLT<Matrix3d> factor(cov_m2);
-        if (!found || !truth || factor.info() != Eigen::Success)
+        if (!found || !truth || !(eigenvaluesOf(cov_m2)[0] > 0))
             return;
         const Vector3d error = *found - *truth;
-        nees_ += error.dot(factor.solve(error)) / 3;
+        nees_ += error.dot(cov_m2.inverse() * error) / 3;
         variances_m2_ += cov_m2.trace();
         ++stated_;
     }

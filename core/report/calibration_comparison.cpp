@@ -24,7 +24,7 @@ double millimetresBetween(const Vector3d& a, const Vector3d& b) {
 }
 
 double percentBetween(const AxisCalibration& a, const AxisCalibration& b) {
-    const Matrix3d change = a.matrix.partialPivLu().solve(b.matrix) - Matrix3d::Identity();
+    const Matrix3d change = a.matrix.inverse() * b.matrix - Matrix3d::Identity();
     return change.cwiseAbs().maxCoeff() * 100;
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/math/linear_solvers.h"
 #include "core/motion/joint_angles.h"
 
 namespace noctule {
@@ -66,7 +67,7 @@ double freedomSigma(const Joint& joint, const Eigen::VectorXd& angles_rad, const
             axis = Eigen::AngleAxisd(-angles_rad[1], joint.dof[1].axis) * axis;
         J_squared.col(i) = axis.cwiseAbs2();
     }
-    const auto variances = J_squared.colPivHouseholderQr().solve(sigma_rad.cwiseAbs2()).eval();
+    const Eigen::VectorXd variances = solveLeastSquares(J_squared, sigma_rad.cwiseAbs2());
     return std::sqrt(std::max(0.0, variances[freedom]));
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/room_survey/anchor_start.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "core/math/linear_solvers.h"
 #include "core/math/order_statistics.h"
 
 namespace noctule::room_survey {
@@ -58,7 +57,7 @@ Place improved(const std::vector<KnownRange>& ranges, Place u, double scale_m, b
             A += w * d * d.transpose();
             g += w * r * d;
         }
-        Place change = A.ldlt().solve(g);
+        Place change = solveSymmetric(A, g);
         change *= std::min(1.0, 1.0 / std::max(1e-9, change.head<3>().norm()));
         u += change;
         if (change.norm() < 1e-6)
@@ -212,12 +211,12 @@ AnchorStart startFromDistances(const Evidence& evidence) {
             squares(a, b) = std::pow(D(joined[static_cast<size_t>(a)], joined[static_cast<size_t>(b)]), 2);
     const Eigen::MatrixXd J =
         Eigen::MatrixXd::Identity(m, m) - Eigen::MatrixXd::Constant(m, m, 1.0 / static_cast<double>(m));
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(-0.5 * J * squares * J);
+    const Eigensystem axes = eigensystemOf(-0.5 * J * squares * J);
     for (Eigen::Index a = 0; a < m; ++a) {
         Vector3d p = Vector3d::Zero();
         for (Eigen::Index axis = 0; axis < std::min<Eigen::Index>(3, m); ++axis) {
             const Eigen::Index k = m - 1 - axis;
-            p[axis] = eigen.eigenvectors()(a, k) * std::sqrt(std::max(0.0, eigen.eigenvalues()[k]));
+            p[axis] = axes.vectors(a, k) * std::sqrt(std::max(0.0, axes.values[k]));
         }
         start.places_m[static_cast<size_t>(joined[static_cast<size_t>(a)])] = p;
     }

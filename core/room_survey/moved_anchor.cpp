@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/room_survey/moved_anchor.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,6 +8,7 @@
 #include <set>
 #include <span>
 
+#include "core/math/linear_solvers.h"
 #include "core/math/order_statistics.h"
 
 namespace noctule::room_survey {
@@ -52,7 +52,7 @@ Shift shiftOf(std::span<const Pull> pulls, double sigma_m) {
                 g += w * r * pull.direction;
                 shift.cost += std::log1p(r * r / (scale_m * scale_m));
             }
-            shift.by_m += A.ldlt().solve(g);
+            shift.by_m += solveSymmetric(A, g);
             shift.covariance_m2 = sigma_m * sigma_m * copies * A.inverse();
         }
     return shift;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/room_survey/room_fit.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
 
 #include "core/calibration/arrowhead_system.h"
+#include "core/math/linear_solvers.h"
 #include "core/math/order_statistics.h"
 #include "core/math/rotation.h"
 #include "core/room_survey/anchor_start.h"
@@ -422,8 +422,7 @@ Eigen::MatrixXd commonMotions(const std::vector<Vector3d>& places_m) {
 Eigen::MatrixXd constellationCovariance(const std::vector<Vector3d>& places_m,
                                         const Eigen::MatrixXd& cov_places_m2) {
     const Eigen::MatrixXd G = commonMotions(places_m);
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(G);
-    const Eigen::MatrixXd basis = Eigen::MatrixXd(qr.householderQ()).leftCols(qr.rank());
+    const Eigen::MatrixXd basis = basisOf(G);
     const Eigen::MatrixXd P = Eigen::MatrixXd::Identity(G.rows(), G.rows()) - basis * basis.transpose();
     return P * cov_places_m2 * P.transpose();
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/room_survey/room_survey.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "core/math/linear_solvers.h"
 #include "core/math/order_statistics.h"
+#include "core/math/rotation_fit.h"
 #include "core/room_survey/anchor_start.h"
 
 namespace noctule::room_survey {
@@ -76,8 +77,7 @@ void thin(std::vector<WalkRange>& walk) {
 }
 
 double rmsTo(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, Eigen::Matrix3Xd& moved) {
-    const Eigen::Matrix4d T = Eigen::umeyama(from, to, false);
-    moved = (T.topLeftCorner<3, 3>() * from).colwise() + T.topRightCorner<3, 1>();
+    moved = rigidFit(from, to) * from;
     return std::sqrt((moved - to).squaredNorm() / static_cast<double>(to.cols()));
 }
 
@@ -122,7 +122,7 @@ RoomFrame frameOf(const Evidence& evidence, const RoomFit& fit) {
     RoomFrame frame;
     frame.of_performer = !evidence.walk.empty();
     const Eigen::MatrixXd G = commonMotions(fit.unknowns.places_m);
-    const Eigen::MatrixXd back = G.completeOrthogonalDecomposition().pseudoInverse();
+    const Eigen::MatrixXd back = solveLeastSquares(G, Eigen::MatrixXd::Identity(G.rows(), G.rows()));
     const Eigen::MatrixXd cov = back * fit.cov_places_m2 * back.transpose();
     const auto sigma = [&](Eigen::Index k) { return std::sqrt(std::max(0.0, cov(k, k))); };
     for (Eigen::Index k = 0; k < 6; ++k)
@@ -270,8 +270,7 @@ private:
             anchor.microphone_m = fit.unknowns.microphone_m(i);
             anchor.source_m = fit.unknowns.source_m(i);
             anchor.cov_m2 = survey_.cov_m2.block<3, 3>(at, at);
-            anchor.sigma_m =
-                std::sqrt(Eigen::SelfAdjointEigenSolver<Matrix3d>(anchor.cov_m2).eigenvalues().maxCoeff());
+            anchor.sigma_m = std::sqrt(eigenvaluesOf(anchor.cov_m2).maxCoeff());
         }
         keepDistances(part, fit, kept);
         survey_.frame = frameOf(part, fit);

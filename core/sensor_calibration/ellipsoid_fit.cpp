@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sensor_calibration/ellipsoid_fit.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/job/contract.h"
+#include "core/math/linear_solvers.h"
 
 namespace noctule {
 
@@ -44,7 +41,7 @@ Unknowns sphereStart(const std::vector<Vector3d>& readings) {
         A.row(Eigen::Index(i)) << 2 * readings[i].transpose(), 1;
         b[Eigen::Index(i)] = readings[i].squaredNorm();
     }
-    const Eigen::Vector4d s = A.colPivHouseholderQr().solve(b);
+    const Eigen::Vector4d s = solveLeastSquares(A, b);
     const double radius = std::sqrt(std::max(s[3] + s.head<3>().squaredNorm(), 1e-12));
     Unknowns x = Unknowns::Zero();
     x.head<3>() = s.head<3>();
@@ -120,7 +117,7 @@ double costOf(const Eigen::VectorXd& residuals, const Eigen::VectorXd& weights) 
 double conditionOf(const Normal& N) {
     const Unknowns scale = N.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     const Normal scaled = scale.asDiagonal() * N * scale.asDiagonal();
-    const auto values = Eigen::SelfAdjointEigenSolver<Normal>(scaled, Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::VectorXd values = eigenvaluesOf(scaled);
     return values[8] / std::max(values[0], 1e-300);
 }
 
@@ -132,7 +129,7 @@ int descend(const LengthResiduals& problem, const Eigen::VectorXd& weights, Unkn
     for (int steps = 0; steps < kMostSteps; ++steps) {
         Normal N = normalOf(problem, x, residuals, weights, right);
         N.diagonal() *= 1 + damping;
-        const Unknowns step = N.ldlt().solve(right);
+        const Unknowns step = solveSymmetric(N, right);
         const Eigen::VectorXd tried = problem.values(x + step);
         if (!step.allFinite() || !(costOf(tried, weights) < costOf(residuals, weights))) {
             damping *= 10;
@@ -182,7 +179,7 @@ EllipsoidFit fitEllipsoid(const std::vector<Vector3d>& readings, double length, 
     const double variance = costOf(residuals, weights) / std::max(weights.sum() - 9, 1.0);
     fit.residual = length * std::sqrt(variance);
     fit.sigma_zero =
-        size * (variance * N.ldlt().solve(Normal::Identity())).diagonal().head<3>().cwiseAbs().cwiseSqrt();
+        size * (variance * solveSymmetric(N, Normal::Identity()).diagonal().head<3>()).cwiseAbs().cwiseSqrt();
     fit.matrix = length / size * matrixOf(x, form);
     fit.zero = middle + size * x.head<3>();
     return fit;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sensor_calibration/hand_calibration.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/math/linear_solvers.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
@@ -102,7 +101,7 @@ public:
             J = derivatives(x, residuals);
             GyroNormal N = J.transpose() * J;
             N.diagonal() *= 1 + damping;
-            const GyroUnknowns change = -N.ldlt().solve(J.transpose() * residuals);
+            const GyroUnknowns change = -solveSymmetric(N, J.transpose() * residuals);
             const Eigen::VectorXd tried = residualsOf(x + change);
             if (!change.allFinite() || tried.squaredNorm() > residuals.squaredNorm()) {
                 damping *= 10;
@@ -118,9 +117,7 @@ public:
                 break;
         }
         J = derivatives(x, residuals);
-        const auto values =
-            Eigen::SelfAdjointEigenSolver<GyroNormal>(J.transpose() * J, Eigen::EigenvaluesOnly)
-                .eigenvalues();
+        const Eigen::VectorXd values = eigenvaluesOf(J.transpose() * J);
         fit.condition = values[8] / std::max(values[0], 1e-300);
         fit.matrix = matrixOfGyro(x);
         fit.residual_deg = degrees(rms(residuals));

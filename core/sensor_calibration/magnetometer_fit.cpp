@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sensor_calibration/magnetometer_fit.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "core/math/linear_solvers.h"
 
 namespace noctule {
 
@@ -96,8 +97,7 @@ DirectionCoverage coverageAsRead(const std::vector<Vector3d>& points) {
 
 void judge(MagnetometerFit& fit) {
     const EllipsoidFit& e = fit.ellipsoid;
-    const Eigen::Vector3d axes =
-        Eigen::SelfAdjointEigenSolver<Matrix3d>(e.matrix, Eigen::EigenvaluesOnly).eigenvalues();
+    const Vector3d axes = eigenvaluesOf(e.matrix);
     const std::string turn =
         "Turn the board until its field has pointed along " + wordsOf(fit.coverage.missing, 8);
     if (fit.coverage.covered < kFewestDirections) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/vision/bundle.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "core/math/linear_solvers.h"
 #include "core/math/order_statistics.h"
 #include "core/math/rotation.h"
 
@@ -191,16 +191,18 @@ Bundle stepped(const Bundle& bundle, const NormalEquations& sum, double damping)
     Eigen::MatrixXd reduced = sum.common;
     reduced.diagonal() *= 1 + damping;
     Eigen::VectorXd right = -sum.common_gradient;
-    std::vector<Eigen::LLT<Matrix6d>> own;
+    const Eigen::Index common = reduced.rows();
+    std::vector<Eigen::MatrixXd> own;  ///< per marker: its move by the common step, then the move without one
     for (size_t m = 0; m < bundle.markers.size(); ++m) {
         Matrix6d damped = sum.own[m];
         damped.diagonal() *= 1 + damping;
-        own.emplace_back(damped);
-        const Eigen::MatrixXd solved = own.back().solve(sum.mixed[m].transpose());
-        reduced.noalias() -= sum.mixed[m] * solved;
-        right += solved.transpose() * sum.own_gradient[m];
+        Eigen::MatrixXd known(6, common + 1);
+        known << -sum.mixed[m].transpose(), -sum.own_gradient[m];
+        own.push_back(solvePositive(damped, known));
+        reduced.noalias() += sum.mixed[m] * own.back().leftCols(common);
+        right.noalias() -= sum.mixed[m] * own.back().rightCols<1>();
     }
-    const Eigen::VectorXd step = reduced.ldlt().solve(right);
+    const Eigen::VectorXd step = solveSymmetric(reduced, right);
     Bundle next = bundle;
     for (int l = 0; l < static_cast<int>(next.lenses.size()); ++l)
         next.lenses[size_t(l)].add(step.segment<Lens::kValues>(lensAt(l)));
@@ -213,7 +215,7 @@ Bundle stepped(const Bundle& bundle, const NormalEquations& sum, double damping)
         camera.p_camera_jig_m += move.tail<3>();
     }
     for (size_t m = 0; m < next.markers.size(); ++m) {
-        const Vector6d move = own[m].solve(-sum.own_gradient[m] - sum.mixed[m].transpose() * step);
+        const Vector6d move = own[m].leftCols(common) * step + own[m].rightCols<1>();
         MarkerPose& marker = next.markers[m];
         marker.q_jig_marker = (marker.q_jig_marker * expQuaternion(move.head<3>())).normalized();
         marker.p_jig_marker_m += move.tail<3>();
@@ -326,13 +328,13 @@ BundleCovariance::BundleCovariance(const Bundle& bundle, double sigma_px) {
     const NormalEquations sum = normalEquations(bundle, sigma_px);
     Eigen::MatrixXd reduced = sum.common;
     for (size_t m = 0; m < bundle.markers.size(); ++m) {
-        const Matrix6d cov_own = sum.own[m].llt().solve(Matrix6d::Identity());
+        const Matrix6d cov_own = inverseOf(sum.own[m]);
         const Eigen::MatrixXd J = cov_own * sum.mixed[m].transpose();
         reduced.noalias() -= sum.mixed[m] * J;
         markers_.push_back(
             {bundle.markers[m].p_jig_marker_m, cov_own.bottomRightCorner<3, 3>(), J.bottomRows<3>()});
     }
-    cov_common_ = reduced.ldlt().solve(Eigen::MatrixXd::Identity(reduced.rows(), reduced.cols()));
+    cov_common_ = solveSymmetric(reduced, Eigen::MatrixXd::Identity(reduced.rows(), reduced.cols()));
 }
 
 double BundleCovariance::distanceSigma_m(int marker, int other) const {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/vision/marker_sides.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "core/math/linear_solvers.h"
 #include "core/math/order_statistics.h"
 #include "core/vision/marker_cells.h"
 
@@ -84,7 +84,7 @@ std::optional<EdgeLine> lineThrough(std::vector<Vector2d> points, size_t least) 
         Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
         for (const Vector2d& point : points)
             scatter += (point - line.point) * (point - line.point).transpose();
-        line.along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(scatter).eigenvectors().col(1);
+        line.along = eigensystemOf(scatter).vectors.col(1);
         const auto beside = [&](const Vector2d& point) {
             const Vector2d from = point - line.point;
             return std::abs(from.x() * line.along.y() - from.y() * line.along.x());

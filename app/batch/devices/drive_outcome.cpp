@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/batch/drive_outcome.h"
+#include "app/batch/devices/drive_outcome.h"
 
 #include <cstdio>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/batch/operator_keys.h"
+#include "app/batch/devices/operator_keys.h"
 
 #include <poll.h>
 #include <unistd.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "app/batch/devices/record_report.h"
+#include "app/batch/devices/record_together.h"
 #include "app/batch/files.h"
 #include "app/batch/program.h"
-#include "app/batch/record_report.h"
-#include "app/batch/record_together.h"
 #include "devices/device/clock.h"
 
 namespace noctule::batch {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/batch/record_together.h"
+#include "app/batch/devices/record_together.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <set>
 
+#include "app/batch/devices/record_report.h"
 #include "app/batch/files.h"
-#include "app/batch/record_report.h"
 #include "core/recording/take.h"
 
 namespace noctule::batch {

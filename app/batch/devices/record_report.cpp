@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/batch/record_report.h"
+#include "app/batch/devices/record_report.h"
 
 #include <cstdio>
 

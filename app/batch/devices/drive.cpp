@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/batch/drive_outcome.h"
-#include "app/batch/drive_poses.h"
-#include "app/batch/drive_recording.h"
+#include "app/batch/devices/drive_outcome.h"
+#include "app/batch/devices/drive_poses.h"
+#include "app/batch/devices/drive_recording.h"
+#include "app/batch/devices/operator_keys.h"
 #include "app/batch/files.h"
-#include "app/batch/operator_keys.h"
 #include "app/batch/program.h"
 #include "app/batch/robot_profiles.h"
 #include "app/batch/verb.h"

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/math/linear_solvers.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace noctule {
+namespace {
+
+using Eigen::MatrixXd;
+
+MatrixXd randomMatrix(int rows, int columns, unsigned seed) {
+    std::mt19937 generator(seed);
+    std::normal_distribution<double> normal;
+    return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(generator); });
+}
+
+TEST(LinearSolvers, SolutionsFulfilTheirEquations) {
+    for (const int n : {1, 2, 3, 6, 40, 90}) {
+        const auto seed = static_cast<unsigned>(n);
+        const MatrixXd A = randomMatrix(n, n, seed), B = randomMatrix(n, 3, seed + 1);
+        const MatrixXd S = A * A.transpose() + MatrixXd::Identity(n, n);
+        EXPECT_LT((S * solveSymmetric(S, B) - B).norm(), 1e-9) << n;
+        EXPECT_LT((S * solvePositive(S, B) - B).norm(), 1e-9) << n;
+        EXPECT_LT((A * solveSquare(A, B) - B).norm(), 1e-9) << n;
+        EXPECT_LT((A * inverseOf(A) - MatrixXd::Identity(n, n)).norm(), 1e-9) << n;
+    }
+}
+
+TEST(LinearSolvers, OnlyTheLowerTriangleIsRead) {
+    const MatrixXd A = randomMatrix(7, 7, 4), B = randomMatrix(7, 2, 5);
+    const MatrixXd S = A * A.transpose();
+    const MatrixXd lower = S.triangularView<Eigen::Lower>();
+    EXPECT_EQ(solveSymmetric(lower, B), solveSymmetric(S, B));
+    EXPECT_EQ(solvePositive(lower, B), solvePositive(S, B));
+    EXPECT_EQ(eigenvaluesOf(lower), eigenvaluesOf(S));
+}
+
+TEST(LinearSolvers, LeastSquaresLeaveWhatNoColumnExplains) {
+    const MatrixXd A = randomMatrix(20, 5, 6), B = randomMatrix(20, 2, 7);
+    const MatrixXd left = B - A * solveLeastSquares(A, B);
+    EXPECT_LT((A.transpose() * left).norm(), 1e-12);
+    EXPECT_GT(left.norm(), 1);
+}
+
+TEST(LinearSolvers, OfSeveralLeastSquaresTheShortestIsTaken) {
+    MatrixXd A = randomMatrix(20, 4, 8);
+    A.col(3) = A.col(1);
+    const MatrixXd B = randomMatrix(20, 1, 9);
+    const MatrixXd x = solveLeastSquares(A, B);
+    EXPECT_LT((A.transpose() * (B - A * x)).norm(), 1e-12);
+    EXPECT_NEAR(x(1), x(3), 1e-12) << "equal columns share";
+    const MatrixXd basis = basisOf(A);
+    ASSERT_EQ(basis.cols(), 3);
+    EXPECT_LT((basis.transpose() * basis - MatrixXd::Identity(3, 3)).norm(), 1e-12);
+    EXPECT_LT((A - basis * (basis.transpose() * A)).norm(), 1e-12);
+}
+
+TEST(LinearSolvers, EigenvectorsAreOrthonormalAndAscend) {
+    const MatrixXd A = randomMatrix(9, 9, 10), S = A + A.transpose();
+    const Eigensystem system = eigensystemOf(S);
+    EXPECT_LT((S * system.vectors - system.vectors * system.values.asDiagonal()).norm(), 1e-12);
+    EXPECT_LT((system.vectors.transpose() * system.vectors - MatrixXd::Identity(9, 9)).norm(), 1e-12);
+    EXPECT_LT((eigenvaluesOf(S) - system.values).norm(), 1e-12);
+    for (Eigen::Index k = 1; k < 9; ++k)
+        EXPECT_LE(system.values[k - 1], system.values[k]);
+}
+
+}  // namespace
+}  // namespace noctule
