@@ -21,7 +21,7 @@ using room_survey::SurveyedAnchor;
 constexpr double kLarger[] = {50, 20, 10, 5, 2, 1};
 constexpr double kSeen_m = 0.8;
 constexpr double kAround_m = 0.5, kLeast_m = 2, kPerson_m = 1.75;
-constexpr int kPlanHead = 36, kPlanFoot = 52, kAnchor = 20;
+constexpr int kPlanHead = 36, kPlanFoot = 32, kAnchor = 20;
 
 }  // namespace
 
@@ -250,16 +250,11 @@ void RoomDrawing::paintPerformer(QPainter& painter, const Scale& scale) const {
                        performer_);
 }
 
-void RoomDrawing::paintLegend(QPainter& painter, const QRectF& row) const {
-    const Theme& theme = Theme::get();
-    QString words = tr("Heights above the floor.");
-    if (from_ == From::kAbove)
-        words = larger_ > 1 ? tr("Ellipse: uncertainty, drawn %1 times larger. Line: walked.").arg(larger_)
-                            : tr("Ellipse: uncertainty. Line: walked.");
-    painter.setFont(theme.font(TextRole::kCaption));
-    painter.setPen(theme.tokens().t3);
-    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(words, Qt::ElideRight, static_cast<int>(row.width())));
+QString RoomDrawing::legend() const {
+    if (from_ == From::kFront)
+        return tr("Heights above the floor.");
+    return larger_ > 1 ? tr("Ellipse: uncertainty, drawn %1 times larger. Line: walked.").arg(larger_)
+                       : tr("Ellipse: uncertainty. Line: walked.");
 }
 
 void RoomDrawing::paintEvent(QPaintEvent*) {
@@ -273,8 +268,12 @@ void RoomDrawing::paintEvent(QPaintEvent*) {
     painter.setPen(theme.tokens().t1);
     painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
                      from_ == From::kAbove ? tr("Plan, from above") : tr("From the front"));
+    constexpr int kWrapped = Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap;
+    const QFont caption = theme.font(TextRole::kCaption);
+    const QRect row(margin, 0, width() - 2 * margin, height() - theme.px(10));
+    const int legend_height = QFontMetrics(caption).boundingRect(row, kWrapped, legend()).height();
     const QRectF field(margin + theme.px(22), theme.px(kPlanHead), width() - 2 * margin - theme.px(22),
-                       height() - theme.px(kPlanHead + kPlanFoot));
+                       height() - theme.px(kPlanHead + kPlanFoot) - legend_height);
     if (!survey_) {
         painter.setPen(QPen(theme.tokens().edge, theme.px(1), Qt::DashLine));
         painter.drawRect(field);
@@ -298,7 +297,9 @@ void RoomDrawing::paintEvent(QPaintEvent*) {
     std::vector<QRectF> taken;
     for (size_t i = 0; i < survey_->anchors.size(); ++i)
         paintAnchor(painter, scale, i, taken);
-    paintLegend(painter, QRectF(margin, height() - theme.px(28), width() - 2 * margin, theme.px(20)));
+    painter.setFont(caption);
+    painter.setPen(theme.tokens().t3);
+    painter.drawText(row, kWrapped, legend());
 }
 
 }  // namespace noctule::ui

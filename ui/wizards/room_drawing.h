@@ -51,7 +51,7 @@ private:
     /// `taken`: where words stand.
     void paintAnchor(QPainter& painter, const Scale& scale, size_t anchor, std::vector<QRectF>& taken) const;
     void paintPerformer(QPainter& painter, const Scale& scale) const;
-    void paintLegend(QPainter& painter, const QRectF& row) const;
+    QString legend() const;
 
     From from_;
     std::optional<room_survey::RoomSurvey> survey_;
