@@ -25,12 +25,12 @@ step() {
     times+=("$(printf '%5d s  %s' $((SECONDS - begin)) "$name")")
 }
 
-# The studio is left out, which halves the build. Who has configured build/release already keeps it as it is.
+# The studio and devices are left out: a third of the build is enough. Who has configured build/release already keeps it as it is.
 preset=jobs
 [ ! -e build/release/CMakeCache.txt ] || preset=release
 ! grep -qs '^NOCTULE_STUDIO:BOOL=OFF' build/release/CMakeCache.txt || preset=jobs
 build() {
-    [ -e build/release/bin/noctule ] || echo "Building for the first time: about fifteen minutes of one core."
+    [ -e build/release/bin/noctule ] || echo "Building for the first time: about eleven minutes of one core."
     packaging/configure.sh "$preset"
     cmake --build build/release --parallel "$(nproc)" --target noctule
 }

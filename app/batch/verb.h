@@ -73,7 +73,7 @@ nlohmann::json errorJson(const Error& error);
 
 /// What brings back verbs that were left out.
 inline constexpr std::string_view kLeftOutRemedy =
-    "build all of it: cmake --preset release && cmake --build --preset release";
+    "Build all of it: cmake --preset release && cmake --build --preset release";
 
 /// All verbs, those left out too, in the order in which they are used.
 const std::vector<Verb>& verbs();
