@@ -25,13 +25,10 @@ step() {
     times+=("$(printf '%5d s  %s' $((SECONDS - begin)) "$name")")
 }
 
-# The studio and devices are left out: a third of the build is enough. Who has configured build/release already keeps it as it is.
-preset=jobs
-[ ! -e build/release/CMakeCache.txt ] || preset=release
-! grep -qs '^NOCTULE_STUDIO:BOOL=OFF' build/release/CMakeCache.txt || preset=jobs
+# The studio and devices are left out: a third of the build is enough. Who has configured build/release keeps it as it is.
 build() {
     [ -e build/release/bin/noctule ] || echo "Building for the first time: about eleven minutes of one core."
-    packaging/configure.sh "$preset"
+    [ -e build/release/build.ninja ] || packaging/configure.sh jobs
     cmake --build build/release --parallel "$(nproc)" --target noctule
 }
 step "packages" packaging/dependencies.sh jobs

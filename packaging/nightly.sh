@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The slow checks, which .ci/run leaves out. Any of the names, or all:
-#   packaging/nightly.sh [debug|asan|tsan|gcc|tidy|odr|package|busy]...
+#   packaging/nightly.sh [debug|asan|tsan|gcc|jobs|tidy|odr|package|busy]...
 # debug: Eigen's assertions, matrices begin as NaN. asan: address and undefined over core and devices. tsan: the threads
-# of devices and jobs. gcc: all tests with the other compiler. tidy: clang-tidy on what differs from the main branch (NOCTULE_BASE).
+# of devices and jobs. gcc: all tests with the other compiler. jobs: the smallest build, which says what it lacks. tidy: clang-tidy on what differs from the main branch (NOCTULE_BASE).
 # odr: one definition in the whole program, seen at link time. package: packaging/test_package.sh. busy: all tests beside
 # four loops that take the processors. What was run, with its result and time, ends in out/nightly/YYYY-MM-DD.md.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-all=(debug asan tsan gcc tidy odr package busy)
+all=(debug asan tsan gcc jobs tidy odr package busy)
 chosen=("${@:-all}")
 [ "${chosen[0]}" != all ] || chosen=("${all[@]}")
 jobs=$(nproc)
@@ -47,6 +47,12 @@ run_gcc() {
     cmake --preset release -B build/gcc -D CMAKE_C_COMPILER=gcc -D CMAKE_CXX_COMPILER=g++ >/dev/null &&
         cmake --build build/gcc --parallel "$jobs" &&
         ctest --test-dir build/gcc --parallel "$jobs" --no-tests=error --output-on-failure
+}
+run_jobs() {
+    cmake --fresh --preset jobs -B build/jobs >/dev/null &&
+        cmake --build build/jobs --parallel "$jobs" --target noctule || return 1
+    build/jobs/bin/noctule --batch record 2>&1 | grep "left out of this build"
+    [ "${PIPESTATUS[0]}" = 2 ] && build/jobs/bin/noctule --batch estimators >/dev/null
 }
 run_tidy() {
     local base=${NOCTULE_BASE:-origin/main}

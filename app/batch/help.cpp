@@ -55,7 +55,7 @@ std::string verbList(bool left_out) {
 
 std::string verbsLeftOut() {
     const std::string verbs = verbList(true);
-    return verbs.empty() ? "" : "\nnot in this build. " + std::string(kLeftOutRemedy) + ":\n" + verbs;
+    return verbs.empty() ? "" : "\nnot in this build:\n" + verbs + std::string(kLeftOutRemedy) + "\n";
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ std::string programHelp() {
 std::string verbHelp(const Verb& verb) {
     std::string text = "noctule --batch " + verb.name + ": " + verb.summary + ".\n";
     if (!verb.run)
-        return text + "\nNot in this build. " + std::string(kLeftOutRemedy) + ".\n";
+        return text + "\nNot in this build. " + std::string(kLeftOutRemedy) + "\n";
     text += "\nusage: noctule --batch " + verb.name + (verb.operands.empty() ? "" : " " + verb.operands) +
             " [OPTIONS]\n";
     for (const Option& option : verb.options)

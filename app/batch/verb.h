@@ -71,6 +71,11 @@ Verb checkVerb();
 /// {"exit_code", "message", "remedy"}
 nlohmann::json errorJson(const Error& error);
 
+inline constexpr const char
+    *kDevicesSummary = "list the driver boxes that can be reached",
+    *kRecordSummary = "record a take from a driver box, or from one per suit",
+    *kDriveSummary = "drive a robot's arms and trunk live, with a suit or with a take in real time";
+
 /// What brings back verbs that were left out.
 inline constexpr std::string_view kLeftOutRemedy =
     "Build all of it: cmake --preset release && cmake --build --preset release";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stand in for the verbs of app/batch/devices in builds without them (NOCTULE_DEVICES=OFF): help names them
-// apart.
+// Stand-ins for the verbs of app/batch/devices, linked where NOCTULE_DEVICES is OFF. Help lists them as left
+// out.
 #include "app/batch/verb.h"
 
 namespace noctule::batch {
@@ -16,13 +16,13 @@ Verb leftOut(std::string name, std::string summary) {
 }  // namespace
 
 Verb devicesVerb() {
-    return leftOut("devices", "list the driver boxes that can be reached");
+    return leftOut("devices", kDevicesSummary);
 }
 Verb recordVerb() {
-    return leftOut("record", "record a take from a driver box, or from one per suit");
+    return leftOut("record", kRecordSummary);
 }
 Verb driveVerb() {
-    return leftOut("drive", "drive a robot's arms and trunk live, with a suit or with a take in real time");
+    return leftOut("drive", kDriveSummary);
 }
 
 }  // namespace noctule::batch

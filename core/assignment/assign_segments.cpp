@@ -5,7 +5,6 @@
 // which the shoulders' joints lie left and right.
 #include "core/assignment/assign_segments.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <random>

@@ -118,8 +118,11 @@ private:
                     information(column, other) += weight * value * factor;
             }
         }
-        covariance_ = solveSymmetric(information, Eigen::MatrixXd::Identity(size_, size_));
-        state_ = solveSymmetric(information, pull);
+        Eigen::MatrixXd right = Eigen::MatrixXd::Identity(size_, size_ + 1);
+        right.rightCols<1>() = pull;
+        const Eigen::MatrixXd solved = solveSymmetric(information, right);
+        covariance_ = solved.leftCols(size_);
+        state_ = solved.rightCols<1>();
     }
 
     void addPriors(double stretch_sigma, Eigen::MatrixXd& information, Eigen::VectorXd& pull) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <complex>
 #include <map>
+#include <optional>
 
 #include "core/math/rotation.h"
 
@@ -90,54 +91,70 @@ struct RipplePhase {
     double turned_rad = 0, phase_rad = 0, sigma_rad = 0, swing_m_per_s2 = 0;
 };
 
+/// A window of a turn: sums over its readings of the horizontal acceleration, which is constant + ripple *
+/// turn.
+struct RippleWindow {
+    double members = 0, turned_rad = 0;
+    Complex reading, turn;
+    Complex along;  ///< of conj(turn) * reading
+    Complex rippleWith(const Complex& constant) const {
+        return (along - std::conj(turn) * constant) / members;
+    }
+};
+
+/// The constant of all windows in least squares, their ripples eliminated. Nothing where the turns do not
+/// tell the two apart: too little of a turn in each window.
+std::optional<Complex> constantOf(const std::vector<RippleWindow>& windows) {
+    constexpr double kLeastTold = 1e-6;  ///< of a reading: 3 mrad of turn
+    Complex right;
+    double told = 0, members = 0;
+    for (const RippleWindow& window : windows) {
+        right += window.reading - window.turn * window.along / window.members;
+        told += window.members - std::norm(window.turn) / window.members;
+        members += window.members;
+    }
+    return told > kLeastTold * members ? std::optional(right / told) : std::nullopt;
+}
+
 /// Horizontal acceleration in the board's frame = constant + ripple exp(-i azimuth), the azimuth that of a
 /// horizontal direction of the board, by the gyroscope; one ripple for each window of the turn.
 std::vector<RipplePhase> phasesOf(std::span<const Attitude> turn, const Vector3d& up_run) {
+    const double begin_s = turn.front().time_s, length_s = turn.back().time_s - begin_s;
+    if (!(length_s > 0))
+        return {};
     Vector3d up_board = meanAxis(turn);
     if ((turn.front().q_run_board * up_board).dot(up_run) < 0)
         up_board = -up_board;
     const Vector3d first = up_board.unitOrthogonal(), second = up_board.cross(first);
     const Vector3d east = up_run.unitOrthogonal(), north = up_run.cross(east);
-    const double begin_s = turn.front().time_s, length_s = turn.back().time_s - begin_s;
-    struct Window {
-        double members = 0, turned_rad = 0;
-        Complex reading, turn, along;  ///< sums; along: of conj(turn) reading
+    const auto readingAt = [&](const Attitude& at) {
+        return Complex(at.accel_m_per_s2.dot(first), at.accel_m_per_s2.dot(second));
     };
-    std::vector<Window> windows(std::max<size_t>(1, static_cast<size_t>(length_s / kPhaseWindow_s)));
-    double squares = 0;
+    std::vector<RippleWindow> windows(std::max<size_t>(1, static_cast<size_t>(length_s / kPhaseWindow_s)));
     for (const Attitude& at : turn) {
         const double place = (at.time_s - begin_s) / length_s * static_cast<double>(windows.size());
-        Window& window = windows[std::min(windows.size() - 1, static_cast<size_t>(place))];
+        RippleWindow& window = windows[std::min(windows.size() - 1, static_cast<size_t>(place))];
         const Vector3d forward = at.q_run_board * first;
-        const Complex reading(at.accel_m_per_s2.dot(first), at.accel_m_per_s2.dot(second));
         const Complex towards = std::polar(1.0, -std::atan2(forward.dot(north), forward.dot(east)));
         ++window.members;
         window.turned_rad += at.turned_rad;
-        window.reading += reading;
+        window.reading += readingAt(at);
         window.turn += towards;
-        window.along += std::conj(towards) * reading;
-        squares += std::norm(reading);
+        window.along += std::conj(towards) * readingAt(at);
     }
-    std::erase_if(windows, [](const Window& window) { return window.members == 0; });
-    // Least squares; with a constant given, a window's ripple is the mean of conj(turn) (reading - constant).
-    Complex right, readings;
-    double left = 0;
-    for (const Window& window : windows) {
-        right += window.reading - window.turn * window.along / window.members;
-        left += window.members - std::norm(window.turn) / window.members;
-        readings += window.reading;
-    }
-    const Complex constant = right / left;
-    const auto rippleIn = [&](const Window& window) {
-        return (window.along - std::conj(window.turn) * constant) / window.members;
-    };
-    double unexplained = squares - std::real(std::conj(constant) * readings);
-    for (const Window& window : windows)
-        unexplained -= std::real(std::conj(rippleIn(window)) * window.along);
+    std::erase_if(windows, [](const RippleWindow& window) { return window.members == 0; });
+    const std::optional<Complex> constant = constantOf(windows);
+    if (!constant)
+        return {};
+    double unexplained = 0;
+    for (const Attitude& at : turn)
+        unexplained += std::norm(readingAt(at) - *constant);
+    for (const RippleWindow& window : windows)
+        unexplained -= window.members * std::norm(window.rippleWith(*constant));
     const double variance = std::max(0.0, unexplained) / (2.0 * static_cast<double>(turn.size()));
     std::vector<RipplePhase> phases;
-    for (const Window& window : windows) {
-        const Complex ripple = rippleIn(window);
+    for (const RippleWindow& window : windows) {
+        const Complex ripple = window.rippleWith(*constant);
         phases.push_back({0, 0, window.turned_rad / window.members, std::arg(ripple),
                           std::sqrt(variance / window.members) / std::abs(ripple), std::abs(ripple)});
     }

@@ -2,7 +2,6 @@
 #include "core/estimation/limb_alignment.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,8 +10,6 @@
 #include "core/math/rotation_fit.h"
 
 namespace noctule {
-namespace {}  // namespace
-
 void LimbAlignment::breakOff(double time_s) {
     *this = LimbAlignment(parameters_);
     unbroken_s_ = 0;

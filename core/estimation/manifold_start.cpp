@@ -8,6 +8,7 @@
 
 #include "core/body/usual_pose.h"
 #include "core/estimation/manifold_filter.h"
+#include "core/math/linear_solvers.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
@@ -78,7 +79,7 @@ struct RestForces {
                 if (likely <= most)
                     continue;
                 most = likely;
-                part = variance * S.llt().solve(residual);
+                part = variance * solvePositive(S, residual);
             }
         return part;
     }

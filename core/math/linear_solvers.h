@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dense linear algebra for fits: systems of any size by Eigen's decompositions, each compiled once. A
-// decomposition of every size in every room takes seconds to compile; the filters' inner loops keep their own
-// of fixed size.
+// Dense linear algebra of any size, compiled here for all rooms: Eigen takes seconds to compile each
+// decomposition anew. Code that needs the factor itself, or that runs once per sample, uses Eigen directly.
+// None of these reports failure: of singular or unbounded input the solution is not finite, and of an
+// indefinite matrix solvePositive's is wrong.
 #pragma once
 
 #include "core/math/conventions.h"
@@ -10,11 +11,12 @@ namespace noctule {
 
 using MatrixView = Eigen::Ref<const Eigen::MatrixXd>;
 
-/// X of A X = B. A is symmetric and positive semidefinite; its lower triangle is read. L D L^T with pivots.
+/// Solution X of A X = B. A is symmetric and positive semidefinite; its lower triangle is read. L D L^T with
+/// pivots.
 Eigen::MatrixXd solveSymmetric(const MatrixView& A, const MatrixView& B);
 /// The same for positive definite A, faster from about 30 unknowns on. L L^T.
 Eigen::MatrixXd solvePositive(const MatrixView& A, const MatrixView& B);
-/// X of A X = B, A square. LU with row pivots.
+/// Solution X of A X = B, A square. LU with row pivots.
 Eigen::MatrixXd solveSquare(const MatrixView& A, const MatrixView& B);
 Eigen::MatrixXd inverseOf(const MatrixView& A);
 /// X that makes |A X - B| least; of several, for A of lower rank, the shortest. Complete orthogonal

@@ -69,18 +69,13 @@ Quaterniond mirroredInX(const Quaterniond& q) {
 
 Quaterniond smallestRotation(const Vector3d& from, const Vector3d& to) {
     const Vector3d a = from.normalized(), b = to.normalized();
-    const double cosine = a.dot(b);
-    constexpr double kOpposite = -1 + 1e-12;
-    Quaterniond q;
-    if (cosine < kOpposite) {
-        q.w() = 0;
-        q.vec() = a.unitOrthogonal();
-        return q;
+    const double twice_w = (a + b).norm();
+    if (twice_w < 1e-9) {
+        const Vector3d axis = a.unitOrthogonal();
+        return {0, axis.x(), axis.y(), axis.z()};
     }
-    const double twice_w = std::sqrt(2 * (1 + cosine));
-    q.w() = twice_w / 2;
-    q.vec() = a.cross(b) * (1 / twice_w);
-    return q;
+    const Vector3d v = a.cross(b) / twice_w;
+    return Quaterniond(twice_w / 2, v.x(), v.y(), v.z()).normalized();
 }
 
 }  // namespace noctule

@@ -6,8 +6,8 @@
 
 namespace noctule {
 
-/// The rotation R that makes |R - M| least, and trace(R^T M) greatest: M may be a sum of rotations or of
-/// products b a^T of vectors that R takes from a to b.
+/// M must be finite. The rotation R that makes |R - M| least, and trace(R^T M) greatest: M may be a sum of
+/// rotations or of products b a^T of vectors that R takes from a to b.
 Matrix3d nearestRotation(const Matrix3d& M);
 
 /// T that makes the sum of |to_i - T from_i|^2 least; one point a column, at least three that no line holds.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/mesh/skinning.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 
 #include "core/math/rotation_fit.h"

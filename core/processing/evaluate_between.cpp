@@ -80,7 +80,7 @@ public:
         if (!found || !truth || !(eigenvaluesOf(cov_m2)[0] > 0))
             return;
         const Vector3d error = *found - *truth;
-        nees_ += error.dot(cov_m2.inverse() * error) / 3;
+        nees_ += error.dot(Vector3d(solvePositive(cov_m2, error))) / 3;
         variances_m2_ += cov_m2.trace();
         ++stated_;
     }

@@ -328,7 +328,7 @@ BundleCovariance::BundleCovariance(const Bundle& bundle, double sigma_px) {
     const NormalEquations sum = normalEquations(bundle, sigma_px);
     Eigen::MatrixXd reduced = sum.common;
     for (size_t m = 0; m < bundle.markers.size(); ++m) {
-        const Matrix6d cov_own = inverseOf(sum.own[m]);
+        const Matrix6d cov_own = solvePositive(sum.own[m], Matrix6d::Identity());
         const Eigen::MatrixXd J = cov_own * sum.mixed[m].transpose();
         reduced.noalias() -= sum.mixed[m] * J;
         markers_.push_back(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line itself: help, mistakes, and what is not available yet.
+// The command line itself: help and mistakes.
 #include <array>
 #include <cstdlib>
 #include <optional>

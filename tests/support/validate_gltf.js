@@ -17,13 +17,16 @@ if (!fs.existsSync(place)) {
         '--fetch-timeout=20000', 'gltf-validator@2.0.0-dev.3.10'], { encoding: 'utf8' });
     const installed = !done.error && done.status === 0;
     try {
+        if (installed && fs.existsSync(folder) && !fs.existsSync(place))
+            fs.rmSync(folder, { recursive: true, force: true });  // left by an install that was broken off
         if (installed)
             fs.renameSync(begun, folder);
     } catch (error) {
         if (!fs.existsSync(place))
             throw error;
+    } finally {
+        fs.rmSync(begun, { recursive: true, force: true });
     }
-    fs.rmSync(begun, { recursive: true, force: true });
     if (!installed) {
         console.log('Khronos\' glTF validator cannot be installed: npm or the network is not there');
         process.exit(SKIP);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/wizards/room_drawing.h"
 
-#include <Eigen/Eigenvalues>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/linear_solvers.h"
 #include "ui/style/paint.h"
 #include "ui/style/performer_disc.h"
 #include "ui/style/theme.h"
@@ -169,14 +169,14 @@ void RoomDrawing::paintUncertainty(QPainter& painter, const Scale& scale, size_t
     const SurveyedAnchor& anchor = survey_->anchors[index];
     if (!anchor.placed)
         return;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(flatCovariance(anchor.cov_m2));
-    const Eigen::Vector2d radii = larger_ * scale.pixels_per_m * axes.eigenvalues().cwiseMax(0).cwiseSqrt();
+    const Eigensystem axes = eigensystemOf(flatCovariance(anchor.cov_m2));
+    const Eigen::Vector2d radii = larger_ * scale.pixels_per_m * axes.values.cwiseMax(0).cwiseSqrt();
     const QColor color = colorOf(stateOf(anchor).tone);
     QColor fill = color;
     fill.setAlphaF(0.18);
     painter.save();
     painter.translate(at(scale, flat(anchor.place_m)));
-    painter.rotate(degrees(std::atan2(axes.eigenvectors()(1, 1), axes.eigenvectors()(0, 1))));
+    painter.rotate(degrees(std::atan2(axes.vectors(1, 1), axes.vectors(0, 1))));
     painter.setPen(QPen(color, Theme::get().px(1.5)));
     painter.setBrush(fill);
     painter.drawEllipse(QPointF(), radii[1], radii[0]);
@@ -271,9 +271,9 @@ void RoomDrawing::paintEvent(QPaintEvent*) {
     constexpr int kWrapped = Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap;
     const QFont caption = theme.font(TextRole::kCaption);
     const QRect row(margin, 0, width() - 2 * margin, height() - theme.px(10));
-    const int legend_height = QFontMetrics(caption).boundingRect(row, kWrapped, legend()).height();
+    const int legend_height = QFontMetrics(caption, this).boundingRect(row, kWrapped, legend()).height();
     const QRectF field(margin + theme.px(22), theme.px(kPlanHead), width() - 2 * margin - theme.px(22),
-                       height() - theme.px(kPlanHead + kPlanFoot) - legend_height);
+                       std::max(1, height() - theme.px(kPlanHead + kPlanFoot) - legend_height));
     if (!survey_) {
         painter.setPen(QPen(theme.tokens().edge, theme.px(1), Qt::DashLine));
         painter.drawRect(field);

@@ -105,7 +105,7 @@ Result<Outcome> runDevices(const VerbContext& context) {
 Verb devicesVerb() {
     Verb verb;
     verb.name = "devices";
-    verb.summary = "list the driver boxes that can be reached";
+    verb.summary = kDevicesSummary;
     verb.example = "noctule --batch devices --wait 4";
     verb.options = {
         number("wait", "S", 0, 3600, "seconds to look around").orElse("2"),

@@ -260,7 +260,7 @@ Result<Outcome> runDriveVerb(const VerbContext& context) {
 Verb driveVerb() {
     Verb verb;
     verb.name = "drive";
-    verb.summary = "drive a robot's arms and trunk live, with a suit or with a take in real time";
+    verb.summary = kDriveSummary;
     verb.operands = "[T.noctule]";
     verb.max_operands = 1;
     verb.example = "noctule --batch drive wave.noctule --robot g1.urdf --to udp://127.0.0.1:41950 --hold";

@@ -102,7 +102,7 @@ Result<Outcome> runRecord(const VerbContext& context) {
 Verb recordVerb() {
     Verb verb;
     verb.name = "record";
-    verb.summary = "record a take from a driver box, or from one per suit";
+    verb.summary = kRecordSummary;
     verb.example =
         "noctule --batch record --device tcp://127.0.0.1:41941 --out-dir takes --name walk --seconds 10";
     verb.options = {

@@ -28,6 +28,20 @@ TEST(LinearSolvers, SolutionsFulfilTheirEquations) {
     }
 }
 
+TEST(LinearSolvers, ASemidefiniteSystemThatHasASolutionIsSolved) {
+    const MatrixXd half = randomMatrix(6, 4, 11), S = half * half.transpose();
+    const MatrixXd B = S * randomMatrix(6, 2, 12);
+    EXPECT_LT((S * solveSymmetric(S, B) - B).norm(), 1e-9);
+}
+
+TEST(LinearSolvers, BlocksAndRowsAreTakenAsTheyStand) {
+    const MatrixXd A = randomMatrix(9, 9, 13), B = randomMatrix(9, 9, 14);
+    const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows = A.block<4, 4>(2, 3);
+    const MatrixXd expected = solveSquare(MatrixXd(A.block(2, 3, 4, 4)), MatrixXd(B.block(1, 1, 4, 3)));
+    EXPECT_EQ(solveSquare(A.block(2, 3, 4, 4), B.block(1, 1, 4, 3)), expected);
+    EXPECT_EQ(solveSquare(rows, B.block(1, 1, 4, 3)), expected);
+}
+
 TEST(LinearSolvers, OnlyTheLowerTriangleIsRead) {
     const MatrixXd A = randomMatrix(7, 7, 4), B = randomMatrix(7, 2, 5);
     const MatrixXd S = A * A.transpose();
@@ -35,6 +49,7 @@ TEST(LinearSolvers, OnlyTheLowerTriangleIsRead) {
     EXPECT_EQ(solveSymmetric(lower, B), solveSymmetric(S, B));
     EXPECT_EQ(solvePositive(lower, B), solvePositive(S, B));
     EXPECT_EQ(eigenvaluesOf(lower), eigenvaluesOf(S));
+    EXPECT_EQ(eigensystemOf(lower).vectors, eigensystemOf(S).vectors);
 }
 
 TEST(LinearSolvers, LeastSquaresLeaveWhatNoColumnExplains) {

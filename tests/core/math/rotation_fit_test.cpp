@@ -51,11 +51,32 @@ TEST_F(RotationFit, PointsAreCarriedBack) {
     }
 }
 
-TEST_F(RotationFit, PointsInAPlaneAreNotMirrored) {
-    Eigen::Matrix3Xd from(3, 4);
-    from << 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0;
-    const Matrix3d R = rigidFit(from, from).linear();
-    EXPECT_LT((R - Matrix3d::Identity()).norm(), 1e-12);
+TEST_F(RotationFit, OfNoisyPointsNothingNearFitsBetter) {
+    for (int draw = 0; draw < 20; ++draw) {
+        const Matrix3d R = expQuaternion(2 * vector()).toRotationMatrix();
+        Eigen::Matrix3Xd from(3, 7), to(3, 7);
+        for (Eigen::Index k = 0; k < 7; ++k) {
+            from.col(k) = vector();
+            if (draw % 2)
+                from(2, k) = 0;  // in a plane, which noise mirrors as readily
+            to.col(k) = 1.5 * R * from.col(k) + 0.2 * vector() + Vector3d(1, 2, 3);
+        }
+        const auto error = [&](const Matrix3d& M, const Vector3d& t) {
+            return ((M * from).colwise() + t - to).squaredNorm();
+        };
+        const Eigen::Isometry3d rigid = rigidFit(from, to);
+        const Eigen::Affine3d similar = similarityFit(from, to);
+        EXPECT_NEAR(rigid.linear().determinant(), 1, 1e-12);
+        for (int other = 0; other < 20; ++other) {
+            const Matrix3d turned = expQuaternion(0.05 * vector()).toRotationMatrix();
+            const Vector3d shift = 0.05 * vector();
+            const double larger = 1 + 0.05 * vector().x();
+            EXPECT_GE(error(rigid.linear() * turned, rigid.translation() + shift),
+                      error(rigid.linear(), rigid.translation()));
+            EXPECT_GE(error(similar.linear() * turned * larger, similar.translation() + shift),
+                      error(similar.linear(), similar.translation()));
+        }
+    }
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/support/jacobian_checker.h"
 
 namespace noctule {
@@ -43,7 +45,13 @@ TEST(Rotation, SmallestRotationTurnsOneDirectionIntoTheOther) {
     EXPECT_LT((q * from.normalized() - to.normalized()).norm(), 1e-12);
     EXPECT_NEAR(angleBetween(q, Quaterniond::Identity()), std::acos(from.normalized().dot(to.normalized())),
                 1e-12);
-    EXPECT_LT((smallestRotation(from, -from) * from + from).norm(), 1e-6);
+    EXPECT_LT((smallestRotation(from, -from) * from + from).norm(), 1e-12);
+    for (const double short_of_half_rad : {1e-2, 1e-4, 1e-6}) {
+        const Quaterniond turn = axisAngle(from.unitOrthogonal(), std::numbers::pi - short_of_half_rad);
+        const Quaterniond found = smallestRotation(from, turn * from);
+        EXPECT_NEAR(found.norm(), 1, 1e-12);
+        EXPECT_LT((found * from - turn * from).norm(), 1e-9) << short_of_half_rad;
+    }
 }
 
 }  // namespace
