@@ -25,10 +25,14 @@ step() {
     times+=("$(printf '%5d s  %s' $((SECONDS - begin)) "$name")")
 }
 
-# The studio and devices are left out: a third of the build is enough. Who has configured build/release keeps it as it is.
+# The studio and devices are left out, two thirds of the whole build. Who has configured build/release keeps it as it is.
 build() {
     [ -e build/release/bin/noctule ] || echo "Building for the first time: about eleven minutes of one core."
-    [ -e build/release/build.ninja ] || packaging/configure.sh jobs
+    if [ ! -e build/release/CMakeCache.txt ]; then
+        packaging/configure.sh jobs
+    elif [ ! -e build/release/build.ninja ]; then  # a configuration that broke off
+        cmake build/release
+    fi
     cmake --build build/release --parallel "$(nproc)" --target noctule
 }
 step "packages" packaging/dependencies.sh jobs

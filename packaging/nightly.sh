@@ -52,7 +52,7 @@ run_jobs() {
     cmake --fresh --preset jobs -B build/jobs >/dev/null &&
         cmake --build build/jobs --parallel "$jobs" --target noctule || return 1
     build/jobs/bin/noctule --batch record 2>&1 | grep "left out of this build"
-    [ "${PIPESTATUS[0]}" = 2 ] && build/jobs/bin/noctule --batch estimators >/dev/null
+    [ "${PIPESTATUS[*]}" = "2 0" ] && build/jobs/bin/noctule --batch estimators >/dev/null
 }
 run_tidy() {
     local base=${NOCTULE_BASE:-origin/main}

@@ -92,25 +92,25 @@ struct RipplePhase {
 };
 
 /// A window of a turn: sums over its readings of the horizontal acceleration, which is constant + ripple *
-/// turn.
+/// towards.
 struct RippleWindow {
     double members = 0, turned_rad = 0;
-    Complex reading, turn;
-    Complex along;  ///< of conj(turn) * reading
+    Complex reading, towards;
+    Complex along;  ///< of conj(towards) * reading
     Complex rippleWith(const Complex& constant) const {
-        return (along - std::conj(turn) * constant) / members;
+        return (along - std::conj(towards) * constant) / members;
     }
 };
 
 /// The constant of all windows in least squares, their ripples eliminated. Nothing where the turns do not
 /// tell the two apart: too little of a turn in each window.
 std::optional<Complex> constantOf(const std::vector<RippleWindow>& windows) {
-    constexpr double kLeastTold = 1e-6;  ///< of a reading: 3 mrad of turn
+    constexpr double kLeastTold = 1e-6;  ///< variance of the azimuth within windows, rad^2
     Complex right;
     double told = 0, members = 0;
     for (const RippleWindow& window : windows) {
-        right += window.reading - window.turn * window.along / window.members;
-        told += window.members - std::norm(window.turn) / window.members;
+        right += window.reading - window.towards * window.along / window.members;
+        told += window.members - std::norm(window.towards) / window.members;
         members += window.members;
     }
     return told > kLeastTold * members ? std::optional(right / told) : std::nullopt;
@@ -139,7 +139,7 @@ std::vector<RipplePhase> phasesOf(std::span<const Attitude> turn, const Vector3d
         ++window.members;
         window.turned_rad += at.turned_rad;
         window.reading += readingAt(at);
-        window.turn += towards;
+        window.towards += towards;
         window.along += std::conj(towards) * readingAt(at);
     }
     std::erase_if(windows, [](const RippleWindow& window) { return window.members == 0; });

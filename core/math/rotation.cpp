@@ -70,6 +70,8 @@ Quaterniond mirroredInX(const Quaterniond& q) {
 Quaterniond smallestRotation(const Vector3d& from, const Vector3d& to) {
     const Vector3d a = from.normalized(), b = to.normalized();
     const double twice_w = (a + b).norm();
+    if (a.isZero() || b.isZero())
+        return Quaterniond::Identity();
     if (twice_w < 1e-9) {
         const Vector3d axis = a.unitOrthogonal();
         return {0, axis.x(), axis.y(), axis.z()};

@@ -33,7 +33,7 @@ Quaterniond axisAngle(const Vector3d& unit_axis, double angle_rad);
 Quaterniond mirroredInX(const Quaterniond& q);
 
 /// The smallest rotation that takes direction `from` to direction `to` (any lengths; opposite directions turn
-/// about some perpendicular axis).
+/// about some perpendicular axis, of a zero vector nothing turns).
 Quaterniond smallestRotation(const Vector3d& from, const Vector3d& to);
 
 }  // namespace noctule

@@ -77,10 +77,12 @@ public:
         };
         const auto found = seen(a.estimate.skeleton, poses[0], b.estimate.skeleton, poses[1]),
                    truth = seen(a.reference.skeleton, poses[2], b.reference.skeleton, poses[3]);
-        if (!found || !truth || !(eigenvaluesOf(cov_m2)[0] > 0))
+        constexpr double kSingular = 1e-12;  ///< rounding, of the largest variance
+        const Eigensystem axes = eigensystemOf(cov_m2);
+        if (!found || !truth || !(axes.values[0] > kSingular * axes.values[2]))
             return;
         const Vector3d error = *found - *truth;
-        nees_ += error.dot(Vector3d(solvePositive(cov_m2, error))) / 3;
+        nees_ += (axes.vectors.transpose() * error).cwiseAbs2().cwiseQuotient(axes.values).sum() / 3;
         variances_m2_ += cov_m2.trace();
         ++stated_;
     }

@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/math/linear_solvers.h"
 #include "core/motion/joint_angles.h"
 
 namespace noctule {
@@ -67,7 +66,7 @@ double freedomSigma(const Joint& joint, const Eigen::VectorXd& angles_rad, const
             axis = Eigen::AngleAxisd(-angles_rad[1], joint.dof[1].axis) * axis;
         J_squared.col(i) = axis.cwiseAbs2();
     }
-    const Eigen::VectorXd variances = solveLeastSquares(J_squared, sigma_rad.cwiseAbs2());
+    const auto variances = J_squared.colPivHouseholderQr().solve(sigma_rad.cwiseAbs2()).eval();
     return std::sqrt(std::max(0.0, variances[freedom]));
 }
 

@@ -6,19 +6,19 @@ const path = require('path');
 const { spawnSync } = require('child_process');
 
 const SKIP = 77;
-const [folder, ...files] = process.argv.slice(2);
+const VERSION = '2.0.0-dev.3.10';
+const [parent, ...files] = process.argv.slice(2);
+const folder = path.join(parent, VERSION);
 const place = path.join(folder, 'node_modules', 'gltf-validator');
 
 // Tests that run at the same time each install into a folder of their own; the first to end gives it its name.
 if (!fs.existsSync(place)) {
-    fs.mkdirSync(path.dirname(folder), { recursive: true });
+    fs.mkdirSync(parent, { recursive: true });
     const begun = fs.mkdtempSync(folder + '-');
     const done = spawnSync('npm', ['install', '--prefix', begun, '--no-audit', '--no-fund', '--fetch-retries=0',
-        '--fetch-timeout=20000', 'gltf-validator@2.0.0-dev.3.10'], { encoding: 'utf8' });
+        '--fetch-timeout=20000', 'gltf-validator@' + VERSION], { encoding: 'utf8' });
     const installed = !done.error && done.status === 0;
     try {
-        if (installed && fs.existsSync(folder) && !fs.existsSync(place))
-            fs.rmSync(folder, { recursive: true, force: true });  // left by an install that was broken off
         if (installed)
             fs.renameSync(begun, folder);
     } catch (error) {

@@ -46,6 +46,8 @@ TEST(Rotation, SmallestRotationTurnsOneDirectionIntoTheOther) {
     EXPECT_NEAR(angleBetween(q, Quaterniond::Identity()), std::acos(from.normalized().dot(to.normalized())),
                 1e-12);
     EXPECT_LT((smallestRotation(from, -from) * from + from).norm(), 1e-12);
+    for (const Vector3d& none : {from, Vector3d(Vector3d::Zero())})
+        EXPECT_EQ(smallestRotation(Vector3d::Zero(), none).coeffs(), Quaterniond::Identity().coeffs());
     for (const double short_of_half_rad : {1e-2, 1e-4, 1e-6}) {
         const Quaterniond turn = axisAngle(from.unitOrthogonal(), std::numbers::pi - short_of_half_rad);
         const Quaterniond found = smallestRotation(from, turn * from);
