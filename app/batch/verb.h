@@ -71,10 +71,11 @@ Verb checkVerb();
 /// {"exit_code", "message", "remedy"}
 nlohmann::json errorJson(const Error& error);
 
-inline constexpr const char
-    *kDevicesSummary = "list the driver boxes that can be reached",
-    *kRecordSummary = "record a take from a driver box, or from one per suit",
-    *kDriveSummary = "drive a robot's arms and trunk live, with a suit or with a take in real time";
+// Summaries of verbs that a build may leave out: its help names them all the same.
+inline constexpr const char* kDevicesSummary = "list the driver boxes that can be reached";
+inline constexpr const char* kRecordSummary = "record a take from a driver box, or from one per suit";
+inline constexpr const char* kDriveSummary =
+    "drive a robot's arms and trunk live, with a suit or with a take in real time";
 
 /// What brings back verbs that were left out.
 inline constexpr std::string_view kLeftOutRemedy =

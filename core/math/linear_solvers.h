@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dense linear algebra of any size, compiled here for all rooms: Eigen takes seconds to compile each
 // decomposition anew. Code that needs the factor itself, or that runs once per sample, uses Eigen directly.
-// None of these reports failure: of singular or unbounded input the solution is not finite, and of an
-// indefinite matrix solvePositive's is wrong.
+// None of these reports failure: of input that is not finite the solution is not, and of a singular matrix
+// only those of solveSymmetric and solveLeastSquares are. Of an indefinite one solvePositive's is wrong.
 #pragma once
 
 #include "core/math/conventions.h"

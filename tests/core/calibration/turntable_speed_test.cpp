@@ -21,17 +21,18 @@ struct LeaningTable {
     std::deque<BoardRecord> records;
     std::vector<HeadingBoard> boards;
 
-    LeaningTable(double excess, double leaning_rad, int count, uint64_t seed = 1) {
+    LeaningTable(double excess, double leaning_rad, int count, uint64_t seed = 1,
+                 double nominal_rad_per_s = kNominal_rad_per_s) {
         for (int b = 0; b < count; ++b)
-            add(excess, leaning_rad, b, seed);
+            add(excess, leaning_rad, b, seed, nominal_rad_per_s);
     }
 
-    void add(double excess, double leaning_rad, int index, uint64_t seed) {
+    void add(double excess, double leaning_rad, int index, uint64_t seed, double nominal_rad_per_s) {
         simulation::Random random(seed, "leaning table", static_cast<uint64_t>(index));
         const Board board;
         const Vector3d zero_counts(2060, 2030, 2041);
         const double gyro = board.gyro_full_scale_rad_per_s / 2048,
-                     accel = board.accel_full_scale_m_per_s2 / 2048, rate = kNominal_rad_per_s * (1 + excess);
+                     accel = board.accel_full_scale_m_per_s2 / 2048, rate = nominal_rad_per_s * (1 + excess);
         // Each sits on the table in a way of its own and is off by its zero and what turning adds.
         const Quaterniond q_table_board = expQuaternion(random.gaussianVector(0.7));
         const Vector3d constant_m_per_s2 = random.gaussianVector(0.3);
@@ -69,6 +70,11 @@ TEST(TurntableSpeed, IsThatOfTheTableWhicheverWayItIsOff) {
         EXPECT_NEAR(ratio->swing_m_per_s2, kStandardGravity_m_per_s2 * std::sin(radians(0.3)), 0.005);
         EXPECT_EQ(ratio->boards, 3);
     }
+}
+
+TEST(TurntableSpeed, OfATableThatHardlyTurnsNothingIsSaid) {
+    for (const uint64_t seed : {1, 2, 3, 4, 5})
+        EXPECT_FALSE(turntableSpeed(LeaningTable(0, radians(0.3), 3, seed, 1e-5).boards)) << "seed " << seed;
 }
 
 /// What is unsure is said to be: errors over sigmas, of tables that lean little.

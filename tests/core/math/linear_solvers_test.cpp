@@ -32,6 +32,8 @@ TEST(LinearSolvers, ASemidefiniteSystemThatHasASolutionIsSolved) {
     const MatrixXd half = randomMatrix(6, 4, 11), S = half * half.transpose();
     const MatrixXd B = S * randomMatrix(6, 2, 12);
     EXPECT_LT((S * solveSymmetric(S, B) - B).norm(), 1e-9);
+    const Vector3d diagonal(1, 0, 4), right(1, 0, 8);
+    EXPECT_LT((solveSymmetric(Matrix3d(diagonal.asDiagonal()), right) - Vector3d(1, 0, 2)).norm(), 1e-12);
 }
 
 TEST(LinearSolvers, BlocksAndRowsAreTakenAsTheyStand) {

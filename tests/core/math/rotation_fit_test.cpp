@@ -67,6 +67,9 @@ TEST_F(RotationFit, OfNoisyPointsNothingNearFitsBetter) {
         const Eigen::Isometry3d rigid = rigidFit(from, to);
         const Eigen::Affine3d similar = similarityFit(from, to);
         EXPECT_NEAR(rigid.linear().determinant(), 1, 1e-12);
+        for (const double scale : {0.999, 1.001})
+            EXPECT_GT(error(scale * similar.linear(), similar.translation()),
+                      error(similar.linear(), similar.translation()));
         for (int other = 0; other < 20; ++other) {
             const Matrix3d turned = expQuaternion(0.05 * vector()).toRotationMatrix();
             const Vector3d shift = 0.05 * vector();
