@@ -14,6 +14,7 @@ constexpr double kFirstAccel_m_per_s2 = 0.6, kFirstDistance_m = 0.03;
 constexpr double kLeastAccel_m_per_s2 = 0.02, kLeastDistanceNoise_m = 5e-4;
 constexpr double kLossScale = 2.5;  // in sigma: residuals beyond it pull less and less
 constexpr double kEachPair_s = 0.064;
+constexpr size_t kFewestOfPair = 20;                // distances that tell a pair's noise
 constexpr double kTurnThatEnds_rad = radians(0.1);  // of the board that turns most
 constexpr int kFirstLearning = 1, kFewestIterations = 3;
 constexpr double kDamping = 1e-9;
@@ -27,9 +28,10 @@ double robustSize(std::vector<double> values) {
 
 /// Residuals of each board, all components.
 struct MotionFit::Sizes {
-    std::vector<std::vector<double>> gyro, accel, distance;
+    std::vector<std::vector<double>> gyro, accel, distance, pair_distance;
 
-    explicit Sizes(size_t boards) : gyro(boards), accel(boards), distance(boards) {}
+    Sizes(size_t boards, size_t sources)
+        : gyro(boards), accel(boards), distance(boards), pair_distance(sources * boards) {}
     static std::vector<double> each(const std::vector<std::vector<double>>& values) {
         std::vector<double> sizes;
         for (const auto& of_board : values)
@@ -57,8 +59,8 @@ MotionFit::MotionFit(const MotionBody& body, const MotionModel& model, const Mot
       expected_(expected),
       priors_(body, layout_, settings_) {
     const auto boards = static_cast<size_t>(layout.boards);
-    noise_ = {
-        {}, std::vector<double>(boards, kFirstAccel_m_per_s2), std::vector<double>(boards, kFirstDistance_m)};
+    noise_ = {std::vector<double>(boards, kFirstAccel_m_per_s2),
+              std::vector<double>(boards * static_cast<size_t>(layout.sources), kFirstDistance_m)};
     for (const MotionEvidence& take : takes) {
         first_node_.push_back(static_cast<int>(rest_of_node_.size()));
         rest_of_node_.insert(rest_of_node_.end(), static_cast<size_t>(take.nodes),
@@ -111,8 +113,9 @@ void MotionFit::addReadings(const MotionUnknowns& unknowns, size_t index, Round&
         const auto board = static_cast<size_t>(heard.board);
         auto block = model_.distance(unknowns, heard, firstNode(index));
         round.board_cost[board] +=
-            addData(block, noise_.distance_m[board] / heard.confidence,
+            addData(block, noise_.distance_m[pairOf(heard)] / heard.confidence,
                     std::max(1.0, settings_.correlation_s / kEachPair_s), round.sizes.distance[board], round);
+        round.sizes.pair_distance[pairOf(heard)].push_back(std::abs(block.residual[0]));
     }
 }
 
@@ -148,11 +151,16 @@ void MotionFit::assemble(const MotionUnknowns& unknowns, Round& round, const Job
     }
 }
 
-void MotionFit::learnNoise(const MotionResidualSizes& sizes) {
-    for (size_t b = 0; b < noise_.accel_m_per_s2.size(); ++b) {
-        noise_.accel_m_per_s2[b] = std::max(kLeastAccel_m_per_s2, sizes.accel_m_per_s2[b]);
-        noise_.distance_m[b] = std::max(kLeastDistanceNoise_m, sizes.distance_m[b]);
-    }
+/// A pair that is seldom heard counts as its board's others.
+void MotionFit::learnNoise(const Sizes& sizes) {
+    const MotionResidualSizes of_boards = sizes.sizes();
+    for (size_t b = 0; b < noise_.accel_m_per_s2.size(); ++b)
+        noise_.accel_m_per_s2[b] = std::max(kLeastAccel_m_per_s2, of_boards.accel_m_per_s2[b]);
+    for (size_t pair = 0; pair < noise_.distance_m.size(); ++pair)
+        noise_.distance_m[pair] =
+            std::max(kLeastDistanceNoise_m, sizes.pair_distance[pair].size() < kFewestOfPair
+                                                ? of_boards.distance_m[pair % noise_.accel_m_per_s2.size()]
+                                                : robustSize(sizes.pair_distance[pair]));
 }
 
 std::vector<double> MotionFit::turnsOf(const ArrowheadSystem& solved) const {
@@ -173,7 +181,7 @@ Result<MotionFitResult> MotionFit::run(MotionUnknowns start, const JobContext& j
         model_.freezeFlesh(result.unknowns, rest_of_node_);
         Round round{ArrowheadSystem(static_cast<int>(result.unknowns.nodes.size()), layout_.nodeSize(),
                                     layout_.borderSize()),
-                    Sizes(noise_.accel_m_per_s2.size()),
+                    Sizes(noise_.accel_m_per_s2.size(), static_cast<size_t>(layout_.sources)),
                     std::vector<double>(noise_.accel_m_per_s2.size(), 0.0)};
         assemble(result.unknowns, round, job);
         result.after = round.sizes.sizes();
@@ -198,7 +206,7 @@ Result<MotionFitResult> MotionFit::run(MotionUnknowns start, const JobContext& j
             result.iterations >= kFewestIterations &&
             *std::max_element(result.last_turn_rad.begin(), result.last_turn_rad.end()) < kTurnThatEnds_rad;
         if (learns_noise_ && result.iterations >= kFirstLearning)
-            learnNoise(result.after);
+            learnNoise(round.sizes);
     }
 }
 

@@ -15,6 +15,13 @@ struct MotionResidualSizes {
     std::vector<double> gyro_rad{}, accel_m_per_s2{}, distance_m{};  ///< a step's turn; a force; a distance
 };
 
+/// Standard deviations that a fit learns. Distances of one pair are heard directly, those of another one by
+/// way of the floor: each pair has its own.
+struct MotionNoise {
+    std::vector<double> accel_m_per_s2{};  ///< per board
+    std::vector<double> distance_m{};      ///< per pair, source by source
+};
+
 struct MotionFitResult {
     MotionUnknowns unknowns{};
     Eigen::MatrixXd cov_border{};
@@ -36,10 +43,10 @@ public:
 
     /// From first nodes and constants, or from where an earlier run ended: the noise it learnt stays.
     Result<MotionFitResult> run(MotionUnknowns start, const JobContext& job);
-    /// Of readings and distances, per board, as learnt.
-    const MotionResidualSizes& noise() const { return noise_; }
+    /// As learnt.
+    const MotionNoise& noise() const { return noise_; }
     /// Takes another fit's and learns none: costs of two fits with the same noise can be compared.
-    void keepNoise(const MotionResidualSizes& noise) {
+    void keepNoise(const MotionNoise& noise) {
         noise_ = noise;
         learns_noise_ = false;
     }
@@ -53,7 +60,10 @@ private:
     void addTies(const MotionUnknowns& unknowns, size_t take, const ResidualSink& sink) const;
     double addData(ResidualBlock& block, double sigma, double copies, std::vector<double>& sizes,
                    Round& round) const;
-    void learnNoise(const MotionResidualSizes& sizes);
+    void learnNoise(const Sizes& sizes);
+    size_t pairOf(const HeardDistance& heard) const {
+        return static_cast<size_t>(heard.source * layout_.boards + heard.board);
+    }
     int firstNode(size_t take) const { return first_node_[take]; }
 
     const MotionBody& body_;
@@ -63,7 +73,7 @@ private:
     const std::vector<MotionEvidence>& takes_;
     const ExpectedConstants& expected_;
     MotionPriors priors_;
-    MotionResidualSizes noise_;
+    MotionNoise noise_;
     bool learns_noise_ = true;
     std::vector<int> first_node_, rest_of_node_, board_segments_;
 };

@@ -102,6 +102,7 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
       tree_(parameters.joints_give ? givingSkeleton(skeleton, turning_joints_) : skeleton,
             BallCoordinates::kManifold),
       suit_(moved(std::move(suit), KinematicTree(skeleton, BallCoordinates::kManifold), tree_)),
+      mounting_rad2_(mountingCovariances(suit_, tree_)),
       layout_(makeLayout(tree_.freedoms(), suit_, parameters_)),
       observations_(tree_, suit_, layout_, parameters_.g_m_per_s2),
       step_s_(1.0 / (kInertialFramesPerSecond * parameters_.steps_per_frame)),
@@ -425,7 +426,8 @@ void ManifoldFilter::loosenRoot(double place_m, double heading_rad) {
 
 TimedPose ManifoldFilter::estimateAt(double time_s) const {
     return {nanoseconds(time_s), tree_.poseFromState(now_.state.motion),
-            jointSigmas(tree_, skeleton_, now_.state.motion, now_.P.dense(), now_.give.meanVariance_rad2())};
+            jointSigmas(tree_, skeleton_, now_.state.motion, now_.P.dense(), now_.give.meanVariance_rad2(),
+                        mounting_rad2_)};
 }
 
 }  // namespace noctule

@@ -259,6 +259,7 @@ private:
     std::vector<bool> turning_joints_;    ///< with which one turns, on theirs or farther out
     KinematicTree tree_;
     SuitModel suit_;
+    std::vector<Matrix3d> mounting_rad2_;  ///< as in jointSigmas()
     StateLayout layout_;
     ObservationModel observations_;
     Memory now_;                          ///< the state's time is step_index * step_s_

@@ -79,7 +79,7 @@ TimedPose ManifoldFilter::poseOf(const TapedFrame& frame, int64_t time_ns, const
     MotionState motion = frame.motion;
     tree_.retract(motion, error);
     return {time_ns, tree_.poseFromState(motion),
-            jointSigmas(tree_, skeleton_, motion, covariance, frame.flesh_rad2)};
+            jointSigmas(tree_, skeleton_, motion, covariance, frame.flesh_rad2, mounting_rad2_)};
 }
 
 }  // namespace noctule

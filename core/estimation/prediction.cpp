@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/prediction.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/math/rotation.h"
@@ -79,7 +80,8 @@ LinkTransitions predictMotion(const KinematicTree& tree, MotionState& motion, Ei
 }
 
 std::vector<double> jointSigmas(const KinematicTree& tree, const Skeleton& skeleton,
-                                const MotionState& motion, const Eigen::MatrixXd& P, double flesh_rad2) {
+                                const MotionState& motion, const Eigen::MatrixXd& P, double flesh_rad2,
+                                const std::vector<Matrix3d>& mounting_rad2) {
     std::vector<double> sigmas;
     for (int j = 0; j < skeleton.size(); ++j) {
         // Columns: how the joint's rotation (right perturbation) follows the coordinates of its links, last
@@ -87,7 +89,9 @@ std::vector<double> jointSigmas(const KinematicTree& tree, const Skeleton& skele
         Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> axes(3, 0);
         std::vector<int> indices;
         Matrix3d R_link_joint = Matrix3d::Identity();
-        for (int l = tree.linkOfJoint(j); l >= 0 && tree.link(l).joint == j; l = tree.link(l).parent) {
+        int l = tree.linkOfJoint(j);
+        const int own = l;
+        for (; l >= 0 && tree.link(l).joint == j; l = tree.link(l).parent) {
             const Link& link = tree.link(l);
             const int rotations = link.type == LinkType::kFree ? link.count - 3 : link.count;
             for (int k = 0; k < rotations; ++k) {
@@ -103,9 +107,15 @@ std::vector<double> jointSigmas(const KinematicTree& tree, const Skeleton& skele
             for (size_t b = 0; b < indices.size(); ++b)
                 covariance += P(indices[a], indices[b]) * axes.col(static_cast<Eigen::Index>(a)) *
                               axes.col(static_cast<Eigen::Index>(b)).transpose();
+        Matrix3d mountings = Matrix3d::Zero();
+        if (!mounting_rad2.empty())
+            mountings = mounting_rad2[static_cast<size_t>(own)];
+        if (!mounting_rad2.empty() && l >= 0)
+            mountings += R_link_joint.transpose() * mounting_rad2[static_cast<size_t>(l)] * R_link_joint;
         for (int i = 0; i < 3; ++i)
-            sigmas.push_back(covariance(i, i) > kLeastVariance ? std::sqrt(covariance(i, i) + flesh_rad2)
-                                                               : 0);
+            sigmas.push_back(covariance(i, i) > kLeastVariance
+                                 ? std::sqrt(covariance(i, i) + std::max(flesh_rad2, mountings(i, i)))
+                                 : 0);
     }
     return sigmas;
 }

@@ -31,9 +31,11 @@ LinkTransitions predictMotion(const KinematicTree& tree, MotionState& motion, Ei
                               const LinkTransitions& shift = {});
 
 /// Standard deviation (rad, right perturbation, 3 per joint) of every joint's rotation from the leading
-/// coordinates' covariance; zero for a fixed joint. `flesh_rad2` is added where a joint moves: how far boards
-/// turn against their bones.
+/// coordinates' covariance; zero for a fixed joint. Where a joint moves, how far boards stand from their
+/// bones is added: the larger of `flesh_rad2`, as the motion shows it, and what `mounting_rad2` says of the
+/// links on both sides (mountingCovariances(); empty: mountings are certain).
 std::vector<double> jointSigmas(const KinematicTree& tree, const Skeleton& skeleton,
-                                const MotionState& motion, const Eigen::MatrixXd& P, double flesh_rad2 = 0);
+                                const MotionState& motion, const Eigen::MatrixXd& P, double flesh_rad2 = 0,
+                                const std::vector<Matrix3d>& mounting_rad2 = {});
 
 }  // namespace noctule

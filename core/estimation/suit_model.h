@@ -28,6 +28,8 @@ struct MountedBoard {
     Vector3d p_link_mic = Vector3d::Zero();
     std::optional<MountedFlesh> flesh = {};
     double rate_hz = kUsualBoardRate_hz;  ///< nominal
+    Vector3d sigma_turn_rad =
+        Vector3d::Zero();  ///< of R_link_board, about the board's axes, as the calibration says
 };
 
 /// A board where the flesh has taken it; in the link's frame.
@@ -53,6 +55,10 @@ struct SuitModel {
     std::vector<MountedBoard> boards;
     std::vector<MountedSource> sources;
 };
+
+/// Per link, in its frame: covariance of how its boards' mountings turn what they tell of it; of several
+/// boards that of their mean.
+std::vector<Matrix3d> mountingCovariances(const SuitModel& suit, const KinematicTree& tree);
 
 /// Fails (kUnusable) and names board or source when a joint of its flesh or a segment is not in the actor's
 /// skeleton.

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a calibration says of its mountings goes into the sigmas of joints.
+#include <gtest/gtest.h>
+
+#include "core/estimation/prediction.h"
+#include "tests/core/estimation/small_world.h"
+
+namespace noctule {
+namespace {
+
+constexpr int kChest = 1, kArm = 2;  // joints, and links of the small body
+
+class MountingSigma : public ::testing::Test {
+protected:
+    MountingSigma() : by_link(tree.links().size(), Matrix3d::Zero()) {
+        Pose pose = skeleton.zeroPose();
+        pose.q_parent_joint[kChest] = axisAngle(Vector3d::UnitZ(), radians(90));
+        motion = tree.stateFromPose(pose);
+    }
+    Vector3d sigmas(int joint, double flesh_rad2 = 0) const {
+        const int n = tree.freedoms();
+        const Eigen::MatrixXd P = 1e-4 * Eigen::MatrixXd::Identity(n, n);
+        return Vector3d::Map(jointSigmas(tree, skeleton, motion, P, flesh_rad2, by_link).data() + 3 * joint);
+    }
+
+    Skeleton skeleton = testing::smallSkeleton();
+    KinematicTree tree{skeleton, BallCoordinates::kManifold};
+    std::vector<Matrix3d> by_link;
+    MotionState motion;
+};
+
+TEST_F(MountingSigma, IsThatOfBothLinksInTheFrameOfTheLowerOne) {
+    by_link[0] = Vector3d(4e-4, 0, 0).asDiagonal();
+    by_link[kChest] = Vector3d(0, 0, 8e-4).asDiagonal();
+    // Turned by 90 degrees about z, the hips' x is the chest's y.
+    EXPECT_LT((sigmas(kChest) - Vector3d(0.01, std::sqrt(5e-4), 0.03)).norm(), 1e-12);
+    EXPECT_NEAR(sigmas(kArm).z(), 0.03, 1e-12) << "the chest is above the arm";
+    by_link.clear();
+    EXPECT_LT((sigmas(kChest) - Vector3d::Constant(0.01)).norm(), 1e-12);
+}
+
+TEST_F(MountingSigma, OrWhatTheMotionShowsOfFleshIfThatIsMore) {
+    by_link[kChest] = Vector3d(0, 0, 8e-4).asDiagonal();
+    EXPECT_LT((sigmas(kChest, 3e-4) - Vector3d(0.02, 0.02, 0.03)).norm(), 1e-12);
+}
+
+TEST_F(MountingSigma, SeveralBoardsOnALinkTellItsTurnBetter) {
+    SuitModel suit;
+    MountedBoard board;
+    board.link = kArm;
+    board.R_link_board = axisAngle(Vector3d::UnitZ(), radians(90)).toRotationMatrix();
+    board.sigma_turn_rad = {0.02, 0, 0.01};
+    suit.boards = {board};
+    EXPECT_LT((mountingCovariances(suit, tree)[kArm].diagonal() - Vector3d(0, 4e-4, 1e-4)).norm(), 1e-12);
+    suit.boards = {board, board};
+    EXPECT_LT((mountingCovariances(suit, tree)[kArm].diagonal() - Vector3d(0, 2e-4, 0.5e-4)).norm(), 1e-12);
+    suit.boards[0].link = -1;
+    EXPECT_EQ(mountingCovariances(suit, tree)[0], Matrix3d::Zero())
+        << "what stands in the room is on no link";
+}
+
+/// Mean of |error|^2 / (3 sigma^2) of the chest against the hips, whose attitude is given, over runs in each
+/// of which the chest's board hangs otherwise than believed.
+double neesOfTheChest(const Vector3d& stated_rad) {
+    constexpr double kTurned_rad = radians(2);
+    constexpr unsigned kRuns = 24;
+    double nees = 0;
+    for (unsigned seed = 1; seed <= kRuns; ++seed) {
+        ManifoldParameters parameters = testing::fittingParameters({true, true, false}, true);
+        parameters.joints_give = true;  // a turned board makes joints seem to give
+        testing::World world(parameters, seed);
+        SuitModel believed = world.suit;
+        believed.boards[kChest].sigma_turn_rad = stated_rad;
+        Matrix3d& R_link_board = world.suit.boards[kChest].R_link_board;
+        R_link_board = R_link_board * expQuaternion(world.random.vector(kTurned_rad)).toRotationMatrix();
+        ManifoldFilter filter(testing::smallSkeleton(), believed, parameters);
+        filter.start(testing::smallSkeleton().zeroPose(), {}, nullptr);
+        std::vector<Quaterniond> truth{Quaterniond::Identity()};  // per frame
+        testing::play(world, filter, 3, [&](int64_t, double time_s) {
+            filter.advanceTo(time_s + testing::kUntilSure_s);
+            truth.push_back(world.tree.poseFromState(world.motion).q_parent_joint[kChest]);
+        });
+        const TimedPose last = filter.takePoses().back();
+        const auto frame = std::llround(static_cast<double>(last.time_ns) * 1e-9 * kInertialFramesPerSecond);
+        const Vector3d error =
+            logQuaternion(truth[static_cast<size_t>(frame)].conjugate() * last.pose->q_parent_joint[kChest]);
+        nees += error.cwiseQuotient(Vector3d::Map(last.sigma_rad.data() + 3 * kChest)).squaredNorm() /
+                (3 * kRuns);
+    }
+    return nees;
+}
+
+TEST(MountingSigmas, AreHonestWhereBoardsHangOtherwiseThanBelieved) {
+    const double stated = neesOfTheChest(Vector3d::Constant(radians(2))),
+                 silent = neesOfTheChest(Vector3d::Zero());
+    // 24 runs of three axes: the mean spreads by 0.2.
+    EXPECT_GT(stated, 0.6);
+    EXPECT_LT(stated, 1.6);
+    EXPECT_GT(silent, 5) << "else the test tells nothing";
+}
+
+}  // namespace
+}  // namespace noctule
