@@ -97,6 +97,7 @@ private:
     ExpectedConstants expected_;
     std::vector<MotionEvidence> evidence_;
     MotionUnknowns start_;
+    std::vector<BoardConstants> at_rest_;  ///< boards that the movement does not show well stay so
     std::vector<int> rest_of_node_;
 };
 
@@ -137,6 +138,11 @@ bool MovementFitter::prepare(MotionReport& report) {
     start_.boards = expected_.boards;
     for (size_t b = 0; b < start_.boards.size(); ++b)
         start_.boards[b].q_segment_board = q_segment_board[b];
+    at_rest_ = start_.boards;
+    for (size_t b = 0; b < at_rest_.size(); ++b)
+        if (const BoardCalibration* known = takes_[0].calibration.findBoard(report.boards[b].id);
+            known && known->q_segment_board)
+            at_rest_[b].q_segment_board = *known->q_segment_board;
     start_.sources = expected_.sources;
     start_.bone_scale.assign(body_.bones().size(), 1);
     const auto is_about_movement = [](const Finding& finding) {
@@ -267,12 +273,14 @@ MotionUnknowns MovementFitter::startAsWorn() const {
     return start;
 }
 
-/// Boards that a fit has turned farther than straps turn them.
+/// Boards that a fit has turned farther than straps turn them. Where a fit begins is no measure: there a
+/// board takes the blame for every joint of the limb that was not held as asked.
 std::vector<int> MovementFitter::strayBoards(const MotionFitResult& found) const {
     std::vector<int> stray;
     for (int b = 0; b < layout_.boards; ++b) {
         const auto board = static_cast<size_t>(b);
-        if (angleBetween(found.unknowns.boards[board].q_segment_board, start_.boards[board].q_segment_board) >
+        if (angleBetween(found.unknowns.boards[board].q_segment_board,
+                         expected_.boards[board].q_segment_board) >
             kStraySigma * settings_.sigma_mounting_rad)
             stray.push_back(b);
     }
@@ -294,8 +302,10 @@ Result<MotionFitResult> MovementFitter::fitFromSeveral(MotionReport& report, con
 /// Boards that are better as they hung in the rest pose, on seconds that were held out.
 Result<std::vector<int>> MovementFitter::worseBoards(const MotionFitResult& found, MotionReport& report,
                                                      const JobContext& job) const {
-    const auto check = checkOnHeldOut(
-        {body_, model_, layout_, settings_, evidence_, expected_, start_, found.unknowns}, job);
+    MotionUnknowns rest = start_;
+    rest.boards = at_rest_;
+    const auto check =
+        checkOnHeldOut({body_, model_, layout_, settings_, evidence_, expected_, rest, found.unknowns}, job);
     if (!check)
         return check.error();
     std::vector<int> worse;
@@ -323,7 +333,7 @@ Result<MotionFitResult> MovementFitter::fitWithout(const std::vector<int>& board
     for (const int board : boards) {
         const auto b = static_cast<size_t>(board);
         expected_.held_fast[b] = true;
-        expected_.boards[b] = start.boards[b] = start_.boards[b];
+        expected_.boards[b] = start.boards[b] = at_rest_[b];
     }
     MotionFit fit(body_, model_, layout_, settings_, evidence_, expected_);
     auto again = fit.run(std::move(start), job);

@@ -17,7 +17,7 @@ struct MotionResidualSizes {
 
 /// Standard deviations that a fit learns. Distances of one pair are heard directly, those of another one by
 /// way of the floor: each pair has its own.
-struct MotionNoise {
+struct MotionFitNoise {
     std::vector<double> accel_m_per_s2{};  ///< per board
     std::vector<double> distance_m{};      ///< per pair, source by source
 };
@@ -44,9 +44,9 @@ public:
     /// From first nodes and constants, or from where an earlier run ended: the noise it learnt stays.
     Result<MotionFitResult> run(MotionUnknowns start, const JobContext& job);
     /// As learnt.
-    const MotionNoise& noise() const { return noise_; }
+    const MotionFitNoise& noise() const { return noise_; }
     /// Takes another fit's and learns none: costs of two fits with the same noise can be compared.
-    void keepNoise(const MotionNoise& noise) {
+    void keepNoise(const MotionFitNoise& noise) {
         noise_ = noise;
         learns_noise_ = false;
     }
@@ -73,7 +73,7 @@ private:
     const std::vector<MotionEvidence>& takes_;
     const ExpectedConstants& expected_;
     MotionPriors priors_;
-    MotionNoise noise_;
+    MotionFitNoise noise_;
     bool learns_noise_ = true;
     std::vector<int> first_node_, rest_of_node_, board_segments_;
 };

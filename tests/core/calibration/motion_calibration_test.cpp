@@ -130,6 +130,25 @@ TEST(MotionCalibration, EveryReturnToTheRestPoseEvensOutHowItWasHeld) {
     EXPECT_LT(each_time_deg, 0.75 * once_deg);
 }
 
+/// Every joint of an arm held some degrees off adds up to more than a strap turns: the fit begins with the
+/// boards blamed for it, and finds that they are not.
+TEST(MotionCalibration, BoardsOfALimbThatWasHeldOtherwiseAreNoStrays) {
+    Scenario scenario = badlyMounted();
+    scenario.initial_pose_rad = 0.07;
+    MotionSettings settings;
+    settings.flesh = false;
+    settings.sigma_rest_rad = scenario.initial_pose_rad;
+    const auto take = guidedTake(scenario, 8, {4, 2.5, scenario.initial_pose_rad, 8}).value();
+    const auto report = calibrateMotion({take.observations}, settings, {}).value();
+    EXPECT_TRUE(report.converged);
+    EXPECT_EQ(reasonsOf(report).find("strap"), std::string::npos) << reasonsOf(report);
+    MountingErrors errors;
+    errors.add(report, take, nullptr);
+    std::printf("joints held 4 deg otherwise: mounting rms %.2f deg, worst %.2f deg\n",
+                MountingErrors::rms(errors.square, errors.boards), errors.worst);
+    EXPECT_LT(MountingErrors::rms(errors.square, errors.boards), 2);
+}
+
 TEST_F(GuidedMovement, WithASilentBoardIsNotUsableAndNamesIt) {
     Observations damaged = take_->observations;
     damaged.boards[6].clear();
