@@ -45,6 +45,13 @@ ExpectedConstants expectedOf(const Observations& take) {
     return expected;
 }
 
+/// Its mounting is not a movement's.
+bool isOfRestPose(const BoardCalibration& known) {
+    const auto rest = known.made.find("rest-pose"), motion = known.made.find("motion");
+    return known.q_segment_board && rest != known.made.end() &&
+           (motion == known.made.end() || motion->second.created_utc <= rest->second.created_utc);
+}
+
 bool isOnBody(const Observations& take) {
     const auto known = [&](const auto& part) { return take.actor.skeleton.find(part.segment) >= 0; };
     return std::ranges::all_of(take.suit.boards, known) && std::ranges::all_of(take.suit.sources, known);
@@ -141,7 +148,7 @@ bool MovementFitter::prepare(MotionReport& report) {
     at_rest_ = start_.boards;
     for (size_t b = 0; b < at_rest_.size(); ++b)
         if (const BoardCalibration* known = takes_[0].calibration.findBoard(report.boards[b].id);
-            known && known->q_segment_board)
+            known && isOfRestPose(*known))
             at_rest_[b].q_segment_board = *known->q_segment_board;
     start_.sources = expected_.sources;
     start_.bone_scale.assign(body_.bones().size(), 1);
@@ -273,14 +280,16 @@ MotionUnknowns MovementFitter::startAsWorn() const {
     return start;
 }
 
-/// Boards that a fit has turned farther than straps turn them. Where a fit begins is no measure: there a
-/// board takes the blame for every joint of the limb that was not held as asked.
+/// Boards that a fit has turned farther than straps turn them, from where the suit has them and from where
+/// they hung in the rest pose. The latter alone is no measure: there a board takes the blame for every joint
+/// of its limb.
 std::vector<int> MovementFitter::strayBoards(const MotionFitResult& found) const {
     std::vector<int> stray;
     for (int b = 0; b < layout_.boards; ++b) {
         const auto board = static_cast<size_t>(b);
-        if (angleBetween(found.unknowns.boards[board].q_segment_board,
-                         expected_.boards[board].q_segment_board) >
+        const Quaterniond& q = found.unknowns.boards[board].q_segment_board;
+        if (std::min(angleBetween(q, expected_.boards[board].q_segment_board),
+                     angleBetween(q, at_rest_[board].q_segment_board)) >
             kStraySigma * settings_.sigma_mounting_rad)
             stray.push_back(b);
     }

@@ -13,7 +13,7 @@ Calibration MotionReport::applied(const Calibration& base, const Suit& suit) con
             continue;
         BoardCalibration& known = entryOf(calibration, suit.boards[b]);
         known.q_segment_board = board.q_segment_board;
-        known.sigma_turn_rad = board.sigma_turn_rad;
+        known.sigma_mounting_rad = board.sigma_turn_rad;
         known.p_segment_board_m = board.p_segment_board_m;
         known.flesh = board.flesh;
         known.gyro.zero_counts =

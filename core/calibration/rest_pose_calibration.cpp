@@ -132,7 +132,7 @@ Calibration RestPoseReport::applied(const Calibration& base, const Suit& suit) c
             continue;
         BoardCalibration& known = entryOf(calibration, suit.boards[b]);
         known.q_segment_board = board.q_segment_board;
-        known.sigma_turn_rad.reset();  // about the vertical a stillness tells nothing
+        known.sigma_mounting_rad.reset();  // the old one is of another mounting
         known.gyro.zero_counts = board.gyro_zero_counts;
         known.gyro.sigma_zero_counts = board.sigma_gyro_zero_counts;
         known.accel.zero_counts = board.accel_zero_counts;

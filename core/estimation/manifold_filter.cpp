@@ -114,6 +114,8 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
                                       std::pair(layout_.accel_bias, parameters_.accel_bias_walk)})
         if (first >= 0)
             wander_.segment(first, 3 * std::ssize(suit_.boards)).setConstant(walk * walk * step_s_);
+    if (parameters_.root_given && !mounting_rad2_.empty())
+        mounting_rad2_[0].setZero();  // the root's attitude is not its board's
     if (parameters_.joints_give)
         now_.give = JointGive(skeleton_, tree_, turning_joints_, seenJoints(skeleton_, gyroscope_joints_),
                               parameters_.give);

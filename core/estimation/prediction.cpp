@@ -107,6 +107,8 @@ std::vector<double> jointSigmas(const KinematicTree& tree, const Skeleton& skele
             for (size_t b = 0; b < indices.size(); ++b)
                 covariance += P(indices[a], indices[b]) * axes.col(static_cast<Eigen::Index>(a)) *
                               axes.col(static_cast<Eigen::Index>(b)).transpose();
+        for (; l >= 0 && tree.link(l).count == 0; l = tree.link(l).parent)  // a fixed joint, as a neck
+            R_link_joint = motion.q_parent_link[static_cast<size_t>(l)].toRotationMatrix() * R_link_joint;
         Matrix3d mountings = Matrix3d::Zero();
         if (!mounting_rad2.empty())
             mountings = mounting_rad2[static_cast<size_t>(own)];

@@ -31,9 +31,9 @@ LinkTransitions predictMotion(const KinematicTree& tree, MotionState& motion, Ei
                               const LinkTransitions& shift = {});
 
 /// Standard deviation (rad, right perturbation, 3 per joint) of every joint's rotation from the leading
-/// coordinates' covariance; zero for a fixed joint. Where a joint moves, how far boards stand from their
-/// bones is added: the larger of `flesh_rad2`, as the motion shows it, and what `mounting_rad2` says of the
-/// links on both sides (mountingCovariances(); empty: mountings are certain).
+/// coordinates' covariance; zero for a fixed joint. Where a joint moves, the larger of two variances is
+/// added: `flesh_rad2`, learnt from the motion, and that of the mountings on both sides. `mounting_rad2` is
+/// of mountingCovariances(); empty: none.
 std::vector<double> jointSigmas(const KinematicTree& tree, const Skeleton& skeleton,
                                 const MotionState& motion, const Eigen::MatrixXd& P, double flesh_rad2 = 0,
                                 const std::vector<Matrix3d>& mounting_rad2 = {});

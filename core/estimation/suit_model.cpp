@@ -2,7 +2,6 @@
 #include "core/estimation/suit_model.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/math/rotation.h"
 #include "core/suit/placed_suit.h"
@@ -64,14 +63,14 @@ std::vector<Matrix3d> mountingCovariances(const SuitModel& suit, const Kinematic
     std::vector<Matrix3d> covariances(tree.links().size(), Matrix3d::Zero());
     std::vector<int> boards(tree.links().size(), 0);
     for (const MountedBoard& board : suit.boards)
-        if (board.link >= 0) {
+        if (board.link >= 0 && !board.sigma_mounting_rad.isZero()) {
             const auto link = static_cast<size_t>(board.link);
-            const Matrix3d of_board = board.sigma_turn_rad.cwiseAbs2().asDiagonal();
+            const Matrix3d of_board = board.sigma_mounting_rad.cwiseAbs2().asDiagonal();
             covariances[link] += board.R_link_board * of_board * board.R_link_board.transpose();
             ++boards[link];
         }
     for (size_t link = 0; link < covariances.size(); ++link)
-        covariances[link] /= std::pow(std::max(1, boards[link]), 2);
+        covariances[link] /= std::max(1, boards[link]);
     return covariances;
 }
 
@@ -92,8 +91,8 @@ Result<SuitModel> mountSuit(const Suit& suit, const Calibration& calibration, co
             {linkOf(board.segment, actor, tree), p, q.toRotationMatrix(), p + q * board.p_board_mic_m});
         model.boards.back().rate_hz = board.rate_hz;
         const BoardCalibration* known = calibration.findBoard(board.id);
-        if (known && known->sigma_turn_rad)
-            model.boards.back().sigma_turn_rad = *known->sigma_turn_rad;
+        if (known && known->sigma_mounting_rad)
+            model.boards.back().sigma_mounting_rad = *known->sigma_mounting_rad;
         if (!known || !known->flesh || model.boards.back().link < 0)
             continue;
         auto flesh = mountFlesh(*known->flesh, board.id, actor);

@@ -28,7 +28,7 @@ struct MountedBoard {
     Vector3d p_link_mic = Vector3d::Zero();
     std::optional<MountedFlesh> flesh = {};
     double rate_hz = kUsualBoardRate_hz;  ///< nominal
-    Vector3d sigma_turn_rad =
+    Vector3d sigma_mounting_rad =
         Vector3d::Zero();  ///< of R_link_board, about the board's axes, as the calibration says
 };
 
@@ -56,8 +56,8 @@ struct SuitModel {
     std::vector<MountedSource> sources;
 };
 
-/// Per link, in its frame: covariance of how its boards' mountings turn what they tell of it; of several
-/// boards that of their mean.
+/// Per link, in its frame, rad^2: covariance of its attitude caused by its boards' mountings. Several boards
+/// share what they err by, the rest pose, so their mean is no better than one.
 std::vector<Matrix3d> mountingCovariances(const SuitModel& suit, const KinematicTree& tree);
 
 /// Fails (kUnusable) and names board or source when a joint of its flesh or a segment is not in the actor's

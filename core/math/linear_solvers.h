@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dense linear algebra of any size, compiled here for all rooms: Eigen takes seconds to compile each
 // decomposition anew. Code that needs the factor itself, or that runs once per sample, uses Eigen directly.
-// None of these reports failure: of input that is not finite the solution is not, and of a singular matrix
-// only those of solveSymmetric and solveLeastSquares are. Of an indefinite one solvePositive's is wrong.
+// None of these reports failure. Of input that is not finite the solution is not. Of a singular matrix those
+// of solvePositive and solveSquare are not finite or wrong. Of an indefinite one solvePositive's is wrong.
 #pragma once
 
 #include "core/math/conventions.h"

@@ -161,6 +161,7 @@ Status placeAnchors(const std::string& take_path, const Suit& room, const std::s
             BoardCalibration& entry = entryOf(calibration, board);
             entry.p_segment_board_m = room.boards[static_cast<size_t>(b)].p_segment_board_m;
             entry.q_segment_board = room.boards[static_cast<size_t>(b)].q_segment_board;
+            entry.sigma_mounting_rad.reset();
             ++placed;
         } else {
             lacking += (lacking.empty() ? "" : ", ") + board.id;

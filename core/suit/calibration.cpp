@@ -59,8 +59,8 @@ nlohmann::json toJson(const BoardCalibration& board) {
         members["p_segment_board_m"] = json::fromVector(*board.p_segment_board_m);
     if (board.q_segment_board)
         members["q_segment_board"] = json::fromQuaternion(*board.q_segment_board);
-    if (board.sigma_turn_rad)
-        members["sigma_turn_rad"] = json::fromVector(*board.sigma_turn_rad);
+    if (board.sigma_mounting_rad)
+        members["sigma_mounting_rad"] = json::fromVector(*board.sigma_mounting_rad);
     if (board.flesh)
         members["flesh"] = toJson(*board.flesh);
     return members;
@@ -154,7 +154,7 @@ BoardCalibration readBoardCalibration(JsonObject& json, std::optional<Error>& er
     board.mic_delay_s = json.numberOr("mic_delay_s", 0);
     board.p_segment_board_m = json.optionalVector("p_segment_board_m");
     board.q_segment_board = json.optionalQuaternion("q_segment_board");
-    board.sigma_turn_rad = json.optionalVector("sigma_turn_rad");
+    board.sigma_mounting_rad = json.optionalVector("sigma_mounting_rad");
     board.flesh = fleshFromJson(json.objectOrEmpty("flesh"), json.what() + ": flesh", error);
     return board;
 }

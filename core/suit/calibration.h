@@ -44,7 +44,7 @@ struct BoardCalibration {
     double mic_delay_s = 0;
     std::optional<Vector3d> p_segment_board_m;  ///< corrected mounting, replaces the suit's
     std::optional<Quaterniond> q_segment_board;
-    std::optional<Vector3d> sigma_turn_rad =
+    std::optional<Vector3d> sigma_mounting_rad =
         {};  ///< of q_segment_board, about the board's axes; none: not stated
     std::optional<BoardFlesh> flesh = {};
     std::string serial;  ///< whose values these are; empty: not stated

@@ -55,7 +55,7 @@ Calibration withoutWearing(const Calibration& calibration) {
     for (BoardCalibration& board : parts.boards) {
         board.p_segment_board_m.reset();
         board.q_segment_board.reset();
-        board.sigma_turn_rad.reset();
+        board.sigma_mounting_rad.reset();
         board.flesh.reset();
         forgetWearing(board.made);
     }

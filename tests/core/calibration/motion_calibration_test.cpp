@@ -164,8 +164,9 @@ TEST_F(GuidedMovement, WithASilentBoardIsNotUsableAndNamesIt) {
     const Calibration base = damaged.calibration;
     const Calibration found = report->applied(base, damaged.suit);
     EXPECT_FALSE(found.findBoard(damaged.suit.boards[6].id)->q_segment_board);
-    EXPECT_FALSE(found.findBoard(damaged.suit.boards[6].id)->sigma_turn_rad);
-    EXPECT_EQ(found.findBoard(damaged.suit.boards[0].id)->sigma_turn_rad, report->boards[0].sigma_turn_rad);
+    EXPECT_FALSE(found.findBoard(damaged.suit.boards[6].id)->sigma_mounting_rad);
+    EXPECT_EQ(found.findBoard(damaged.suit.boards[0].id)->sigma_mounting_rad,
+              report->boards[0].sigma_turn_rad);
     EXPECT_TRUE(found.findBoard(damaged.suit.boards[0].id)->q_segment_board);
     const Actor measured = report->applied(damaged.actor);
     EXPECT_EQ(measured.skeleton.size(), damaged.actor.skeleton.size());

@@ -13,29 +13,32 @@
 namespace noctule {
 namespace {
 
-constexpr int kFoot = 14;
 constexpr double kDetour_m = 0.2, kSpread_m = 0.05;
 
-/// Most sources reach the foot by way of the floor.
+/// Most sources reach the hand by way of the floor.
 bool isLate(int source) {
     return source % 3 != 0;
 }
 
-Observations takeWithAFootThatHearsEchoes() {
+int handOf(const Observations& take) {
+    return take.suit.findBoard("r_hand");
+}
+
+Observations takeWithAHandThatHearsEchoes() {
     simulation::StageRequest request = test::stageOf(std::nullopt, 4);
     request.scenario = simulation::Scenario::ideal();
     request.clip = test::GuidedMotion::clip(test::GuidedPlan{3});
     Observations take = test::observe(request).value().observations;
     for (size_t i = 0; i < take.flights.size(); ++i)
-        if (FlightTime& flight = take.flights[i]; flight.board == kFoot && isLate(flight.source))
+        if (FlightTime& flight = take.flights[i]; flight.board == handOf(take) && isLate(flight.source))
             flight.flight_s += (kDetour_m + kSpread_m * std::sin(static_cast<double>(i))) / flight.c_m_per_s;
     return take;
 }
 
-/// Distances of a foot that are heard directly keep their weight beside those that are late: the noise is
+/// Distances of a hand that are heard directly keep their weight beside those that are late: the noise is
 /// that of a pair. With one noise for the whole board they would count a hundred times less.
 TEST(MotionFit, LearnsTheNoiseOfEveryPair) {
-    const Observations take = takeWithAFootThatHearsEchoes();
+    const Observations take = takeWithAHandThatHearsEchoes();
     MotionSettings settings;
     settings.flesh = false;
     settings.longest_s = 20;
@@ -63,7 +66,7 @@ TEST(MotionFit, LearnsTheNoiseOfEveryPair) {
     MotionFit fit(body, model, layout, settings, evidence, expected);
     ASSERT_TRUE(fit.run(std::move(start), {}));
     for (int source = 0; source < sources; ++source) {
-        const double noise_m = fit.noise().distance_m[static_cast<size_t>(source * boards + kFoot)];
+        const double noise_m = fit.noise().distance_m[static_cast<size_t>(source * boards + handOf(take))];
         if (isLate(source))
             EXPECT_GT(noise_m, 0.05) << source;
         else

@@ -14,7 +14,7 @@ class MountingSigma : public ::testing::Test {
 protected:
     MountingSigma() : by_link(tree.links().size(), Matrix3d::Zero()) {
         Pose pose = skeleton.zeroPose();
-        pose.q_parent_joint[kChest] = axisAngle(Vector3d::UnitZ(), radians(90));
+        pose.q_parent_joint[kChest] = q_hips_chest;
         motion = tree.stateFromPose(pose);
     }
     Vector3d sigmas(int joint, double flesh_rad2 = 0) const {
@@ -23,6 +23,7 @@ protected:
         return Vector3d::Map(jointSigmas(tree, skeleton, motion, P, flesh_rad2, by_link).data() + 3 * joint);
     }
 
+    const Quaterniond q_hips_chest = expQuaternion(Vector3d(0.3, 0.5, 0.7));
     Skeleton skeleton = testing::smallSkeleton();
     KinematicTree tree{skeleton, BallCoordinates::kManifold};
     std::vector<Matrix3d> by_link;
@@ -32,8 +33,9 @@ protected:
 TEST_F(MountingSigma, IsThatOfBothLinksInTheFrameOfTheLowerOne) {
     by_link[0] = Vector3d(4e-4, 0, 0).asDiagonal();
     by_link[kChest] = Vector3d(0, 0, 8e-4).asDiagonal();
-    // Turned by 90 degrees about z, the hips' x is the chest's y.
-    EXPECT_LT((sigmas(kChest) - Vector3d(0.01, std::sqrt(5e-4), 0.03)).norm(), 1e-12);
+    const Vector3d x_hips = q_hips_chest.conjugate() * Vector3d::UnitX();  // in the chest's frame
+    const Vector3d variances = Vector3d(1e-4, 1e-4, 9e-4) + 4e-4 * x_hips.cwiseAbs2();
+    EXPECT_LT((sigmas(kChest) - variances.cwiseSqrt()).norm(), 1e-12);
     EXPECT_NEAR(sigmas(kArm).z(), 0.03, 1e-12) << "the chest is above the arm";
     by_link.clear();
     EXPECT_LT((sigmas(kChest) - Vector3d::Constant(0.01)).norm(), 1e-12);
@@ -44,19 +46,43 @@ TEST_F(MountingSigma, OrWhatTheMotionShowsOfFleshIfThatIsMore) {
     EXPECT_LT((sigmas(kChest, 3e-4) - Vector3d(0.02, 0.02, 0.03)).norm(), 1e-12);
 }
 
-TEST_F(MountingSigma, SeveralBoardsOnALinkTellItsTurnBetter) {
+TEST_F(MountingSigma, SeveralBoardsOnALinkShareWhatTheyErrBy) {
     SuitModel suit;
     MountedBoard board;
     board.link = kArm;
-    board.R_link_board = axisAngle(Vector3d::UnitZ(), radians(90)).toRotationMatrix();
-    board.sigma_turn_rad = {0.02, 0, 0.01};
-    suit.boards = {board};
-    EXPECT_LT((mountingCovariances(suit, tree)[kArm].diagonal() - Vector3d(0, 4e-4, 1e-4)).norm(), 1e-12);
-    suit.boards = {board, board};
-    EXPECT_LT((mountingCovariances(suit, tree)[kArm].diagonal() - Vector3d(0, 2e-4, 0.5e-4)).norm(), 1e-12);
+    board.R_link_board = expQuaternion(Vector3d(0.3, 0.5, 0.7)).toRotationMatrix();
+    board.sigma_mounting_rad = {0.02, 0, 0.01};
+    const Vector3d x = board.R_link_board.col(0), z = board.R_link_board.col(2);
+    const Matrix3d expected = 4e-4 * x * x.transpose() + 1e-4 * z * z.transpose();
+    for (const size_t boards : {1u, 2u}) {
+        suit.boards.assign(boards, board);
+        EXPECT_LT((mountingCovariances(suit, tree)[kArm] - expected).norm(), 1e-12) << boards;
+    }
+    suit.boards[1].sigma_mounting_rad.setZero();
+    EXPECT_LT((mountingCovariances(suit, tree)[kArm] - expected).norm(), 1e-12) << "of one nothing is stated";
     suit.boards[0].link = -1;
     EXPECT_EQ(mountingCovariances(suit, tree)[0], Matrix3d::Zero())
         << "what stands in the room is on no link";
+}
+
+/// A neck that does not turn hides the chest from the head no more than a link of no board would.
+TEST(MountingSigmas, ReachThroughFixedJoints) {
+    std::vector<Joint> joints = testing::smallSkeleton().joints();
+    joints.resize(2);
+    joints.push_back({"Neck", 1, {0, 0.2, 0}, JointType::kFixed, {}, {}, {}});
+    Joint head = joints[1];
+    head.name = "Head";
+    head.parent = 2;
+    joints.push_back(head);
+    const Skeleton skeleton = Skeleton::make(joints).value();
+    const KinematicTree tree(skeleton, BallCoordinates::kManifold);
+    std::vector<Matrix3d> by_link(tree.links().size(), Matrix3d::Zero());
+    by_link[static_cast<size_t>(tree.linkOfJoint(1))] = Vector3d(0, 0, 8e-4).asDiagonal();
+    const int n = tree.freedoms();
+    const auto sigmas = jointSigmas(tree, skeleton, tree.stateFromPose(skeleton.zeroPose()),
+                                    1e-4 * Eigen::MatrixXd::Identity(n, n), 0, by_link);
+    EXPECT_LT((Vector3d::Map(sigmas.data() + 9) - Vector3d(0.01, 0.01, 0.03)).norm(), 1e-12);
+    EXPECT_EQ(sigmas[8], 0) << "the neck itself does not move";
 }
 
 /// Mean of |error|^2 / (3 sigma^2) of the chest against the hips, whose attitude is given, over runs in each
@@ -70,7 +96,7 @@ double neesOfTheChest(const Vector3d& stated_rad) {
         parameters.joints_give = true;  // a turned board makes joints seem to give
         testing::World world(parameters, seed);
         SuitModel believed = world.suit;
-        believed.boards[kChest].sigma_turn_rad = stated_rad;
+        believed.boards[kChest].sigma_mounting_rad = stated_rad;
         Matrix3d& R_link_board = world.suit.boards[kChest].R_link_board;
         R_link_board = R_link_board * expQuaternion(world.random.vector(kTurned_rad)).toRotationMatrix();
         ManifoldFilter filter(testing::smallSkeleton(), believed, parameters);

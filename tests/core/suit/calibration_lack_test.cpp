@@ -85,10 +85,10 @@ TEST(CalibrationParts, TheWearingIsLeftOutAndSensorsStay) {
     markMade(calibration, "gyroscopes");
     markMade(calibration, "rest-pose");
     calibration.boards[0].q_segment_board = Quaterniond(0.5, 0.5, 0.5, 0.5);
-    calibration.boards[0].sigma_turn_rad = Vector3d::Constant(0.02);
+    calibration.boards[0].sigma_mounting_rad = Vector3d::Constant(0.02);
     const Calibration parts = withoutWearing(calibration);
     EXPECT_FALSE(parts.boards[0].q_segment_board);
-    EXPECT_FALSE(parts.boards[0].sigma_turn_rad);
+    EXPECT_FALSE(parts.boards[0].sigma_mounting_rad);
     EXPECT_FALSE(parts.boards[0].made.contains("rest-pose"));
     EXPECT_TRUE(parts.boards[0].made.contains("gyroscopes"));
     EXPECT_EQ(parts.sources[0].offsets_s, calibration.sources[0].offsets_s);

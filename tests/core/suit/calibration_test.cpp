@@ -27,7 +27,7 @@ Json smallCalibration() {
                              "matrix": [[0.008, 0, 0], [0, 0.009, 0.0001], [0, 0, 0.01]]},
                     "accel": {"zero_counts": [2048, 2048, 2048], "matrix": [[0.07, 0, 0], [0, 0.07, 0], [0, 0, 0.07]]},
                     "p_segment_board_m": [0, 0.1, 0.2], "q_segment_board": [0.5, 0.5, 0.5, 0.5],
-                    "sigma_turn_rad": [0.01, 0.02, 0.03],
+                    "sigma_mounting_rad": [0.01, 0.02, 0.03],
                     "flesh": {"joints": [null, "Spine"],
                               "tilt_rad": [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0.01, 0.02, 0.03], [0, 0, 0]],
                               "shift_m": [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0.002, 0]]}}]})");
@@ -61,7 +61,7 @@ TEST(Calibration, ReadsEveryMember) {
     EXPECT_EQ(hips->gyro.apply({2048, 2051, 2050}), Vector3d(0.008, 0.009 + 0.001, 0.1));
     EXPECT_EQ(hips->p_segment_board_m, Vector3d(0, 0.1, 0.2));
     EXPECT_EQ(hips->q_segment_board->z(), 0.5);
-    EXPECT_EQ(hips->sigma_turn_rad, Vector3d(0.01, 0.02, 0.03));
+    EXPECT_EQ(hips->sigma_mounting_rad, Vector3d(0.01, 0.02, 0.03));
     ASSERT_TRUE(hips->flesh);
     EXPECT_EQ(hips->flesh->joints, (std::array<std::string, 2>{"", "Spine"}));
     EXPECT_EQ(hips->flesh->tilt_rad.col(4), Vector3d(0.01, 0.02, 0.03));
@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"/boards/0/accel/zero_counts", Json::array({1, 2}), ErrorKind::kUnreadable, "zero_counts"},
         Damage{"/boards/0/q_segment_board", Json::array({0, 0, 0, 0}), ErrorKind::kUnreadable,
                "q_segment_board"},
-        Damage{"/boards/0/sigma_turn_rad", 0.01, ErrorKind::kUnreadable, "sigma_turn_rad"},
+        Damage{"/boards/0/sigma_mounting_rad", 0.01, ErrorKind::kUnreadable, "sigma_mounting_rad"},
         Damage{"/boards/0/flesh", 2, ErrorKind::kUnreadable, "flesh"},
         Damage{"/boards/0/flesh/joints/1", 7, ErrorKind::kUnreadable, "flesh: 'joints'"},
         Damage{"/boards/0/flesh/tilt_rad/5", nullptr, ErrorKind::kUnreadable, "flesh: 'tilt_rad'"},
