@@ -5,7 +5,8 @@
 # debug: Eigen's assertions, matrices begin as NaN. asan: address and undefined over core and devices. tsan: the threads
 # of devices and jobs. gcc: all tests with the other compiler. jobs: the smallest build, which says what it lacks.
 # tidy: clang-tidy on what differs from the main branch (NOCTULE_BASE). odr: one definition in the whole program, seen at
-# link time. package: packaging/test_package.sh. busy: all tests beside four loops that take the processors. What was run, with its result and time, ends in out/nightly/YYYY-MM-DD.md.
+# link time. package: packaging/test_package.sh. busy: all tests beside four loops that take the processors.
+# What was run, with its result and time, ends in out/nightly/YYYY-MM-DD.md.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 

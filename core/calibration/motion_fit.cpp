@@ -19,26 +19,28 @@ constexpr double kTurnThatEnds_rad = radians(0.1);  // of the board that turns m
 constexpr int kFirstLearning = 1, kFewestIterations = 3;
 constexpr double kDamping = 1e-9;
 
-/// Of one component, from the median of the absolute values.
-double robustSize(std::vector<double> values) {
-    return 1.4826 * medianOf(std::move(values));
-}
-
 }  // namespace
 
-/// Residuals of each board, all components.
+/// Residuals, all components.
 struct MotionFit::Sizes {
-    std::vector<std::vector<double>> gyro, accel, distance, pair_distance;
+    std::vector<std::vector<double>> gyro, accel;  ///< per board
+    std::vector<std::vector<double>> distance;     ///< per pair, as MotionFitNoise
 
-    Sizes(size_t boards, size_t sources)
-        : gyro(boards), accel(boards), distance(boards), pair_distance(sources * boards) {}
+    Sizes(size_t boards, size_t sources) : gyro(boards), accel(boards), distance(sources * boards) {}
     static std::vector<double> each(const std::vector<std::vector<double>>& values) {
         std::vector<double> sizes;
         for (const auto& of_board : values)
-            sizes.push_back(robustSize(of_board));
+            sizes.push_back(spreadAbout(0, of_board));
         return sizes;
     }
-    MotionResidualSizes sizes() const { return {each(gyro), each(accel), each(distance)}; }
+    MotionResidualSizes ofBoards() const {
+        std::vector<std::vector<double>> of_board(gyro.size());
+        for (size_t pair = 0; pair < distance.size(); ++pair) {
+            auto& all = of_board[pair % of_board.size()];
+            all.insert(all.end(), distance[pair].begin(), distance[pair].end());
+        }
+        return {each(gyro), each(accel), each(of_board)};
+    }
 };
 
 struct MotionFit::Round {
@@ -80,7 +82,7 @@ double MotionFit::addData(ResidualBlock& block, double sigma, double copies, std
     block.weight.setConstant(1 / (sigma * sigma * copies * (1 + square / scale_square)));
     round.system.add(block);
     for (int row = 0; row < block.rows; ++row)
-        sizes.push_back(std::abs(block.residual[row]));
+        sizes.push_back(block.residual[row]);
     return cost;
 }
 
@@ -112,10 +114,9 @@ void MotionFit::addReadings(const MotionUnknowns& unknowns, size_t index, Round&
             return;
         const auto board = static_cast<size_t>(heard.board);
         auto block = model_.distance(unknowns, heard, firstNode(index));
-        round.board_cost[board] +=
-            addData(block, noise_.distance_m[pairOf(heard)] / heard.confidence,
-                    std::max(1.0, settings_.correlation_s / kEachPair_s), round.sizes.distance[board], round);
-        round.sizes.pair_distance[pairOf(heard)].push_back(std::abs(block.residual[0]));
+        round.board_cost[board] += addData(block, noise_.distance_m[pairOf(heard)] / heard.confidence,
+                                           std::max(1.0, settings_.correlation_s / kEachPair_s),
+                                           round.sizes.distance[pairOf(heard)], round);
     }
 }
 
@@ -152,15 +153,14 @@ void MotionFit::assemble(const MotionUnknowns& unknowns, Round& round, const Job
 }
 
 /// A pair that is seldom heard counts as its board's others.
-void MotionFit::learnNoise(const Sizes& sizes) {
-    const MotionResidualSizes of_boards = sizes.sizes();
+void MotionFit::learnNoise(const Sizes& sizes, const MotionResidualSizes& of_boards) {
     for (size_t b = 0; b < noise_.accel_m_per_s2.size(); ++b)
         noise_.accel_m_per_s2[b] = std::max(kLeastAccel_m_per_s2, of_boards.accel_m_per_s2[b]);
     for (size_t pair = 0; pair < noise_.distance_m.size(); ++pair)
         noise_.distance_m[pair] =
-            std::max(kLeastDistanceNoise_m, sizes.pair_distance[pair].size() < kFewestOfPair
+            std::max(kLeastDistanceNoise_m, sizes.distance[pair].size() < kFewestOfPair
                                                 ? of_boards.distance_m[pair % noise_.accel_m_per_s2.size()]
-                                                : robustSize(sizes.pair_distance[pair]));
+                                                : spreadAbout(0, sizes.distance[pair]));
 }
 
 std::vector<double> MotionFit::turnsOf(const ArrowheadSystem& solved) const {
@@ -184,7 +184,7 @@ Result<MotionFitResult> MotionFit::run(MotionUnknowns start, const JobContext& j
                     Sizes(noise_.accel_m_per_s2.size(), static_cast<size_t>(layout_.sources)),
                     std::vector<double>(noise_.accel_m_per_s2.size(), 0.0)};
         assemble(result.unknowns, round, job);
-        result.after = round.sizes.sizes();
+        result.after = round.sizes.ofBoards();
         result.board_cost = round.board_cost;
         result.cost = round.cost;
         if (result.iterations == 0)
@@ -206,7 +206,7 @@ Result<MotionFitResult> MotionFit::run(MotionUnknowns start, const JobContext& j
             result.iterations >= kFewestIterations &&
             *std::max_element(result.last_turn_rad.begin(), result.last_turn_rad.end()) < kTurnThatEnds_rad;
         if (learns_noise_ && result.iterations >= kFirstLearning)
-            learnNoise(round.sizes);
+            learnNoise(round.sizes, result.after);
     }
 }
 

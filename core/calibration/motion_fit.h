@@ -60,7 +60,7 @@ private:
     void addTies(const MotionUnknowns& unknowns, size_t take, const ResidualSink& sink) const;
     double addData(ResidualBlock& block, double sigma, double copies, std::vector<double>& sizes,
                    Round& round) const;
-    void learnNoise(const Sizes& sizes);
+    void learnNoise(const Sizes& sizes, const MotionResidualSizes& of_boards);
     size_t pairOf(const HeardDistance& heard) const {
         return static_cast<size_t>(heard.source * layout_.boards + heard.board);
     }

@@ -28,8 +28,8 @@ struct MountedBoard {
     Vector3d p_link_mic = Vector3d::Zero();
     std::optional<MountedFlesh> flesh = {};
     double rate_hz = kUsualBoardRate_hz;  ///< nominal
-    Vector3d sigma_mounting_rad =
-        Vector3d::Zero();  ///< of R_link_board, about the board's axes, as the calibration says
+    /// Of R_link_board, about the board's axes; zero: the calibration states none.
+    Vector3d sigma_mounting_rad = Vector3d::Zero();
 };
 
 /// A board where the flesh has taken it; in the link's frame.

@@ -44,8 +44,8 @@ struct BoardCalibration {
     double mic_delay_s = 0;
     std::optional<Vector3d> p_segment_board_m;  ///< corrected mounting, replaces the suit's
     std::optional<Quaterniond> q_segment_board;
-    std::optional<Vector3d> sigma_mounting_rad =
-        {};  ///< of q_segment_board, about the board's axes; none: not stated
+    /// Of q_segment_board, about the board's axes; none: not stated.
+    std::optional<Vector3d> sigma_mounting_rad = {};
     std::optional<BoardFlesh> flesh = {};
     std::string serial;  ///< whose values these are; empty: not stated
     CalibrationHistory made;

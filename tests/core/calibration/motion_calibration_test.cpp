@@ -10,6 +10,7 @@
 #include "core/calibration/rest_pose_calibration.h"
 #include "core/formats/bvh.h"
 #include "core/math/rotation.h"
+#include "core/suit/calibration_entries.h"
 #include "tests/support/guided_motion.h"
 #include "tests/support/observed_take.h"
 
@@ -147,6 +148,32 @@ TEST(MotionCalibration, BoardsOfALimbThatWasHeldOtherwiseAreNoStrays) {
     std::printf("joints held 4 deg otherwise: mounting rms %.2f deg, worst %.2f deg\n",
                 MountingErrors::rms(errors.square, errors.boards), errors.worst);
     EXPECT_LT(MountingErrors::rms(errors.square, errors.boards), 2);
+}
+
+/// A board that hangs 14 degrees otherwise than the suit says is left where the fit began, and named; unless
+/// a rest pose's calibration, not an older movement's, says so too.
+TEST_F(GuidedMovement, ABoardWornOtherwiseIsAStrayUnlessTheRestPoseSaysSo) {
+    Observations worn = take_->observations;
+    const auto b = static_cast<size_t>(worn.suit.findBoard("l_upleg"));
+    Board& board = worn.suit.boards[b];
+    const Quaterniond truth = take_->stage.body->worn().boards[b].q_segment_board;
+    board.q_segment_board = (axisAngle(Vector3d::UnitY(), radians(14)) * truth).normalized();
+    MotionSettings settings = plainSettings();
+    settings.sigma_mounting_rad = radians(3);
+    for (const bool by_rest_pose : {false, true}) {
+        BoardCalibration& known = entryOf(worn.calibration, board);
+        known.q_segment_board = truth;
+        known.made = {{by_rest_pose ? "rest-pose" : "motion", {"2026-11-28T10:00:00Z", "good"}}};
+        const auto report = calibrateMotion({worn}, settings, {});
+        ASSERT_TRUE(report);
+        const double off_deg = degrees(angleBetween(truth, report->boards[b].q_segment_board));
+        const bool is_named = reasonsOf(*report).find("left thigh, keeps its place") != std::string::npos;
+        EXPECT_EQ(is_named, !by_rest_pose) << reasonsOf(*report);
+        if (by_rest_pose)
+            EXPECT_LT(off_deg, 0.3);
+        else
+            EXPECT_NEAR(off_deg, 14, 0.5);
+    }
 }
 
 TEST_F(GuidedMovement, WithASilentBoardIsNotUsableAndNamesIt) {
