@@ -9,7 +9,6 @@
 // (packaging/acceptance.sh accuracy leaves them in out/acceptance/accuracy). "Constant": each board turned by
 // its mean over this very take, which no calibration knows; what then remains is flesh. Joints whose segments
 // carry no board hold the rest pose.
-#include <Eigen/Eigenvalues>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -17,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/estimation/suit_model.h"
+#include "core/math/linear_solvers.h"
 #include "core/motion/comparison.h"
 #include "core/processing/outside_files.h"
 #include "tests/benchmark/judged_take.h"
@@ -58,8 +58,7 @@ std::vector<Quaterniond> meanMountings(const Given& given) {
     }
     std::vector<Quaterniond> means;
     for (const Eigen::Matrix4d& sum : sums)
-        means.emplace_back(
-            Eigen::Vector4d(Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(sum).eigenvectors().col(3)));
+        means.emplace_back(Eigen::Vector4d(eigensystemOf(sum).vectors.col(3)));
     return means;
 }
 

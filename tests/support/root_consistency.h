@@ -3,12 +3,12 @@
 // true motion as its reference.
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 
 #include "core/estimation/manifold_filter.h"
 #include "core/live/motion_tracker.h"
 #include "core/recording/take.h"
+#include "tests/support/nees.h"
 
 namespace noctule::test {
 
@@ -89,10 +89,10 @@ private:
         // Nothing has told the place at the beginning since: it is part of the place now, all of it.
         const Eigen::Matrix2d cov_floor =
             P({0, 2}, {0, 2}) - cov_begin_m2_ + 1e-6 * Eigen::Matrix2d::Identity();
-        judged.nees_horizontal += floor_m.dot(cov_floor.ldlt().solve(floor_m)) / 2;
+        judged.nees_horizontal += nees(floor_m, cov_floor);
         judged.nees_vertical += off_m.y() * off_m.y() / P(1, 1);
         const Matrix3d cov_velocity = P.block<3, 3>(rate, rate);
-        judged.nees_velocity += off_m_per_s.dot(cov_velocity.ldlt().solve(off_m_per_s)) / 3;
+        judged.nees_velocity += nees(off_m_per_s, cov_velocity);
         judged.end_m = floor_m.norm();
         judged.rms_m += floor_m.squaredNorm();
         judged.height_rms_m += off_m.y() * off_m.y();

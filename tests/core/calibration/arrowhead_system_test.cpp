@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <random>
+
+#include "core/math/linear_solvers.h"
 
 namespace noctule {
 namespace {
@@ -31,10 +32,10 @@ public:
 
     Eigen::VectorXd step(double damping) {
         normal_.diagonal() *= 1 + damping;
-        return -normal_.ldlt().solve(gradient_);
+        return -solveSymmetric(normal_, gradient_);
     }
     Eigen::MatrixXd borderCovariance() const {
-        return normal_.inverse().bottomRightCorner(kBorderSize, kBorderSize);
+        return inverseOf(normal_).bottomRightCorner(kBorderSize, kBorderSize);
     }
 
 private:

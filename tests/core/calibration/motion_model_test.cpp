@@ -5,10 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-
 #include "core/calibration/board_signal.h"
 #include "core/calibration/motion_priors.h"
+#include "core/math/linear_solvers.h"
 #include "core/math/rotation.h"
 #include "core/simulation/random.h"
 #include "core/suit/default_suit.h"
@@ -174,7 +173,7 @@ TEST(ArrowheadSystem, SolvesAsADenseSolverDoes) {
         g += J.transpose() * w.asDiagonal() * block.residual.head(block.rows);
         system.add(block);
     }
-    const Eigen::MatrixXd inverse = H.llt().solve(Eigen::MatrixXd::Identity(kAll, kAll));
+    const Eigen::MatrixXd inverse = inverseOf(H);
     const Eigen::VectorXd step = -inverse * g;
     ASSERT_TRUE(system.solve(0));
     EXPECT_LT((system.nodeSteps().reshaped() - step.head(kNodes * kNode)).norm(), 1e-8 * step.norm());

@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "core/formats/bvh.h"
+#include "core/math/rotation_fit.h"
+#include "tests/support/nees.h"
 
 namespace noctule::cooperative {
 namespace {
@@ -116,10 +116,6 @@ std::vector<Track> handshakeTracks() {
     return people;
 }
 
-double nees(const Eigen::VectorXd& error, const Eigen::MatrixXd& P) {
-    return error.dot(P.ldlt().solve(error)) / static_cast<double>(error.size());
-}
-
 /// The turn and what remains after the best rigid motion of the estimate onto the truth (Kabsch).
 std::pair<double, double> turnAndShape(const std::vector<Vector3d>& truth, const FreePoints& points) {
     Vector3d mean_truth = Vector3d::Zero(), mean = Vector3d::Zero();
@@ -129,9 +125,7 @@ std::pair<double, double> turnAndShape(const std::vector<Vector3d>& truth, const
     Matrix3d C = Matrix3d::Zero();
     for (size_t i = 0; i < truth.size(); ++i)
         C += (truth[i] - mean_truth) * (points.place(static_cast<int>(i)) - mean).transpose();
-    const Eigen::JacobiSVD<Matrix3d> svd(C, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Vector3d signs(1, 1, (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1);
-    const Matrix3d R = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+    const Matrix3d R = nearestRotation(C);
     double sum = 0;
     for (size_t i = 0; i < truth.size(); ++i)
         sum += (truth[i] - mean_truth - R * (points.place(static_cast<int>(i)) - mean)).squaredNorm();
@@ -250,7 +244,7 @@ CastScore runCast(const CastScene& scene, const CastRun& run) {
             sum_wrist +=
                 (error.segment<3>(3 * scene.wrists[0]) - error.segment<3>(3 * scene.wrists[1])).squaredNorm();
         if (score.steps % 10 == 0)
-            sum_nees += nees(error, filter.points().cov_pp);
+            sum_nees += test::nees(error, filter.points().cov_pp);
         const auto [turn, shape] = turnAndShape(truth, filter.points());
         score.turn_deg = std::max(score.turn_deg, turn);
         sum_shape += shape / static_cast<double>(truth.size());

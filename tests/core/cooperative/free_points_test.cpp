@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <random>
 
+#include "core/math/linear_solvers.h"
 #include "tests/core/cooperative/cast_scene.h"
 
 namespace noctule::cooperative {
@@ -89,12 +88,8 @@ std::vector<int> greedyByTrial(const Prepared& from, size_t most, bool trace) {
                 continue;
             FreePoints tried = points;
             correctByGain(tried, {from.rows[static_cast<size_t>(k)]});
-            const double value = trace ? tried.cov_pp.trace()
-                                       : Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(tried.cov_pp)
-                                             .eigenvalues()
-                                             .array()
-                                             .log()
-                                             .sum();
+            const double value =
+                trace ? tried.cov_pp.trace() : eigenvaluesOf(tried.cov_pp).array().log().sum();
             if (value < best_value)
                 best_value = value, best = k;
         }

@@ -2,7 +2,6 @@
 // Welch 2018, section 4, on real motion, and what of it must be mended.
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +10,7 @@
 #include <tuple>
 
 #include "tests/core/cooperative/cast_scene.h"
+#include "tests/support/nees.h"
 
 namespace noctule::cooperative {
 namespace {
@@ -72,7 +72,7 @@ double commonTurnInformation(const FreePoints& points, const Vector3d& anchor, c
     Eigen::VectorXd turn(n);
     for (int i = 0; i < points.count(); ++i)
         turn.segment<3>(3 * i) = axis.cross(points.place(i) - anchor);
-    return turn.dot(points.cov_pp.llt().solve(turn));
+    return test::nees(turn, points.cov_pp) * static_cast<double>(n);
 }
 
 TEST(PointFilter, NoRangeTellsTheCommonTurnAboutOneAnchor) {

@@ -3,9 +3,8 @@
 // normalised estimation error squared (NEES) of the pose, averaged over runs, must be near 1.
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-
 #include "tests/core/estimation/small_world.h"
+#include "tests/support/nees.h"
 
 namespace noctule {
 namespace {
@@ -40,9 +39,7 @@ Outcome run(const ManifoldParameters& truth, const ManifoldParameters& parameter
         const VectorXd error = coordinateError(world.tree, filter.state().motion, truth_before);
         const Eigen::Index n = error.size(), judged = parameters.root_given ? n : n - 3;  // not the place
         const Eigen::MatrixXd P = filter.covariance().topLeftCorner(n, n);
-        outcome.nees +=
-            error.tail(judged).dot(P.bottomRightCorner(judged, judged).ldlt().solve(error.tail(judged))) /
-            static_cast<double>(judged);
+        outcome.nees += test::nees(error.tail(judged), P.bottomRightCorner(judged, judged));
         outcome.mean_deg = degrees(error.tail(n - 6).cwiseAbs().mean());
         outcome.sigma_deg = degrees(P.diagonal().tail(n - 6).cwiseSqrt().mean());
         ++counted;

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "core/math/linear_solvers.h"
 #include "tests/core/room_survey/walked_room.h"
 
 namespace noctule::room_survey {
@@ -24,11 +24,11 @@ std::vector<Vector3d> placesOf(const RoomSurvey& survey) {
 
 /// Per freedom of the constellation; 1 is honest.
 double neesOf(const Eigen::VectorXd& error_m, const Eigen::MatrixXd& cov_m2) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(cov_m2);
+    const Eigensystem eigen = eigensystemOf(cov_m2);
     double sum = 0;
     const Eigen::Index first = 6;  // the motions of all together
     for (Eigen::Index k = first; k < error_m.size(); ++k)
-        sum += std::pow(eigen.eigenvectors().col(k).dot(error_m), 2) / eigen.eigenvalues()[k];
+        sum += std::pow(eigen.vectors.col(k).dot(error_m), 2) / eigen.values[k];
     return sum / static_cast<double>(error_m.size() - first);
 }
 

@@ -13,9 +13,7 @@ inline constexpr double kSwayingRest_s = 1, kSwaying_s = 3;
 inline Suit fewHousings() {
     Suit suit;
     suit.name = "few";
-    const auto outwards = [](const Vector3d& to) {
-        return Quaterniond::FromTwoVectors(Vector3d::UnitZ(), to);
-    };
+    const auto outwards = [](const Vector3d& to) { return smallestRotation(Vector3d::UnitZ(), to); };
     simulation::addTransceiver(suit, "hips", "Hips", {0, -0.03, 0.125}, Quaterniond::Identity());
     simulation::addTransceiver(suit, "chest", "Chest", {0, 0.09, 0.13}, Quaterniond::Identity());
     simulation::addTransceiver(suit, "head", "Head", {0, 0.11, 0.12}, Quaterniond::Identity());
@@ -33,7 +31,7 @@ inline Suit fourCorners() {
                                                         {"west", {-2, 1.2, -1.5}}};
     for (const auto& [id, p] : corners)
         simulation::addTransceiver(room, id, "", p,
-                                   Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d(0, 1, 0) - p));
+                                   smallestRotation(Vector3d::UnitZ(), Vector3d(0, 1, 0) - p));
     return room;
 }
 

@@ -2,6 +2,7 @@
 // Two people with three transceivers each, and a room with two anchors.
 #pragma once
 
+#include "core/math/rotation.h"
 #include "core/simulation/cast.h"
 #include "tests/core/simulation/simulated_body.h"
 
@@ -30,7 +31,7 @@ inline Suit threeTransceivers() {
     suit.name = "three";
     addTransceiver(suit, "chest", "Chest", {0, 0.09, 0.13}, Quaterniond::Identity());
     addTransceiver(suit, "l_hand", "LeftHand", {0.085, 0.03, 0},
-                   Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d::UnitY()));
+                   smallestRotation(Vector3d::UnitZ(), Vector3d::UnitY()));
     addTransceiver(suit, "hips", "Hips", {0, -0.03, 0.125}, Quaterniond::Identity());
     return suit;
 }
@@ -39,9 +40,9 @@ inline Suit twoAnchors() {
     Suit room;
     room.name = "anchors";
     addTransceiver(room, "south", "", {0.1, 2.2, -2},
-                   Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d(0, -0.4, 1)));
+                   smallestRotation(Vector3d::UnitZ(), Vector3d(0, -0.4, 1)));
     addTransceiver(room, "north", "", {0, 2.2, 2},
-                   Quaterniond::FromTwoVectors(Vector3d::UnitZ(), Vector3d(0, -0.4, -1)));
+                   smallestRotation(Vector3d::UnitZ(), Vector3d(0, -0.4, -1)));
     return room;
 }
 
